@@ -1,0 +1,55 @@
+# Two commands: `make study` and `make test`. Each first makes .venv from the locks when it is
+# missing or stale.  PYTHON=/path/to/python chooses the interpreter the environment is made from.
+
+TIER ?= standard
+CORES ?= all
+STUDY = .venv/bin/python workflow/scripts/run_study.py --tier '$(TIER)' --cores '$(CORES)'
+IN_ENVIRONMENT = PATH="$(CURDIR)/.venv/bin:$$PATH"
+
+# The marker's name holds what the environment was made from, and where: a moved checkout, another
+# lock or an interpreter that is gone asks for a new one.
+INPUTS = build.lock requirements.lock pyproject.toml
+ID := $(shell { pwd; cat $(INPUTS) 2>/dev/null; } | cksum | tr -d ' ')
+ALIVE := $(shell .venv/bin/python -c "print(1)" 2>/dev/null)
+READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
+
+MAKEFLAGS += --no-print-directory
+.NOTPARALLEL:
+.PHONY: help study test test-slow check lock figures bench clean
+# Libraries of another environment must not get in.
+unexport PYTHONPATH PYTHONHOME
+export PYTHON
+
+help:  ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "%-10s %s\n", $$1, $$2 }' Makefile
+
+study: $(READY)  ## simulate, grade, draw and report everything (TIER=preview|standard|reference CORES=n)
+	@$(STUDY)
+
+test: $(READY)  ## run the tests, except the slow ones
+	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'not slow'
+
+test-slow: $(READY)  ## run the slow tests
+	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m slow
+
+check: $(READY)  ## check format, lint, types, import rules and spelling
+	@$(IN_ENVIRONMENT) sh workflow/scripts/check.sh
+
+lock:  ## resolve the dependencies anew into the hashed lock files (developers)
+	@sh workflow/scripts/with_python.sh workflow/scripts/make_locks.py
+
+figures: $(READY)  ## draw the figures, simulating only what they miss
+	@$(STUDY) figures
+
+bench: .venv/.bench-$(ID)  ## time the engine beside other simulators
+	@$(IN_ENVIRONMENT) python benchmarks/run.py
+
+clean:  ## remove results and stored points; keep environment and compiled kernels
+	@rm -rf results logs "$${RISERSTUDY_CACHE:-.cache}/points"
+
+$(READY):
+	@sh workflow/scripts/with_python.sh workflow/scripts/make_environment.py .venv/.ready-$(ID)
+
+.venv/.bench-$(ID): $(READY) bench.lock
+	@.venv/bin/python -m pip install -qq --no-input --require-hashes -r bench.lock
+	@touch $@

@@ -1,0 +1,51 @@
+"""Resolve the dependencies into the lock files. Needs nothing but the standard library.
+
+Each lock serves every supported Python at once, with one version of each package for all of them, so
+that results do not change with the interpreter. A lock holds neither an address nor a path: any index
+that serves the same files will do.
+"""
+
+import subprocess
+import sys
+import tempfile
+import venv
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+UV = "uv==0.13.8"
+OPTIONS = (
+    "--quiet",
+    "--universal",
+    "--python-version=3.11",
+    "--fork-strategy=fewest",
+    "--generate-hashes",
+    "--upgrade",
+    "--no-header",
+    "--no-annotate",
+    "--no-emit-index-url",
+    "--no-emit-find-links",
+)
+
+
+def main() -> None:
+    """Write requirements.lock first: the other locks agree with it."""
+    with tempfile.TemporaryDirectory() as folder:
+        venv.create(folder, with_pip=True)
+        tools = Path(folder) / "bin"
+        run(tools / "python", "-m", "pip", "install", "-qq", "--disable-pip-version-check", UV)
+        uv = (tools / "uv", "pip", "compile", *OPTIONS)
+        run(*uv, "pyproject.toml", "--group=dev", "--output-file=requirements.lock")
+        for group in ("build", "bench", "slurm"):
+            agree = ("--constraints", "requirements.lock")
+            run(*uv, f"--group={group}", *agree, f"--output-file={group}.lock")
+
+
+def run(*command: object) -> None:
+    """Run a command in the project's folder; its failure ends the program."""
+    status = subprocess.run([str(word) for word in command], cwd=ROOT, stdout=subprocess.DEVNULL)
+    if status.returncode:
+        sys.exit(status.returncode)
+
+
+if __name__ == "__main__":
+    main()

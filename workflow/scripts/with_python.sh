@@ -1,0 +1,34 @@
+#!/bin/sh
+# Run a script with the first Python that serves: $PYTHON if set, else the newest on the path.
+# Each is tried by running it, since a name on the path may be a shim with nothing behind.
+
+supported='import sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))'
+name='import sys; print("python%d.%d-venv" % sys.version_info[:2])'
+
+if [ -n "$PYTHON" ]; then
+    set -- "$PYTHON" -- "$@"
+else
+    set -- python3.13 python3.12 python3.11 python3 -- "$@"
+fi
+
+lacking=
+while [ "$1" != -- ]; do
+    python=$1
+    shift
+    "$python" -c "$supported" 2>/dev/null || continue
+    if "$python" -c 'import ensurepip, venv' 2>/dev/null; then
+        shift
+        exec "$python" "$@"
+    fi
+    lacking=$python
+done
+
+if [ -n "$lacking" ]; then
+    package=$("$lacking" -c "$name")
+    echo "riserstudy: $lacking has no venv module; install it (Debian, Ubuntu: apt install $package)." >&2
+elif [ -n "$PYTHON" ]; then
+    echo "riserstudy needs Python 3.11, 3.12 or 3.13, which PYTHON=$PYTHON is not; install one or name another." >&2
+else
+    echo "riserstudy needs Python 3.11, 3.12 or 3.13; install one, or name it: make study PYTHON=/path/to/python3.12" >&2
+fi
+exit 1
