@@ -24,7 +24,7 @@ help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "%-10s %s\n", $$1, $$2 }' Makefile
 
 study: $(READY)  ## simulate, grade, draw and report everything (TIER=preview|standard|reference CORES=n)
-	@$(STUDY)
+	@exec $(STUDY)
 
 test: $(READY)  ## run the tests, except the slow ones
 	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'not slow'
@@ -39,7 +39,7 @@ lock:  ## resolve the dependencies anew into the hashed lock files (developers)
 	@sh workflow/scripts/with_python.sh workflow/scripts/make_locks.py
 
 figures: $(READY)  ## draw the figures, simulating only what they miss
-	@$(STUDY) figures
+	@exec $(STUDY) figures
 
 bench: .venv/.bench-$(ID)  ## time the engine beside other simulators
 	@$(IN_ENVIRONMENT) python benchmarks/run.py

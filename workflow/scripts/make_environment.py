@@ -8,6 +8,7 @@ would otherwise fetch a backend that no lock names; then the project itself.
 import fcntl
 import hashlib
 import os
+import platform
 import shutil
 import subprocess
 import sys
@@ -28,15 +29,16 @@ def main(marker: Path) -> int:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            print("riserstudy: .venv is being installed by another run; try again then.", file=sys.stderr)
+            reason = ".venv is being installed by another run; try again when it has ended."
+            print(f"riserstudy: {reason}", file=sys.stderr)
             return 1
         if not marker.exists():
             try:
                 install(marker)
             except subprocess.CalledProcessError as error:
                 print(
-                    "riserstudy: the installation failed (see above); the next make begins it anew.\n"
-                    f"  failed: {' '.join(map(str, error.cmd))}",
+                    "riserstudy: the installation failed, see above; the next make begins anew. "
+                    f"It was at: {' '.join(error.cmd)}",
                     file=sys.stderr,
                 )
                 return 1
@@ -47,8 +49,8 @@ def install(marker: Path) -> None:
     """Install the locked packages unless they are there, then the project."""
     locked = VENV / f".locked-{locks_digest()}"
     if not locked.exists():
-        version = ".".join(map(str, sys.version_info[:3]))
-        print(f"Installing the environment with Python {version} (once, a minute or two) ...", flush=True)
+        python = f"Python {platform.python_version()}"
+        print(f"Installing the environment ({python}; once, a minute or two) ...", flush=True)
         shutil.rmtree(VENV, ignore_errors=True)
         run(sys.executable, "-m", "venv", VENV)
         for lock in LOCKS:

@@ -1,8 +1,8 @@
 """Resolve the dependencies into the lock files. Needs nothing but the standard library.
 
-Each lock serves every supported Python at once, with one version of each package for all of them, so
-that results do not change with the interpreter. A lock holds neither an address nor a path: any index
-that serves the same files will do.
+Each lock serves every supported Python at once, with one version of each package for all of them,
+so that results do not change with the interpreter. A lock holds neither an address nor a path: any
+index that serves the same files will do.
 """
 
 import subprocess

@@ -17,6 +17,7 @@ while [ "$1" != -- ]; do
     shift
     "$python" -c "$supported" 2>/dev/null || continue
     if "$python" -c 'import ensurepip, venv' 2>/dev/null; then
+        while [ "$1" != -- ]; do shift; done
         shift
         exec "$python" "$@"
     fi

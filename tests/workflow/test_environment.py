@@ -1,0 +1,69 @@
+"""What `make` installs from, and with which Python."""
+
+import re
+import subprocess
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+LOCKS = sorted(ROOT.glob("*.lock"))
+
+
+@pytest.mark.parametrize("lock", LOCKS, ids=lambda lock: lock.stem)
+def test_a_lock_pins_each_package_once_with_hashes_and_names_no_place(lock):
+    text = lock.read_text()
+    entries = re.split(r"\n(?=\S)", text.strip())
+    names = Counter(entry.partition("==")[0] for entry in entries)
+    assert set(names.values()) == {1}
+    assert all("--hash=sha256:" in entry for entry in entries)
+    assert not re.search(r"[:@]/|^-|#", text, re.MULTILINE)
+
+
+def test_the_locks_agree_where_they_share_a_package():
+    pins = {pin for lock in LOCKS for pin in re.findall(r"^(\S+==\S+)", lock.read_text(), re.M)}
+    names = Counter(pin.partition("==")[0] for pin in pins)
+    assert max(names.values()) == 1
+
+
+def with_python(path, python=""):
+    return subprocess.run(
+        ["/bin/sh", ROOT / "workflow/scripts/with_python.sh", "-c", "print('ran')"],
+        env={"PATH": str(path), "PYTHON": str(python)},
+        capture_output=True,
+        text=True,
+    )
+
+
+def program(path, text):
+    path.write_text(f"#!/bin/sh\n{text}\n")
+    path.chmod(0o755)
+    return path
+
+
+def test_another_python_is_refused_in_one_line(tmp_path):
+    old = program(tmp_path / "python3", "exit 1")
+    for python in ("", old, tmp_path / "absent"):
+        done = with_python(tmp_path, python)
+        assert done.returncode == 1
+        assert "needs Python 3.11, 3.12 or 3.13" in done.stderr
+        assert done.stderr.count("\n") == 1
+
+
+def test_a_python_without_venv_is_named_with_what_to_install(tmp_path):
+    program(
+        tmp_path / "python3.12",
+        'case "$2" in *ensurepip*) exit 1;; *-venv*) echo python3.12-venv;; esac',
+    )
+    done = with_python(tmp_path)
+    assert done.returncode == 1
+    assert "apt install python3.12-venv" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+def test_a_name_with_nothing_behind_is_passed_over(tmp_path):
+    program(tmp_path / "python3.13", "exit 127")
+    program(tmp_path / "python3.12", 'case "$2" in print*) echo ran;; esac')
+    done = with_python(tmp_path)
+    assert (done.returncode, done.stdout) == (0, "ran\n")

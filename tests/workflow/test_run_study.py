@@ -1,0 +1,136 @@
+"""The one command around Snakemake, on a workflow of three steps."""
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import psutil
+import pytest
+
+SCRIPT = Path(__file__).parents[2] / "workflow/scripts/run_study.py"
+SNAKEFILE = """\
+rule all:
+    input: "results/paper/a.nc", "results/reproduction.csv"
+rule dataset:
+    output: "results/paper/a.nc"
+    log: "logs/dataset.log"
+    shell: "(echo the pipe is gone; sh step.sh; echo {config[tier]} > {output:q}) > {log:q} 2>&1"
+rule table:
+    input: "results/paper/a.nc"
+    output: "results/reproduction.csv"
+    shell: "cp table.csv {output:q}"
+"""
+TABLE = """\
+paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,note
+paper,N1,,number,,1,1,m,0,reproduced,,
+paper,C1,,claim,,,,,,holds,,
+paper,C2,,claim,,,,,,not reproducible,,
+"""
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A checkout in small; its path has a blank, as paths do."""
+    folder = tmp_path / "a checkout"
+    (folder / "workflow/scripts").mkdir(parents=True)
+    shutil.copy(SCRIPT, folder / "workflow/scripts")
+    (folder / "Snakefile").write_text(SNAKEFILE)
+    (folder / "table.csv").write_text(TABLE)
+    (folder / "step.sh").write_text("true\n")
+    return folder
+
+
+def start(folder, *arguments):
+    command = [sys.executable, "workflow/scripts/run_study.py", "--cores", "1", *arguments]
+    environment = {name: value for name, value in os.environ.items() if name != "MAKELEVEL"}
+    return subprocess.Popen(
+        command,
+        cwd=folder,
+        env=environment,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+
+
+def finish(process):
+    said, complained = process.communicate(timeout=60)
+    return process.returncode, said, complained
+
+
+def wait_for(found):
+    deadline = time.monotonic() + 30
+    while not found():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+
+
+def test_a_run_ends_with_the_verdicts_and_a_second_run_does_nothing(folder):
+    status, said, complained = finish(start(folder, "--tier", "preview"))
+    assert (status, complained) == (0, "")
+    assert (folder / "results/paper/a.nc").read_text() == "preview\n"
+    assert "3 of 3 steps" in said
+    assert "results/paper/*.nc (1)" in said
+    lines = [line.split() for line in said.splitlines()]
+    assert ["reproduced", "holds", "not", "reproducible"] in lines
+    assert ["paper", "numbers", "1", "-", "-"] in lines
+    assert ["paper", "claims", "-", "1", "1"] in lines
+
+    status, said, _ = finish(start(folder, "--tier", "preview"))
+    assert status == 0
+    assert said.startswith("Nothing to do")
+
+
+def test_a_failing_step_is_named_with_the_end_of_its_log(folder):
+    (folder / "step.sh").write_text("exit 7\n")
+    status, _, complained = finish(start(folder))
+    assert status == 1
+    assert "dataset failed to make results/paper/a.nc" in complained
+    assert "logs/dataset.log ends:\n    the pipe is gone" in complained
+
+
+def test_a_workflow_that_cannot_start_says_why(folder):
+    status, _, complained = finish(start(folder, "no_such_target"))
+    assert status == 1
+    assert "MissingRuleException" in complained
+    assert "no_such_target" in complained
+
+
+@pytest.mark.parametrize("victim", ["the run", "all"])
+def test_a_second_run_stops_and_a_killed_run_is_resumed(folder, victim):
+    (folder / "step.sh").write_text("echo $$ > job; sleep 60\n")
+    first = start(folder)
+    wait_for((folder / "job").exists)
+    status, _, complained = finish(start(folder))
+    assert status == 1
+    assert f"another run (pid {first.pid}) is at work here" in complained
+    assert complained.count("\n") == 1
+
+    left = psutil.Process(first.pid).children(recursive=True)
+    for process in left if victim == "all" else []:
+        process.kill()
+    first.kill()
+    finish(first)
+    assert any((folder / ".snakemake/locks").iterdir())
+
+    (folder / "step.sh").write_text("true\n")
+    status, said, complained = finish(start(folder))
+    assert (status, complained) == (0, "")
+    assert "3 of 3 steps" in said
+    assert not any(process.is_running() for process in left)
+
+
+def test_a_run_told_to_stop_leaves_nothing_behind(folder):
+    (folder / "step.sh").write_text("echo $$ > job; sleep 60\n")
+    run = start(folder)
+    wait_for((folder / "job").exists)
+    left = psutil.Process(run.pid).children(recursive=True)
+    run.terminate()
+    status, _, complained = finish(run)
+    assert status == 130
+    assert "stopped" in complained
+    assert not any(process.is_running() for process in left)
+    assert not list((folder / ".snakemake").glob("locks/*"))
