@@ -1,0 +1,64 @@
+r"""Mass that resists acceleration across the pipe only: added mass of the water, contents.
+
+.. math:: f = -m_n\,(\ddot r - (\ddot r \cdot t)\,t),\qquad m_a = C_a \rho\,\pi D^2/4
+
+Water outside is carried along by the Morison equation; a fluid inside moves with the pipe sideways
+but not along it.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+from riserstudy.solve.spread import spread, spread_stiffness
+from riserstudy.solve.vec import at, dot, mul, outer, put, put_block, sub, unity
+
+
+class AddedMass(NamedTuple):
+    """Mass that acts across the pipe."""
+
+    mass: np.ndarray  # (n,) of the segments (kg)
+    minus: np.ndarray  # (n,) the same, negative
+
+
+@inner
+def force(added, s):
+    """Inertial force of the acceleration across the pipe."""
+    for i in range(s.l0.shape[0] + 1):
+        a, t = at(s.dim, s.a, i), at(s.dim, s.direction, i)
+        put(s.density, i, sub(a, mul(dot(a, t), t)))
+    spread(s, added.minus, s.share[0], s.share[1], s.density, s.force)
+    return 0.0
+
+
+@inner
+def mass(added, s):
+    """Mass times d a / d r, across the pipe."""
+    unit = unity(s.dim)
+    for i in range(s.l0.shape[0] + 1):
+        t = at(s.dim, s.direction, i)
+        put_block(s.block, i, mul(s.rate[1], sub(unit, outer(t, t))))
+    spread_stiffness(s, added.mass, s.share[0], s.share[1])
+    return 0.0
+
+
+@inner
+def energy(added, s):
+    """Kinetic energy of the water carried along (J)."""
+    own, other = s.share[0], s.share[1]
+    for i in range(s.l0.shape[0] + 1):
+        v, t = at(s.dim, s.v, i), at(s.dim, s.direction, i)
+        put(s.density, i, sub(v, mul(dot(v, t), t)))
+    total = 0.0
+    for e in range(s.l0.shape[0]):
+        low, up = at(s.dim, s.density, e), at(s.dim, s.density, e + 1)
+        square = own * (dot(low, low) + dot(up, up)) + 2.0 * other * dot(low, up)
+        total += 0.5 * added.mass[e] * square
+    return total
+
+
+register(AddedMass, string_inertia=force, mass=mass, kinetic=energy)

@@ -1,0 +1,59 @@
+r"""Axial elasticity of the pipe.
+
+.. math:: T_e = EA\,(\ell / \ell_0 - 1)
+
+with the unstretched length as reference. T is the effective tension: weights and fluids act per
+unstretched length, pressures need no forces of their own.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+from riserstudy.solve.vec import add, at, mul, outer, plus, plus_block, sub, unity
+
+
+class Axial(NamedTuple):
+    """Axial stiffness of the segments."""
+
+    stiffness: np.ndarray  # (n,) EA (N)
+
+
+@inner
+def force(axial, s):
+    """Tension along each segment."""
+    for e in range(s.l0.shape[0]):
+        tension = axial.stiffness[e] * (s.length[e] / s.l0[e] - 1.0)
+        plus(s.segment, e, mul(tension, at(s.dim, s.tangent, e)))
+    return 0.0
+
+
+@inner
+def tangent(axial, s):
+    """Elastic stiffness along the segment, T / length across it."""
+    unit = unity(s.dim)
+    for e in range(s.l0.shape[0]):
+        t = at(s.dim, s.tangent, e)
+        along = outer(t, t)
+        tension = axial.stiffness[e] * (s.length[e] / s.l0[e] - 1.0)
+        elastic = mul(axial.stiffness[e] / s.l0[e], along)
+        string = mul(tension / s.length[e], sub(unit, along))
+        plus_block(s.k_segment, e, add(elastic, string))
+    return 0.0
+
+
+@inner
+def energy(axial, s):
+    """Strain energy (J)."""
+    total = 0.0
+    for e in range(s.l0.shape[0]):
+        strain = s.length[e] / s.l0[e] - 1.0
+        total += 0.5 * axial.stiffness[e] * s.l0[e] * strain * strain
+    return total
+
+
+register(Axial, string=force, tangent=tangent, potential=energy)

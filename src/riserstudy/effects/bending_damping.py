@@ -1,0 +1,96 @@
+r"""Bending structural damping, proportional to the rate of curvature (Kelvin-Voigt).
+
+.. math:: M = EI\,(\kappa + \tau\,\dot\kappa)
+
+so that the moments belong to the turning angles plus :math:`\tau` times their rates.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+from riserstudy.solve.blocktri import flexibility_solve
+
+
+class BendingDamping(NamedTuple):
+    """Relaxation of the pipe in bending."""
+
+    time: float  # tau (s)
+    rate: np.ndarray  # (n+1,) scratch: turning rate at the nodes (rad/s)
+    moment: np.ndarray  # (n+1,) scratch: viscous part of the moments (N m)
+    scratch: np.ndarray  # (n+1,)
+    hinged: np.ndarray  # (n+1,) true where no moment is carried
+
+
+@inner
+def _segment_rate(s, e):
+    """Angular velocity of a segment (rad/s)."""
+    t, v = s.tangent, s.v
+    return (t[1, e] * (v[0, e + 1] - v[0, e]) - t[0, e] * (v[1, e + 1] - v[1, e])) / s.length[e]
+
+
+@inner
+def turn(damping, s):
+    """Turning angles grow by tau times their rates."""
+    for e in range(s.l0.shape[0]):
+        extra = damping.time * _segment_rate(s, e)
+        s.turn[0, e] += extra
+        s.turn[0, e + 1] -= extra
+    return 0.0
+
+
+@inner
+def tangent(damping, s):
+    """Derivative of the rates by velocity and by the direction of the segment."""
+    t, v = s.tangent, s.v
+    for e in range(s.l0.shape[0]):
+        x, z, length = t[0, e], t[1, e], s.length[e]
+        vx, vz = v[0, e + 1] - v[0, e], v[1, e + 1] - v[1, e]
+        cross, square = -2.0 * x * z, x * x - z * z
+        area = length * length
+        swing_x = s.rate[0] * z / length + (cross * vx + square * vz) / area
+        swing_z = -s.rate[0] * x / length + (square * vx - cross * vz) / area
+        s.swing[e, 0] += damping.time * swing_x
+        s.swing[e, 1] += damping.time * swing_z
+    return 0.0
+
+
+@inner
+def _viscous_moments(damping, s):
+    """Part of the moments that the rates cause: the flexibility matrix solved for tau times rate."""
+    rate, moment = damping.rate, damping.moment
+    rate[:] = 0.0
+    for e in range(s.l0.shape[0]):
+        swing = _segment_rate(s, e)
+        rate[e] += swing
+        rate[e + 1] -= swing
+    moment[:] = damping.time * rate
+    flexibility_solve(s.flex, s.flex_up, damping.hinged, moment, damping.scratch)
+
+
+@inner
+def energy(damping, s):
+    """What the strain energy of the total moments holds too much: they are partly viscous (J)."""
+    _viscous_moments(damping, s)
+    total = 0.0
+    for i in range(s.l0.shape[0] + 1):
+        if not damping.hinged[i]:
+            angle = damping.time * damping.rate[i]
+            total += angle * (0.5 * damping.moment[i] - s.moment[0, i])
+    return total
+
+
+@inner
+def power(damping, s):
+    """Power dissipated (W)."""
+    _viscous_moments(damping, s)
+    for i in range(s.l0.shape[0] + 1):
+        s.flow[0] += damping.moment[i] * damping.rate[i]
+    return 0.0
+
+
+register(BendingDamping, turn=turn, tangent=tangent, potential=energy, power=power)

@@ -1,0 +1,49 @@
+"""Steady current: horizontal water velocity over elevation, from a table, straight between its points.
+
+Below and above the table its end values hold. Evaluated at the deformed position of a node.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class Current(NamedTuple):
+    """Profile of the current."""
+
+    elevation: np.ndarray  # (k,) rising (m)
+    speed: np.ndarray  # (k,) (m/s)
+    heading: np.ndarray  # (d-1,) unit vector of the flow in the horizontal directions
+    ramp: float  # time over which the current grows linearly from nothing (s), 0 for at once
+
+
+@inner
+def drive(current, s):
+    """Water velocity at the nodes, and its change with elevation."""
+    up = len(s.dim) - 1
+    z, speed = current.elevation, current.speed
+    share = s.clock[1]
+    if s.clock[0] < current.ramp:
+        share *= s.clock[0] / current.ramp
+    last = z.shape[0] - 1
+    for i in range(s.l0.shape[0] + 1):
+        here = s.r[up, i]
+        value, slope = speed[0], 0.0
+        if here >= z[last]:
+            value = speed[last]
+        elif here > z[0]:
+            k = np.searchsorted(z, here, side="right") - 1
+            slope = (speed[k + 1] - speed[k]) / (z[k + 1] - z[k])
+            value = speed[k] + slope * (here - z[k])
+        for c in range(up):
+            s.water[c, i] += share * value * current.heading[c]
+            s.shear[c, i] += share * slope * current.heading[c]
+    return 0.0
+
+
+register(Current, drive=drive)

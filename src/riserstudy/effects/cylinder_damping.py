@@ -1,0 +1,36 @@
+"""Viscous damping of tensioner cylinders (Chang et al. 2020, Eq. 6)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class CylinderDamping(NamedTuple):
+    """One damper a cylinder."""
+
+    damping: np.ndarray  # (c,) (N s/m)
+
+
+@inner
+def force(damper, s):
+    """Pull grows with the rate of extension."""
+    for c in range(damper.damping.shape[0]):
+        s.pull[c] += damper.damping[c] * s.reach_rate[c]
+        s.k_pull[c] += s.rate[0] * damper.damping[c]
+    return 0.0
+
+
+@inner
+def power(damper, s):
+    """Power dissipated (W)."""
+    for c in range(damper.damping.shape[0]):
+        s.flow[0] += damper.damping[c] * s.reach_rate[c] ** 2
+    return 0.0
+
+
+register(CylinderDamping, device=force, power=power)

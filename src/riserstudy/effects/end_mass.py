@@ -1,0 +1,109 @@
+r"""A concentrated mass at a node: LMRP, tension ring, telescopic joint.
+
+Weight in water, inertia and added mass by direction, quadratic drag by direction:
+
+.. math:: f = \tfrac12 \rho\,C_D A\,|u|\,u
+
+with the horizontal drag in the direction of the horizontal relative velocity, the vertical one apart.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class EndMass(NamedTuple):
+    """One concentrated mass."""
+
+    node: int
+    weight: float  # in water, positive down (N)
+    mass: np.ndarray  # (d,) mass with added mass, by direction (kg)
+    drag: np.ndarray  # (2,) rho C_D A / 2 horizontally and vertically (kg/m)
+
+
+@inner
+def force(body, s):
+    """Weight and drag."""
+    up, i = len(s.dim) - 1, body.node
+    sideways = 0.0
+    for k in range(up):
+        sideways += (s.water[k, i] - s.v[k, i]) ** 2
+    for k in range(up):
+        s.force[k, i] += body.drag[0] * sqrt(sideways) * (s.water[k, i] - s.v[k, i])
+    s.force[up, i] += body.drag[1] * abs(s.v[up, i]) * -s.v[up, i] - body.weight
+    return 0.0
+
+
+@inner
+def tangent(body, s):
+    """Derivative of the drag by velocity."""
+    d, up, i = len(s.dim), len(s.dim) - 1, body.node
+    sideways = 0.0
+    for k in range(up):
+        sideways += (s.water[k, i] - s.v[k, i]) ** 2
+    speed = sqrt(sideways)
+    if speed > 0.0:
+        for p in range(up):
+            u = s.water[p, i] - s.v[p, i]
+            for q in range(up):
+                slope = u * (s.water[q, i] - s.v[q, i]) / speed
+                if p == q:
+                    slope += speed
+                s.k_node[i, p * d + q] += s.rate[0] * body.drag[0] * slope
+    s.k_node[i, d * d - 1] += s.rate[0] * 2.0 * body.drag[1] * abs(s.v[up, i])
+    return 0.0
+
+
+@inner
+def inertia(body, s):
+    """Inertial force."""
+    for k in range(len(s.dim)):
+        s.force[k, body.node] -= body.mass[k] * s.a[k, body.node]
+    return 0.0
+
+
+@inner
+def mass(body, s):
+    """Mass times d a / d r."""
+    d = len(s.dim)
+    for k in range(d):
+        s.k_node[body.node, k * d + k] += s.rate[1] * body.mass[k]
+    return 0.0
+
+
+@inner
+def kinetic(body, s):
+    """Kinetic energy (J)."""
+    total = 0.0
+    for k in range(len(s.dim)):
+        total += 0.5 * body.mass[k] * s.v[k, body.node] ** 2
+    return total
+
+
+@inner
+def energy(body, s):
+    """Potential energy of the weight (J)."""
+    return body.weight * s.r[len(s.dim) - 1, body.node]
+
+
+@inner
+def power(body, s):
+    """Power dissipated into the water and supplied by its motion (W)."""
+    up, i = len(s.dim) - 1, body.node
+    sideways = 0.0
+    for k in range(up):
+        sideways += (s.water[k, i] - s.v[k, i]) ** 2
+    speed = sqrt(sideways)
+    s.flow[0] += body.drag[0] * speed**3 + body.drag[1] * abs(s.v[up, i]) ** 3
+    for k in range(up):
+        s.flow[1] += body.drag[0] * speed * (s.water[k, i] - s.v[k, i]) * s.water[k, i]
+    return 0.0
+
+
+register(EndMass, device=force, tangent=tangent, device_inertia=inertia, mass=mass, potential=energy, kinetic=kinetic, power=power)

@@ -1,0 +1,46 @@
+"""End stops of the stroke: stiff springs that touch beyond the limits."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class EndStop(NamedTuple):
+    """Two stops a cylinder."""
+
+    shortest: np.ndarray  # (c,) reach at which the lower stop touches (m)
+    longest: np.ndarray  # (c,) reach at which the upper stop touches (m)
+    stiffness: np.ndarray  # (c,) (N/m)
+
+
+@inner
+def _beyond(stop, reach, c):
+    return max(reach - stop.longest[c], 0.0) + min(reach - stop.shortest[c], 0.0)
+
+
+@inner
+def force(stop, s):
+    """Contact force beyond the limits, nothing between them."""
+    for c in range(stop.stiffness.shape[0]):
+        beyond = _beyond(stop, s.reach[c], c)
+        if beyond != 0.0:
+            s.pull[c] += stop.stiffness[c] * beyond
+            s.k_pull[c] += stop.stiffness[c]
+    return 0.0
+
+
+@inner
+def energy(stop, s):
+    """Work stored in the stops (J)."""
+    total = 0.0
+    for c in range(stop.stiffness.shape[0]):
+        total += 0.5 * stop.stiffness[c] * _beyond(stop, s.reach[c], c) ** 2
+    return total
+
+
+register(EndStop, device=force, potential=energy)

@@ -1,0 +1,55 @@
+r"""Tensioner gas: an accumulator that expands and compresses adiabatically.
+
+.. math:: F = A\,P_0 \left(\frac{V_0}{V_0 - A\,x}\right)^k
+
+with x the extension of the cylinder (Chang et al. 2020, Eqs. 1-3, whose X is -x: the ring's rise
+relative to the platform).
+"""
+
+from __future__ import annotations
+
+from math import inf
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class GasSpring(NamedTuple):
+    """One chamber a cylinder."""
+
+    area: np.ndarray  # (c,) piston area under gas (m2)
+    pressure: np.ndarray  # (c,) at mid-stroke, absolute (Pa)
+    volume: np.ndarray  # (c,) at mid-stroke (m3)
+    exponent: np.ndarray  # (c,) polytropic exponent
+
+
+@inner
+def force(gas, s):
+    """Gas pressure times area; infinite, not undefined, once the gas volume has closed."""
+    for c in range(gas.area.shape[0]):
+        left = gas.volume[c] - gas.area[c] * s.reach[c]
+        if left <= 0.0:
+            s.pull[c] += inf
+            continue
+        pull = gas.area[c] * gas.pressure[c] * (gas.volume[c] / left) ** gas.exponent[c]
+        s.pull[c] += pull
+        s.k_pull[c] += gas.exponent[c] * pull * gas.area[c] / left
+    return 0.0
+
+
+@inner
+def energy(gas, s):
+    """Work stored in the gas since mid-stroke (J)."""
+    total = 0.0
+    for c in range(gas.area.shape[0]):
+        left = gas.volume[c] - gas.area[c] * s.reach[c]
+        k = gas.exponent[c]
+        full = gas.pressure[c] * gas.volume[c]
+        total += full * ((gas.volume[c] / left) ** (k - 1.0) - 1.0) / (k - 1.0)
+    return total
+
+
+register(GasSpring, device=force, potential=energy)

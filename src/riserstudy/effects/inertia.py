@@ -1,0 +1,54 @@
+r"""Inertia of the string's own mass, the same in all directions.
+
+.. math:: f = -m\,\ddot r
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+from riserstudy.solve.spread import spread, spread_stiffness
+from riserstudy.solve.vec import at, dot, mul, put_block, unity
+
+
+class Inertia(NamedTuple):
+    """Mass of the segments."""
+
+    mass: np.ndarray  # (n,) (kg)
+    minus: np.ndarray  # (n,) the same, negative
+
+
+@inner
+def force(inertia, s):
+    """Inertial force."""
+    spread(s, inertia.minus, s.share[0], s.share[1], s.a, s.force)
+    return 0.0
+
+
+@inner
+def mass(inertia, s):
+    """Mass times d a / d r."""
+    block = mul(s.rate[1], unity(s.dim))
+    for i in range(s.l0.shape[0] + 1):
+        put_block(s.block, i, block)
+    spread_stiffness(s, inertia.mass, s.share[0], s.share[1])
+    return 0.0
+
+
+@inner
+def energy(inertia, s):
+    """Kinetic energy (J)."""
+    own, other = s.share[0], s.share[1]
+    total = 0.0
+    for e in range(s.l0.shape[0]):
+        low, up = at(s.dim, s.v, e), at(s.dim, s.v, e + 1)
+        square = own * (dot(low, low) + dot(up, up)) + 2.0 * other * dot(low, up)
+        total += 0.5 * inertia.mass[e] * square
+    return total
+
+
+register(Inertia, string_inertia=force, mass=mass, kinetic=energy)

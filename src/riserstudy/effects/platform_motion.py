@@ -1,0 +1,93 @@
+r"""Prescribed motion of the platform: harmonic, constant velocity, or a time series.
+
+Harmonic motion grows by :math:`r(t) = \tfrac12 (1 - \cos \pi t/P)` over the ramp P; a cruise reaches its
+speed linearly over its ramp; a series is a cubic spline with its own velocity and acceleration.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class Harmonic(NamedTuple):
+    """Sum of harmonic motions."""
+
+    motion: np.ndarray  # (k,) which of surge, sway, heave, roll, pitch, yaw
+    amplitude: np.ndarray  # (k,) (m or rad)
+    frequency: np.ndarray  # (k,) (rad/s)
+    phase: np.ndarray  # (k,) motion is amplitude sin(frequency t + phase) (rad)
+    ramp: np.ndarray  # (k,) (s), 0 for none
+
+
+class Cruise(NamedTuple):
+    """Constant velocity after a linear ramp."""
+
+    motion: int
+    speed: float  # (m/s)
+    ramp: float  # (s), 0 for none
+
+
+class Series(NamedTuple):
+    """A motion given by a cubic spline."""
+
+    motion: int
+    time: np.ndarray  # (k,) knots (s)
+    coefficient: np.ndarray  # (4, k-1) from the cube down, about the left knot
+
+
+@inner
+def drive_harmonic(harmonic, s):
+    """Add displacement, velocity, acceleration of the harmonic motions."""
+    t = s.clock[0]
+    for k in range(harmonic.motion.shape[0]):
+        w, a, m = harmonic.frequency[k], harmonic.amplitude[k], harmonic.motion[k]
+        grown, rate, bend = 1.0, 0.0, 0.0
+        if t < harmonic.ramp[k]:
+            p = pi / harmonic.ramp[k]
+            grown = 0.5 * (1.0 - cos(p * t))
+            rate, bend = 0.5 * p * sin(p * t), 0.5 * p * p * cos(p * t)
+        sine, cosine = sin(w * t + harmonic.phase[k]), cos(w * t + harmonic.phase[k])
+        s.platform[0, m] += a * sine * grown
+        s.platform[1, m] += a * (w * cosine * grown + sine * rate)
+        s.platform[2, m] += a * (-w * w * sine * grown + 2.0 * w * cosine * rate + sine * bend)
+    return 0.0
+
+
+@inner
+def drive_cruise(cruise, s):
+    """Add the distance sailed."""
+    t, m = s.clock[0], cruise.motion
+    if t < cruise.ramp:
+        s.platform[0, m] += 0.5 * cruise.speed * t * t / cruise.ramp
+        s.platform[1, m] += cruise.speed * t / cruise.ramp
+        s.platform[2, m] += cruise.speed / cruise.ramp
+    elif t > 0.0:
+        s.platform[0, m] += cruise.speed * (t - 0.5 * cruise.ramp)
+        s.platform[1, m] += cruise.speed
+    return 0.0
+
+
+@inner
+def drive_series(series, s):
+    """Add the spline's value and derivatives; before and after its time it rests."""
+    t, m, c = s.clock[0], series.motion, series.coefficient
+    last = series.time.shape[0] - 1
+    inside = min(max(t, series.time[0]), series.time[last])
+    k = min(max(np.searchsorted(series.time, inside, side="right") - 1, 0), last - 1)
+    x = inside - series.time[k]
+    s.platform[0, m] += ((c[0, k] * x + c[1, k]) * x + c[2, k]) * x + c[3, k]
+    if inside == t:
+        s.platform[1, m] += (3.0 * c[0, k] * x + 2.0 * c[1, k]) * x + c[2, k]
+        s.platform[2, m] += 6.0 * c[0, k] * x + 2.0 * c[1, k]
+    return 0.0
+
+
+register(Harmonic, motion=drive_harmonic)
+register(Cruise, motion=drive_cruise)
+register(Series, motion=drive_series)

@@ -1,0 +1,37 @@
+"""A force of constant size and direction on one node: constant tension, a dead load."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class Pull(NamedTuple):
+    """Dead load on a node."""
+
+    node: int
+    load: np.ndarray  # (d,) (N)
+
+
+@inner
+def force(pull, s):
+    """The load itself."""
+    for k in range(len(s.dim)):
+        s.force[k, pull.node] += pull.load[k]
+    return 0.0
+
+
+@inner
+def energy(pull, s):
+    """Potential of the load (J)."""
+    total = 0.0
+    for k in range(len(s.dim)):
+        total -= pull.load[k] * s.r[k, pull.node]
+    return total
+
+
+register(Pull, device=force, potential=energy)

@@ -1,0 +1,61 @@
+"""How kernels are compiled, and where the compiled code is kept.
+
+numba's cache compares only the file a function stands in, so an edited callee in another file would
+silently run old machine code. The cache folder therefore carries a digest of all kernel sources, and
+the versions that shape machine code.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import platform
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+import numba
+
+PACKAGE = Path(__file__).parent
+
+# NaN and infinity stay visible ("nnan" and "ninf" are left out): the solvers test for them.
+FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
+
+
+def cache_folder() -> Path:
+    """Folder of point store and compiled kernels: RISERSTUDY_CACHE, or ``.cache`` of the checkout."""
+    if moved := os.environ.get("RISERSTUDY_CACHE"):
+        return Path(moved)
+    checkout = PACKAGE.parents[1]
+    return (checkout if (checkout / "pyproject.toml").exists() else Path.cwd()) / ".cache"
+
+
+def digest(files: Iterable[Path]) -> str:
+    """Hash of the contents of source files, 16 hexadecimal digits."""
+    total = hashlib.sha256()
+    for file in sorted(files):
+        total.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
+    return total.hexdigest()[:16]
+
+
+@cache
+def kernel_digest() -> str:
+    """Digest of everything that is compiled."""
+    sources = [PACKAGE / "jit.py", *PACKAGE.glob("effects/*.py"), *PACKAGE.glob("solve/*.py")]
+    return digest(sources)
+
+
+def kernel_cache() -> Path:
+    """Folder of the kernels compiled from the present sources by the present versions."""
+    versions = f"py{platform.python_version()}-numba{numba.__version__}"
+    return cache_folder() / "numba" / f"{kernel_digest()}-{versions}"
+
+
+numba.config.CACHE_DIR = str(kernel_cache())
+
+_common = {"cache": True, "nogil": True, "error_model": "numpy", "fastmath": FAST}
+
+#: compiled and callable from Python
+kernel = numba.njit(**_common)
+#: compiled, called by kernels only (leaving the Python wrapper out saves a quarter of compile time)
+inner = numba.njit(**_common, no_cpython_wrapper=True, no_cfunc_wrapper=True)

@@ -1,0 +1,130 @@
+"""One evaluation of a model: motion, forces, inertia, stiffness, by the effects it has."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.jit import inner, kernel
+from riserstudy.solve.blocktri import flexibility_solve
+from riserstudy.solve.program import every
+from riserstudy.solve.state import clear_forces, clear_tangent, gather, keep_ends, measure
+
+
+class Programs(NamedTuple):
+    """What a model's effects do, each an int64 array (calls, 2) of addresses."""
+
+    motion: np.ndarray  # move the platform
+    place: np.ndarray  # put held nodes in place
+    drive: np.ndarray  # water velocities, cylinder reach
+    turn: np.ndarray  # turning angles against moments
+    string: np.ndarray  # forces on the riser string itself
+    device: np.ndarray  # forces of what is attached to it
+    tangent: np.ndarray
+    compliance: np.ndarray  # flexibility, constant
+    string_inertia: np.ndarray
+    device_inertia: np.ndarray
+    mass: np.ndarray
+    potential: np.ndarray  # return energies
+    kinetic: np.ndarray
+    power: np.ndarray  # add to s.flow
+    probe: np.ndarray  # fill s.probe
+
+
+@inner
+def move(p, s, address, time):
+    """Bring platform and held nodes to a time."""
+    s.clock[0] = time
+    s.platform[:] = 0.0
+    every(p.motion, address)
+    every(p.place, address)
+
+
+@inner
+def shape(p, s, address):
+    """What follows from positions and velocities alone: directions, water, reach, turning angles."""
+    clear_forces(s)
+    s.water[:] = 0.0
+    s.shear[:] = 0.0
+    measure(s)
+    every(p.drive, address)
+    every(p.turn, address)
+
+
+@inner
+def load(p, s, address):
+    """Forces but inertia into ``s.force``, those of the string alone into ``s.ends``; after ``shape``."""
+    every(p.string, address)
+    gather(s)
+    keep_ends(s, 0)
+    every(p.device, address)
+
+
+@inner
+def forces(p, s, address):
+    """All forces but inertia, into ``s.force``, and what moments miss, into ``s.turn``."""
+    shape(p, s, address)
+    load(p, s, address)
+
+
+@inner
+def inertia(p, s, address):
+    """Inertial forces alone, into ``s.force``; directions must have been measured."""
+    s.force[:] = 0.0
+    every(p.string_inertia, address)
+    keep_ends(s, 1)
+    every(p.device_inertia, address)
+
+
+@inner
+def tangent(p, s, address):
+    """Stiffness, with damping and mass at the rates ``s.rate``; after ``forces``."""
+    clear_tangent(s)
+    every(p.tangent, address)
+    if s.rate[1] > 0.0:
+        every(p.mass, address)
+
+
+@inner
+def true_moments(s, hinged, scratch):
+    """Correct the moments until they belong to the shape; after ``shape``."""
+    m, n = len(s.dof) - len(s.dim), s.l0.shape[0]
+    for u in range(m):
+        flexibility_solve(s.flex, s.flex_up, hinged, s.turn[u], scratch)
+        for i in range(n + 1):
+            s.moment[u, i] += s.turn[u, i]
+            s.turn[u, i] = 0.0
+
+
+@kernel
+def set_compliance(p, s, address):
+    """Enter the flexibility of pipe and joints, once for a model."""
+    s.flex[:] = 0.0
+    s.flex_up[:] = 0.0
+    every(p.compliance, address)
+
+
+@kernel
+def move_to(p, s, address, time):
+    """`move` for callers in Python."""
+    move(p, s, address, time)
+
+
+@kernel
+def forces_and_tangent(p, s, address):
+    """`forces` and `tangent` for callers in Python."""
+    forces(p, s, address)
+    tangent(p, s, address)
+
+
+@kernel
+def energies(p, s, address):
+    """Potential and kinetic energy (J)."""
+    return every(p.potential, address), every(p.kinetic, address)
+
+
+@kernel
+def one_call(program, address):
+    """Run a program on a state, for callers in Python."""
+    return every(program, address)

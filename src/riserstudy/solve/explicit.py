@@ -1,0 +1,115 @@
+r"""Explicit leapfrog (Verlet) stepping with lumped masses.
+
+.. math:: v_{n+1/2} = v_{n-1/2} + h\,M^{-1} F(r_n, v_{n-1/2}),\qquad r_{n+1} = r_n + h\,v_{n+1/2}
+
+Second order, symplectic without damping, stable below :func:`riserstudy.solve.modes.stable_step`. The
+state must have been made with mass shares (1/2, 0), so that mass is a block a node.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from riserstudy.jit import inner, kernel
+from riserstudy.solve.evaluate import load, move, shape, true_moments
+from riserstudy.solve.implicit import DONE, NOT_CONVERGED
+from riserstudy.solve.program import every
+from riserstudy.solve.record import evaluate_and_note, interpolate, widen
+
+
+@inner
+def accelerate(p, s, address, record):
+    """Acceleration of every node from the forces on it."""
+    d = len(s.dim)
+    shape(p, s, address)
+    true_moments(s, record.hinged, record.scratch)
+    load(p, s, address)
+    s.k_node[:] = 0.0
+    every(p.mass, address)
+    for i in range(s.l0.shape[0] + 1):  # Gauss elimination in the node, symmetric positive
+        for q in range(d):
+            s.a[q, i] = s.force[q, i]
+        for q in range(d):
+            for w in range(q + 1, d):
+                factor = s.k_node[i, w * d + q] / s.k_node[i, q * d + q]
+                for c in range(q + 1, d):
+                    s.k_node[i, w * d + c] -= factor * s.k_node[i, q * d + c]
+                s.a[w, i] -= factor * s.a[q, i]
+        for q in range(d - 1, -1, -1):
+            for c in range(q + 1, d):
+                s.a[q, i] -= s.k_node[i, q * d + c] * s.a[c, i]
+            s.a[q, i] /= s.k_node[i, q * d + q]
+
+
+@kernel
+def leapfrog(p, s, address, so, address_o, h, steps, bound, record, ledger):
+    """March ``steps`` steps of ``h`` from the state ``s``; outputs go to ``record``.
+
+    Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``.
+    """
+    d = len(s.dim)
+    n = s.l0.shape[0]
+    r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
+    v1 = np.zeros((d, n + 1))
+    s.rate[0], s.rate[1] = 0.0, 1.0
+    start = s.clock[0]
+    k_out = 0
+    move(p, s, address, start)
+    held_v = s.v.copy()
+    accelerate(p, s, address, record)
+    every(p.place, address)
+    half = s.v.copy()
+    for c in range(d):
+        for i in range(n + 1):
+            half[c, i] -= 0.5 * h * s.a[c, i]
+    v1[:] = held_v
+    flow0 = np.zeros(2)
+    for step in range(steps + 1):
+        t = start + step * h
+        # here s.r is at t, half at t - h/2, s.a at t
+        square = 0.0
+        for c in range(d):
+            for i in range(n + 1):
+                v0[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
+                square += v0[c, i] * v0[c, i]
+        if not square < bound:
+            fastest = 0.0
+            for c in range(d):
+                for i in range(n + 1):
+                    if not abs(v0[c, i]) <= fastest:
+                        fastest = abs(v0[c, i])
+                        ledger.failure[1] = i
+            ledger.failure[0], ledger.failure[2] = t, h * fastest
+            return NOT_CONVERGED
+        if step == steps and not (
+            k_out < record.time.shape[0] and record.time[k_out] <= t + 1e-9 * h
+        ):
+            break
+        r0[:], a0[:] = s.r, s.a
+        for c in range(d):
+            for i in range(n + 1):
+                half[c, i] += h * a0[c, i]
+                s.r[c, i] += h * half[c, i]
+                s.v[c, i] = half[c, i]
+        move(p, s, address, t + h)
+        accelerate(p, s, address, record)
+        every(p.place, address)
+        for c in range(d):
+            for i in range(n + 1):
+                v1[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
+        ledger.count[0] += 1
+        ledger.count[3] += 1
+        while k_out < record.time.shape[0] and record.time[k_out] < t + h * (1.0 - 1e-9):
+            interpolate(so, r0, v0, a0, t, s.r, v1, s.a, t + h, record.time[k_out])
+            so.moment[:] = s.moment
+            evaluate_and_note(p, so, address_o, record, k_out)
+            widen(record)
+            k_out += 1
+        s.flow[:] = 0.0
+        every(p.power, address)
+        ledger.work[1] += 0.5 * h * (s.flow[1] + flow0[1])
+        ledger.work[2] += 0.5 * h * (s.flow[0] + flow0[0])
+        flow0[:] = s.flow
+    s.clock[0] = start + steps * h
+    s.v[:] = v1
+    return DONE

@@ -1,0 +1,131 @@
+"""What a simulation writes down: envelopes at all nodes over all steps, histories at stations."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.jit import inner
+from riserstudy.solve.evaluate import inertia, load, move, shape, true_moments
+from riserstudy.solve.program import every
+from riserstudy.solve.vec import at, dot
+
+
+class Record(NamedTuple):
+    """Outputs; q = d + 1 + m quantities a node: position, effective tension, moments."""
+
+    time: np.ndarray  # (k,) output times (s)
+    station: np.ndarray  # (j,) node indices of the histories
+    history: np.ndarray  # (k, q, j)
+    largest: np.ndarray  # (q, n+1) envelopes over all steps
+    smallest: np.ndarray  # (q, n+1)
+    end: np.ndarray  # (k, 2, d + 2m): tangent of end segment, moments of its end and inner node
+    platform: np.ndarray  # (k, 6)
+    probe: np.ndarray  # (k, probes)
+    values: np.ndarray  # (q, n+1) scratch
+    hinged: np.ndarray  # (n+1,) true where no moment is carried
+    scratch: np.ndarray  # (n+1,)
+
+
+def new_record(time, station, s, hinged) -> Record:
+    """Empty record for the sizes of a state."""
+    d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
+    q, k = d + 1 + m, len(time)
+    return Record(
+        time=np.array(time, float),
+        station=np.array(station, np.int64),
+        history=np.zeros((k, q, len(station))),
+        largest=np.full((q, n + 1), -np.inf),
+        smallest=np.full((q, n + 1), np.inf),
+        end=np.zeros((k, 2, d + 2 * m)),
+        platform=np.zeros((k, 6)),
+        probe=np.zeros((k, len(s.probe))),
+        values=np.zeros((q, n + 1)),
+        hinged=np.array(hinged, np.bool_),
+        scratch=np.zeros(n + 1),
+    )
+
+
+@inner
+def tabulate(s, values):
+    """Positions, effective tension and moments at the nodes of an evaluated state.
+
+    Tension at a node lies between those of its segments; at the ends it is the force that holds the
+    string there, so half a node of weight, drag and inertia is not lost.
+    """
+    d, n = len(s.dim), s.l0.shape[0]
+    for c in range(d):
+        for i in range(n + 1):
+            values[c, i] = s.r[c, i]
+    below = dot(at(s.dim, s.segment, 0), at(s.dim, s.tangent, 0))
+    for i in range(1, n):
+        above = dot(at(s.dim, s.segment, i), at(s.dim, s.tangent, i))
+        low, up = s.l0[i - 1], s.l0[i]
+        values[d, i] = (below * up + above * low) / (low + up)
+        below = above
+    values[d, 0], values[d, n] = 0.0, 0.0
+    for c in range(d):
+        values[d, 0] += (s.ends[0, 0, c] + s.ends[1, 0, c]) * s.tangent[c, 0]
+        values[d, n] -= (s.ends[0, 1, c] + s.ends[1, 1, c]) * s.tangent[c, n - 1]
+    for u in range(len(s.dof) - d):
+        for i in range(n + 1):
+            values[d + 1 + u, i] = s.moment[u, i]
+
+
+@inner
+def widen(record):
+    """Take the tabulated values into the envelopes."""
+    values, largest, smallest = record.values, record.largest, record.smallest
+    for c in range(values.shape[0]):
+        for i in range(values.shape[1]):
+            largest[c, i] = max(largest[c, i], values[c, i])
+            smallest[c, i] = min(smallest[c, i], values[c, i])
+
+
+@inner
+def note(p, s, address, record, k):
+    """Write the tabulated values down as output k."""
+    d, n = len(s.dim), s.l0.shape[0]
+    m = len(s.dof) - d
+    every(p.probe, address)
+    for c in range(record.values.shape[0]):
+        for j in range(record.station.shape[0]):
+            record.history[k, c, j] = record.values[c, record.station[j]]
+    for c in range(d):
+        record.end[k, 0, c] = s.tangent[c, 0]
+        record.end[k, 1, c] = s.tangent[c, n - 1]
+    for u in range(m):
+        record.end[k, 0, d + u], record.end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
+        record.end[k, 1, d + u], record.end[k, 1, d + m + u] = s.moment[u, n], s.moment[u, n - 1]
+    for c in range(6):
+        record.platform[k, c] = s.platform[0, c]
+    for c in range(s.probe.shape[0]):
+        record.probe[k, c] = s.probe[c]
+
+
+@inner
+def evaluate_and_note(p, s, address, record, k):
+    """Output k of a state given by positions, velocities and true accelerations."""
+    move(p, s, address, record.time[k])
+    shape(p, s, address)
+    true_moments(s, record.hinged, record.scratch)
+    load(p, s, address)
+    inertia(p, s, address)
+    tabulate(s, record.values)
+    note(p, s, address, record, k)
+
+
+@inner
+def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
+    """Cubic interpolation of positions between two steps; velocity is its derivative."""
+    h = t1 - t0
+    x = (time - t0) / h
+    for k in range(len(s.dim)):
+        for i in range(s.l0.shape[0] + 1):
+            d = r1[k, i] - r0[k, i]
+            slope, twist = h * v0[k, i] - d, d - h * v1[k, i]
+            bump = slope * (1.0 - x) + twist * x
+            s.r[k, i] = r0[k, i] + x * d + x * (1.0 - x) * bump
+            s.v[k, i] = (d + (1.0 - 2.0 * x) * bump + x * (1.0 - x) * (twist - slope)) / h
+            s.a[k, i] = (1.0 - x) * a0[k, i] + x * a1[k, i]

@@ -1,0 +1,181 @@
+"""The state of a riser model while it is solved: where it is, what acts on it, how that changes.
+
+Nodes i = 0 ... n carry the mass, segments e = 0 ... n-1 join node e to node e + 1, from the bottom up.
+A segment pulls its lower node with the force ``segment[:, e]`` and its upper node with the opposite:
+tension along it and shear across it. Bending moments live at the nodes and are unknowns of their own:
+shear is their difference over the segment's length, and the angle by which the riser turns at a node
+equals the moments times the flexibility of the segments around it.
+
+Distributed quantities (mass, added mass, drag, flexibility) are shared between the nodes of a segment:
+5/12 to its own node, 1/12 to the other. That is the integral of a parabola against the hat function of a
+node, and makes displacement and moment fourth-order accurate on even meshes. Shares of 1/2 and 0 are
+plain lumping, which explicit stepping needs for the mass.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.jit import inner
+from riserstudy.solve.vec import at, mul, norm, put, sub
+
+OWN, OTHER = 5.0 / 12.0, 1.0 / 12.0
+
+
+class State(NamedTuple):
+    """Arrays are component-major; d directions, m moments a node (0, 1 or 3), n segments."""
+
+    dim: tuple[float, ...]  # d zeros: tells compiled code the number of directions
+    dof: tuple[float, ...]  # m + d zeros: unknowns a node
+
+    clock: np.ndarray  # (2,) time (s); share of the current that acts (1 but while loading up)
+    rate: np.ndarray  # (2,) dv/dr (1/s) and da/dr (1/s2) of the integrator, 0 in statics
+    share: np.ndarray  # (2,) shares of a segment's mass: own node, other node
+    l0: np.ndarray  # (n,) unstretched lengths (m)
+
+    r: np.ndarray  # (d, n+1) positions (m)
+    v: np.ndarray  # (d, n+1) velocities (m/s)
+    a: np.ndarray  # (d, n+1) accelerations (m/s2)
+    moment: np.ndarray  # (m, n+1) bending moments (N m)
+
+    tangent: np.ndarray  # (d, n) unit vectors along segments
+    length: np.ndarray  # (n,) stretched lengths (m)
+    direction: np.ndarray  # (d, n+1) unit tangents at nodes
+    platform: np.ndarray  # (3, 6) displacement, velocity, acceleration: surge ... heave ... yaw
+    water: np.ndarray  # (d, n+1) water velocity at the nodes (m/s)
+    shear: np.ndarray  # (d, n+1) its change with elevation (1/s)
+
+    density: np.ndarray  # (d, n+1) scratch: a load per length at the nodes
+    block: np.ndarray  # (n+1, d*d) scratch: minus its derivative by the node
+
+    segment: np.ndarray  # (d, n) force of a segment on its lower node (N)
+    force: np.ndarray  # (d, n+1) force on the nodes (N)
+    ends: np.ndarray  # (2, 2, d) the string's own part at its ends: force, inertia; bottom, top (N)
+    turn: np.ndarray  # (m, n+1) turning angle less flexibility times moment (rad)
+
+    k_segment: np.ndarray  # (n, d*d) d segment / d (r upper - r lower)
+    k_node: np.ndarray  # (n+1, d*d) -d force / d r of the same node
+    k_up: np.ndarray  # (n, d*d) -d force of the lower node / d r of the upper
+    k_low: np.ndarray  # (n, d*d) -d force of the upper node / d r of the lower
+    lever: np.ndarray  # (n, d*m) d (segment angle) / d (r upper - r lower)
+    swing: np.ndarray  # (n, d*m) the same for the angle that bends (differs with damping)
+    flex: np.ndarray  # (n+1,) flexibility of a node: angle by its own moment (rad/(N m))
+    flex_up: np.ndarray  # (n,) angle by the neighbour's moment (rad/(N m))
+
+    reach: np.ndarray  # (cylinders,) extension from mid-stroke (m)
+    reach_rate: np.ndarray  # (cylinders,) its rate (m/s)
+    line: np.ndarray  # (d, cylinders) unit vector from tension ring to deck
+    pull: np.ndarray  # (cylinders,) force on the ring towards the deck (N)
+    k_pull: np.ndarray  # (cylinders,) d pull / d reach, the rate's part included (N/m)
+
+    flow: np.ndarray  # (2,) power dissipated, power supplied by water and devices (W)
+    probe: np.ndarray  # (probes,) scalars that effects report at output times
+
+
+def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)) -> State:
+    """Zeroed state for unstretched segment lengths ``l0``, shape (n,), m."""
+    n, d, m, c = len(l0), directions, moments, cylinders
+
+    def zeros(*shape):
+        return np.zeros(shape)
+
+    return State(
+        dim=(0.0,) * d,
+        dof=(0.0,) * (m + d),
+        clock=np.array([0.0, 1.0]),
+        rate=zeros(2),
+        share=np.array(share, float),
+        l0=np.array(l0, float),
+        r=zeros(d, n + 1),
+        v=zeros(d, n + 1),
+        a=zeros(d, n + 1),
+        moment=zeros(m, n + 1),
+        tangent=zeros(d, n),
+        length=zeros(n),
+        direction=zeros(d, n + 1),
+        platform=zeros(3, 6),
+        water=zeros(d, n + 1),
+        shear=zeros(d, n + 1),
+        density=zeros(d, n + 1),
+        block=zeros(n + 1, d * d),
+        segment=zeros(d, n),
+        force=zeros(d, n + 1),
+        ends=zeros(2, 2, d),
+        turn=zeros(m, n + 1),
+        k_segment=zeros(n, d * d),
+        k_node=zeros(n + 1, d * d),
+        k_up=zeros(n, d * d),
+        k_low=zeros(n, d * d),
+        lever=zeros(n, d * m),
+        swing=zeros(n, d * m),
+        flex=zeros(n + 1),
+        flex_up=zeros(n),
+        reach=zeros(c),
+        reach_rate=zeros(c),
+        line=zeros(d, c),
+        pull=zeros(c),
+        k_pull=zeros(c),
+        flow=zeros(2),
+        probe=zeros(probes),
+    )
+
+
+@inner
+def measure(s):
+    """Lengths and directions of the segments, tangents at the nodes."""
+    dim, r, tangent, length, direction = s.dim, s.r, s.tangent, s.length, s.direction
+    n = length.shape[0]
+    for e in range(n):
+        along = sub(at(dim, r, e + 1), at(dim, r, e))
+        stretched = norm(along)
+        length[e] = stretched
+        put(tangent, e, mul(1.0 / stretched, along))
+    put(direction, 0, at(dim, tangent, 0))
+    put(direction, n, at(dim, tangent, n - 1))
+    for i in range(1, n):
+        along = sub(at(dim, r, i + 1), at(dim, r, i - 1))
+        put(direction, i, mul(1.0 / norm(along), along))
+
+
+@inner
+def gather(s):
+    """Add the pull of the segments to the forces on their nodes."""
+    force, segment = s.force, s.segment
+    n = s.length.shape[0]
+    for k in range(len(s.dim)):
+        force[k, 0] += segment[k, 0]
+        force[k, n] -= segment[k, n - 1]
+        for i in range(1, n):
+            force[k, i] += segment[k, i] - segment[k, i - 1]
+
+
+@inner
+def keep_ends(s, part):
+    """Remember what the string alone does at its ends, before devices are added."""
+    n = s.l0.shape[0]
+    for k in range(len(s.dim)):
+        s.ends[part, 0, k] = s.force[k, 0]
+        s.ends[part, 1, k] = s.force[k, n]
+
+
+@inner
+def clear_forces(s):
+    """Forget the forces of the last evaluation."""
+    s.force[:] = 0.0
+    s.segment[:] = 0.0
+    s.turn[:] = 0.0
+    s.pull[:] = 0.0
+    s.k_pull[:] = 0.0
+
+
+@inner
+def clear_tangent(s):
+    """Forget the stiffness of the last evaluation."""
+    s.k_segment[:] = 0.0
+    s.k_node[:] = 0.0
+    s.k_up[:] = 0.0
+    s.k_low[:] = 0.0
+    s.lever[:] = 0.0
+    s.swing[:] = 0.0

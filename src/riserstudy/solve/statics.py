@@ -1,0 +1,139 @@
+"""Static equilibrium by Newton's iteration with the analytic tangent.
+
+Far from equilibrium a pseudo-mass damps the iteration; it shrinks with the residual, so the last steps
+are Newton's. A current is brought on in parts, after tension has straightened the riser.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.jit import kernel
+from riserstudy.solve.blocktri import solve
+from riserstudy.solve.evaluate import Programs, forces, move_to, tangent
+from riserstudy.solve.state import State
+
+
+class NoEquilibrium(Exception):
+    """Newton's iteration found no equilibrium."""
+
+    def __init__(self, node: int, residual: float, load: float):
+        self.node, self.residual, self.load = node, residual, load
+        super().__init__(f"residual {residual:.3g} N at node {node}, {load:.0%} of the current")
+
+
+class Equilibrium(NamedTuple):
+    """How the equilibrium was found."""
+
+    iterations: int
+    residual: float  # largest force left (N)
+    unstable: int  # directions of negative stiffness
+
+
+@kernel
+def _newton(p, s, address, fixed, out, work, pseudo, limit):
+    """One damped iteration; returns residual force, its node, correction, negative pivots."""
+    d = len(s.dim)
+    m = len(s.dof) - d
+    n = s.l0.shape[0]
+    s.rate[:] = 0.0
+    forces(p, s, address)
+    tangent(p, s, address)
+    for i in range(n + 1):
+        for u in range(m):
+            out[i, u] = s.turn[u, i]
+        for c in range(d):
+            out[i, m + c] = s.force[c, i]
+            s.k_node[i, c * d + c] += pseudo
+    for f in range(fixed.shape[0]):
+        out[fixed[f, 0], fixed[f, 1]] = 0.0
+    residual, node = 0.0, 0
+    for i in range(n + 1):
+        for c in range(d):
+            if not abs(out[i, m + c]) <= residual:
+                residual, node = abs(out[i, m + c]), i
+    negative = solve(s, out, work, fixed)
+    square = 0.0
+    for i in range(n + 1):
+        for c in range(d):
+            square += out[i, m + c] ** 2
+    correction = sqrt(square / (n + 1))
+    share = min(1.0, limit / correction) if correction > 0.0 else 1.0
+    for i in range(n + 1):
+        for u in range(m):
+            s.moment[u, i] += share * out[i, u]
+        for c in range(d):
+            s.r[c, i] += share * out[i, m + c]
+    return residual, node, correction, negative
+
+
+def find_equilibrium(
+    p: Programs, s: State, address: int, fixed: np.ndarray, tolerance: float, current: bool
+) -> Equilibrium:
+    """Bring the state ``s`` to static equilibrium at its present time, from the shape it has.
+
+    Parameters
+    ----------
+    tolerance : largest correction (root mean square over nodes) that counts as none (m).
+    current : whether there is a current to bring on in parts.
+
+    Raises
+    ------
+    NoEquilibrium
+        With the node and residual of the last attempt.
+    """
+    move_to(p, s, address, s.clock[0])
+    s.v[:] = 0.0
+    s.a[:] = 0.0
+    total = 0
+    shares = [0.0, 1.0] if current else [1.0]
+    reached, part = 0.0, 1.0
+    s.clock[1] = shares[0]
+    result = _iterate(p, s, address, fixed, tolerance)
+    total += result.iterations
+    while current and reached < 1.0:
+        before = s.r.copy(), s.moment.copy()
+        s.clock[1] = min(1.0, reached + part)
+        try:
+            result = _iterate(p, s, address, fixed, tolerance)
+            reached, part = s.clock[1], 2.0 * part
+        except NoEquilibrium:
+            s.r[:], s.moment[:] = before
+            part *= 0.5
+            if part < 1e-3:
+                s.clock[1] = 1.0
+                raise
+        total += result.iterations
+    return result._replace(iterations=total)
+
+
+def _iterate(p, s, address, fixed, tolerance, most=200) -> Equilibrium:
+    """Newton with a pseudo-mass in proportion to the residual."""
+    nb = len(s.dof)
+    n = len(s.l0)
+    out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb, nb))
+    limit = 0.1 * s.l0.sum()
+    pseudo, first, before = 0.0, 0.0, np.inf
+    for iteration in range(most):
+        residual, node, correction, negative = _newton(
+            p, s, address, fixed, out, work, pseudo, limit
+        )
+        if not correction < np.inf:
+            break
+        if iteration == 0:
+            first = max(residual, 1e-300)
+            stiff = np.abs(s.k_segment).max() + np.abs(s.k_node).max()
+        if correction < tolerance and pseudo * correction <= 1e-3 * first:
+            if pseudo == 0.0 or correction < 1e-3 * tolerance:
+                return Equilibrium(iteration + 1, float(residual), int(negative))
+            pseudo = 0.0
+            continue
+        # far away (the residual does not fall): damp; near: plain Newton
+        pseudo = 0.0 if residual < 0.3 * before else max(2.0 * pseudo, 1e-6 * stiff)
+        if residual < before and pseudo > 0.0:
+            pseudo *= 0.25
+        before = residual
+    raise NoEquilibrium(int(node), float(residual), float(s.clock[1]))
