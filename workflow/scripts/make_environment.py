@@ -29,9 +29,8 @@ def main(marker: Path) -> int:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            reason = ".venv is being installed by another run; try again when it has ended."
-            print(f"riserstudy: {reason}", file=sys.stderr)
-            return 1
+            print("Waiting for another run that installs the environment ...", flush=True)
+            fcntl.flock(lock, fcntl.LOCK_EX)
         if not marker.exists():
             try:
                 install(marker)
