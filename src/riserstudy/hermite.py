@@ -37,7 +37,8 @@ class End(NamedTuple):
 
     held: bool = True  # lateral motion prescribed; otherwise the end is free
     rotation_stiffness: float = 0.0  # N m/rad, against the vertical
-    mass: float = 0.0  # kg, point mass, acts when the end is free
+    mass: float = 0.0  # kg, point mass; this and the force act when the end is free
+    force: float = 0.0  # N, lateral, constant
     motion: Motion | None = None  # times (s) -> displacement, velocity, acceleration; None: at rest
 
 
@@ -71,12 +72,12 @@ class _Mesh(NamedTuple):
     """The discretised beam; bands hold A[i, i + k] of a symmetric matrix at [i, k]."""
 
     value: Array  # (n, 4 points, 4) shape functions at the Gauss points
-    weight: Array  # (n, 4) m, Gauss weights
     mass: Array  # (n, 4, 4) kg
     stiffness: Array  # (n, 4, 4) N/m
     loads: Array  # (n, 4) N, from the distributed load
     strength: Array  # (n, 4) N s2/m2, drag times weight
     water: Array  # (n, 4) m/s
+    force: Array  # (2n + 2,) N, the loads and the ends' forces
     mass_band: Array  # (2n + 2, 4), point masses included
     stiffness_band: Array  # (2n + 2, 4), rotational springs included
 
@@ -99,10 +100,9 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
     """
     mesh = _mesh(beam)
     fixed, forced = _prescribed(beam, np.zeros(1))
-    u, still, force = np.zeros((3, 2 * len(beam.s)))
+    u, still = np.zeros((2, 2 * len(beam.s)))
     u[fixed] = forced[0, :, 0]
-    _add(force, mesh.loads + _drag(mesh, still))
-    force -= _dense(mesh.stiffness_band) @ u
+    force = mesh.force + _add(_drag(mesh, still)) - _dense(mesh.stiffness_band) @ u
     for dof in fixed:
         _pin(mesh.stiffness_band, force, dof)
     if (bad := _factor(mesh.stiffness_band)) >= 0:
@@ -112,7 +112,9 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
         )
     _substitute(mesh.stiffness_band, force)
     u += force
-    moment, shear = _section_forces(beam, mesh, u[None], still[None], still[None], recovery)
+    moment, shear = _section_forces(
+        beam, mesh, u[None], still[None], still[None], (0.0, 0.0), recovery
+    )
     return Response(np.empty(0), u[::2], u[1::2], moment[0], shear[0], 1)
 
 
@@ -182,7 +184,7 @@ def dynamics(
         Limit per step.
     recovery : {"equilibrium", "curvature"}
         ``equilibrium``: moment and shear from the elements' end forces, which balance load, drag
-        and inertia (fourth order). ``curvature``: EI times the derivatives of the cubic at a node,
+        and inertia (fourth order) and contain what Rayleigh damping adds. ``curvature``: EI times the derivatives of the cubic at a node,
         the mean of the adjacent elements (second order for moment, first for shear).
 
     Raises
@@ -217,7 +219,7 @@ def dynamics(
             f"t = {grid[failed]:.6g} s: not converged in {iterations} iterations or not finite;"
             " reduce the step, or use drag='newton', beta 1/4, gamma 1/2"
         )
-    moment, shear = _section_forces(beam, mesh, u, v, a, recovery)
+    moment, shear = _section_forces(beam, mesh, u, v, a, rayleigh, recovery)
     return Response(times, u[:, ::2], u[:, 1::2], moment, shear, most)
 
 
@@ -249,15 +251,18 @@ def _mesh(beam: Beam) -> _Mesh:
         _linear(beam.tension), slope
     )
     loads = np.einsum("eg,egi->ei", _linear(beam.load) * weight, value)
-    mass_band, stiffness_band = _band(mass), _band(stiffness)
+    force, mass_band, stiffness_band = _add(loads), _band(mass), _band(stiffness)
     for end, dof in ((beam.bottom, 0), (beam.top, 2 * n)):
         if not end.rotation_stiffness >= 0.0 or not 0.0 <= end.mass < np.inf:
             raise HermiteError(f"{end}: stiffness and mass must not be negative")
         mass_band[dof, 0] += end.mass
+        force[dof] += end.force
         if end.rotation_stiffness < np.inf:
             stiffness_band[dof + 1, 0] += end.rotation_stiffness
     strength = beam.drag[:, None] * weight
-    return _Mesh(value, weight, mass, stiffness, loads, strength, water, mass_band, stiffness_band)
+    return _Mesh(
+        value, mass, stiffness, loads, strength, water, force, mass_band, stiffness_band
+    )  # fmt: skip
 
 
 def _prescribed(beam: Beam, times: Array) -> tuple[NDArray[np.int64], Array]:
@@ -302,10 +307,12 @@ def _gather(nodal: Array) -> Array:
     return np.concatenate([pairs[..., :-1, :], pairs[..., 1:, :]], axis=-1)
 
 
-def _add(nodal: Array, element: Array) -> None:
-    """Add element vectors (n, 4) to the nodal one (2n + 2,)."""
+def _add(element: Array) -> Array:
+    """The nodal vector (2n + 2,) of element ones (n, 4)."""
+    nodal = np.zeros(2 * len(element) + 2)
     nodal[:-2] += element[:, :2].ravel()
     nodal[2:] += element[:, 2:].ravel()
+    return nodal
 
 
 def _band(element: Array) -> Array:
@@ -325,7 +332,13 @@ def _dense(band: Array) -> Array:
 
 
 def _section_forces(
-    beam: Beam, mesh: _Mesh, u: Array, v: Array, a: Array, recovery: str
+    beam: Beam,
+    mesh: _Mesh,
+    u: Array,
+    v: Array,
+    a: Array,
+    rayleigh: tuple[float, float],
+    recovery: str,
 ) -> tuple[Array, Array]:
     """Moment and shear at the nodes, each (time, n + 1)."""
     _, slope, curve, third = (
@@ -338,8 +351,9 @@ def _section_forces(
             _mean(beam.bending_stiffness * curve),
             _mean(-beam.bending_stiffness * third - rate * curve),
         )
-    force = np.einsum("eij,tej->tei", mesh.stiffness, _gather(u)) - mesh.loads - _drag(mesh, v)
-    force += np.einsum("eij,tej->tei", mesh.mass, _gather(a))
+    force = np.einsum("eij,tej->tei", mesh.stiffness, _gather(u + rayleigh[1] * v))
+    force -= mesh.loads + _drag(mesh, v)
+    force += np.einsum("eij,tej->tei", mesh.mass, _gather(a + rayleigh[0] * v))
     moment = np.stack([-force[..., 1], force[..., 3]], axis=-1)
     lateral = np.stack([-force[..., 0], force[..., 2]], axis=-1)
     return _mean(moment), _mean(lateral - beam.tension * slope)
@@ -441,9 +455,7 @@ def _march(
             u[fixed[k]], v[fixed[k]], a[fixed[k]] = forced[:, k, step]
         for iteration in range(iterations):
             band = steady.copy() if step > 0 else mass.copy()
-            residual = np.zeros_like(start)
-            for e in range(len(mesh.loads)):
-                residual[2 * e : 2 * e + 4] -= mesh.loads[e]
+            residual = -mesh.force
             _multiply(mass, a, residual)
             _multiply(damping, v, residual)
             _multiply(stiffness, u, residual)

@@ -8,7 +8,7 @@ import numpy as np
 
 from riserstudy.effects.roles import ROLES
 from riserstudy.solve.evaluate import Programs, set_compliance
-from riserstudy.solve.program import assemble, freeze
+from riserstudy.solve.program import Frozen, assemble, freeze
 from riserstudy.solve.state import State, new_state
 
 
@@ -45,7 +45,7 @@ class Model:
 
         self._frozen = [freeze(state()), freeze(state())]
         records = [(effect, freeze(effect.record)) for effect in self.effects]
-        self._records = records
+        self.records = [record for _, record in records]
         self.programs = Programs(
             *(
                 assemble(
@@ -61,6 +61,11 @@ class Model:
         )
         for frozen in self._frozen:
             set_compliance(self.programs, frozen.value, frozen.address)
+
+    @property
+    def frozen(self) -> Frozen:
+        """The state as compiled code reads it."""
+        return self._frozen[0]
 
     @property
     def state(self) -> State:

@@ -1,6 +1,8 @@
-r"""Weight in water (or air) per unstretched length, as the effective tension sees it.
+r"""Dead loads along the string: weight in water, a line load across it.
 
 .. math:: w = (m_{dry} + \rho_i A_i - \rho_w A_o)\,g
+
+per unstretched length, as the effective tension sees it.
 """
 
 from __future__ import annotations
@@ -14,27 +16,26 @@ from riserstudy.jit import inner
 
 
 class Weight(NamedTuple):
-    """Weight of the string, lumped halves."""
+    """Dead load in one direction."""
 
-    weight: np.ndarray  # (n+1,) weight at the nodes, positive down (N)
+    direction: int  # 0 ... d-1, the last is up
+    load: np.ndarray  # (n+1,) at the nodes (N)
 
 
 @inner
 def force(weight, s):
-    """Weight pulls down; the last direction is up."""
-    up = len(s.dim) - 1
+    """The load itself."""
     for i in range(s.l0.shape[0] + 1):
-        s.force[up, i] -= weight.weight[i]
+        s.force[weight.direction, i] += weight.load[i]
     return 0.0
 
 
 @inner
 def energy(weight, s):
     """Potential energy (J)."""
-    up = len(s.dim) - 1
     total = 0.0
     for i in range(s.l0.shape[0] + 1):
-        total += weight.weight[i] * s.r[up, i]
+        total -= weight.load[i] * s.r[weight.direction, i]
     return total
 
 

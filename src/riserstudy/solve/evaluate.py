@@ -128,3 +128,16 @@ def energies(p, s, address):
 def one_call(program, address):
     """Run a program on a state, for callers in Python."""
     return every(program, address)
+
+
+@kernel
+def shape_of(p, s, address):
+    """`shape` for callers in Python."""
+    shape(p, s, address)
+
+
+@kernel
+def force_of(program, s, address):
+    """Forces of a few effects alone, after `shape`."""
+    every(program, address)
+    gather(s)

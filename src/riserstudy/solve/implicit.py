@@ -90,7 +90,7 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
     inert0, inert1 = np.zeros((d, n + 1)), np.zeros((d, n + 1))
     past = np.zeros((d, n + 1))
     flow0 = np.zeros(2)
-    reaction0 = np.zeros(fixed.shape[0])
+    reaction0, inert_held = np.zeros(fixed.shape[0]), np.zeros(fixed.shape[0])
 
     curvature = np.inf  # C of the header
     level, left, since = 0, 1, 0
@@ -110,6 +110,7 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
         i, c = fixed[f, 0], fixed[f, 1] - m
         if c >= 0:
             reaction0[f] = -(force1[c, i] + inert1[c, i]) * s.v[c, i]
+            inert_held[f] = inert1[c, i]
     start = t = s.clock[0]
     ends0 = s.ends[1].copy()
     tabulate(s, record.values)
@@ -202,6 +203,17 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
         for c in range(d):
             for i in range(n + 1):
                 true1[c, i] = s.a[c, i] - lag * (s.a[c, i] - a0[c, i])
+        s.flow[:] = 0.0
+        every(p.power, address)
+        kinetic1 = every(p.kinetic, address)
+        # Numerical dissipation: what averaging the forces between the steps takes out beyond the
+        # trapezoidal rule. Held nodes are not averaged; they take part with their balanced inertia.
+        numerical = kinetic0 - kinetic1
+        for c in range(d):
+            for i in range(n + 1):
+                mean = (1.0 - am) * inert1[c, i] + am * inert0[c, i]
+                beyond = (af - 0.5) * (force1[c, i] - force0[c, i]) - mean
+                numerical += (s.r[c, i] - r0[c, i]) * beyond
         held_work = 0.0
         for f in range(fixed.shape[0]):
             i, c = fixed[f, 0], fixed[f, 1] - m
@@ -209,17 +221,11 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
                 balanced = inert1[c, i] - lag * (inert1[c, i] - inert0[c, i])
                 power = -(force1[c, i] + balanced) * s.v[c, i]
                 held_work += 0.5 * h * (power + reaction0[f])
-                reaction0[f] = power
-        s.flow[:] = 0.0
-        every(p.power, address)
-        kinetic1 = every(p.kinetic, address)
-        # what averaging the forces between steps takes out, beyond the trapezoidal rule
-        numerical = kinetic0 - kinetic1
-        for c in range(d):
-            for i in range(n + 1):
-                delta = s.r[c, i] - r0[c, i]
                 mean = (1.0 - am) * inert1[c, i] + am * inert0[c, i]
-                numerical += delta * ((af - 0.5) * (force1[c, i] - force0[c, i]) - mean)
+                beyond = (af - 0.5) * (force1[c, i] - force0[c, i]) - mean
+                beyond += 0.5 * (balanced + inert_held[f])
+                numerical -= (s.r[c, i] - r0[c, i]) * beyond
+                reaction0[f], inert_held[f] = power, balanced
         given = 0.5 * h * (s.flow[1] + flow0[1])
         lost = 0.5 * h * (s.flow[0] + flow0[0])
         ledger.work[0] += held_work

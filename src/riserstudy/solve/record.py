@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.jit import inner
+from riserstudy.jit import inner, kernel
 from riserstudy.solve.evaluate import inertia, load, move, shape, true_moments
 from riserstudy.solve.program import every
 from riserstudy.solve.vec import at, dot
@@ -129,3 +129,9 @@ def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
             s.r[k, i] = r0[k, i] + x * d + x * (1.0 - x) * bump
             s.v[k, i] = (d + (1.0 - 2.0 * x) * bump + x * (1.0 - x) * (twist - slope)) / h
             s.a[k, i] = (1.0 - x) * a0[k, i] + x * a1[k, i]
+
+
+@kernel
+def evaluate_once(p, s, address, record):
+    """Tabulate a state as it stands, for callers in Python."""
+    evaluate_and_note(p, s, address, record, 0)

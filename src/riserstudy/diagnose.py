@@ -1,0 +1,29 @@
+"""Which effect is to blame: forces of each effect alone at one node."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from riserstudy.effects.roles import ROLES
+from riserstudy.model import Model
+from riserstudy.solve.evaluate import force_of, shape_of
+from riserstudy.solve.program import assemble
+
+
+def suspect(model: Model, node: int) -> str:
+    """Name of the effect with the largest, or an undefined, force at a node."""
+    worst, name = -1.0, "none"
+    state, frozen = model.state, model.frozen
+    for effect, record in zip(model.effects, model.records, strict=True):
+        roles = ROLES[type(effect.record)]
+        if "string" not in roles and "device" not in roles:
+            continue
+        call = roles.get("string") or roles["device"]
+        shape_of(model.programs, state, model.address)
+        force_of(assemble([(call, record)], frozen), state, model.address)
+        size = float(np.abs(state.force[:, node]).max() + np.abs(state.pull).sum())
+        if not size <= worst:
+            worst, name = size, f"{effect.name} ({size:.3g} N)"
+        if not np.isfinite(size):
+            return f"{effect.name} (undefined)"
+    return name

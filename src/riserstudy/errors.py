@@ -1,0 +1,34 @@
+"""The errors that users see: what is wrong, where, what was found, what is allowed."""
+
+from __future__ import annotations
+
+
+class RiserStudyError(Exception):
+    """Base of all errors this package raises on purpose; ``exit_code`` is that of the command."""
+
+    exit_code = 1
+
+
+class InputError(RiserStudyError):
+    """A scene, study, table or command line that cannot be meant.
+
+    Parameters
+    ----------
+    where : file, or "command line".
+    field : dotted path of the field, "" for the whole file.
+    found : what stands there.
+    allowed : what may stand there, or what to do.
+    """
+
+    exit_code = 2
+
+    def __init__(self, where: object, field: str, found: str, allowed: str):
+        self.where, self.field, self.found, self.allowed = str(where), field, found, allowed
+        place = f"{where}: {field}" if field else str(where)
+        super().__init__(f"{place}: {found}; {allowed}")
+
+
+class SimulationError(RiserStudyError):
+    """A simulation that cannot be completed: when, where, why, and what may help."""
+
+    exit_code = 3

@@ -1,0 +1,198 @@
+"""From a YAML file to a checked scene: read safely, take origins off, apply overrides, validate."""
+
+from __future__ import annotations
+
+import copy
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import BaseModel, ValidationError
+from ruamel.yaml import YAML, YAMLError
+
+from riserstudy.errors import InputError
+from riserstudy.scene.models import Scene
+from riserstudy.scene.origin import Origin, unwrap
+
+T = TypeVar("T", bound=BaseModel)
+MOST_BYTES = 1_000_000  # of an input file
+DEEPEST = 20  # nesting levels
+
+
+@dataclass(frozen=True)
+class SceneFile:
+    """A scene as its file says it: plain tree, origins, and where it came from."""
+
+    source: str
+    tree: dict[str, Any]
+    origins: dict[str, Origin] = field(default_factory=dict)
+
+    def with_values(self, overrides: Mapping[str, Any], layer: str) -> SceneFile:
+        """The same with values set by dotted path; ``layer`` names who sets them in errors."""
+        tree = copy.deepcopy(self.tree)
+        origins = dict(self.origins)
+        for path, value in overrides.items():
+            plain, found, faults = unwrap(value, path)
+            if faults:
+                raise InputError(layer, *faults[0])
+            _set(tree, path, plain, layer)
+            origins = {k: v for k, v in origins.items() if not (k + ".").startswith(path + ".")}
+            origins |= found
+        return SceneFile(self.source, tree, origins)
+
+    def scene(self) -> Scene:
+        """The checked scene, in SI.
+
+        Raises
+        ------
+        InputError
+            With the first fault: its field, what was found and what is allowed.
+        """
+        return check(Scene, self.tree, self.source)
+
+
+def read_yaml(path: Path) -> Any:
+    """A YAML file as plain data. Tags, aliases and duplicate keys are refused; nothing is executed."""
+    path = Path(path)
+    try:
+        if path.stat().st_size > MOST_BYTES:
+            raise InputError(path, "", "larger than 1 MB", "allowed is a smaller file")
+        text = path.read_text("utf-8")
+    except OSError as error:
+        reason = error.strerror or "cannot be read"
+        raise InputError(path, "", reason, "allowed is a readable file") from None
+    except UnicodeDecodeError:
+        raise InputError(path, "", "not UTF-8 text", "allowed is a YAML file in UTF-8") from None
+    reader = YAML(typ="safe", pure=True)
+    reader.allow_duplicate_keys = False
+    try:
+        for token in reader.scan(text):
+            if type(token).__name__ in ("AliasToken", "AnchorToken", "TagToken"):
+                line = token.start_mark.line + 1
+                raise InputError(path, f"line {line}", "a YAML tag, anchor or alias", "write it out")
+        data = YAML(typ="safe", pure=True).load(text)
+    except YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        where = f"line {mark.line + 1}" if mark else ""
+        problem = getattr(error, "problem", None) or "no YAML"
+        raise InputError(path, where, str(problem), "allowed is plain YAML") from None
+    except (RecursionError, ValueError) as error:
+        raise InputError(path, "", f"cannot be read: {error}"[:200], "simplify it") from None
+    fault = _not_plain(data)
+    if fault:
+        raise InputError(path, *fault)
+    return data
+
+
+def _not_plain(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, str] | None:
+    if depth > DEEPEST:
+        return path, "nested too deeply", f"allowed are {DEEPEST} levels"
+    if isinstance(data, dict):
+        for key, value in data.items():
+            here = f"{path}.{key}" if path else str(key)
+            if not isinstance(key, str):
+                return here, f"key {key!r} is no text", "allowed are names as keys"
+            if fault := _not_plain(value, here, depth + 1):
+                return fault
+    elif isinstance(data, list):
+        for k, value in enumerate(data):
+            if fault := _not_plain(value, f"{path}[{k}]", depth + 1):
+                return fault
+    elif isinstance(data, float) and not math.isfinite(data):
+        return path, repr(data), "allowed are finite numbers"
+    elif not isinstance(data, str | int | float | bool | None):
+        return path, f"a {type(data).__name__}", "allowed are text, numbers, lists and mappings"
+    return None
+
+
+def _steps(path: str) -> list[str | int]:
+    steps: list[str | int] = []
+    for part in path.split("."):
+        name, *indices = part.replace("]", "").split("[")
+        steps.append(name)
+        steps += [int(k) if k.isdigit() else k for k in indices]
+    return steps
+
+
+def _set(tree: dict[str, Any], path: str, value: Any, layer: str) -> None:
+    """Put a value at a dotted path (``riser[0].length``); null removes what is there."""
+    *way, last = _steps(path)
+    here: Any = tree
+    for step in way:
+        if isinstance(here, dict) and step not in here and isinstance(step, str):
+            here[step] = {}
+        try:
+            here = here[step]
+        except (KeyError, IndexError, TypeError):
+            raise InputError(layer, path, f"no {step!r} there", "allowed are paths of the scene") from None
+    try:
+        if value is None and isinstance(here, dict):
+            here.pop(last, None)
+        else:
+            here[last] = value
+    except (IndexError, TypeError):
+        raise InputError(layer, path, f"no {last!r} there", "allowed are paths of the scene") from None
+
+
+def check(model: type[T], tree: Any, source: object) -> T:
+    """Validate data against a pydantic model; the first fault becomes an InputError."""
+    try:
+        return model.model_validate(tree)
+    except ValidationError as error:
+        raise _readable(error, source) from None
+
+
+def _readable(error: ValidationError, source: object) -> InputError:
+    """The fault that says most: of a field with alternatives, the one that got furthest."""
+    first = max(error.errors(), key=lambda fault: len(fault["loc"]))
+    first = next((f for f in error.errors() if f["type"] == "extra_forbidden"), first)
+    where = ""
+    for step in first["loc"]:
+        if isinstance(step, int):
+            where += f"[{step}]"
+        elif not step[:1].isupper() and "[" not in step:  # names of models are no fields
+            where += f".{step}" if where else step
+    kind, found = first["type"], first["input"]
+    shown = repr(found) if not isinstance(found, dict | list) else "what stands there"
+    if kind == "extra_forbidden":
+        return InputError(source, where, "unknown key", "see `riserstudy schema` for what is allowed")
+    if kind == "missing":
+        return InputError(source, where, "missing", "it has no default: add it")
+    message = first["msg"].removeprefix("Value error, ")
+    if kind == "value_error" and ";" in message:
+        found_text, allowed = message.split(";", 1)
+        return InputError(source, where, found_text.strip(), allowed.strip())
+    if kind == "value_error":
+        return InputError(source, where, "does not fit together", message)
+    return InputError(source, where, shown[:120], message[0].lower() + message[1:])
+
+
+def read_scene(path: str | Path) -> SceneFile:
+    """A scene file with its origins, not yet checked beyond being plain YAML."""
+    data = read_yaml(Path(path))
+    if not isinstance(data, dict):
+        raise InputError(path, "", "no mapping", "a scene starts with names such as 'title:'")
+    tree, origins, faults = unwrap(data)
+    if faults:
+        raise InputError(path, *faults[0])
+    return SceneFile(str(path), tree, origins)
+
+
+def load_scene(path: str | Path, **overrides: Any) -> SceneFile:
+    """Read and check a scene file.
+
+    Parameters
+    ----------
+    path : the YAML file.
+    **overrides : values by dotted path, given as ``**{"platform.heave.amplitude": "3 m"}``.
+
+    Raises
+    ------
+    InputError
+        With file, field, what was found and what is allowed.
+    """
+    scene = read_scene(path).with_values(overrides, "overrides")
+    scene.scene()
+    return scene

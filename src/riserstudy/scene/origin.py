@@ -1,0 +1,80 @@
+"""Where a value comes from: published, given, derived, assumed or calibrated.
+
+In a scene file a value may be wrapped to say so::
+
+    count: {assumed: 6, options: [6, 7], because: "six make the 232 t the paper states"}
+    roll_centre: {calibrated: 4.5 m, to: liu2020/N3, range: [0 m, 25 m]}
+    added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
+
+``unwrap`` takes the wrappers off and keeps what they said, so that a study can vary every assumption.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+STATUSES = ("assumed", "derived", "calibrated")
+_COMPANIONS = {
+    "assumed": {"range", "options", "because"},
+    "derived": {"from"},
+    "calibrated": {"to", "range", "options", "because"},
+}
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Status of one value; ``range`` and ``options`` hold values as the file writes them."""
+
+    status: str
+    value: Any
+    range: tuple[Any, Any] | None = None
+    options: tuple[Any, ...] = ()
+    why: str = ""
+
+
+def unwrap(tree: Any, path: str = "") -> tuple[Any, dict[str, Origin], list[tuple[str, str, str]]]:
+    """Plain tree, origins by dotted path, and faults as (path, found, allowed)."""
+    if isinstance(tree, dict):
+        status = [key for key in STATUSES if key in tree]
+        if status:
+            return _unwrap_one(tree, path, status)
+        plain: dict[str, Any] = {}
+        origins: dict[str, Origin] = {}
+        faults: list[tuple[str, str, str]] = []
+        for key, value in tree.items():
+            plain[key], found, wrong = unwrap(value, f"{path}.{key}" if path else str(key))
+            origins |= found
+            faults += wrong
+        return plain, origins, faults
+    if isinstance(tree, list):
+        items = [unwrap(value, f"{path}[{k}]") for k, value in enumerate(tree)]
+        merged: dict[str, Origin] = {}
+        for _, found, _ in items:
+            merged |= found
+        return [item[0] for item in items], merged, [f for item in items for f in item[2]]
+    return tree, {}, []
+
+
+def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Any:
+    kind = status[0]
+    faults = []
+    unknown = set(tree) - {kind} - _COMPANIONS[kind]
+    if unknown:
+        allowed = f"beside '{kind}' stand {', '.join(sorted(_COMPANIONS[kind]))}"
+        faults.append((path, f"unknown key {', '.join(sorted(map(str, unknown)))}", allowed))
+    span = tree.get("range")
+    if span is not None and not (isinstance(span, list) and len(span) == 2):
+        faults.append((f"{path}.range", repr(span), "allowed are two values, [lowest, highest]"))
+        span = None
+    options = tree.get("options", [])
+    if not isinstance(options, list):
+        faults.append((f"{path}.options", repr(options), "allowed is a list of values"))
+        options = []
+    if kind == "assumed" and "because" not in tree:
+        faults.append((path, "an assumption without evidence", "add 'because: one line'"))
+    if kind == "calibrated" and "to" not in tree:
+        faults.append((path, "calibrated to nothing", "add 'to: paper/ID' of the number it meets"))
+    why = str(tree.get("because") or tree.get("from") or tree.get("to") or "")
+    origin = Origin(kind, tree[kind], tuple(span) if span else None, tuple(options), why)
+    return tree[kind], {path: origin}, faults
