@@ -1,6 +1,6 @@
 """Recompute the stored references and print the evidence for their accuracy.
 
-Run from this folder; takes about half an hour on one core. Each file under ``data`` holds float64
+Run from this folder; takes about twenty minutes on one core. Each file under ``data`` holds float64
 arrays and one text, ``about``. Names: s in m, time in s, x and z in m, moment in N m, top_force in
 N (x and z components of the support's force on the rod); moment_min and moment_max are taken over
 the times 0, 0.05, ..., 150 s.
@@ -57,7 +57,10 @@ def compare(name: str, a: RodHistory, b: RodHistory) -> None:
     moment = np.abs(a.moment - b.moment).max() / np.abs(b.moment).max()
     z = np.abs(a.z - b.z).max()
     force = np.abs(a.top_force - b.top_force).max(axis=0)
-    print(f"  {name}: x {x:.1e}, moment {moment:.1e}, z {z:.1e} m, support {force[0]:.2g} {force[1]:.2g} N", flush=True)
+    print(
+        f"  {name}: x {x:.1e}, moment {moment:.1e}, z {z:.1e} m, support {force[0]:.2g} {force[1]:.2g} N",
+        flush=True,
+    )
 
 
 def store(name: str, about: str, r: RodHistory) -> None:
@@ -100,8 +103,12 @@ def heave() -> None:
     """S3."""
     print("S3")
     times = 0.05 * np.arange(2001)
-    best = timed("characteristics", lambda: reference_heave.by_characteristics(times, tolerance=1e-12))
-    other = timed("spectral elements", lambda: reference_heave.by_spectral_elements(times, tolerance=1e-9))
+    best = timed(
+        "characteristics", lambda: reference_heave.by_characteristics(times, tolerance=1e-12)
+    )
+    other = timed(
+        "spectral elements", lambda: reference_heave.by_spectral_elements(times, tolerance=1e-9)
+    )
     for field in ("bottom", "top_tension", "bottom_tension"):
         a, b = getattr(other, field), getattr(best, field)
         peak = np.abs(b - b[0]).max()
@@ -125,7 +132,9 @@ def current() -> None:
         )
     for field in ("x", "z", "theta", "tension", "moment"):
         a, b = getattr(loose, field), getattr(best, field)
-        print(f"  tolerance 1e-8 against 1e-10, {field}: {np.abs(a - b).max() / np.abs(b).max():.1e}")
+        print(
+            f"  tolerance 1e-8 against 1e-10, {field}: {np.abs(a - b).max() / np.abs(b).max():.1e}"
+        )
 
 
 if __name__ == "__main__":

@@ -190,7 +190,10 @@ def axial_frequencies(
     if end_mass > 0.0:
         ratio = mass * length / end_mass
         beta = np.array([
-            brentq(lambda b: b * np.sin(b) - ratio * np.cos(b), (i - 1) * np.pi, (i - 0.5) * np.pi, xtol=1e-15)
+            brentq(
+                lambda b: b * np.sin(b) - ratio * np.cos(b),
+                (i - 1) * np.pi, (i - 0.5) * np.pi, xtol=1e-15,
+            )
             for i in n
         ])  # fmt: skip
     return beta / length * np.sqrt(axial_stiffness / mass)

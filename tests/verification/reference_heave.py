@@ -5,6 +5,7 @@ N the dynamic tension, v = u_t and Z = sqrt(EA m), N + Z v travels down and N - 
 unchanged in tau = L sqrt(m/EA). The end mass obeys M v' = N - c |v| v at s = 0.
 """
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -98,7 +99,7 @@ def by_characteristics(
         kinks = [hang.period + tau * j for j in range(1, 3 * int(hang.duration / tau), 2)]
         cuts = [k * tau, *[c for c in kinks if k * tau < c < (k + 1) * tau], (k + 1) * tau]
         solutions = []
-        for a, b in zip(cuts[:-1], cuts[1:], strict=True):
+        for a, b in pairwise(cuts):
             x = 0.5 * (a + b) - 0.5 * (b - a) * np.cos(np.pi * (np.arange(32) + 0.5) / 32)
             forced = np.polynomial.Chebyshev.fit(x, descending(x - tau), 24, domain=(a, b))
 
@@ -125,7 +126,7 @@ def _joined(solutions):
 
     def at(t):
         out = solutions[0][1](t)
-        for (start, _), (_, dense) in zip(solutions[:-1], solutions[1:], strict=True):
+        for (start, _), (_, dense) in pairwise(solutions):
             out = np.where(t > start, dense(t), out)
         return out
 
