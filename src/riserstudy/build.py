@@ -24,7 +24,7 @@ from riserstudy.effects.flex_joint import FlexJoint
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.linear_spring import LinearSpring
-from riserstudy.effects.platform_motion import Cruise, Harmonic, Series
+from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
 from riserstudy.effects.weight import Weight
@@ -134,6 +134,11 @@ class _Builder:
         platform = self.scene.platform
         if platform is None:
             return
+        if platform.position:
+            away = np.zeros(6)
+            away[MOTION["surge"]] = platform.position.surge or 0.0
+            away[MOTION["heave"]] = platform.position.heave or 0.0
+            self.add("platform position", Position(away), "platform.position")
         rows = []
         for name in ("surge", "heave", "pitch"):
             motion = getattr(platform, name)

@@ -7,35 +7,16 @@ the versions that shape machine code.
 
 from __future__ import annotations
 
-import hashlib
-import os
 import platform
-from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 
 import numba
 
-PACKAGE = Path(__file__).parent
+from riserstudy.folders import PACKAGE, cache_folder, digest
 
 # NaN and infinity stay visible ("nnan" and "ninf" are left out): the solvers test for them.
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
-
-
-def cache_folder() -> Path:
-    """Folder of point store and compiled kernels: RISERSTUDY_CACHE, or ``.cache`` of the checkout."""
-    if moved := os.environ.get("RISERSTUDY_CACHE"):
-        return Path(moved)
-    checkout = PACKAGE.parents[1]
-    return (checkout if (checkout / "pyproject.toml").exists() else Path.cwd()) / ".cache"
-
-
-def digest(files: Iterable[Path]) -> str:
-    """Hash of the contents of source files, 16 hexadecimal digits."""
-    total = hashlib.sha256()
-    for file in sorted(files):
-        total.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
-    return total.hexdigest()[:16]
 
 
 @cache

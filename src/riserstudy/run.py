@@ -88,7 +88,8 @@ def _refined(scene: Scene) -> Result:
     coarse = single(scene, mesh, step)
     cost = coarse.facts["solve_seconds"]
     for _ in range(REFINEMENTS):
-        mesh, step = mesh.halved(), 0.5 * step if step else None
+        mesh = mesh if massless(scene) else mesh.halved()
+        step = 0.5 * step if step else None
         fine = single(scene, mesh, step)
         cost += fine.facts["solve_seconds"]
         estimate = difference(coarse, fine)
@@ -108,7 +109,7 @@ def _refined(scene: Scene) -> Result:
 def _first_mesh(scene: Scene) -> Mesh:
     """Coarse mesh, graded where held ends confine bending to a layer sqrt(EI/T)."""
     if not scene.lateral:
-        return even(scene, max(len(scene.riser), 1 if massless(scene) else COARSEST))
+        return even(scene, len(scene.riser) if massless(scene) else COARSEST)
     probe = even(scene, COARSEST)
     model, _ = settle(scene, probe)
     layers = []
@@ -218,9 +219,11 @@ def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:
     state = model.state
     arrays = {"s_node": mesh.s, "l0": mesh.l0}
     names = quantities(model)
-    static = _tabulated(model)
+    static, probe = _tabulated(model)
     for k, name in enumerate(names):
         arrays[name + "_static"] = static[k]
+    if scene.top.tensioners:
+        arrays["tensioner_stroke_static"], arrays["tensioner_force_static"] = np.split(probe, 2)
     arrays["zero_z"] = state.r[-1].copy()
     if "x" in names:
         arrays["zero_x"] = np.zeros(len(mesh.s))
@@ -245,8 +248,8 @@ def quantities(model: Model) -> list[str]:
     return [*(["x", "z"] if d == 2 else ["z"]), "effective_tension", *moments]
 
 
-def _tabulated(model: Model) -> FloatArray:
-    """Quantities at the nodes at rest."""
+def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
+    """Quantities at the nodes at rest, and what devices report."""
     state, address = model.spare
     own = model.state
     state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
@@ -254,7 +257,7 @@ def _tabulated(model: Model) -> FloatArray:
     state.a[:] = 0.0
     record = new_record([state.clock[0]], [0], state, model.hinged)
     evaluate_once(model.programs, state, address, record)
-    return record.values.copy()
+    return record.values.copy(), record.probe[0].copy()
 
 
 def _march(

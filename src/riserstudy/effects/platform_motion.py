@@ -15,6 +15,12 @@ from riserstudy.effects.roles import register
 from riserstudy.jit import inner
 
 
+class Position(NamedTuple):
+    """Displacement at rest."""
+
+    displacement: np.ndarray  # (6,) (m or rad)
+
+
 class Harmonic(NamedTuple):
     """Sum of harmonic motions."""
 
@@ -39,6 +45,13 @@ class Series(NamedTuple):
     motion: int
     time: np.ndarray  # (k,) knots (s)
     coefficient: np.ndarray  # (4, k-1) from the cube down, about the left knot
+
+
+@inner
+def drive_position(position, s):
+    """Add the displacement at rest."""
+    s.platform[0] += position.displacement
+    return 0.0
 
 
 @inner
@@ -88,6 +101,7 @@ def drive_series(series, s):
     return 0.0
 
 
+register(Position, motion=drive_position)
 register(Harmonic, motion=drive_harmonic)
 register(Cruise, motion=drive_cruise)
 register(Series, motion=drive_series)

@@ -329,9 +329,17 @@ class TimeSeries(Strict):
         return self
 
 
+class Position(Strict):
+    """Where the platform rests, away from above the well. An absent direction: there."""
+
+    surge: u.Length | None = None
+    heave: u.Length | None = None
+
+
 class Platform(Strict):
     """Prescribed motion. An absent motion is none."""
 
+    position: Position | None = None
     surge: Translation | TimeSeries | None = None
     heave: Translation | TimeSeries | None = None
     pitch: Tilt | TimeSeries | None = None
@@ -494,6 +502,7 @@ class Scene(Strict):
         platform = self.platform or Platform()
         reasons = {
             "current": self.current,
+            "platform.position.surge": platform.position and platform.position.surge,
             "platform.surge": platform.surge,
             "platform.pitch": platform.pitch,
             "platform.cruise": platform.cruise,

@@ -113,9 +113,10 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
             inert_held[f] = inert1[c, i]
     start = t = s.clock[0]
     ends0 = s.ends[1].copy()
-    tabulate(s, record.values)
-    widen(record)
-    if record.time.shape[0] > 0 and record.time[0] <= t + 1e-9 * h:
+    first = record.time[0] - 1e-9 * h  # envelopes start with the outputs
+    if first <= t:
+        tabulate(s, record.values)
+        widen(record)
         note(p, s, address, record, 0)
         k_out = 1
 
@@ -251,8 +252,9 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
                 lagging = s.ends[1, e, c]
                 s.ends[1, e, c] -= lag * (lagging - ends0[e, c])
                 ends0[e, c] = lagging
-        tabulate(s, record.values)
-        widen(record)
+        if t + h >= first:
+            tabulate(s, record.values)
+            widen(record)
         if k_out < record.time.shape[0] and record.time[k_out] <= t + h * (1.0 + 1e-9):
             note(p, s, address, record, k_out)
             k_out += 1

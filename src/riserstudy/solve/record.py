@@ -1,4 +1,4 @@
-"""What a simulation writes down: envelopes at all nodes over all steps, histories at stations."""
+"""What a simulation writes down: envelopes at all nodes, histories at stations."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Record(NamedTuple):
     time: np.ndarray  # (k,) output times (s)
     station: np.ndarray  # (j,) node indices of the histories
     history: np.ndarray  # (k, q, j)
-    largest: np.ndarray  # (q, n+1) envelopes over all steps
+    largest: np.ndarray  # (q, n+1) envelopes over all steps from the first output on
     smallest: np.ndarray  # (q, n+1)
     end: np.ndarray  # (k, 2, d + 2m): tangent of end segment, moments of its end and inner node
     platform: np.ndarray  # (k, 6)

@@ -1,0 +1,46 @@
+"""The space that a paper leaves open: samples over the ranges and options of its assumptions."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from riserstudy.errors import InputError
+from riserstudy.scene.origin import Origin
+
+_PARTS = re.compile(r"\s*([-+0-9.eE]+)\s*(.*)")
+
+
+def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[str, Any]]:
+    """Overrides of ``count`` scrambled Sobol points over all assumptions at once.
+
+    A range is sampled evenly, options with equal chance.
+    """
+    from scipy.stats import qmc
+
+    if not assumptions:
+        raise InputError("study", "axes", "samples of a scene without open assumptions", "remove it")
+    sampler = qmc.Sobol(len(assumptions), rng=seed)
+    points = sampler.random_base2(max(1, (count - 1).bit_length()))[:count]
+    return [
+        {
+            path: value_at(path, origin, float(x))
+            for (path, origin), x in zip(assumptions.items(), point, strict=True)
+        }
+        for point in points
+    ]
+
+
+def value_at(path: str, origin: Origin, x: float) -> Any:
+    """Value of an assumption at position 0 <= x < 1 of its range or options."""
+    if origin.options:
+        return origin.options[min(int(x * len(origin.options)), len(origin.options) - 1)]
+    low, high = origin.range or (None, None)
+    if isinstance(low, int | float) and isinstance(high, int | float):
+        return low + x * (high - low)
+    parts = _PARTS.fullmatch(str(low)), _PARTS.fullmatch(str(high))
+    if not parts[0] or not parts[1] or parts[0].group(2) != parts[1].group(2):
+        allowed = "allowed are two values in the same unit"
+        raise InputError("scene", f"{path}.range", f"[{low}, {high}]", allowed)
+    a, b = float(parts[0].group(1)), float(parts[1].group(1))
+    return f"{a + x * (b - a)!r} {parts[0].group(2)}"

@@ -1,0 +1,172 @@
+"""The command line: ``riserstudy run | effects | modes | schema | results``."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from riserstudy.errors import InputError, RiserStudyError
+
+app = typer.Typer(
+    name="riserstudy",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="Simulate deepwater drilling risers, and look at what was simulated.",
+)
+
+SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
+SetOption = Annotated[
+    list[str] | None,
+    typer.Option("--set", help="set a value: platform.heave.amplitude='3 m'", metavar="PATH=VALUE"),
+]
+
+
+def main() -> None:
+    """Run the command line; errors go to stderr in one line, with their exit code."""
+    try:
+        app(standalone_mode=False)
+    except typer.Exit as done:
+        sys.exit(done.exit_code)
+    except (typer.Abort, KeyboardInterrupt):
+        sys.exit(130)
+    except RiserStudyError as error:
+        print(f"riserstudy: {error}", file=sys.stderr)
+        sys.exit(error.exit_code)
+    except Exception as error:
+        if hasattr(error, "format_message"):  # a usage error of the command line itself
+            print(f"riserstudy: command line: {error.format_message()}", file=sys.stderr)
+            sys.exit(2)
+        raise
+
+
+def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) -> Any:
+    from ruamel.yaml import YAML, YAMLError
+
+    from riserstudy.scene.load import read_scene
+    from riserstudy.simulation import at_accuracy
+
+    overrides: dict[str, Any] = {}
+    for setting in settings or []:
+        name, equals, text = setting.partition("=")
+        if not equals or not name.strip():
+            raise InputError("--set", setting, "no PATH=VALUE", "allowed is platform.heave.amplitude='3 m'")
+        try:
+            overrides[name.strip()] = YAML(typ="safe", pure=True).load(text)
+        except (YAMLError, ValueError):
+            raise InputError("--set", name, f"{text!r} is no value", "allowed is plain YAML") from None
+    file = read_scene(path).with_values(overrides, "--set")
+    if accuracy is not None:
+        file = at_accuracy(file, accuracy)
+    file.scene()
+    return file
+
+
+@app.command()
+def run(
+    scene: SceneArgument,
+    output: Annotated[Path, typer.Option("-o", "--output", help="dataset to write (netCDF)", metavar="OUT.nc")],
+    settings: SetOption = None,
+    accuracy: Annotated[
+        str | None, typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT")
+    ] = None,
+) -> None:
+    """Simulate a scene and write its dataset."""
+    import os
+
+    file = _scene(scene, settings, accuracy)
+    folder = output.resolve().parent
+    if output.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
+        raise InputError("--output", str(output), "cannot be written", "allowed is a file in a folder that exists")
+    from riserstudy.gather import write_dataset
+    from riserstudy.simulation import simulate
+
+    dataset = simulate(file)
+    write_dataset(dataset, output)
+    for warning in json.loads(dataset.attrs["warnings"]):
+        print(f"riserstudy: warning: {warning}", file=sys.stderr)
+    print(_summary(dataset))
+
+
+def _summary(dataset: Any) -> str:
+    estimate = json.loads(dataset.attrs.get("error_estimate", "{}"))
+    errors = ", ".join(f"{name} {100 * value:.2g} %" for name, value in estimate.items())
+    step = f", step {dataset.attrs['step']:.4g} s" if "step" in dataset.attrs else ""
+    return (
+        f"{dataset.attrs['elements']} segments{step}; estimated error: {errors or 'none given'}; "
+        f"{dataset.attrs['wall_seconds']:.3g} s"
+    )
+
+
+@app.command()
+def effects(scene: SceneArgument, settings: SetOption = None) -> None:
+    """Say which effects a scene has, and because of which line."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from riserstudy.ledger import ledger
+
+    file = _scene(scene, settings)
+    table = Table("effect", "", "because of", title=str(file.tree["title"]))
+    for row in ledger(file.scene()):
+        table.add_row(row.name, "on" if row.on else "off", row.because, style=None if row.on else "dim")
+    Console().print(table)
+
+
+@app.command()
+def modes(
+    scene: SceneArgument,
+    settings: SetOption = None,
+    count: Annotated[int, typer.Option(min=1, max=1000, help="how many")] = 10,
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="write frequencies and shapes here")] = None,
+) -> None:
+    """Natural frequencies about the static equilibrium."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from riserstudy.modal import modes_of
+
+    dataset = modes_of(_scene(scene, settings).scene(), count)
+    table = Table("mode", "period (s)", "frequency (Hz)", "motion")
+    for k in range(dataset.sizes["mode"]):
+        frequency = float(dataset["frequency"][k])
+        period = f"{1 / frequency:.5g}" if frequency > 0 else "unstable"
+        table.add_row(str(k + 1), period, f"{frequency:.6g}", str(dataset["motion"].values[k]))
+    Console().print(table)
+    if output is not None:
+        from riserstudy.gather import write_dataset
+
+        write_dataset(dataset, output)
+
+
+@app.command()
+def schema() -> None:
+    """Print the JSON schema of scene files, for editors."""
+    from riserstudy.scene.models import Scene
+
+    text = {"$schema": "https://json-schema.org/draft/2020-12/schema", **Scene.model_json_schema()}
+    print(json.dumps(text, indent=2))
+
+
+@app.command()
+def results(
+    filters: Annotated[
+        list[str] | None, typer.Argument(help="words that a point must contain", metavar="[FILTER]...")
+    ] = None,
+) -> None:
+    """List stored points: key, source, engine, time, effects, parameters."""
+    from riserstudy.store import about_points
+
+    for about in about_points():
+        facts = about["facts"]
+        line = (
+            f"{about['key']}  {about['source']}  engine {about['engine']}  "
+            f"{facts['wall_seconds']:.3g} s  {', '.join(facts['effects'])}"
+        )
+        text = line + json.dumps(about["scene"])
+        if all(word in text for word in filters or []):
+            print(line)

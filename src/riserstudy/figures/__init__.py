@@ -1,0 +1,27 @@
+"""Figures: functions from datasets to matplotlib figures, one module a paper."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+
+def draw(paper: str, name: str, datasets: dict[str, xr.Dataset]) -> Figure:
+    """Figure ``name`` of a paper, by the function of that name in the paper's module."""
+    figure: Figure = getattr(import_module(f"riserstudy.figures.{paper}"), name)(**datasets)
+    return figure
+
+
+def save(figure: Figure, *targets: Path) -> None:
+    """Write a figure in the formats of the targets' endings, each whole or not at all."""
+    for target in targets:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        partial = target.with_name(f".{target.stem}.partial{target.suffix}")
+        metadata = {"CreationDate": None} if target.suffix == ".pdf" else None
+        figure.savefig(partial, metadata=metadata)
+        partial.replace(target)

@@ -1,0 +1,176 @@
+"""Simulate the points of a study that the store lacks, and join all into one dataset."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from riserstudy import store
+from riserstudy.errors import RiserStudyError, SimulationError
+from riserstudy.study import Point, Study
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.run import Result
+
+
+def results_of(
+    study: Study, threads: int, tell: Callable[[str], None]
+) -> tuple[list[Result], int]:
+    """Results of all points in order, and how many had to be simulated.
+
+    Raises
+    ------
+    SimulationError
+        When points cannot be completed: once per cause, with their number and the first one.
+    """
+    kept = {point.key: store.get(point.key) for point in study.plan}
+    missing = {p.key: p for p in study.plan if kept[p.key] is None}
+
+    def one(point: Point) -> Result | RiserStudyError:
+        from riserstudy.run import run
+
+        try:
+            result = run(point.file.scene())
+        except SimulationError as error:
+            return error
+        store.put(point.key, result, point.file)
+        return result
+
+    with ThreadPoolExecutor(max(1, threads)) as pool:
+        made = dict(zip(missing, pool.map(one, missing.values()), strict=True))
+    failures = [(missing[k], e) for k, e in made.items() if isinstance(e, RiserStudyError)]
+    if failures:
+        point, first = failures[0]
+        place = dict(zip(study.axes, point.index, strict=True))
+        raise SimulationError(
+            f"{study.where}: {len(failures)} of {len(study.plan)} points cannot be completed; "
+            f"the first, at index {place}: {first}"
+        )
+    tell(f"{study.paper}/{study.name}: {len(missing)} points simulated, "
+         f"{len(study.plan) - len(missing)} from the store")
+    return [kept[p.key] or made[p.key] for p in study.plan], len(missing)
+
+
+def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
+    """Dataset with the study's axes as dimensions, over the quantities of its runs.
+
+    Runs on different meshes share one ``s``: they are laid on the finest mesh among them.
+    """
+    import numpy as np
+    import xarray as xr
+
+    from riserstudy.simulation import attributes, to_dataset
+
+    shape = tuple(len(values) for values in study.axes.values())
+    singles = [to_dataset(r, p.file) for r, p in zip(results, study.plan, strict=True)]
+    finest = max(singles, key=lambda ds: ds.sizes["s_node"])
+    joined = []
+    for single in singles:
+        single.attrs = {}
+        if study.model.keep is not None:
+            single = single[[name for name in study.model.keep if name in single]]
+        for name in ("s", "s_node"):
+            if name in single.dims and single.sizes[name] > 1:
+                if single.sizes[name] != finest.sizes[name] or not np.array_equal(single[name], finest[name]):
+                    method = "cubic" if single.sizes[name] > 3 else "linear"
+                    single = single.interp({name: finest[name]}, method=method)
+        joined.append(single)
+    flat = xr.concat(joined, "point", join="outer", combine_attrs="drop")
+    for name, extract in FACTS.items():
+        flat[name] = ("point", [extract(r.facts) for r in results])
+        flat[name].attrs = FACT_ATTRIBUTES.get(name, {})
+    flat["point_key"] = ("point", [p.key for p in study.plan])
+    data = {}
+    for name, values in flat.data_vars.items():
+        if "point" not in values.dims:
+            data[name] = values
+            continue
+        values = values.transpose("point", ...)
+        grid = values.values.reshape(shape + values.shape[1:])
+        data[name] = (tuple(study.axes) + values.dims[1:], grid, attributes(str(name)) or values.attrs)
+    coords = {name: flat[name] for name in ("time", "s", "s_node") if name in flat.coords}
+    dataset = xr.Dataset(data, coords)
+    for name, values in study.axes.items():
+        dataset[name] = (name, [value for value, _ in values], attributes(name))
+    _add_sampled(dataset, study)
+    dataset.attrs = _about(study, results)
+    return dataset
+
+
+FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
+    "wall_seconds": lambda f: f["wall_seconds"],
+    "elements": lambda f: f["elements"],
+    "step": lambda f: f.get("step", float("nan")),
+    "error_displacement": lambda f: f.get("error_estimate", {}).get("displacement", float("nan")),
+    "error_moment": lambda f: f.get("error_estimate", {}).get("moment", float("nan")),
+    "error_tension": lambda f: f.get("error_estimate", {}).get("tension", float("nan")),
+    "unexplained_energy": lambda f: f.get("audit", {}).get("unexplained_share", float("nan")),
+    "smallest_tension": lambda f: f["smallest_tension"],
+    "warnings": lambda f: "; ".join(f["warnings"]),
+}
+FACT_ATTRIBUTES = {
+    "wall_seconds": {"units": "s", "long_name": "wall time of the simulation"},
+    "elements": {"units": "1", "long_name": "segments of the riser"},
+    "step": {"units": "s", "long_name": "time step"},
+    "error_displacement": {"units": "1", "long_name": "estimated relative error of displacement"},
+    "error_moment": {"units": "1", "long_name": "estimated relative error of bending moment"},
+    "error_tension": {"units": "1", "long_name": "estimated relative error of tension"},
+    "unexplained_energy": {"units": "1", "long_name": "share of the energy exchanged left unexplained"},
+    "smallest_tension": {"units": "N", "long_name": "smallest effective tension"},
+}
+
+
+def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
+    """What each sample assumed, as variables named assumed_..."""
+    from riserstudy.study import Samples
+
+    for name, axis in study.model.axes.items():
+        if not isinstance(axis, Samples):
+            continue
+        for path in study.axes[name][0][1]:
+            values = [overrides[path] for _, overrides in study.axes[name]]
+            plain = [v if isinstance(v, int | float) else str(v) for v in values]
+            dataset["assumed_" + path.replace(".", "_")] = (name, plain, {"long_name": path})
+
+
+def _about(study: Study, results: list[Result]) -> dict[str, Any]:
+    from riserstudy import __version__
+
+    facts = results[0].facts
+    return {
+        "Conventions": "CF-1.11",
+        "title": f"{study.paper} {study.name}: {study.model.caption}",
+        "paper": study.paper,
+        "tier": study.tier,
+        "digest": study.digest,
+        "engine": store.engine_digest(),
+        "riserstudy": __version__,
+        "scene": json.dumps(study.base.tree),
+        "origins": json.dumps({p: o.status for p, o in study.base.origins.items()}),
+        "effects": json.dumps(facts["effects"]),
+    }
+
+
+def write_dataset(dataset: xr.Dataset, target: Path) -> None:
+    """Write a netCDF file whole or not at all."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    partial = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        dataset.to_netcdf(partial, engine="netcdf4", encoding=_compressed(dataset))
+        partial.replace(target)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def _compressed(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
+    return {
+        str(name): {"zlib": True, "complevel": 3}
+        for name, values in dataset.data_vars.items()
+        if values.dtype.kind == "f" and values.size > 1000
+    }

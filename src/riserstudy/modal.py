@@ -1,0 +1,61 @@
+"""Natural modes of a scene about its static equilibrium, as a dataset."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from riserstudy.build import stiffness
+from riserstudy.mesh import even
+from riserstudy.run import settle
+from riserstudy.scene.models import Scene
+from riserstudy.solve.modes import natural_modes
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+DEFAULT_ELEMENTS = 200
+
+
+def modes_of(scene: Scene, count: int) -> xr.Dataset:
+    """Frequencies and shapes of the lowest modes.
+
+    A riser with bending stiffness or tension vibrates sideways too, whatever the scene moves; only a
+    bar without either is left to its axial modes.
+
+    Returns
+    -------
+    Dataset with ``frequency`` (Hz, negative for an unstable direction) and ``motion`` over ``mode``,
+    and shapes ``x``, ``z`` over (mode, s), largest displacement 1.
+    """
+    import xarray as xr
+
+    mesh = even(scene, scene.analysis.mesh.elements if scene.analysis.mesh else DEFAULT_ELEMENTS)
+    bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
+    planar = bool(scene.lateral) or (bends and scene.top.x is not None)
+    model, _ = settle(scene, mesh, planar=planar)
+    frequency, shape = natural_modes(
+        model.programs, model.state, model.address, model.fixed, count
+    )
+    size = np.abs(shape).max(axis=2)
+    names = ["lateral", "axial"] if planar else ["axial"]
+    motion = [names[int(row.argmax())] for row in size]
+    directions = ["x", "z"] if planar else ["z"]
+    data = {
+        name: (("mode", "s"), shape[:, k, :], {"units": "1", "long_name": f"mode shape along {name}"})
+        for k, name in enumerate(directions)
+    }
+    return xr.Dataset(
+        {
+            "frequency": (
+                "mode",
+                frequency / (2.0 * math.pi),
+                {"units": "Hz", "long_name": "natural frequency"},
+            ),
+            "motion": ("mode", motion),
+            **data,
+        },
+        {"mode": np.arange(1, len(frequency) + 1), "s": mesh.s},
+    )

@@ -1,0 +1,30 @@
+"""Read the results database: all datasets of a results folder as one tree."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def open_results(folder: str | Path = "results") -> xr.DataTree:
+    """All datasets as a tree: ``tree["chang2020/asymmetry"]``.
+
+    Raises
+    ------
+    InputError
+        When the folder holds no dataset.
+    """
+    import xarray as xr
+
+    files = sorted(Path(folder).glob("*/*.nc"))
+    if not files:
+        raise InputError(folder, "", "no datasets", "run `make study` first")
+    nodes = {
+        f"/{file.parent.name}/{file.stem}": xr.open_dataset(file, engine="netcdf4") for file in files
+    }
+    return xr.DataTree.from_dict(nodes)

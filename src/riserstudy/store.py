@@ -1,0 +1,115 @@
+"""The point store: every simulated point under the hash of its parameters and of the engine.
+
+A point is one file, written under another name and renamed when complete. What cannot be read whole
+counts as missing. Planning needs no numpy: keys come from plain text.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import os
+import tempfile
+import zipfile
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pydantic import BaseModel
+
+from riserstudy.folders import PACKAGE, cache_folder, digest
+
+if TYPE_CHECKING:
+    from riserstudy.run import Result
+    from riserstudy.scene.load import SceneFile
+
+
+@cache
+def engine_digest() -> str:
+    """Digest of all sources that a simulated number depends on."""
+    names = ("jit.py", "build.py", "mesh.py", "model.py", "run.py")
+    files = [PACKAGE / name for name in names]
+    return digest([*files, *PACKAGE.glob("effects/*.py"), *PACKAGE.glob("solve/*.py")])
+
+
+def canonical(value: Any) -> Any:
+    """Plain data with floats in hexadecimal: equal numbers give equal text, and only they."""
+    if isinstance(value, BaseModel):
+        return {name: canonical(getattr(value, name)) for name in type(value).model_fields}
+    if isinstance(value, dict):
+        return {str(key): canonical(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [canonical(item) for item in value]
+    return value.hex() if isinstance(value, float) else value
+
+
+def key_of(scene: BaseModel) -> str:
+    """Hash of a checked scene and the engine; titles and notes do not count."""
+    plain = canonical(scene)
+    for name in ("title", "note", "paper"):
+        plain.pop(name, None)
+    text = json.dumps([engine_digest(), plain], sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:32]
+
+
+def _file(key: str) -> Path:
+    return cache_folder() / "points" / key[:2] / f"{key}.npz"
+
+
+def put(key: str, result: Result, file: SceneFile) -> None:
+    """Store a point, complete or not at all."""
+    import numpy as np
+
+    target = _file(key)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    about = {"facts": result.facts, "scene": file.tree, "source": file.source, "engine": engine_digest()}
+    about["origins"] = {path: origin.status for path, origin in file.origins.items()}
+    content = io.BytesIO()
+    np.savez(content, allow_pickle=False, about=np.array(json.dumps(about)), **result.arrays)
+    write_whole(target, content.getvalue())
+
+
+def write_whole(target: Path, content: bytes) -> None:
+    """Write a file under another name in the same folder, then rename it."""
+    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(content)
+        Path(name).replace(target)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+def get(key: str) -> Result | None:
+    """A stored point, or None when it is missing or not whole."""
+    import numpy as np
+
+    from riserstudy.run import Result
+
+    try:
+        with np.load(_file(key), allow_pickle=False) as stored:
+            arrays = {name: stored[name] for name in stored.files if name != "about"}
+            about = json.loads(str(stored["about"]))
+        return Result(arrays, about["facts"])
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+        return None
+
+
+def has(key: str) -> bool:
+    """Whether a file of that name is there; `get` tells whether it is whole."""
+    return _file(key).exists()
+
+
+def about_points() -> Iterator[dict[str, Any]]:
+    """What each stored point says of itself, with its key."""
+    import numpy as np
+
+    for path in sorted((cache_folder() / "points").glob("*/*.npz")):
+        try:
+            with np.load(path, allow_pickle=False) as stored:
+                yield {"key": path.stem, **json.loads(str(stored["about"]))}
+        except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+            continue

@@ -1,0 +1,227 @@
+"""Studies: a scene and the axes it is varied along; planned without numpy, gathered into a dataset."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import product
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile, check, read_scene, read_yaml
+from riserstudy.scene.models import Strict
+from riserstudy.scene.origin import Origin
+from riserstudy.store import canonical, key_of
+
+TIERS = ("preview", "standard", "reference")
+Tier = Literal["preview", "standard", "reference"]
+
+
+class Steps(Strict):
+    """Evenly spaced values, both ends included."""
+
+    start: float
+    stop: float
+    step: Annotated[float, Field(gt=0)]
+
+    @property
+    def values(self) -> list[float]:
+        """The values, free of rounding drift."""
+        count = round((self.stop - self.start) / self.step)
+        return [round(self.start + k * self.step, 12) for k in range(count + 1)]
+
+
+class Numbers(Strict):
+    """An axis of numbers put at a path of the scene, with a unit."""
+
+    path: str
+    unit: str
+    values: list[float] | Steps
+    preview: list[float] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        numbers = self.numbers("standard")
+        if not numbers or len(set(numbers)) != len(numbers):
+            raise ValueError("values: must be there, each once")
+        if self.preview and not set(self.preview) <= set(numbers):
+            raise ValueError("preview: must be some of the values")
+        return self
+
+    def numbers(self, tier: Tier) -> list[float]:
+        """Values of a tier."""
+        every = self.values.values if isinstance(self.values, Steps) else self.values
+        return self.preview if tier == "preview" and self.preview else every
+
+    def overrides(self, number: float) -> dict[str, Any]:
+        """What a value sets."""
+        return {self.path: f"{number!r} {self.unit}"}
+
+
+class Samples(Strict):
+    """An axis of samples: every assumption of the scene varied over its range or options at once."""
+
+    count: dict[Tier, Annotated[int, Field(ge=2)]]
+    seed: int
+    leave: list[str] = []
+
+
+Labels = dict[str, dict[str, Any]]
+
+
+class StudyModel(Strict):
+    """One study. Absent set: nothing set on top of the scene; absent keep: all histories are kept."""
+
+    scene: str
+    caption: str
+    set: dict[str, Any] = {}
+    axes: dict[str, Numbers | Samples | Labels]
+    keep: list[str] | None = None
+
+
+class StudyFile(Strict):
+    """Studies of one paper, datasets derived from them, and the figures that read them."""
+
+    paper: str
+    studies: dict[str, StudyModel]
+    derived: dict[str, list[str]] = {}
+    figures: dict[str, FigureModel]
+
+
+class FigureModel(Strict):
+    """A figure: its caption and the datasets it reads."""
+
+    caption: str
+    reads: list[str]
+
+
+StudyFile.model_rebuild()
+
+
+@dataclass(frozen=True)
+class Point:
+    """One point of a study: where it lies on the axes, and its scene."""
+
+    index: tuple[int, ...]
+    file: SceneFile
+    key: str
+
+
+@dataclass(frozen=True)
+class Study:
+    """A study of a tier, ready to be planned."""
+
+    paper: str
+    name: str
+    model: StudyModel
+    config: Path
+    tier: Tier
+    accuracy: str | None = None
+
+    @cached_property
+    def base(self) -> SceneFile:
+        """The scene with what the study sets on top of it."""
+        path = self.config / self.model.scene
+        file = read_scene(path).with_values(self.model.set, f"{self.where}.set")
+        analysis = file.tree.get("analysis", {})
+        if self.accuracy and not ({"mesh", "step"} & set(analysis)):
+            file = file.with_values({"analysis.accuracy": self.accuracy}, "config.yaml")
+        return file
+
+    @property
+    def where(self) -> str:
+        """How errors name the study."""
+        return f"config/studies/{self.paper}.yaml: studies.{self.name}"
+
+    @cached_property
+    def axes(self) -> dict[str, list[tuple[Any, dict[str, Any]]]]:
+        """Per axis the coordinate values and what each sets."""
+        axes: dict[str, list[tuple[Any, dict[str, Any]]]] = {}
+        for name, axis in self.model.axes.items():
+            if isinstance(axis, Numbers):
+                axes[name] = [(x, axis.overrides(x)) for x in axis.numbers(self.tier)]
+            elif isinstance(axis, Samples):
+                axes[name] = list(enumerate(self._samples(axis)))
+            else:
+                axes[name] = list(axis.items())
+        return axes
+
+    def _samples(self, axis: Samples) -> list[dict[str, Any]]:
+        from riserstudy.assumptions import sample
+
+        open_values = {p: o for p, o in self.open_assumptions.items() if p not in axis.leave}
+        return sample(open_values, axis.count[self.tier], axis.seed)
+
+    @property
+    def open_assumptions(self) -> dict[str, Origin]:
+        """Assumptions of the scene that have a range or options."""
+        return {
+            path: origin
+            for path, origin in self.base.origins.items()
+            if origin.status == "assumed" and (origin.range or origin.options)
+        }
+
+    def points(self) -> Iterator[Point]:
+        """All points of the grid, the last axis fastest.
+
+        Raises
+        ------
+        InputError
+            When a point's scene cannot be meant.
+        """
+        for index in product(*(range(len(values)) for values in self.axes.values())):
+            overrides: dict[str, Any] = {}
+            for (_, values), k in zip(self.axes.items(), index, strict=True):
+                overrides |= values[k][1]
+            file = self.base.with_values(overrides, self.where)
+            yield Point(index, file, key_of(file.scene()))
+
+    @cached_property
+    def plan(self) -> list[Point]:
+        """All points, checked."""
+        return list(self.points())
+
+    @cached_property
+    def digest(self) -> str:
+        """One string that changes when anything that the dataset depends on changes."""
+        axes = {name: [value for value, _ in values] for name, values in self.axes.items()}
+        about = [canonical(axes), [point.key for point in self.plan], self.model.keep]
+        return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]
+
+
+def read_studies(config: Path, paper: str) -> StudyFile:
+    """The checked study file of a paper."""
+    path = config / "studies" / f"{paper}.yaml"
+    file = check(StudyFile, read_yaml(path), path)
+    known = set(file.studies) | set(file.derived)
+    for name, needed in file.derived.items():
+        for study in needed:
+            if study not in file.studies:
+                raise InputError(path, f"derived.{name}", f"no study {study!r}", _among(file.studies))
+    for name, figure in file.figures.items():
+        for study in figure.reads:
+            if study not in known:
+                raise InputError(path, f"figures.{name}.reads", f"no dataset {study!r}", _among(known))
+    return file
+
+
+def _among(names: Any) -> str:
+    return "allowed are " + ", ".join(sorted(names))
+
+
+def study(config: Path, paper: str, name: str, tier: Tier, accuracy: str | None) -> Study:
+    """One study of a paper, by name."""
+    file = read_studies(config, paper)
+    return Study(paper, name, file.studies[name], config, tier, accuracy)
+
+
+def threads_worth(points: int) -> int:
+    """Threads that a study of so many points can use."""
+    return max(1, min(8, math.ceil(points / 8)))

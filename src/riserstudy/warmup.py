@@ -1,0 +1,85 @@
+"""Compile every kernel: one small model with all effects in each number of directions."""
+
+from __future__ import annotations
+
+from riserstudy.run import run
+from riserstudy.scene.models import Scene
+
+_SECTION = {
+    "name": "all",
+    "length": "100 m",
+    "outer_diameter": "0.5 m",
+    "inner_diameter": "0.4 m",
+    "young_modulus": "200 GPa",
+    "mass": "500 kg/m",
+    "submerged_weight": "1 kN/m",
+    "structural_damping": {"ratio": 0.01, "at_period": "10 s"},
+}
+_WET = {
+    "lateral_load": "1 N/m",
+    "drag": {"coefficient": 1.0, "diameter": "0.5 m"},
+    "added_mass": {"coefficient": 1.0, "diameter": "0.5 m"},
+    "contents": {"density": "1000 kg/m^3"},
+}
+_BODY = {"name": "body", "mass": "10 t", "submerged_weight": "10 kN"}
+_GAS = {"area": "0.1 m^2", "pressure": "50 bar absolute", "volume": "3 m^3", "exponent": 1.4}
+_RIG = {
+    "count": 4,
+    "mid_stroke": "riser in equilibrium",
+    "damping": "1 kN*s/m",
+    "stroke": {"shortest": "-8 m", "longest": "8 m", "stop_stiffness": "1e7 N/m"},
+}
+_HEAVE = {"amplitude": "1 m", "period": "10 s"}
+_ANALYSIS = {
+    "duration": "1 s",
+    "output": {"interval": "0.15 s"},
+    "mesh": {"elements": 4},
+    "step": "0.1 s",
+}
+
+
+def scenes() -> list[Scene]:
+    """Small scenes that together have every effect."""
+    linear = {"tension": "500 kN", "stiffness": "10 kN/m"}
+    axial = {
+        "title": "axial",
+        "water": {"density": "1000 kg/m^3"},
+        "riser": [_SECTION],
+        "bottom": {"hold": "wellhead", "elevation": "0 m", "body": _BODY},
+        "top": {"z": "free", "body": _BODY, "tensioners": _RIG | {"gas": _GAS}},
+        "platform": {"heave": _HEAVE, "position": {"heave": "0.1 m"}},
+        "analysis": _ANALYSIS,
+    }
+    points = [{"time": f"{t} s", "value": 0.01 * t} for t in range(5)]
+    planar = axial | {
+        "title": "planar",
+        "gravity": "9.81 m/s^2",
+        "riser": [_SECTION | _WET],
+        "bottom": axial["bottom"] | {"rotation": {"stiffness": "10 kN*m/deg"}},
+        "top": axial["top"]
+        | {"x": "platform", "rotation": "fixed", "tension": "100 kN"}
+        | {"tensioners": _RIG | {"linear": linear}},
+        "platform": {"surge": _HEAVE, "cruise": {"speed": "1 m/s"}, "heave": {"points": points}},
+        "current": {
+            "profile": [
+                {"elevation": "0 m", "speed": "0 m/s"},
+                {"elevation": "100 m", "speed": "1 m/s"},
+            ]
+        },
+    }
+    gas_in_plane = planar | {
+        "top": axial["top"] | {"x": "free", "lateral_force": "1 N"},
+        "platform": axial["platform"],
+        "bottom": axial["bottom"] | {"rotation": "fixed"},
+    }
+    linear_axial = axial | {"top": axial["top"] | {"tensioners": _RIG | {"linear": linear}}}
+    several = [axial, planar, gas_in_plane, linear_axial]
+    short = _ANALYSIS | {"duration": "1 ms", "step": "0.1 ms", "method": "explicit"}
+    explicit = [s | {"analysis": short} for s in several[:2]]
+    return [Scene.model_validate(s) for s in several + explicit]
+
+
+def warm_up() -> None:
+    """Run them."""
+    for scene in scenes():
+        run(scene)

@@ -1,0 +1,41 @@
+"""Simulate what a study lacks and write its dataset."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+from ruamel.yaml import YAML
+
+from riserstudy.errors import RiserStudyError
+from riserstudy.gather import dataset_of, results_of, write_dataset
+from riserstudy.workplan import Workplan
+
+
+def simulate(paper: str, study: str, target: Path, tier: str, threads: int, expect: str) -> None:
+    """Write the dataset of one study of a tier."""
+    config = Path("config")
+    settings = YAML(typ="safe", pure=True).load((config / "config.yaml").read_text("utf-8"))
+    plan = Workplan(config, settings | {"tier": tier, "papers": [paper]})
+    digest = plan.study_digest(SimpleNamespace(paper=paper, study=study))
+    if digest != expect:
+        sys.exit("scene, study or engine changed while the workflow was running; run it again")
+    planned = plan.study(paper, study)
+    results, _ = results_of(planned, threads, print)
+    write_dataset(dataset_of(planned, results), target)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("paper")
+    parser.add_argument("study")
+    parser.add_argument("target", type=Path)
+    parser.add_argument("--tier", required=True)
+    parser.add_argument("--threads", type=int, required=True)
+    parser.add_argument("--expect", required=True)
+    try:
+        simulate(**vars(parser.parse_args()))
+    except RiserStudyError as error:
+        sys.exit(f"riserstudy: {error}")
