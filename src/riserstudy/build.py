@@ -125,7 +125,7 @@ class _Builder:
             share,
             tensioners.count if tensioners else 0,
         )
-        model.state.r[:] = self.guess()
+        model.s.r[:] = self.guess()
         return model
 
     # what moves and holds

@@ -13,14 +13,14 @@ from riserstudy.solve.program import assemble
 def suspect(model: Model, node: int) -> str:
     """Name of the effect with the largest, or an undefined, force at a node."""
     worst, name = -1.0, "none"
-    state, frozen = model.state, model.frozen
+    state = model.s
     for effect, record in zip(model.effects, model.records, strict=True):
         roles = ROLES[type(effect.record)]
         if "string" not in roles and "device" not in roles:
             continue
         call = roles.get("string") or roles["device"]
-        shape_of(model.programs, state, model.address)
-        force_of(assemble([(call, record)], frozen), state, model.address)
+        shape_of(model.programs, model.state)
+        force_of(assemble([(call, record)], model.state), model.state)
         size = float(np.abs(state.force[:, node]).max() + np.abs(state.pull).sum())
         if not size <= worst:
             worst, name = size, f"{effect.name} ({size:.3g} N)"

@@ -36,9 +36,7 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
     bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
     planar = bool(scene.lateral) or (bends and scene.top.x is not None)
     model, _ = settle(scene, mesh, planar=planar)
-    frequency, shape = natural_modes(
-        model.programs, model.state, model.address, model.fixed, count
-    )
+    frequency, shape = natural_modes(model.programs, model.state, model.fixed, count)
     size = np.abs(shape).max(axis=2)
     names = ["lateral", "axial"] if planar else ["axial"]
     motion = [names[int(row.argmax())] for row in size]

@@ -8,7 +8,7 @@ import numpy as np
 
 from riserstudy.effects.roles import ROLES
 from riserstudy.solve.evaluate import Programs, set_compliance
-from riserstudy.solve.program import Frozen, assemble, freeze
+from riserstudy.solve.program import Frozen, assemble
 from riserstudy.solve.state import State, new_state
 
 
@@ -29,55 +29,39 @@ class Model:
     directions, moments : unknown positions and moments a node.
     effects : in the order in which they act.
     fixed : (node, unknown) pairs that the solver leaves alone; moments count before positions.
+    share : parts of a segment's mass that its own and its other node carry.
+    cylinders : number of tensioner cylinders.
+
+    Attributes
+    ----------
+    state, spare : frozen states, the one that solvers move and one for evaluations aside.
+    programs : frozen programs.
+    hinged : (n+1,) true where no moment is carried.
     """
 
     def __init__(self, l0, directions, moments, effects, fixed, share, cylinders=0):
         self.effects: list[Effect] = list(effects)
         self.fixed = np.array(sorted(fixed), np.int64).reshape(-1, 2)
         self.hinged = np.zeros(len(l0) + 1, bool)
-        for node, unknown in fixed:
-            if unknown < moments:
-                self.hinged[node] = True
-        probes = 2 * cylinders
-
-        def state() -> State:
-            return new_state(l0, directions, moments, cylinders, probes, share)
-
-        self._frozen = [freeze(state()), freeze(state())]
-        records = [(effect, freeze(effect.record)) for effect in self.effects]
-        self.records = [record for _, record in records]
-        self.programs = Programs(
-            *(
-                assemble(
-                    [
-                        (ROLES[type(effect.record)][role], record)
-                        for effect, record in records
-                        if role in ROLES[type(effect.record)]
-                    ],
-                    self._frozen[0],
-                )
-                for role in Programs._fields
-            )
+        self.hinged[[node for node, unknown in fixed if unknown < moments]] = True
+        self.state, self.spare = (
+            Frozen(new_state(l0, directions, moments, cylinders, 2 * cylinders, share))
+            for _ in range(2)
         )
-        for frozen in self._frozen:
-            set_compliance(self.programs, frozen.value, frozen.address)
+        self.records = [Frozen(effect.record) for effect in self.effects]
+        self.programs = Frozen(Programs(*(self._program(role) for role in Programs._fields)))
+        for state in (self.state, self.spare):
+            set_compliance(self.programs, state)
+
+    def _program(self, role: str) -> np.ndarray:
+        calls = []
+        for effect, record in zip(self.effects, self.records, strict=True):
+            functions = ROLES[type(effect.record)]
+            if role in functions:
+                calls.append((functions[role], record))
+        return assemble(calls, self.state)
 
     @property
-    def frozen(self) -> Frozen:
-        """The state as compiled code reads it."""
-        return self._frozen[0]
-
-    @property
-    def state(self) -> State:
-        """The state that the solvers move."""
-        return self._frozen[0].value
-
-    @property
-    def address(self) -> int:
-        """Its address."""
-        return self._frozen[0].address
-
-    @property
-    def spare(self) -> tuple[State, int]:
-        """A second state with its address, for evaluations aside."""
-        return self._frozen[1].value, self._frozen[1].address
+    def s(self) -> State:
+        """The arrays of the state that solvers move."""
+        return self.state.value

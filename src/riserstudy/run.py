@@ -115,9 +115,9 @@ def _first_mesh(scene: Scene) -> Mesh:
     layers = []
     for end in (0, -1):
         rotation = (scene.bottom if end == 0 else scene.top).rotation
-        flexible = model.state.flex_up[end] > 0.0 and rotation not in (None, "free")
-        tension = float(np.abs(model.state.segment[:, end] @ model.state.tangent[:, end]))
-        stiff = probe.l0[end] / (6.0 * model.state.flex_up[end]) if flexible else 0.0
+        flexible = model.s.flex_up[end] > 0.0 and rotation not in (None, "free")
+        tension = float(np.abs(model.s.segment[:, end] @ model.s.tangent[:, end]))
+        stiff = probe.l0[end] / (6.0 * model.s.flex_up[end]) if flexible else 0.0
         layers.append(math.sqrt(stiff / tension) if flexible and tension > 0 else math.inf)
     return graded(scene, (layers[0], layers[1]))
 
@@ -183,7 +183,7 @@ def settle(
         before = top.model_copy(update={"tensioners": None, "tension": rig.count * each})
     if before is not None:
         first, _ = _equilibrium(scene.model_copy(update={"top": before}), mesh, None, planar)
-        elevation = float(first.state.r[-1, -1])
+        elevation = float(first.s.r[-1, -1])
     return _equilibrium(scene, mesh, elevation, planar)
 
 
@@ -195,7 +195,7 @@ def _equilibrium(
     tolerance = 1e-10 * float(mesh.l0.sum())
     try:
         found = find_equilibrium(
-            model.programs, model.state, model.address, model.fixed, tolerance, current
+            model.programs, model.state, model.fixed, tolerance, current
         )
     except NoEquilibrium as failure:
         s = float(mesh.s[failure.node])
@@ -216,7 +216,7 @@ def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:
     """One run on a given mesh and step, without error estimate."""
     started = clock.perf_counter()
     model, equilibrium = settle(scene, mesh)
-    state = model.state
+    state = model.s
     arrays = {"s_node": mesh.s, "l0": mesh.l0}
     names = quantities(model)
     static, probe = _tabulated(model)
@@ -243,20 +243,19 @@ def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:
 
 def quantities(model: Model) -> list[str]:
     """Names of the quantities that a record holds, in its order."""
-    d, m = len(model.state.dim), len(model.state.dof) - len(model.state.dim)
+    d, m = len(model.s.dim), len(model.s.dof) - len(model.s.dim)
     moments = {0: [], 1: ["bending_moment"]}[m]
     return [*(["x", "z"] if d == 2 else ["z"]), "effective_tension", *moments]
 
 
 def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
     """Quantities at the nodes at rest, and what devices report."""
-    state, address = model.spare
-    own = model.state
+    state, own = model.spare.value, model.s
     state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
     state.v[:] = 0.0
     state.a[:] = 0.0
     record = new_record([state.clock[0]], [0], state, model.hinged)
-    evaluate_once(model.programs, state, address, record)
+    evaluate_once(model.programs, model.spare, record)
     return record.values.copy(), record.probe[0].copy()
 
 
@@ -266,42 +265,40 @@ def _march(
     a = scene.analysis
     if a.duration is None or a.output is None:
         return
-    state = model.state
+    state = model.s
     reach_at_rest = state.reach.copy()
     top_at_rest = float(state.r[-1, -1])
     if a.start == "unstretched":
         bottom = state.r[-1, 0]
         state.r[-1] = bottom + mesh.s
-        move_to(model.programs, state, model.address, 0.0)
+        move_to(model.programs, model.state, 0.0)
     count = max(1, math.ceil(a.duration / step * (1.0 - 1e-9)))
     step = a.duration / count
     times = _times(a.output.start or 0.0, a.duration, a.output.interval)
     stations = _stations(mesh, a.output.stations)
     record = new_record(times, stations, state, model.hinged)
     ledger = new_ledger()
-    before = sum(energies(model.programs, state, model.address))
+    before = sum(energies(model.programs, model.state))
     if a.method == "explicit":
-        limit = stable_step(model.programs, state, model.address, model.fixed)
+        limit = stable_step(model.programs, model.state, model.fixed)
         if step > limit:
             raise SimulationError(
                 f"analysis.step {step:.4g} s is above the stable step {limit:.4g} s of explicit "
                 f"stepping on {len(mesh.l0)} segments; take a smaller step, fewer segments, or an "
                 "implicit method"
             )
-        spare = model.spare
         outcome = leapfrog(
-            model.programs, state, model.address, *spare, step, count, EXPLICIT_BOUND, record, ledger
+            model.programs, model.state, model.spare, step, count, EXPLICIT_BOUND, record, ledger
         )
         facts["stable_step"] = limit
     else:
         method = _method(scene, mesh, step, count)
-        spare = model.spare
         outcome = march(
-            model.programs, state, model.address, *spare, method, model.fixed, record, ledger
+            model.programs, model.state, model.spare, method, model.fixed, record, ledger
         )
     if outcome != DONE:
         raise SimulationError(_why(model, mesh, ledger, step))
-    after = sum(energies(model.programs, state, model.address))
+    after = sum(energies(model.programs, model.state))
     _audit(facts, ledger, before, after, step)
     names = quantities(model)
     arrays["time"] = record.time
@@ -347,9 +344,9 @@ def _angles(
     scene: Scene, model: Model, mesh: Mesh, record: Record, arrays: dict[str, FloatArray]
 ) -> None:
     """Angles of the riser's end tangents: against the lower stack, and the platform's vertical."""
-    if len(model.state.dim) == 1:
+    if len(model.s.dim) == 1:
         return
-    m = len(model.state.dof) - 2
+    m = len(model.s.dof) - 2
     angle = np.arctan2(record.end[:, :, 0], record.end[:, :, 1])
     if m:  # from the middle of the end segment to its end, curvature varying linearly
         for k, (end, sign) in enumerate(((0, -1.0), (-1, 1.0))):

@@ -33,57 +33,57 @@ class Programs(NamedTuple):
 
 
 @inner
-def move(p, s, address, time):
+def move(p, s, time):
     """Bring platform and held nodes to a time."""
     s.clock[0] = time
     s.platform[:] = 0.0
-    every(p.motion, address)
-    every(p.place, address)
+    every(p.motion, s)
+    every(p.place, s)
 
 
 @inner
-def shape(p, s, address):
+def shape(p, s):
     """What follows from positions and velocities alone: directions, water, reach, turning angles."""
     clear_forces(s)
     s.water[:] = 0.0
     s.shear[:] = 0.0
     measure(s)
-    every(p.drive, address)
-    every(p.turn, address)
+    every(p.drive, s)
+    every(p.turn, s)
 
 
 @inner
-def load(p, s, address):
+def load(p, s):
     """Forces but inertia into ``s.force``, those of the string alone into ``s.ends``; after ``shape``."""
-    every(p.string, address)
+    every(p.string, s)
     gather(s)
     keep_ends(s, 0)
-    every(p.device, address)
+    every(p.device, s)
 
 
 @inner
-def forces(p, s, address):
+def forces(p, s):
     """All forces but inertia, into ``s.force``, and what moments miss, into ``s.turn``."""
-    shape(p, s, address)
-    load(p, s, address)
+    shape(p, s)
+    load(p, s)
 
 
 @inner
-def inertia(p, s, address):
+def inertia(p, s):
     """Inertial forces alone, into ``s.force``; directions must have been measured."""
     s.force[:] = 0.0
-    every(p.string_inertia, address)
+    every(p.string_inertia, s)
     keep_ends(s, 1)
-    every(p.device_inertia, address)
+    every(p.device_inertia, s)
 
 
 @inner
-def tangent(p, s, address):
+def tangent(p, s):
     """Stiffness, with damping and mass at the rates ``s.rate``; after ``forces``."""
     clear_tangent(s)
-    every(p.tangent, address)
+    every(p.tangent, s)
     if s.rate[1] > 0.0:
-        every(p.mass, address)
+        every(p.mass, s)
 
 
 @inner
@@ -98,46 +98,46 @@ def true_moments(s, hinged, scratch):
 
 
 @kernel
-def set_compliance(p, s, address):
+def set_compliance(p, s):
     """Enter the flexibility of pipe and joints, once for a model."""
     s.flex[:] = 0.0
     s.flex_up[:] = 0.0
-    every(p.compliance, address)
+    every(p.compliance, s)
 
 
 @kernel
-def move_to(p, s, address, time):
+def move_to(p, s, time):
     """`move` for callers in Python."""
-    move(p, s, address, time)
+    move(p, s, time)
 
 
 @kernel
-def forces_and_tangent(p, s, address):
+def forces_and_tangent(p, s):
     """`forces` and `tangent` for callers in Python."""
-    forces(p, s, address)
-    tangent(p, s, address)
+    forces(p, s)
+    tangent(p, s)
 
 
 @kernel
-def energies(p, s, address):
+def energies(p, s):
     """Potential and kinetic energy (J)."""
-    return every(p.potential, address), every(p.kinetic, address)
+    return every(p.potential, s), every(p.kinetic, s)
 
 
 @kernel
-def one_call(program, address):
+def one_call(program, s):
     """Run a program on a state, for callers in Python."""
-    return every(program, address)
+    return every(program, s)
 
 
 @kernel
-def shape_of(p, s, address):
+def shape_of(p, s):
     """`shape` for callers in Python."""
-    shape(p, s, address)
+    shape(p, s)
 
 
 @kernel
-def force_of(program, s, address):
+def force_of(program, s):
     """Forces of a few effects alone, after `shape`."""
-    every(program, address)
+    every(program, s)
     gather(s)

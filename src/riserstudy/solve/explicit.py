@@ -18,14 +18,14 @@ from riserstudy.solve.record import evaluate_and_note, interpolate, widen
 
 
 @inner
-def accelerate(p, s, address, record):
+def accelerate(p, s, record):
     """Acceleration of every node from the forces on it."""
     d = len(s.dim)
-    shape(p, s, address)
+    shape(p, s)
     true_moments(s, record.hinged, record.scratch)
-    load(p, s, address)
+    load(p, s)
     s.k_node[:] = 0.0
-    every(p.mass, address)
+    every(p.mass, s)
     for i in range(s.l0.shape[0] + 1):  # Gauss elimination in the node, symmetric positive
         for q in range(d):
             s.a[q, i] = s.force[q, i]
@@ -42,7 +42,7 @@ def accelerate(p, s, address, record):
 
 
 @kernel
-def leapfrog(p, s, address, so, address_o, h, steps, bound, record, ledger):
+def leapfrog(p, s, so, h, steps, bound, record, ledger):
     """March ``steps`` steps of ``h`` from the state ``s``; outputs go to ``record``.
 
     Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``.
@@ -54,10 +54,10 @@ def leapfrog(p, s, address, so, address_o, h, steps, bound, record, ledger):
     s.rate[0], s.rate[1] = 0.0, 1.0
     start = s.clock[0]
     k_out = 0
-    move(p, s, address, start)
+    move(p, s, start)
     held_v = s.v.copy()
-    accelerate(p, s, address, record)
-    every(p.place, address)
+    accelerate(p, s, record)
+    every(p.place, s)
     half = s.v.copy()
     for c in range(d):
         for i in range(n + 1):
@@ -91,9 +91,9 @@ def leapfrog(p, s, address, so, address_o, h, steps, bound, record, ledger):
                 half[c, i] += h * a0[c, i]
                 s.r[c, i] += h * half[c, i]
                 s.v[c, i] = half[c, i]
-        move(p, s, address, t + h)
-        accelerate(p, s, address, record)
-        every(p.place, address)
+        move(p, s, t + h)
+        accelerate(p, s, record)
+        every(p.place, s)
         for c in range(d):
             for i in range(n + 1):
                 v1[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
@@ -102,11 +102,11 @@ def leapfrog(p, s, address, so, address_o, h, steps, bound, record, ledger):
         while k_out < record.time.shape[0] and record.time[k_out] < t + h * (1.0 - 1e-9):
             interpolate(so, r0, v0, a0, t, s.r, v1, s.a, t + h, record.time[k_out])
             so.moment[:] = s.moment
-            evaluate_and_note(p, so, address_o, record, k_out)
+            evaluate_and_note(p, so, record, k_out)
             widen(record)
             k_out += 1
         s.flow[:] = 0.0
-        every(p.power, address)
+        every(p.power, s)
         ledger.work[1] += 0.5 * h * (s.flow[1] + flow0[1])
         ledger.work[2] += 0.5 * h * (s.flow[0] + flow0[0])
         flow0[:] = s.flow

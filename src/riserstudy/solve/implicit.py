@@ -68,7 +68,7 @@ def new_ledger() -> Ledger:
 
 
 @kernel
-def march(p, s, address, so, address_o, method, fixed, record, ledger):
+def march(p, s, so, method, fixed, record, ledger):
     """March from the state ``s`` at time ``s.clock[0]``; outputs go to ``record``.
 
     ``so`` is a second state of the same model, for evaluations at output times.
@@ -98,14 +98,14 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
     k_out = 0
     step = 0
 
-    forces(p, s, address)
+    forces(p, s)
     force1[:] = s.force
-    inertia(p, s, address)
+    inertia(p, s)
     inert1[:] = s.force
     s.flow[:] = 0.0
-    every(p.power, address)
+    every(p.power, s)
     flow0[:] = s.flow
-    kinetic0 = every(p.kinetic, address)
+    kinetic0 = every(p.kinetic, s)
     for f in range(fixed.shape[0]):
         i, c = fixed[f, 0], fixed[f, 1] - m
         if c >= 0:
@@ -117,7 +117,7 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
     if first <= t:
         tabulate(s, record.values)
         widen(record)
-        note(p, s, address, record, 0)
+        note(p, s, record, 0)
         k_out = 1
 
     while step < method.steps:
@@ -131,7 +131,7 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
                 s.r[c, i] += h * v0[c, i] + 0.5 * h * h * a0[c, i]
                 s.v[c, i] += h * a0[c, i]
                 past[c, i] = (af * force0[c, i] + am * inert0[c, i]) / (1.0 - af)
-        move(p, s, address, t + h)
+        move(p, s, t + h)
         for f in range(fixed.shape[0]):
             i, c = fixed[f, 0], fixed[f, 1] - m
             if c >= 0:  # the method's acceleration lags at held nodes as it does elsewhere
@@ -142,15 +142,15 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
         last = 0.0
         worst, where = 0.0, 0
         for iteration in range(method.iterations):
-            forces(p, s, address)
+            forces(p, s)
             force1[:] = s.force
-            inertia(p, s, address)
+            inertia(p, s)
             for i in range(n + 1):
                 for u in range(m):
                     out[i, u] = s.turn[u, i]
                 for c in range(d):
                     out[i, m + c] = force1[c, i] + mu * s.force[c, i] + past[c, i]
-            tangent(p, s, address)
+            tangent(p, s)
             solve(s, out, work, fixed)
             square, worst = 0.0, 0.0
             for c in range(d):
@@ -186,7 +186,7 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
             force1[:], inert1[:] = force0, inert0
             s.clock[0] = t
             if level == method.halvings:
-                move(p, s, address, t)
+                move(p, s, t)
                 s.a[:] = a0
                 ledger.failure[0] = t
                 ledger.failure[1] = where
@@ -197,16 +197,16 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
             ledger.count[2] += 1
             continue
 
-        forces(p, s, address)
+        forces(p, s)
         force1[:] = s.force
-        inertia(p, s, address)
+        inertia(p, s)
         inert1[:] = s.force
         for c in range(d):
             for i in range(n + 1):
                 true1[c, i] = s.a[c, i] - lag * (s.a[c, i] - a0[c, i])
         s.flow[:] = 0.0
-        every(p.power, address)
-        kinetic1 = every(p.kinetic, address)
+        every(p.power, s)
+        kinetic1 = every(p.kinetic, s)
         # Numerical dissipation: what averaging the forces between the steps takes out beyond the
         # trapezoidal rule. Held nodes are not averaged; they take part with their balanced inertia.
         numerical = kinetic0 - kinetic1
@@ -245,7 +245,7 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
             for u in range(m):
                 for i in range(n + 1):
                     so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
-            evaluate_and_note(p, so, address_o, record, k_out)
+            evaluate_and_note(p, so, record, k_out)
             k_out += 1
         for e in range(2):
             for c in range(d):
@@ -256,7 +256,7 @@ def march(p, s, address, so, address_o, method, fixed, record, ledger):
             tabulate(s, record.values)
             widen(record)
         if k_out < record.time.shape[0] and record.time[k_out] <= t + h * (1.0 + 1e-9):
-            note(p, s, address, record, k_out)
+            note(p, s, record, k_out)
             k_out += 1
 
         left -= 1

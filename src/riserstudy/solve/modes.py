@@ -9,11 +9,11 @@ from __future__ import annotations
 import numpy as np
 from scipy.linalg import eigh
 
-from riserstudy.solve.evaluate import Programs, forces_and_tangent, one_call
-from riserstudy.solve.state import State
+from riserstudy.solve.evaluate import forces_and_tangent, one_call
+from riserstudy.solve.program import Frozen
 
 
-def matrices(p: Programs, s: State, address: int, fixed: np.ndarray):
+def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
     """Stiffness, damping and mass over the free positions, and their (node, direction) pairs.
 
     Returns
@@ -21,11 +21,12 @@ def matrices(p: Programs, s: State, address: int, fixed: np.ndarray):
     stiffness, damping, mass : (k, k) arrays, symmetric parts.
     free : (k, 2) array of node and direction.
     """
+    s = state.value
     d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
 
     def tangent(velocity: float) -> np.ndarray:
         s.rate[0], s.rate[1] = velocity, 0.0
-        forces_and_tangent(p, s, address)
+        forces_and_tangent(programs, state)
         return _dense(s, d, n)
 
     stiff = tangent(0.0)
@@ -41,7 +42,7 @@ def matrices(p: Programs, s: State, address: int, fixed: np.ndarray):
     for array in (s.k_segment, s.k_node, s.k_up, s.k_low):
         array[:] = 0.0
     s.rate[1] = 1.0
-    one_call(p.mass, address)
+    one_call(programs.value.mass, state)
     mass = _dense(s, d, n)
     s.rate[:] = 0.0
     held = {(int(node), int(unknown) - m) for node, unknown in fixed if unknown >= m}
@@ -88,7 +89,7 @@ def _bending(s, d, m, n):
     return turn, flexibility
 
 
-def natural_modes(p: Programs, s: State, address: int, fixed: np.ndarray, count: int):
+def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int):
     """Lowest natural frequencies (rad/s) and shapes about the present state.
 
     Returns
@@ -96,8 +97,9 @@ def natural_modes(p: Programs, s: State, address: int, fixed: np.ndarray, count:
     frequency : (k,) array; imaginary ones (unstable directions) come as negative numbers.
     shape : (k, d, n+1) array, largest displacement 1.
     """
-    stiff, _, mass, free = matrices(p, s, address, fixed)
+    stiff, _, mass, free = matrices(programs, state, fixed)
     square, vectors = eigh(stiff, mass)
+    s = state.value
     k = min(count, len(square))
     shapes = np.zeros((k, len(s.dim), len(s.l0) + 1))
     for j in range(k):
@@ -105,13 +107,13 @@ def natural_modes(p: Programs, s: State, address: int, fixed: np.ndarray, count:
     return np.sign(square[:k]) * np.sqrt(np.abs(square[:k])), shapes
 
 
-def stable_step(p: Programs, s: State, address: int, fixed: np.ndarray) -> float:
+def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
     """Largest stable step of the explicit method about the present state (s).
 
     A mode of frequency w and damping ratio z is stable below 2 (sqrt(1 + z^2) - z) / w, because damping
     acts with the velocity of half a step ago.
     """
-    stiff, damping, mass, _ = matrices(p, s, address, fixed)
+    stiff, damping, mass, _ = matrices(programs, state, fixed)
     square, vectors = eigh(stiff, mass)
     modal = np.einsum("ij,ik,kj->j", vectors, damping, vectors)
     moving = square > 0.0

@@ -84,11 +84,11 @@ def widen(record):
 
 
 @inner
-def note(p, s, address, record, k):
+def note(p, s, record, k):
     """Write the tabulated values down as output k."""
     d, n = len(s.dim), s.l0.shape[0]
     m = len(s.dof) - d
-    every(p.probe, address)
+    every(p.probe, s)
     for c in range(record.values.shape[0]):
         for j in range(record.station.shape[0]):
             record.history[k, c, j] = record.values[c, record.station[j]]
@@ -105,15 +105,15 @@ def note(p, s, address, record, k):
 
 
 @inner
-def evaluate_and_note(p, s, address, record, k):
+def evaluate_and_note(p, s, record, k):
     """Output k of a state given by positions, velocities and true accelerations."""
-    move(p, s, address, record.time[k])
-    shape(p, s, address)
+    move(p, s, record.time[k])
+    shape(p, s)
     true_moments(s, record.hinged, record.scratch)
-    load(p, s, address)
-    inertia(p, s, address)
+    load(p, s)
+    inertia(p, s)
     tabulate(s, record.values)
-    note(p, s, address, record, k)
+    note(p, s, record, k)
 
 
 @inner
@@ -132,6 +132,6 @@ def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
 
 
 @kernel
-def evaluate_once(p, s, address, record):
+def evaluate_once(p, s, record):
     """Tabulate a state as it stands, for callers in Python."""
-    evaluate_and_note(p, s, address, record, 0)
+    evaluate_and_note(p, s, record, 0)

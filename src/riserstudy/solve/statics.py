@@ -13,8 +13,8 @@ import numpy as np
 
 from riserstudy.jit import kernel
 from riserstudy.solve.blocktri import solve
-from riserstudy.solve.evaluate import Programs, forces, move_to, tangent
-from riserstudy.solve.state import State
+from riserstudy.solve.evaluate import forces, move_to, tangent
+from riserstudy.solve.program import Frozen
 
 
 class NoEquilibrium(Exception):
@@ -34,14 +34,14 @@ class Equilibrium(NamedTuple):
 
 
 @kernel
-def _newton(p, s, address, fixed, out, work, pseudo, limit):
+def _newton(p, s, fixed, out, work, pseudo, limit):
     """One damped iteration; returns residual force, its node, correction, negative pivots."""
     d = len(s.dim)
     m = len(s.dof) - d
     n = s.l0.shape[0]
     s.rate[:] = 0.0
-    forces(p, s, address)
-    tangent(p, s, address)
+    forces(p, s)
+    tangent(p, s)
     for i in range(n + 1):
         for u in range(m):
             out[i, u] = s.turn[u, i]
@@ -71,9 +71,9 @@ def _newton(p, s, address, fixed, out, work, pseudo, limit):
 
 
 def find_equilibrium(
-    p: Programs, s: State, address: int, fixed: np.ndarray, tolerance: float, current: bool
+    programs: Frozen, state: Frozen, fixed: np.ndarray, tolerance: float, current: bool
 ) -> Equilibrium:
-    """Bring the state ``s`` to static equilibrium at its present time, from the shape it has.
+    """Bring a state to static equilibrium at its present time, from the shape it has.
 
     Parameters
     ----------
@@ -85,20 +85,21 @@ def find_equilibrium(
     NoEquilibrium
         With the node and residual of the last attempt.
     """
-    move_to(p, s, address, s.clock[0])
+    s = state.value
+    move_to(programs, state, s.clock[0])
     s.v[:] = 0.0
     s.a[:] = 0.0
     total = 0
     shares = [0.0, 1.0] if current else [1.0]
     reached, part = 0.0, 1.0
     s.clock[1] = shares[0]
-    result = _iterate(p, s, address, fixed, tolerance)
+    result = _iterate(programs, state, fixed, tolerance)
     total += result.iterations
     while current and reached < 1.0:
         before = s.r.copy(), s.moment.copy()
         s.clock[1] = min(1.0, reached + part)
         try:
-            result = _iterate(p, s, address, fixed, tolerance)
+            result = _iterate(programs, state, fixed, tolerance)
             reached, part = s.clock[1], 2.0 * part
         except NoEquilibrium:
             s.r[:], s.moment[:] = before
@@ -110,8 +111,9 @@ def find_equilibrium(
     return result._replace(iterations=total)
 
 
-def _iterate(p, s, address, fixed, tolerance, most=200) -> Equilibrium:
+def _iterate(programs, state, fixed, tolerance, most=200) -> Equilibrium:
     """Newton with a pseudo-mass in proportion to the residual."""
+    s = state.value
     nb = len(s.dof)
     n = len(s.l0)
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb, nb))
@@ -119,7 +121,7 @@ def _iterate(p, s, address, fixed, tolerance, most=200) -> Equilibrium:
     pseudo, first, before = 0.0, 0.0, np.inf
     for iteration in range(most):
         residual, node, correction, negative = _newton(
-            p, s, address, fixed, out, work, pseudo, limit
+            programs, state, fixed, out, work, pseudo, limit
         )
         if not correction < np.inf:
             break
