@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
+from scipy.optimize import brentq
 
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial import Axial
@@ -320,18 +321,28 @@ class _Builder:
 
     def guess(self) -> FloatArray:
         """Straight from end to end, or sagging where the riser is longer than that."""
-        s = self.mesh.s / self.mesh.l0.sum()
         total = float(self.mesh.l0.sum())
         offset = (self.scene.top.offset or 0.0) if self.d > 1 else 0.0
         rise = total if self.top_z is None else self.top_z - self.bottom_z
-        shape = np.zeros((self.d, self.n + 1))
-        shape[-1] = self.bottom_z + rise * s
-        if self.d > 1:
-            shape[0] = offset * s
-            chord = math.hypot(offset, rise)
-            if offset and chord < total:
-                shape[-1] -= 4.0 * s * (1.0 - s) * math.sqrt(0.375 * chord * (total - chord))
-        return shape
+        shape = np.stack([offset * self.mesh.s, rise * self.mesh.s]) / total
+        if offset and math.hypot(offset, rise) < total:
+            shape = sagging(self.mesh.s, offset, rise)
+        shape[1] += self.bottom_z
+        return shape[2 - self.d :]
+
+
+def sagging(s: FloatArray, offset: float, rise: float) -> FloatArray:
+    """Points at arclengths ``s`` of the parabola as long as the riser, (2, n+1)."""
+    u = np.linspace(0.0, 1.0, 2001)
+
+    def curve(sag: float) -> FloatArray:
+        return np.stack([offset * u, rise * u - 4.0 * sag * u * (1.0 - u)])
+
+    def arclength(sag: float) -> FloatArray:
+        return np.append(0.0, np.hypot(*np.diff(curve(sag))).cumsum())
+
+    sag = brentq(lambda h: arclength(h)[-1] - s[-1], 0.0, s[-1])
+    return np.stack([np.interp(s, arclength(sag), row) for row in curve(sag)])
 
 
 def flexibility_of(rotation: models.Rotation | None) -> float | None:

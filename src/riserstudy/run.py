@@ -24,7 +24,12 @@ from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.implicit import DONE, Method, generalised_alpha, march, new_ledger
 from riserstudy.solve.modes import stable_step
 from riserstudy.solve.record import Record, evaluate_once, new_record
-from riserstudy.solve.statics import Equilibrium, NoEquilibrium, find_equilibrium
+from riserstudy.solve.statics import (
+    Equilibrium,
+    NoEquilibrium,
+    find_equilibrium,
+    unstable_directions,
+)
 
 FloatArray = NDArray[np.float64]
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
@@ -204,12 +209,29 @@ def _equilibrium(
             f"(s = {s:.4g} m) with {failure.load:.0%} of the current; "
             "the riser may lack tension or a support: check top tension, weights and what holds the ends"
         ) from None
-    if found.unstable:
+    if not model.s.r[-1, -1] > model.s.r[-1, 0] and elevation is None and scene.top.z == "free":
         raise SimulationError(
-            f"the static equilibrium is unstable in {found.unstable} direction(s): "
+            "the riser falls over: its top comes to rest below its bottom; "
+            "the top tension does not carry its weight"
+        )
+    if found.unstable or not _stands_sideways(scene, mesh, model, elevation):
+        raise SimulationError(
+            f"the static equilibrium is unstable, with lateral freedom counted: "
             "the riser buckles under its own weight; raise the top tension or hold the ends"
         )
     return model, found
+
+
+def _stands_sideways(scene: Scene, mesh: Mesh, model: Model, elevation: float | None) -> bool:
+    """Whether an axial model in compression would also stand if it could move sideways."""
+    s = model.s
+    tension = np.einsum("ke,ke->e", s.segment, s.tangent)
+    if len(s.dim) > 1 or float(tension.min()) >= 0.0:
+        return True
+    top = scene.top if scene.top.x else scene.top.model_copy(update={"x": "held"})
+    planar = build(scene.model_copy(update={"top": top}), mesh, elevation, planar=True)
+    planar.s.r[1] = s.r[0]
+    return unstable_directions(planar.programs, planar.state, planar.fixed) == 0
 
 
 def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:
@@ -288,7 +310,8 @@ def _march(
                 "implicit method"
             )
         outcome = leapfrog(
-            model.programs, model.state, model.spare, step, count, EXPLICIT_BOUND, record, ledger
+            model.programs, model.state, model.spare, step, count, EXPLICIT_BOUND,
+            model.fixed, record, ledger
         )
         facts["stable_step"] = limit
     else:

@@ -18,15 +18,27 @@ from riserstudy.solve.record import evaluate_and_note, interpolate, widen
 
 
 @inner
-def accelerate(p, s, record):
-    """Acceleration of every node from the forces on it."""
+def accelerate(p, s, fixed, record):
+    """Acceleration of every node from the forces on it; returns the power of the supports (W).
+
+    Held directions keep the acceleration they are held to.
+    """
     d = len(s.dim)
+    m = len(s.dof) - d
     shape(p, s)
     true_moments(s, record.hinged, record.scratch)
     load(p, s)
     s.k_node[:] = 0.0
     every(p.mass, s)
-    for i in range(s.l0.shape[0] + 1):  # Gauss elimination in the node, symmetric positive
+    power = 0.0
+    for f in range(fixed.shape[0]):
+        i, c = fixed[f, 0], fixed[f, 1] - m
+        if c >= 0:
+            power += (s.k_node[i, c * d + c] * s.a[c, i] - s.force[c, i]) * s.v[c, i]
+            for q in range(d):
+                s.k_node[i, c * d + q] = 1.0 if q == c else 0.0
+            s.force[c, i] = s.a[c, i]
+    for i in range(s.l0.shape[0] + 1):  # Gauss elimination in the node
         for q in range(d):
             s.a[q, i] = s.force[q, i]
         for q in range(d):
@@ -39,10 +51,11 @@ def accelerate(p, s, record):
             for c in range(q + 1, d):
                 s.a[q, i] -= s.k_node[i, q * d + c] * s.a[c, i]
             s.a[q, i] /= s.k_node[i, q * d + q]
+    return power
 
 
 @kernel
-def leapfrog(p, s, so, h, steps, bound, record, ledger):
+def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
     """March ``steps`` steps of ``h`` from the state ``s``; outputs go to ``record``.
 
     Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``.
@@ -55,15 +68,15 @@ def leapfrog(p, s, so, h, steps, bound, record, ledger):
     start = s.clock[0]
     k_out = 0
     move(p, s, start)
-    held_v = s.v.copy()
-    accelerate(p, s, record)
-    every(p.place, s)
+    v1[:] = s.v
+    power0 = accelerate(p, s, fixed, record)
     half = s.v.copy()
     for c in range(d):
         for i in range(n + 1):
             half[c, i] -= 0.5 * h * s.a[c, i]
-    v1[:] = held_v
-    flow0 = np.zeros(2)
+    s.flow[:] = 0.0
+    every(p.power, s)
+    flow0 = s.flow.copy()
     for step in range(steps + 1):
         t = start + step * h
         # here s.r is at t, half at t - h/2, s.a at t
@@ -92,8 +105,7 @@ def leapfrog(p, s, so, h, steps, bound, record, ledger):
                 s.r[c, i] += h * half[c, i]
                 s.v[c, i] = half[c, i]
         move(p, s, t + h)
-        accelerate(p, s, record)
-        every(p.place, s)
+        power1 = accelerate(p, s, fixed, record)
         for c in range(d):
             for i in range(n + 1):
                 v1[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
@@ -107,8 +119,14 @@ def leapfrog(p, s, so, h, steps, bound, record, ledger):
             k_out += 1
         s.flow[:] = 0.0
         every(p.power, s)
-        ledger.work[1] += 0.5 * h * (s.flow[1] + flow0[1])
-        ledger.work[2] += 0.5 * h * (s.flow[0] + flow0[0])
+        held_work = 0.5 * h * (power0 + power1)
+        given = 0.5 * h * (s.flow[1] + flow0[1])
+        lost = 0.5 * h * (s.flow[0] + flow0[0])
+        ledger.work[0] += held_work
+        ledger.work[1] += given
+        ledger.work[2] += lost
+        ledger.work[4] += abs(held_work) + abs(given) + lost
+        power0 = power1
         flow0[:] = s.flow
     s.clock[0] = start + steps * h
     s.v[:] = v1

@@ -17,6 +17,9 @@ from riserstudy.solve.evaluate import forces, move_to, tangent
 from riserstudy.solve.program import Frozen
 
 
+MOST_ITERATIONS = 200
+
+
 class NoEquilibrium(Exception):
     """Newton's iteration found no equilibrium."""
 
@@ -93,13 +96,13 @@ def find_equilibrium(
     shares = [0.0, 1.0] if current else [1.0]
     reached, part = 0.0, 1.0
     s.clock[1] = shares[0]
-    result = _iterate(programs, state, fixed, tolerance)
+    result = _search(programs, state, fixed, tolerance)
     total += result.iterations
     while current and reached < 1.0:
         before = s.r.copy(), s.moment.copy()
         s.clock[1] = min(1.0, reached + part)
         try:
-            result = _iterate(programs, state, fixed, tolerance)
+            result = _search(programs, state, fixed, tolerance)
             reached, part = s.clock[1], 2.0 * part
         except NoEquilibrium:
             s.r[:], s.moment[:] = before
@@ -111,15 +114,47 @@ def find_equilibrium(
     return result._replace(iterations=total)
 
 
-def _iterate(programs, state, fixed, tolerance, most=200) -> Equilibrium:
-    """Newton with a pseudo-mass in proportion to the residual."""
+def unstable_directions(programs: Frozen, state: Frozen, fixed: np.ndarray) -> int:
+    """Unstable directions of the shape that a state has, without looking for its equilibrium."""
+    s = state.value
+    move_to(programs, state, s.clock[0])
+    shape = len(s.l0) + 1, len(s.dof)
+    return int(_newton(programs, state, fixed, np.zeros(shape), np.zeros((*shape, shape[1])), 0.0, 0.0)[3])
+
+
+def _search(programs, state, fixed, tolerance) -> Equilibrium:
+    """Newton's iteration, first boldly; with caution where that fails or ends in a saddle."""
+    s = state.value
+    start = s.r.copy(), s.moment.copy()
+    try:
+        found = _iterate(programs, state, fixed, tolerance, cautious=False)
+        if not found.unstable:
+            return found
+        bold = found, s.r.copy(), s.moment.copy()
+    except NoEquilibrium:
+        bold = None
+    s.r[:], s.moment[:] = start
+    try:
+        return _iterate(programs, state, fixed, tolerance, cautious=True)
+    except NoEquilibrium:
+        if bold is None:
+            raise
+        found, s.r[:], s.moment[:] = bold
+        return found
+
+
+def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:
+    """Newton with a pseudo-mass while the residual does not fall.
+
+    Cautious: also while the tangent has unstable directions, towards which Newton would go.
+    """
     s = state.value
     nb = len(s.dof)
     n = len(s.l0)
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb, nb))
     limit = 0.1 * s.l0.sum()
     pseudo, first, before = 0.0, 0.0, np.inf
-    for iteration in range(most):
+    for iteration in range(MOST_ITERATIONS):
         residual, node, correction, negative = _newton(
             programs, state, fixed, out, work, pseudo, limit
         )
@@ -129,13 +164,14 @@ def _iterate(programs, state, fixed, tolerance, most=200) -> Equilibrium:
             first = max(residual, 1e-300)
             stiff = np.abs(s.k_segment).max() + np.abs(s.k_node).max()
         if correction < tolerance and pseudo * correction <= 1e-3 * first:
-            if pseudo == 0.0 or correction < 1e-3 * tolerance:
+            if pseudo == 0.0:
                 return Equilibrium(iteration + 1, float(residual), int(negative))
             pseudo = 0.0
             continue
-        # far away (the residual does not fall): damp; near: plain Newton
-        pseudo = 0.0 if residual < 0.3 * before else max(2.0 * pseudo, 1e-6 * stiff)
-        if residual < before and pseudo > 0.0:
-            pseudo *= 0.25
+        pseudo = 0.0 if residual < 0.3 * before else max(0.5 * pseudo, 1e-6 * stiff)
+        if residual > before:
+            pseudo *= 4.0
+        if cautious and negative > 0:
+            pseudo = max(10.0 * pseudo, 1e-6 * stiff)
         before = residual
     raise NoEquilibrium(int(node), float(residual), float(s.clock[1]))
