@@ -19,7 +19,9 @@ def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[s
     from scipy.stats import qmc
 
     if not assumptions:
-        raise InputError("study", "axes", "samples of a scene without open assumptions", "remove it")
+        raise InputError(
+            "study", "axes", "samples of a scene without open assumptions", "remove it"
+        )
     sampler = qmc.Sobol(len(assumptions), rng=seed)
     points = sampler.random_base2(max(1, (count - 1).bit_length()))[:count]
     return [

@@ -149,10 +149,10 @@ class _Builder:
                 times = np.array([p.time for p in motion.points])
                 values = np.array([p.value for p in motion.points])
                 spline = CubicSpline(times, values)
-                record = Series(MOTION[name], times, np.ascontiguousarray(spline.c))
-                self.add("platform motion", record, f"platform.{name}")
+                series = Series(MOTION[name], times, np.ascontiguousarray(spline.c))
+                self.add("platform motion", series, f"platform.{name}")
         if rows:
-            record = Harmonic(
+            harmonic = Harmonic(
                 np.array([MOTION[name] for name, _ in rows]),
                 np.array([motion.amplitude for _, motion in rows]),
                 np.array([2.0 * math.pi / motion.period for _, motion in rows]),
@@ -160,13 +160,15 @@ class _Builder:
                 np.array([motion.ramp or 0.0 for _, motion in rows]),
             )
             names = ", ".join(f"platform.{name}" for name, _ in rows)
-            self.add("platform motion", record, names)
+            self.add("platform motion", harmonic, names)
         if platform.cruise:
             cruise = platform.cruise
             record = Cruise(MOTION["surge"], cruise.speed, cruise.ramp or 0.0)
             self.add("platform motion", record, "platform.cruise")
 
-    def hold(self, node: int, place: list[float], held: list[bool], follow: list[int], why: str) -> None:
+    def hold(
+        self, node: int, place: list[float], held: list[bool], follow: list[int], why: str
+    ) -> None:
         """Hold a node in some of (x, z)."""
         use = slice(2 - self.d, 2)
         kept = np.array(held[use], np.int64)
@@ -205,9 +207,12 @@ class _Builder:
     def string(self) -> None:
         l0, rho = self.mesh.l0, self.rho
         sections = self.scene.riser
-        self.add("axial elasticity", Axial(self.per_segment(lambda s, k: self.parts[k].axial)), "riser")
+        self.add(
+            "axial elasticity", Axial(self.per_segment(lambda s, k: self.parts[k].axial)), "riser"
+        )
         relaxation = [
-            d.ratio * d.at_period / math.pi if (d := s.structural_damping) else 0.0 for s in sections
+            d.ratio * d.at_period / math.pi if (d := s.structural_damping) else 0.0
+            for s in sections
         ]
         if any(relaxation):
             damping = self.per_segment(lambda s, k: self.parts[k].axial * relaxation[k]) / l0
@@ -215,8 +220,10 @@ class _Builder:
         if self.m:
             self.bending(relaxation[0])
         weight = self.per_segment(
-            lambda s, k: (s.submerged_weight or 0.0)
-            + (s.contents.density * self.parts[k].bore * self.g if s.contents else 0.0)
+            lambda s, k: (
+                (s.submerged_weight or 0.0)
+                + (s.contents.density * self.parts[k].bore * self.g if s.contents else 0.0)
+            )
         )
         if np.any(weight):
             self.add("weight", Weight(self.d - 1, halves(-weight * l0)), "riser.submerged_weight")
@@ -234,9 +241,11 @@ class _Builder:
         if np.any(inside):
             self.add("contents", AddedMass(inside * l0, -inside * l0), "riser.contents")
         added = self.per_segment(
-            lambda s, k: s.added_mass.coefficient * 0.25 * math.pi * s.added_mass.diameter**2 * rho
-            if s.added_mass
-            else 0.0
+            lambda s, k: (
+                s.added_mass.coefficient * 0.25 * math.pi * s.added_mass.diameter**2 * rho
+                if s.added_mass
+                else 0.0
+            )
         )
         if np.any(added):
             self.add("added mass", AddedMass(added * l0, -added * l0), "riser.added_mass")
@@ -256,7 +265,11 @@ class _Builder:
         flex = np.zeros(self.n + 1)
         flex[:-1] += own * flexibility
         flex[1:] += own * flexibility
-        self.add("bending", Bending(flex, other * flexibility), "riser.young_modulus or bending_stiffness")
+        self.add(
+            "bending",
+            Bending(flex, other * flexibility),
+            "riser.young_modulus or bending_stiffness",
+        )
         if relaxation:
             n = self.n + 1
             hinged = np.zeros(n, bool)
@@ -291,7 +304,11 @@ class _Builder:
             load[-1] = top.tension
             self.add("constant tension", Pull(self.n, load), "top.tension")
         if top.lateral_force and self.d > 1:
-            self.add("lateral force", Pull(self.n, np.array([top.lateral_force, 0.0])), "top.lateral_force")
+            self.add(
+                "lateral force",
+                Pull(self.n, np.array([top.lateral_force, 0.0])),
+                "top.lateral_force",
+            )
 
     def tensioners(self) -> None:
         rig = self.scene.top.tensioners
@@ -309,7 +326,9 @@ class _Builder:
             why = "top.tensioners.linearised" if rig.gas else "top.tensioners.linear"
             self.add("linear tensioner", LinearSpring(tension * each, slope * each), why)
         if rig.damping:
-            self.add("tensioner damping", CylinderDamping(rig.damping * each), "top.tensioners.damping")
+            self.add(
+                "tensioner damping", CylinderDamping(rig.damping * each), "top.tensioners.damping"
+            )
         if rig.stroke:
             stop = rig.stroke
             record = EndStop(stop.shortest * each, stop.longest * each, stop.stop_stiffness * each)
@@ -381,7 +400,8 @@ def current_table(current: models.Current) -> tuple[FloatArray, FloatArray]:
 def gas_force(gas: models.Gas, reach: FloatArray) -> FloatArray:
     """Force of one cylinder (N) over its reach from mid-stroke (m)."""
     ratio = gas.volume / (gas.volume - gas.area * reach)
-    return gas.area * gas.pressure * ratio**gas.exponent
+    force: FloatArray = gas.area * gas.pressure * ratio**gas.exponent
+    return force
 
 
 def linear_law(rig: Tensioners) -> tuple[float, float]:

@@ -45,7 +45,8 @@ def main() -> None:
 
 
 def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) -> Any:
-    from ruamel.yaml import YAML, YAMLError
+    from ruamel.yaml import YAML
+    from ruamel.yaml.error import YAMLError
 
     from riserstudy.scene.load import read_scene
     from riserstudy.simulation import at_accuracy
@@ -54,11 +55,15 @@ def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) 
     for setting in settings or []:
         name, equals, text = setting.partition("=")
         if not equals or not name.strip():
-            raise InputError("--set", setting, "no PATH=VALUE", "allowed is platform.heave.amplitude='3 m'")
+            raise InputError(
+                "--set", setting, "no PATH=VALUE", "allowed is platform.heave.amplitude='3 m'"
+            )
         try:
             overrides[name.strip()] = YAML(typ="safe", pure=True).load(text)
         except (YAMLError, ValueError):
-            raise InputError("--set", name, f"{text!r} is no value", "allowed is plain YAML") from None
+            raise InputError(
+                "--set", name, f"{text!r} is no value", "allowed is plain YAML"
+            ) from None
     file = read_scene(path).with_values(overrides, "--set")
     if accuracy is not None:
         file = at_accuracy(file, accuracy)
@@ -69,10 +74,13 @@ def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) 
 @app.command()
 def run(
     scene: SceneArgument,
-    output: Annotated[Path, typer.Option("-o", "--output", help="dataset to write (netCDF)", metavar="OUT.nc")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="dataset to write (netCDF)", metavar="OUT.nc")
+    ],
     settings: SetOption = None,
     accuracy: Annotated[
-        str | None, typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT")
+        str | None,
+        typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT"),
     ] = None,
 ) -> None:
     """Simulate a scene and write its dataset."""
@@ -81,7 +89,12 @@ def run(
     file = _scene(scene, settings, accuracy)
     folder = output.resolve().parent
     if output.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
-        raise InputError("--output", str(output), "cannot be written", "allowed is a file in a folder that exists")
+        raise InputError(
+            "--output",
+            str(output),
+            "cannot be written",
+            "allowed is a file in a folder that exists",
+        )
     from riserstudy.gather import write_dataset
     from riserstudy.simulation import simulate
 
@@ -113,7 +126,9 @@ def effects(scene: SceneArgument, settings: SetOption = None) -> None:
     file = _scene(scene, settings)
     table = Table("effect", "", "because of", title=str(file.tree["title"]))
     for row in ledger(file.scene()):
-        table.add_row(row.name, "on" if row.on else "off", row.because, style=None if row.on else "dim")
+        table.add_row(
+            row.name, "on" if row.on else "off", row.because, style=None if row.on else "dim"
+        )
     Console().print(table)
 
 
@@ -122,7 +137,9 @@ def modes(
     scene: SceneArgument,
     settings: SetOption = None,
     count: Annotated[int, typer.Option(min=1, max=1000, help="how many")] = 10,
-    output: Annotated[Path | None, typer.Option("-o", "--output", help="write frequencies and shapes here")] = None,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="write frequencies and shapes here")
+    ] = None,
 ) -> None:
     """Natural frequencies about the static equilibrium."""
     from rich.console import Console
@@ -155,7 +172,8 @@ def schema() -> None:
 @app.command()
 def results(
     filters: Annotated[
-        list[str] | None, typer.Argument(help="words that a point must contain", metavar="[FILTER]...")
+        list[str] | None,
+        typer.Argument(help="words that a point must contain", metavar="[FILTER]..."),
     ] = None,
 ) -> None:
     """List stored points: key, source, engine, time, effects, parameters."""

@@ -7,11 +7,12 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from riserstudy import store
 from riserstudy.errors import RiserStudyError, SimulationError
-from riserstudy.study import Point, Study
+from riserstudy.simulation import attributes, to_dataset
+from riserstudy.study import Point, Samples, Study
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -19,9 +20,7 @@ if TYPE_CHECKING:
     from riserstudy.run import Result
 
 
-def results_of(
-    study: Study, threads: int, tell: Callable[[str], None]
-) -> tuple[list[Result], int]:
+def results_of(study: Study, threads: int, tell: Callable[[str], None]) -> tuple[list[Result], int]:
     """Results of all points in order, and how many had to be simulated.
 
     Raises
@@ -52,9 +51,12 @@ def results_of(
             f"{study.where}: {len(failures)} of {len(study.plan)} points cannot be completed; "
             f"the first, at index {place}: {first}"
         )
-    tell(f"{study.paper}/{study.name}: {len(missing)} points simulated, "
-         f"{len(study.plan) - len(missing)} from the store")
-    return [kept[p.key] or made[p.key] for p in study.plan], len(missing)
+    tell(
+        f"{study.paper}/{study.name}: {len(missing)} points simulated, "
+        f"{len(study.plan) - len(missing)} from the store"
+    )
+    done = kept | {key: r for key, r in made.items() if not isinstance(r, RiserStudyError)}
+    return [r for p in study.plan if (r := done[p.key])], len(missing)
 
 
 def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
@@ -62,45 +64,46 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
 
     Runs on different meshes share one ``s``: they are laid on the finest mesh among them.
     """
-    import numpy as np
     import xarray as xr
 
-    from riserstudy.simulation import attributes, to_dataset
-
     shape = tuple(len(values) for values in study.axes.values())
-    singles = [to_dataset(r, p.file) for r, p in zip(results, study.plan, strict=True)]
-    finest = max(singles, key=lambda ds: ds.sizes["s_node"])
-    joined = []
-    for single in singles:
-        single.attrs = {}
-        if study.model.keep is not None:
-            single = single[[name for name in study.model.keep if name in single]]
-        for name in ("s", "s_node"):
-            if name in single.dims and single.sizes[name] > 1:
-                if single.sizes[name] != finest.sizes[name] or not np.array_equal(single[name], finest[name]):
-                    method = "cubic" if single.sizes[name] > 3 else "linear"
-                    single = single.interp({name: finest[name]}, method=method)
-        joined.append(single)
-    flat = xr.concat(joined, "point", join="outer", combine_attrs="drop")
+    flat = xr.concat(_alike(study, results), "point", join="outer", combine_attrs="drop")
     for name, extract in FACTS.items():
         flat[name] = ("point", [extract(r.facts) for r in results])
-        flat[name].attrs = FACT_ATTRIBUTES.get(name, {})
     flat["point_key"] = ("point", [p.key for p in study.plan])
-    data = {}
-    for name, values in flat.data_vars.items():
-        if "point" not in values.dims:
-            data[name] = values
-            continue
+    dataset = xr.Dataset(coords={n: flat[n] for n in ("time", "s", "s_node") if n in flat.coords})
+    for label, values in flat.data_vars.items():
         values = values.transpose("point", ...)
         grid = values.values.reshape(shape + values.shape[1:])
-        data[name] = (tuple(study.axes) + values.dims[1:], grid, attributes(str(name)) or values.attrs)
-    coords = {name: flat[name] for name in ("time", "s", "s_node") if name in flat.coords}
-    dataset = xr.Dataset(data, coords)
-    for name, values in study.axes.items():
-        dataset[name] = (name, [value for value, _ in values], attributes(name))
+        about = attributes(str(label)) or FACT_ATTRIBUTES.get(str(label), {})
+        dataset[label] = xr.DataArray(grid, dims=(*study.axes, *values.dims[1:]), attrs=about)
+    for axis, steps in study.axes.items():
+        dataset.coords[axis] = xr.DataArray(
+            [v for v, _ in steps], dims=axis, attrs=attributes(axis)
+        )
     _add_sampled(dataset, study)
     dataset.attrs = _about(study, results)
     return dataset
+
+
+def _alike(study: Study, results: list[Result]) -> list[xr.Dataset]:
+    """Datasets of the runs with the quantities to keep, on one set of nodes."""
+    runs = [to_dataset(r, p.file).drop_attrs() for r, p in zip(results, study.plan, strict=True)]
+    if study.model.keep is not None:
+        runs = [run[[name for name in study.model.keep if name in run]] for run in runs]
+    for name in ("s", "s_node"):
+        finest = max((run[name] for run in runs if name in run), key=len, default=None)
+        if finest is not None:
+            runs = [run if finest.equals(run[name]) else _laid_on(run, finest) for run in runs]
+    return runs
+
+
+def _laid_on(run: xr.Dataset, nodes: xr.DataArray) -> xr.Dataset:
+    name = str(nodes.name)
+    if run.sizes[name] == 1:
+        return run
+    method: Literal["cubic", "linear"] = "cubic" if run.sizes[name] > 3 else "linear"
+    return run.interp({name: nodes}, method=method)
 
 
 FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
@@ -121,14 +124,17 @@ FACT_ATTRIBUTES = {
     "error_displacement": {"units": "1", "long_name": "estimated relative error of displacement"},
     "error_moment": {"units": "1", "long_name": "estimated relative error of bending moment"},
     "error_tension": {"units": "1", "long_name": "estimated relative error of tension"},
-    "unexplained_energy": {"units": "1", "long_name": "share of the energy exchanged left unexplained"},
+    "unexplained_energy": {
+        "units": "1",
+        "long_name": "share of the energy exchanged left unexplained",
+    },
     "smallest_tension": {"units": "N", "long_name": "smallest effective tension"},
 }
 
 
 def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
     """What each sample assumed, as variables named assumed_..."""
-    from riserstudy.study import Samples
+    import xarray as xr
 
     for name, axis in study.model.axes.items():
         if not isinstance(axis, Samples):
@@ -136,7 +142,8 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
         for path in study.axes[name][0][1]:
             values = [overrides[path] for _, overrides in study.axes[name]]
             plain = [v if isinstance(v, int | float) else str(v) for v in values]
-            dataset["assumed_" + path.replace(".", "_")] = (name, plain, {"long_name": path})
+            label = "assumed_" + path.replace(".", "_")
+            dataset[label] = xr.DataArray(plain, dims=name, attrs={"long_name": path})
 
 
 def _about(study: Study, results: list[Result]) -> dict[str, Any]:

@@ -42,7 +42,11 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
     motion = [names[int(row.argmax())] for row in size]
     directions = ["x", "z"] if planar else ["z"]
     data = {
-        name: (("mode", "s"), shape[:, k, :], {"units": "1", "long_name": f"mode shape along {name}"})
+        name: (
+            ("mode", "s"),
+            shape[:, k, :],
+            {"units": "1", "long_name": f"mode shape along {name}"},
+        )
         for k, name in enumerate(directions)
     }
     return xr.Dataset(

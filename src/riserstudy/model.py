@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.effects.roles import ROLES
 from riserstudy.solve.evaluate import Programs, set_compliance
@@ -39,7 +40,16 @@ class Model:
     hinged : (n+1,) true where no moment is carried.
     """
 
-    def __init__(self, l0, directions, moments, effects, fixed, share, cylinders=0):
+    def __init__(
+        self,
+        l0: NDArray[np.float64],
+        directions: int,
+        moments: int,
+        effects: list[Effect],
+        fixed: list[tuple[int, int]],
+        share: tuple[float, float],
+        cylinders: int = 0,
+    ):
         self.effects: list[Effect] = list(effects)
         self.fixed = np.array(sorted(fixed), np.int64).reshape(-1, 2)
         self.hinged = np.zeros(len(l0) + 1, bool)
@@ -64,4 +74,5 @@ class Model:
     @property
     def s(self) -> State:
         """The arrays of the state that solvers move."""
-        return self.state.value
+        state: State = self.state.value
+        return state

@@ -25,6 +25,7 @@ def open_results(folder: str | Path = "results") -> xr.DataTree:
     if not files:
         raise InputError(folder, "", "no datasets", "run `make study` first")
     nodes = {
-        f"/{file.parent.name}/{file.stem}": xr.open_dataset(file, engine="netcdf4") for file in files
+        f"/{file.parent.name}/{file.stem}": xr.open_dataset(file, engine="netcdf4")
+        for file in files
     }
     return xr.DataTree.from_dict(nodes)

@@ -166,9 +166,7 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     return estimate
 
 
-def settle(
-    scene: Scene, mesh: Mesh, planar: bool | None = None
-) -> tuple[Model, Equilibrium]:
+def settle(scene: Scene, mesh: Mesh, planar: bool | None = None) -> tuple[Model, Equilibrium]:
     """Model at static equilibrium.
 
     Raises
@@ -199,9 +197,7 @@ def _equilibrium(
     current = any(effect.name == "current" for effect in model.effects)
     tolerance = 1e-10 * float(mesh.l0.sum())
     try:
-        found = find_equilibrium(
-            model.programs, model.state, model.fixed, tolerance, current
-        )
+        found = find_equilibrium(model.programs, model.state, model.fixed, tolerance, current)
     except NoEquilibrium as failure:
         s = float(mesh.s[failure.node])
         raise SimulationError(
@@ -216,7 +212,7 @@ def _equilibrium(
         )
     if found.unstable or not _stands_sideways(scene, mesh, model, elevation):
         raise SimulationError(
-            f"the static equilibrium is unstable, with lateral freedom counted: "
+            "the static equilibrium is unstable, with lateral freedom counted: "
             "the riser buckles under its own weight; raise the top tension or hold the ends"
         )
     return model, found
@@ -258,6 +254,7 @@ def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:
     }
     if scene.analysis.duration is not None and step is not None:
         _march(scene, model, mesh, step, arrays, facts)
+    _check_finite(arrays)
     _check_tension(scene, arrays, facts)
     facts["solve_seconds"] = clock.perf_counter() - started
     return Result(arrays, facts)
@@ -282,7 +279,12 @@ def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
 
 
 def _march(
-    scene: Scene, model: Model, mesh: Mesh, step: float, arrays: dict[str, FloatArray], facts: dict[str, Any]
+    scene: Scene,
+    model: Model,
+    mesh: Mesh,
+    step: float,
+    arrays: dict[str, FloatArray],
+    facts: dict[str, Any],
 ) -> None:
     a = scene.analysis
     if a.duration is None or a.output is None:
@@ -310,8 +312,15 @@ def _march(
                 "implicit method"
             )
         outcome = leapfrog(
-            model.programs, model.state, model.spare, step, count, EXPLICIT_BOUND,
-            model.fixed, record, ledger
+            model.programs,
+            model.state,
+            model.spare,
+            step,
+            count,
+            EXPLICIT_BOUND,
+            model.fixed,
+            record,
+            ledger,
         )
         facts["stable_step"] = limit
     else:
@@ -336,6 +345,7 @@ def _march(
         arrays["tensioner_stroke"] = record.probe[:, :c]
         arrays["tensioner_force"] = record.probe[:, c:]
         arrays["stroke"] = record.probe[:, 0] - reach_at_rest[0]
+        facts["largest_stroke"] = float(np.abs(record.probe[:, :c]).max())
     elif scene.platform and scene.top.z == "free" and record.station[-1] == len(mesh.l0):
         z = record.history[:, len(state.dim) - 1, -1]
         arrays["stroke"] = record.platform[:, 2] - (z - top_at_rest)
@@ -354,7 +364,7 @@ def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:
 
 def _times(start: float, end: float, interval: float) -> FloatArray:
     count = math.floor((end - start) / interval * (1.0 + 1e-12) + 1e-9)
-    return start + interval * np.arange(count + 1)
+    return np.asarray(start + interval * np.arange(count + 1), np.float64)
 
 
 def _stations(mesh: Mesh, wanted: list[float] | None) -> NDArray[np.int64]:
@@ -407,6 +417,16 @@ def _audit(facts: dict[str, Any], ledger: Any, before: float, after: float, step
         )
 
 
+def _check_finite(arrays: dict[str, FloatArray]) -> None:
+    """Nothing undefined leaves the solver."""
+    for name, values in arrays.items():
+        if not np.isfinite(values).all():
+            raise SimulationError(
+                f"{name} is not finite in {int((~np.isfinite(values)).sum())} places although every "
+                "step converged; please report the scene"
+            )
+
+
 def _check_tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str, Any]) -> None:
     tension = arrays.get("effective_tension_min", arrays["effective_tension_static"])
     k = int(tension.argmin())
@@ -422,9 +442,12 @@ def _check_tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str,
 def _why(model: Model, mesh: Mesh, ledger: Any, step: float) -> str:
     """What to tell about a step that failed."""
     time, node, size = ledger.failure
+    how = "Newton's iteration did not converge even after halving the step"
+    if ledger.count[3]:
+        how = "velocities grow without bound"
     return (
         f"stopped at t = {time:.6g} s, node {int(node)} (s = {mesh.s[int(node)]:.4g} m), last correction "
-        f"{size:.3g} m: Newton's iteration did not converge even after halving the step; largest force "
-        f"there: {suspect(model, int(node))}. Take a smaller step, a ramp for sudden motions, or check "
+        f"{size:.3g} m: {how}; largest force there: "
+        f"{suspect(model, int(node))}. Take a smaller step, a ramp for sudden motions, or check "
         "stroke and tension"
     )

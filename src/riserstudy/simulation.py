@@ -7,6 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from riserstudy.effects.catalogue import absent
 from riserstudy.scene.load import SceneFile, read_yaml
 
 if TYPE_CHECKING:
@@ -41,7 +42,8 @@ def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr
         When it cannot be completed.
     """
     from riserstudy.run import run
-    from riserstudy.scene.load import read_scene
+    from riserstudy.effects.catalogue import absent
+from riserstudy.scene.load import read_scene
 
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     if accuracy is not None:
@@ -74,12 +76,13 @@ def to_dataset(result: Result, file: SceneFile) -> xr.Dataset:
             place = ("s",) if "s_node" in data[name][0] else data[name][0]
             data[short] = (place, arrays[name])
     dataset = xr.Dataset(data, coords)
-    for name in dataset.variables:
-        dataset[name].attrs = attributes(str(name))
+    for label in dataset.variables:
+        dataset[label].attrs = attributes(str(label))
     dataset.attrs = {
         "Conventions": "CF-1.11",
         "title": file.tree.get("title", ""),
         "source": file.source,
+        "effects_off": json.dumps(absent(set(result.facts["effects"]))),
         **{key: _text(value) for key, value in result.facts.items()},
         "provenance": json.dumps(provenance(file)),
     }

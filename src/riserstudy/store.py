@@ -64,7 +64,12 @@ def put(key: str, result: Result, file: SceneFile) -> None:
 
     target = _file(key)
     target.parent.mkdir(parents=True, exist_ok=True)
-    about = {"facts": result.facts, "scene": file.tree, "source": file.source, "engine": engine_digest()}
+    about = {
+        "facts": result.facts,
+        "scene": file.tree,
+        "source": file.source,
+        "engine": engine_digest(),
+    }
     about["origins"] = {path: origin.status for path, origin in file.origins.items()}
     content = io.BytesIO()
     np.savez(content, allow_pickle=False, about=np.array(json.dumps(about)), **result.arrays)

@@ -70,7 +70,7 @@ class Samples(Strict):
 
     count: dict[Tier, Annotated[int, Field(ge=2)]]
     seed: int
-    leave: list[str] = []
+    leave: list[str] = Field(default_factory=list)
 
 
 Labels = dict[str, dict[str, Any]]
@@ -81,7 +81,7 @@ class StudyModel(Strict):
 
     scene: str
     caption: str
-    set: dict[str, Any] = {}
+    set: dict[str, Any] = Field(default_factory=dict)
     axes: dict[str, Numbers | Samples | Labels]
     keep: list[str] | None = None
 
@@ -91,7 +91,7 @@ class StudyFile(Strict):
 
     paper: str
     studies: dict[str, StudyModel]
-    derived: dict[str, list[str]] = {}
+    derived: dict[str, list[str]] = Field(default_factory=dict)
     figures: dict[str, FigureModel]
 
 
@@ -204,11 +204,15 @@ def read_studies(config: Path, paper: str) -> StudyFile:
     for name, needed in file.derived.items():
         for study in needed:
             if study not in file.studies:
-                raise InputError(path, f"derived.{name}", f"no study {study!r}", _among(file.studies))
+                raise InputError(
+                    path, f"derived.{name}", f"no study {study!r}", _among(file.studies)
+                )
     for name, figure in file.figures.items():
         for study in figure.reads:
             if study not in known:
-                raise InputError(path, f"figures.{name}.reads", f"no dataset {study!r}", _among(known))
+                raise InputError(
+                    path, f"figures.{name}.reads", f"no dataset {study!r}", _among(known)
+                )
     return file
 
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from riserstudy.run import run
 from riserstudy.scene.models import Scene
 
-_SECTION = {
+Tree = dict[str, Any]
+
+_SECTION: Tree = {
     "name": "all",
     "length": "100 m",
     "outer_diameter": "0.5 m",
@@ -15,22 +19,22 @@ _SECTION = {
     "submerged_weight": "1 kN/m",
     "structural_damping": {"ratio": 0.01, "at_period": "10 s"},
 }
-_WET = {
+_WET: Tree = {
     "lateral_load": "1 N/m",
     "drag": {"coefficient": 1.0, "diameter": "0.5 m"},
     "added_mass": {"coefficient": 1.0, "diameter": "0.5 m"},
     "contents": {"density": "1000 kg/m^3"},
 }
-_BODY = {"name": "body", "mass": "10 t", "submerged_weight": "10 kN"}
-_GAS = {"area": "0.1 m^2", "pressure": "50 bar absolute", "volume": "3 m^3", "exponent": 1.4}
-_RIG = {
+_BODY: Tree = {"name": "body", "mass": "10 t", "submerged_weight": "10 kN"}
+_GAS: Tree = {"area": "0.1 m^2", "pressure": "50 bar absolute", "volume": "3 m^3", "exponent": 1.4}
+_RIG: Tree = {
     "count": 4,
     "mid_stroke": "riser in equilibrium",
     "damping": "1 kN*s/m",
     "stroke": {"shortest": "-8 m", "longest": "8 m", "stop_stiffness": "1e7 N/m"},
 }
-_HEAVE = {"amplitude": "1 m", "period": "10 s"}
-_ANALYSIS = {
+_HEAVE: Tree = {"amplitude": "1 m", "period": "10 s"}
+_ANALYSIS: Tree = {
     "duration": "1 s",
     "output": {"interval": "0.15 s"},
     "mesh": {"elements": 4},
@@ -40,8 +44,8 @@ _ANALYSIS = {
 
 def scenes() -> list[Scene]:
     """Small scenes that together have every effect."""
-    linear = {"tension": "500 kN", "stiffness": "10 kN/m"}
-    axial = {
+    linear: Tree = {"tension": "500 kN", "stiffness": "10 kN/m"}
+    axial: Tree = {
         "title": "axial",
         "water": {"density": "1000 kg/m^3"},
         "riser": [_SECTION],
@@ -50,7 +54,7 @@ def scenes() -> list[Scene]:
         "platform": {"heave": _HEAVE, "position": {"heave": "0.1 m"}},
         "analysis": _ANALYSIS,
     }
-    points = [{"time": f"{t} s", "value": 0.01 * t} for t in range(5)]
+    points = [{"time": f"{t} s", "value": f"{0.01 * t} m"} for t in range(5)]
     planar = axial | {
         "title": "planar",
         "gravity": "9.81 m/s^2",

@@ -70,7 +70,9 @@ class Workplan:
 
     def study_digest(self, wildcards: Any) -> str:
         """Axes, point keys and the code that joins points into a dataset."""
-        joining = digest([PACKAGE / name for name in ("gather.py", "simulation.py", "variables.yaml")])
+        joining = digest(
+            [PACKAGE / name for name in ("gather.py", "simulation.py", "variables.yaml")]
+        )
         return f"{self.study(wildcards.paper, wildcards.study).digest}-{joining}"
 
     def threads(self, wildcards: Any) -> int:

@@ -7,9 +7,7 @@ import xarray as xr
 from riserstudy.simulation import attributes
 
 
-def asymmetry(
-    steady: xr.Dataset, from_rest: xr.Dataset, quasi_static: xr.Dataset
-) -> xr.Dataset:
+def asymmetry(steady: xr.Dataset, from_rest: xr.Dataset, quasi_static: xr.Dataset) -> xr.Dataset:
     """S = (max x - x_eq) / (x_eq - min x) over (reading, tensioner_model, heave_amplitude).
 
     x_eq is the static equilibrium of the same law. The quasi-static reading takes the equilibria with
@@ -27,7 +25,9 @@ def asymmetry(
     readings["quasi_static"] = away(1.0), away(-1.0)
     names = xr.DataArray(list(readings), dims="reading", name="reading")
     up = xr.concat([up for up, _ in readings.values()], names, coords="minimal", compat="override")
-    down = xr.concat([down for _, down in readings.values()], names, coords="minimal", compat="override")
+    down = xr.concat(
+        [down for _, down in readings.values()], names, coords="minimal", compat="override"
+    )
     dataset = xr.Dataset(
         {"displacement_up": up, "displacement_down": down, "asymmetry_index": up / down}
     )

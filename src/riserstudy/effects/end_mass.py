@@ -106,4 +106,13 @@ def power(body, s):
     return 0.0
 
 
-register(EndMass, device=force, tangent=tangent, device_inertia=inertia, mass=mass, potential=energy, kinetic=kinetic, power=power)
+register(
+    EndMass,
+    device=force,
+    tangent=tangent,
+    device_inertia=inertia,
+    mass=mass,
+    potential=energy,
+    kinetic=kinetic,
+    power=power,
+)

@@ -7,7 +7,11 @@ from matplotlib.figure import Figure
 
 from riserstudy.figures.style import COLOURS, panels
 
-READINGS = {"steady": "settled", "from_rest": "first 100 s from rest", "quasi_static": "quasi-static"}
+READINGS = {
+    "steady": "settled",
+    "from_rest": "first 100 s from rest",
+    "quasi_static": "quasi-static",
+}
 
 
 def fig14(asymmetry: xr.Dataset) -> Figure:

@@ -11,9 +11,13 @@ GREY = "#888888"
 WIDTH = 6.4  # inches
 
 
-def panels(rows: int = 1, columns: int = 1, height: float = 3.4, **options: bool) -> tuple[Figure, list[Axes]]:
+def panels(
+    rows: int = 1, columns: int = 1, height: float = 3.4, **options: bool
+) -> tuple[Figure, list[Axes]]:
     """Empty figure with a grid of panels, lettered when there are several."""
-    figure = Figure((WIDTH if columns == 1 else 1.6 * WIDTH, height * rows), dpi=150, layout="constrained")
+    figure = Figure(
+        (WIDTH if columns == 1 else 1.6 * WIDTH, height * rows), dpi=150, layout="constrained"
+    )
     grid = figure.subplots(rows, columns, squeeze=False, **options)
     axes = list(grid.flat)
     for letter, ax in zip("abcdefghijkl", axes, strict=False):

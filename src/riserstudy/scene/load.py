@@ -10,11 +10,13 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
-from ruamel.yaml import YAML, YAMLError
+from ruamel.yaml import YAML
+from ruamel.yaml.error import YAMLError
 
 from riserstudy.errors import InputError
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
+from riserstudy.scene.tables import fill_in_tables
 
 T = TypeVar("T", bound=BaseModel)
 MOST_BYTES = 1_000_000  # of an input file
@@ -50,7 +52,7 @@ class SceneFile:
         InputError
             With the first fault: its field, what was found and what is allowed.
         """
-        return check(Scene, self.tree, self.source)
+        return check(Scene, fill_in_tables(self.tree, Path(self.source).parent), self.source)
 
 
 def read_yaml(path: Path) -> Any:
@@ -71,7 +73,9 @@ def read_yaml(path: Path) -> Any:
         for token in reader.scan(text):
             if type(token).__name__ in ("AliasToken", "AnchorToken", "TagToken"):
                 line = token.start_mark.line + 1
-                raise InputError(path, f"line {line}", "a YAML tag, anchor or alias", "write it out")
+                raise InputError(
+                    path, f"line {line}", "a YAML tag, anchor or alias", "write it out"
+                )
         data = YAML(typ="safe", pure=True).load(text)
     except YAMLError as error:
         mark = getattr(error, "problem_mark", None)
@@ -126,14 +130,18 @@ def _set(tree: dict[str, Any], path: str, value: Any, layer: str) -> None:
         try:
             here = here[step]
         except (KeyError, IndexError, TypeError):
-            raise InputError(layer, path, f"no {step!r} there", "allowed are paths of the scene") from None
+            raise InputError(
+                layer, path, f"no {step!r} there", "allowed are paths of the scene"
+            ) from None
     try:
         if value is None and isinstance(here, dict):
             here.pop(last, None)
         else:
             here[last] = value
     except (IndexError, TypeError):
-        raise InputError(layer, path, f"no {last!r} there", "allowed are paths of the scene") from None
+        raise InputError(
+            layer, path, f"no {last!r} there", "allowed are paths of the scene"
+        ) from None
 
 
 def check(model: type[T], tree: Any, source: object) -> T:
@@ -157,7 +165,9 @@ def _readable(error: ValidationError, source: object) -> InputError:
     kind, found = first["type"], first["input"]
     shown = repr(found) if not isinstance(found, dict | list) else "what stands there"
     if kind == "extra_forbidden":
-        return InputError(source, where, "unknown key", "see `riserstudy schema` for what is allowed")
+        return InputError(
+            source, where, "unknown key", "see `riserstudy schema` for what is allowed"
+        )
     if kind == "missing":
         return InputError(source, where, "missing", "it has no default: add it")
     message = first["msg"].removeprefix("Value error, ")

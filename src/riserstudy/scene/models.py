@@ -6,7 +6,8 @@ absent effect, and its docstring says so.
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, Self
+from itertools import pairwise
+from typing import Annotated, Generic, Literal, Self, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
@@ -19,58 +20,49 @@ class Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
 
-Positive = Annotated[float, Field(gt=0)]
-Coefficient = Annotated[float, Field(ge=0)]
-
-
-def positive(kind: object) -> object:
-    """A quantity above zero."""
-    return Annotated[kind, Field(gt=0)]
-
-
-def not_negative(kind: object) -> object:
-    """A quantity of zero or more."""
-    return Annotated[kind, Field(ge=0)]
+POSITIVE, NOT_NEGATIVE = Field(gt=0), Field(ge=0)
+Positive = Annotated[float, POSITIVE]
+Coefficient = Annotated[float, NOT_NEGATIVE]
 
 
 class Water(Strict):
     """The sea. Absent: vacuum, no drag, no added mass, no current."""
 
-    density: positive(u.Density)
+    density: Annotated[u.Density, POSITIVE]
 
 
 class Drag(Strict):
     """Morison drag across the pipe."""
 
     coefficient: Coefficient
-    diameter: positive(u.Length)
+    diameter: Annotated[u.Length, POSITIVE]
 
 
 class AddedMass(Strict):
     """Added mass across the pipe, C_a rho pi D^2 / 4."""
 
     coefficient: Coefficient
-    diameter: positive(u.Length)
+    diameter: Annotated[u.Length, POSITIVE]
 
 
 class Contents(Strict):
     """Fluid inside: adds weight, and mass across the pipe."""
 
-    density: positive(u.Density)
+    density: Annotated[u.Density, POSITIVE]
 
 
 class Joints(Strict):
     """Number and length of equal joints."""
 
     count: Annotated[int, Field(ge=1)]
-    length: positive(u.Length)
+    length: Annotated[u.Length, POSITIVE]
 
 
 class StructuralDamping(Strict):
     """Damping in proportion to stiffness: ratio of critical at one period."""
 
-    ratio: not_negative(float)
-    at_period: positive(u.Time)
+    ratio: Annotated[float, NOT_NEGATIVE]
+    at_period: Annotated[u.Time, POSITIVE]
 
 
 class Section(Strict):
@@ -81,14 +73,14 @@ class Section(Strict):
     """
 
     name: str
-    length: positive(u.Length) | None = None
+    length: Annotated[u.Length, POSITIVE] | None = None
     joints: Joints | None = None
-    outer_diameter: positive(u.Length) | None = None
-    inner_diameter: not_negative(u.Length) | None = None
-    young_modulus: positive(u.Modulus) | None = None
-    axial_stiffness: positive(u.Force) | None = None
-    bending_stiffness: positive(u.BendingStiffness) | None = None
-    mass: positive(u.MassPerLength) | None = None
+    outer_diameter: Annotated[u.Length, POSITIVE] | None = None
+    inner_diameter: Annotated[u.Length, NOT_NEGATIVE] | None = None
+    young_modulus: Annotated[u.Modulus, POSITIVE] | None = None
+    axial_stiffness: Annotated[u.Force, POSITIVE] | None = None
+    bending_stiffness: Annotated[u.BendingStiffness, POSITIVE] | None = None
+    mass: Annotated[u.MassPerLength, POSITIVE] | None = None
     submerged_weight: u.ForcePerLength | None = None
     lateral_load: u.ForcePerLength | None = None
     drag: Drag | None = None
@@ -100,9 +92,10 @@ class Section(Strict):
     def _fits(self) -> Self:
         if (self.length is None) == (self.joints is None):
             raise ValueError("needs one of length and joints")
-        if self.inner_diameter is not None and self.outer_diameter is None:
+        outer, inner = self.outer_diameter, self.inner_diameter
+        if inner is not None and outer is None:
             raise ValueError("inner_diameter needs outer_diameter")
-        if self.inner_diameter is not None and self.inner_diameter >= self.outer_diameter:
+        if inner is not None and outer is not None and inner >= outer:
             raise ValueError(
                 f"inner_diameter {self.inner_diameter:g} m must be smaller than "
                 f"outer_diameter {self.outer_diameter:g} m"
@@ -121,28 +114,30 @@ class Section(Strict):
     @property
     def total_length(self) -> float:
         """Unstretched length (m)."""
-        return self.length or self.joints.count * self.joints.length
+        if self.joints is not None:
+            return self.joints.count * self.joints.length
+        return self.length or 0.0
 
 
 class Areas(Strict):
     """Drag areas C_D A of a body. An absent direction has no drag."""
 
-    horizontal: not_negative(u.Area) | None = None
-    vertical: not_negative(u.Area) | None = None
+    horizontal: Annotated[u.Area, NOT_NEGATIVE] | None = None
+    vertical: Annotated[u.Area, NOT_NEGATIVE] | None = None
 
 
 class BodyAddedMass(Strict):
     """Added mass of a body. An absent direction has none."""
 
-    horizontal: not_negative(u.Mass) | None = None
-    vertical: not_negative(u.Mass) | None = None
+    horizontal: Annotated[u.Mass, NOT_NEGATIVE] | None = None
+    vertical: Annotated[u.Mass, NOT_NEGATIVE] | None = None
 
 
 class Body(Strict):
     """A concentrated mass: LMRP, tension ring. Absent weight, drag, added mass: none."""
 
     name: str
-    mass: not_negative(u.Mass)
+    mass: Annotated[u.Mass, NOT_NEGATIVE]
     submerged_weight: u.Force | None = None
     drag_area: Areas | None = None
     added_mass: BodyAddedMass | None = None
@@ -151,7 +146,7 @@ class Body(Strict):
 class FlexJoint(Strict):
     """Rotational spring between riser and what holds it."""
 
-    stiffness: not_negative(u.RotationalStiffness)
+    stiffness: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
 
 
 Rotation = Literal["free", "fixed"] | FlexJoint
@@ -177,17 +172,17 @@ class Bottom(Strict):
 class Gas(Strict):
     """One gas chamber a cylinder at mid-stroke; F = A P (V / (V - A reach))^k."""
 
-    area: positive(u.Area)
-    pressure: positive(u.Pressure)
-    volume: positive(u.Volume)
+    area: Annotated[u.Area, POSITIVE]
+    pressure: Annotated[u.Pressure, POSITIVE]
+    volume: Annotated[u.Volume, POSITIVE]
     exponent: Annotated[float, Field(gt=1)]
 
 
 class Linear(Strict):
     """Straight line a cylinder: tension at mid-stroke and stiffness."""
 
-    tension: positive(u.Force)
-    stiffness: not_negative(u.Stiffness)
+    tension: Annotated[u.Force, POSITIVE]
+    stiffness: Annotated[u.Stiffness, NOT_NEGATIVE]
 
 
 class Linearised(Strict):
@@ -202,7 +197,7 @@ class Linearised(Strict):
         fitted = self.by == "least squares"
         if fitted != (self.shortest is not None) or fitted != (self.longest is not None):
             raise ValueError("least squares needs shortest and longest, a tangent neither")
-        if fitted and self.shortest >= self.longest:
+        if self.shortest is not None and self.longest is not None and self.shortest >= self.longest:
             raise ValueError("shortest must be below longest")
         return self
 
@@ -212,7 +207,7 @@ class Stroke(Strict):
 
     shortest: u.Length
     longest: u.Length
-    stop_stiffness: positive(u.Stiffness)
+    stop_stiffness: Annotated[u.Stiffness, POSITIVE]
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -229,7 +224,7 @@ class Tensioners(Strict):
     gas: Gas | None = None
     linearised: Linearised | None = None
     linear: Linear | None = None
-    damping: not_negative(u.Damping) | None = None
+    damping: Annotated[u.Damping, NOT_NEGATIVE] | None = None
     stroke: Stroke | None = None
 
     @model_validator(mode="after")
@@ -261,8 +256,8 @@ class Top(Strict):
     z: Literal["platform", "held", "free"]
     offset: u.Length | None = None
     elevation: u.Length | None = None
-    held_at_tension: positive(u.Force) | None = None
-    tension: positive(u.Force) | None = None
+    held_at_tension: Annotated[u.Force, POSITIVE] | None = None
+    tension: Annotated[u.Force, POSITIVE] | None = None
     lateral_force: u.Force | None = None
     rotation: Rotation | None = None
     body: Body | None = None
@@ -273,7 +268,9 @@ class Top(Strict):
         if self.elevation is not None and self.held_at_tension is not None:
             raise ValueError("give elevation or held_at_tension, not both")
         if self.z == "free" and (self.elevation is not None or self.held_at_tension is not None):
-            raise ValueError("elevation and held_at_tension need a z that is held or on the platform")
+            raise ValueError(
+                "elevation and held_at_tension need a z that is held or on the platform"
+            )
         if self.z != "free" and (self.tension is not None or self.tensioners is not None):
             raise ValueError("tension and tensioners need 'z: free'")
         if self.x != "free" and self.lateral_force is not None:
@@ -285,46 +282,60 @@ class Harmonic(Strict):
     """amplitude sin(2 pi t / period + phase), grown by a half cosine over the ramp. Absent: 0."""
 
     amplitude: float
-    period: positive(u.Time)
+    period: Annotated[u.Time, POSITIVE]
     phase: u.Angle | None = None
-    ramp: positive(u.Time) | None = None
+    ramp: Annotated[u.Time, POSITIVE] | None = None
 
 
 class Translation(Harmonic):
     """Harmonic surge or heave."""
 
-    amplitude: not_negative(u.Length)
+    amplitude: Annotated[u.Length, NOT_NEGATIVE]
 
 
 class Tilt(Harmonic):
     """Harmonic pitch."""
 
-    amplitude: not_negative(u.Angle)
+    amplitude: Annotated[u.Angle, NOT_NEGATIVE]
 
 
 class Cruise(Strict):
     """Constant speed along x, reached linearly over the ramp. Absent ramp: at once."""
 
     speed: u.Speed
-    ramp: positive(u.Time) | None = None
+    ramp: Annotated[u.Time, POSITIVE] | None = None
 
 
 class Instant(Strict):
-    """One point of a time series, in m or rad."""
+    """One point of a time series."""
 
     time: u.Time
     value: float
 
 
-class TimeSeries(Strict):
-    """A motion by points, or by a CSV table of time (s) and value (m or rad), joined by a cubic spline."""
+class Moved(Instant):
+    """Surge or heave at a time."""
 
-    points: Annotated[list[Instant], Field(min_length=4)]
+    value: u.Length
+
+
+class Tilted(Instant):
+    """Pitch at a time."""
+
+    value: u.Angle
+
+
+P = TypeVar("P", bound=Instant)
+
+
+class TimeSeries(Strict, Generic[P]):
+    """A motion by points, or by a CSV table ``{file: name.csv}``; a cubic spline joins them."""
+
+    points: Annotated[list[P], Field(min_length=4)]
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        times = [point.time for point in self.points]
-        if any(a >= b for a, b in zip(times, times[1:], strict=False)):
+        if any(a.time >= b.time for a, b in pairwise(self.points)):
             raise ValueError("points: times must rise from point to point")
         return self
 
@@ -340,9 +351,9 @@ class Platform(Strict):
     """Prescribed motion. An absent motion is none."""
 
     position: Position | None = None
-    surge: Translation | TimeSeries | None = None
-    heave: Translation | TimeSeries | None = None
-    pitch: Tilt | TimeSeries | None = None
+    surge: Translation | TimeSeries[Moved] | None = None
+    heave: Translation | TimeSeries[Moved] | None = None
+    pitch: Tilt | TimeSeries[Tilted] | None = None
     cruise: Cruise | None = None
 
 
@@ -361,7 +372,7 @@ class Shape(Strict):
     seabed: u.Length
     surface: u.Length
     power: Positive | None = None
-    scale: positive(u.Length) | None = None
+    scale: Annotated[u.Length, POSITIVE] | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -377,14 +388,13 @@ class Current(Strict):
     """Steady current along x. Absent ramp: it flows from the start."""
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape
-    ramp: positive(u.Time) | None = None
+    ramp: Annotated[u.Time, POSITIVE] | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if isinstance(self.profile, list):
-            heights = [point.elevation for point in self.profile]
-            if any(a >= b for a, b in zip(heights, heights[1:], strict=False)):
-                raise ValueError("profile: elevations must rise from point to point")
+        points = self.profile if isinstance(self.profile, list) else []
+        if any(a.elevation >= b.elevation for a, b in pairwise(points)):
+            raise ValueError("profile: elevations must rise from point to point")
         return self
 
 
@@ -410,21 +420,23 @@ class Newmark(Strict):
 class Output(Strict):
     """Times and places of histories. Absent from: the start; absent stations: all nodes."""
 
-    interval: positive(u.Time)
-    start: not_negative(u.Time) | None = None
+    interval: Annotated[u.Time, POSITIVE]
+    start: Annotated[u.Time, NOT_NEGATIVE] | None = None
     stations: list[u.Length] | None = None
 
 
 class Analysis(Strict):
-    """What is computed. Absent duration: statics only. Absent mesh, step: by accuracy (0.2 % of
-    displacement, 1 % of moment where accuracy is absent too). Absent method: generalised-alpha, 0.8.
+    """What is computed.
+
+    Absent duration: statics only. Absent mesh, step: by accuracy (0.2 % of displacement, 1 % of moment
+    where accuracy is absent too). Absent method: generalised-alpha, 0.8.
     """
 
-    duration: positive(u.Time) | None = None
+    duration: Annotated[u.Time, POSITIVE] | None = None
     output: Output | None = None
     start: Literal["equilibrium", "unstretched"] | None = None
     mesh: Mesh | None = None
-    step: positive(u.Time) | None = None
+    step: Annotated[u.Time, POSITIVE] | None = None
     accuracy: Annotated[u.Percent, Field(gt=0, lt=1)] | None = None
     method: Literal["explicit"] | GeneralisedAlpha | Newmark | None = None
     newton_tolerance: Annotated[float, Field(gt=0, le=1e-3)] | None = None
@@ -432,7 +444,9 @@ class Analysis(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.duration is None) != (self.output is None):
-            raise ValueError("duration and output go together: both for dynamics, neither for statics")
+            raise ValueError(
+                "duration and output go together: both for dynamics, neither for statics"
+            )
         if self.accuracy is not None and (self.mesh or self.step):
             raise ValueError("give accuracy, or mesh and step, not both")
         if self.duration is not None and (self.mesh is None) != (self.step is None):
@@ -450,7 +464,7 @@ class Scene(Strict):
     title: str
     paper: str | None = None
     note: str | None = None
-    gravity: positive(u.Acceleration) | None = None
+    gravity: Annotated[u.Acceleration, POSITIVE] | None = None
     water: Water | None = None
     riser: Annotated[list[Section], Field(min_length=1)]
     bottom: Bottom

@@ -33,7 +33,11 @@ class Origin:
     why: str = ""
 
 
-def unwrap(tree: Any, path: str = "") -> tuple[Any, dict[str, Origin], list[tuple[str, str, str]]]:
+#: plain tree, origins by dotted path, and faults as (path, found, allowed)
+Unwrapped = tuple[Any, dict[str, Origin], list[tuple[str, str, str]]]
+
+
+def unwrap(tree: Any, path: str = "") -> Unwrapped:
     """Plain tree, origins by dotted path, and faults as (path, found, allowed)."""
     if isinstance(tree, dict):
         status = [key for key in STATUSES if key in tree]
@@ -56,7 +60,7 @@ def unwrap(tree: Any, path: str = "") -> tuple[Any, dict[str, Origin], list[tupl
     return tree, {}, []
 
 
-def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Any:
+def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped:
     kind = status[0]
     faults = []
     unknown = set(tree) - {kind} - _COMPANIONS[kind]

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Any
 
 import pint
-from pydantic import BeforeValidator, WithJsonSchema
+from pydantic import BeforeValidator, GetCoreSchemaHandler, GetJsonSchemaHandler, WithJsonSchema
+from pydantic_core import CoreSchema, core_schema
 
 ATMOSPHERE = 101325.0  # Pa, what a gauge pressure leaves out
 
@@ -16,7 +18,7 @@ _NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
 @cache
-def _registry() -> pint.UnitRegistry:
+def _registry() -> pint.UnitRegistry[float]:
     return pint.UnitRegistry()
 
 
@@ -38,7 +40,9 @@ def to_si(text: str, unit: str) -> float:
     allowed = f"allowed is a number with a unit such as '1 {unit}'"
     plain, offset = text.strip(), 0.0
     if unit == "Pa":
-        allowed = "allowed is a pressure that says which, such as '190.2 bar absolute' or '1 Pa gauge'"
+        allowed = (
+            "allowed is a pressure that says which, such as '190.2 bar absolute' or '1 Pa gauge'"
+        )
         kind = re.search(r"\b(absolute|gauge)$", plain)
         if not kind:
             raise ValueError(f"{text!r} says neither absolute nor gauge; {allowed}")
@@ -67,22 +71,27 @@ def to_si(text: str, unit: str) -> float:
     return float(value)
 
 
-def quantity(unit: str) -> Any:
-    """Type of a field that takes text with a unit and holds the SI value."""
+@dataclass(frozen=True)
+class Unit:
+    """Marks a field that takes text with a unit of this dimension and holds the SI value."""
 
-    def read(value: object) -> float:
+    name: str
+
+    def read(self, value: object) -> float:
+        """The SI value of a field."""
         if isinstance(value, str):
-            return to_si(value, unit)
-        if isinstance(value, _Si):
-            return float(value)
-        raise ValueError(f"{value!r} has no unit; allowed is text such as '1 {unit}'")
+            return to_si(value, self.name)
+        raise ValueError(f"{value!r} has no unit; allowed is text such as '1 {self.name}'")
 
-    schema = {"type": "string", "description": f"number with a unit, such as '1 {unit}'"}
-    return Annotated[float, BeforeValidator(read), WithJsonSchema(schema)]
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        return core_schema.no_info_before_validator_function(self.read, handler(source))
 
-
-class _Si(float):
-    """A number known to be SI already: how a checked scene is read back."""
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return {"type": "string", "description": f"number with a unit, such as '1 {self.name}'"}
 
 
 def _percent(value: object) -> float:
@@ -92,21 +101,21 @@ def _percent(value: object) -> float:
 
 
 Percent = Annotated[float, BeforeValidator(_percent), WithJsonSchema({"type": "string"})]
-Length = quantity("m")
-Area = quantity("m^2")
-Volume = quantity("m^3")
-Mass = quantity("kg")
-MassPerLength = quantity("kg/m")
-Density = quantity("kg/m^3")
-Force = quantity("N")
-ForcePerLength = quantity("N/m")
-Stiffness = quantity("N/m")
-Damping = quantity("N*s/m")
-BendingStiffness = quantity("N*m^2")
-RotationalStiffness = quantity("N*m/rad")
-Modulus = quantity("N/m^2")
-Pressure = quantity("Pa")
-Time = quantity("s")
-Speed = quantity("m/s")
-Acceleration = quantity("m/s^2")
-Angle = quantity("rad")
+Length = Annotated[float, Unit("m")]
+Area = Annotated[float, Unit("m^2")]
+Volume = Annotated[float, Unit("m^3")]
+Mass = Annotated[float, Unit("kg")]
+MassPerLength = Annotated[float, Unit("kg/m")]
+Density = Annotated[float, Unit("kg/m^3")]
+Force = Annotated[float, Unit("N")]
+ForcePerLength = Annotated[float, Unit("N/m")]
+Stiffness = Annotated[float, Unit("N/m")]
+Damping = Annotated[float, Unit("N*s/m")]
+BendingStiffness = Annotated[float, Unit("N*m^2")]
+RotationalStiffness = Annotated[float, Unit("N*m/rad")]
+Modulus = Annotated[float, Unit("N/m^2")]
+Pressure = Annotated[float, Unit("Pa")]
+Time = Annotated[float, Unit("s")]
+Speed = Annotated[float, Unit("m/s")]
+Acceleration = Annotated[float, Unit("m/s^2")]
+Angle = Annotated[float, Unit("rad")]

@@ -158,9 +158,7 @@ def _call(typing, entry, record, state):
 
     def generate(context, builder, signature, arguments):
         entry_kind = ir.FunctionType(ir.DoubleType(), [WORD, WORD])
-        return builder.call(
-            builder.inttoptr(arguments[0], entry_kind.as_pointer()), arguments[1:]
-        )
+        return builder.call(builder.inttoptr(arguments[0], entry_kind.as_pointer()), arguments[1:])
 
     return types.float64(types.int64, types.int64, state), generate
 
@@ -211,5 +209,7 @@ def entry(function, record_kind, state_kind) -> int:
 
 def assemble(calls, state: Frozen) -> np.ndarray:
     """Program, int64 array (len(calls), 2), of (function, frozen record) pairs for one state."""
-    rows = [(entry(function, record.kind, state.kind), record.address) for function, record in calls]
+    rows = [
+        (entry(function, record.kind, state.kind), record.address) for function, record in calls
+    ]
     return np.array(rows, np.int64).reshape(-1, 2)

@@ -16,7 +16,6 @@ from riserstudy.solve.blocktri import solve
 from riserstudy.solve.evaluate import forces, move_to, tangent
 from riserstudy.solve.program import Frozen
 
-
 MOST_ITERATIONS = 200
 
 
@@ -119,7 +118,9 @@ def unstable_directions(programs: Frozen, state: Frozen, fixed: np.ndarray) -> i
     s = state.value
     move_to(programs, state, s.clock[0])
     shape = len(s.l0) + 1, len(s.dof)
-    return int(_newton(programs, state, fixed, np.zeros(shape), np.zeros((*shape, shape[1])), 0.0, 0.0)[3])
+    return int(
+        _newton(programs, state, fixed, np.zeros(shape), np.zeros((*shape, shape[1])), 0.0, 0.0)[3]
+    )
 
 
 def _search(programs, state, fixed, tolerance) -> Equilibrium:

@@ -46,9 +46,7 @@ def _tuple(item):
 
 def _square(item):
     return lambda n: (
-        "return ("
-        + "".join(item(i, j) + "," for i in range(n) for j in range(n))
-        + ")"
+        "return (" + "".join(item(i, j) + "," for i in range(n) for j in range(n)) + ")"
     )
 
 

@@ -1,0 +1,37 @@
+"""The list that names every effect."""
+
+from __future__ import annotations
+
+#: Every effect there is, with the section of a scene that calls for it.
+CALLED_BY = {
+    "axial elasticity": "riser",
+    "axial damping": "riser.structural_damping",
+    "bending": "bending stiffness, and lateral freedom",
+    "bending damping": "riser.structural_damping, and lateral freedom",
+    "flex joint": "rotation.stiffness, and lateral freedom",
+    "clamp": "rotation: fixed, and lateral freedom",
+    "weight": "riser.submerged_weight",
+    "line load": "riser.lateral_load",
+    "inertia": "riser.mass",
+    "contents": "riser.contents, and lateral freedom",
+    "added mass": "riser.added_mass, and lateral freedom",
+    "drag": "riser.drag, and lateral freedom",
+    "current": "current",
+    "platform motion": "platform",
+    "platform position": "platform.position",
+    "support": "bottom.hold, top.x, top.z",
+    "end mass": "bottom.body, top.body",
+    "constant tension": "top.tension",
+    "lateral force": "top.lateral_force",
+    "gas tensioner": "top.tensioners.gas",
+    "linear tensioner": "top.tensioners.linear or linearised",
+    "tensioner damping": "top.tensioners.damping",
+    "end stops": "top.tensioners.stroke",
+    "tensioner cylinders": "top.tensioners",
+    "lateral freedom": "a lateral load or motion",
+}
+
+
+def absent(present: set[str]) -> dict[str, str]:
+    """Effects that are not there, with what would call for them."""
+    return {name: f"no {why}" for name, why in CALLED_BY.items() if name not in present}

@@ -1,0 +1,86 @@
+"""Tables beside a scene: a CSV file of a current or a motion takes the place of points written out.
+
+The first line names the columns with their units, as in ``elevation (m), speed (knot)``.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from pathlib import Path
+from typing import Any
+
+from riserstudy.errors import InputError
+
+MOST_ROWS = 100_000
+_HEADING = re.compile(r"\s*(\w+)\s*\(([^)]+)\)\s*")
+
+#: where a table may stand: path of its parent, name, columns, and where its rows go
+PLACES = (
+    (("current",), "profile", ("elevation", "speed"), None),
+    (("platform",), "surge", ("time", "value"), "points"),
+    (("platform",), "heave", ("time", "value"), "points"),
+    (("platform",), "pitch", ("time", "value"), "points"),
+)
+
+
+def fill_in_tables(tree: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """The tree with every ``{file: name.csv}`` replaced by its rows.
+
+    Raises
+    ------
+    InputError
+        With table, line and column of what cannot be read.
+    """
+    filled = dict(tree)
+    for way, name, columns, key in PLACES:
+        parent: Any = filled
+        for step in way:
+            parent = parent.get(step) if isinstance(parent, dict) else None
+        here = parent.get(name) if isinstance(parent, dict) else None
+        if not (isinstance(here, dict) and set(here) == {"file"}):
+            continue
+        rows = read_table(folder / str(here["file"]), columns)
+        filled[way[0]] = {**filled[way[0]], name: rows if key is None else {key: rows}}
+    return filled
+
+
+def read_table(path: Path, columns: tuple[str, ...]) -> list[dict[str, str]]:
+    """Rows of a CSV table, each value with the unit of its column."""
+    try:
+        with path.open(encoding="utf-8", newline="") as stream:
+            lines = list(csv.reader(stream))
+    except OSError as error:
+        raise InputError(
+            path, "", error.strerror or "cannot be read", "allowed is a CSV file"
+        ) from None
+    except (UnicodeDecodeError, csv.Error):
+        raise InputError(path, "", "no CSV in UTF-8", "allowed is a CSV file") from None
+    wanted = ", ".join(f"{name} (unit)" for name in columns)
+    headings = [_HEADING.fullmatch(cell) for cell in (lines[0] if lines else [])]
+    found = [m.group(1) for m in headings if m]
+    if found != list(columns) or len(headings) != len(columns):
+        shown = ", ".join(lines[0]) if lines else "nothing"
+        raise InputError(path, "line 1", repr(shown), f"allowed are the columns {wanted}")
+    if len(lines) > MOST_ROWS:
+        raise InputError(path, "", f"{len(lines)} lines", f"allowed are {MOST_ROWS}")
+    units = [m.group(2).strip() for m in headings if m]
+    rows = []
+    for number, cells in enumerate(lines[1:], start=2):
+        if not cells:
+            continue
+        if len(cells) != len(columns):
+            raise InputError(
+                path, f"line {number}", f"{len(cells)} values", f"allowed are {len(columns)}"
+            )
+        for cell in cells:
+            try:
+                float(cell)
+            except ValueError:
+                raise InputError(
+                    path, f"line {number}", repr(cell), "allowed are numbers"
+                ) from None
+        rows.append(
+            {c: f"{cell.strip()} {u}" for c, cell, u in zip(columns, cells, units, strict=True)}
+        )
+    return rows
