@@ -42,8 +42,7 @@ def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr
         When it cannot be completed.
     """
     from riserstudy.run import run
-    from riserstudy.effects.catalogue import absent
-from riserstudy.scene.load import read_scene
+    from riserstudy.scene.load import read_scene
 
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     if accuracy is not None:
