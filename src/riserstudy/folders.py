@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import os
+import platform
 from collections.abc import Iterable
+from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 
 PACKAGE = Path(__file__).parent
@@ -24,3 +27,16 @@ def digest(files: Iterable[Path]) -> str:
     for file in sorted(files):
         total.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
     return total.hexdigest()[:16]
+
+
+@cache
+def kernel_digest() -> str:
+    """Digest of everything that is compiled."""
+    sources = [PACKAGE / "jit.py", *PACKAGE.glob("effects/*.py"), *PACKAGE.glob("solve/*.py")]
+    return digest(sources)
+
+
+def kernel_cache() -> Path:
+    """Folder of the kernels compiled from the present sources by the present versions."""
+    versions = f"py{platform.python_version()}-numba{version('numba')}"
+    return cache_folder() / "numba" / f"{kernel_digest()}-{versions}"

@@ -7,30 +7,12 @@ the versions that shape machine code.
 
 from __future__ import annotations
 
-import platform
-from functools import cache
-from pathlib import Path
-
 import numba
 
-from riserstudy.folders import PACKAGE, cache_folder, digest
+from riserstudy.folders import kernel_cache
 
 # NaN and infinity stay visible ("nnan" and "ninf" are left out): the solvers test for them.
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
-
-
-@cache
-def kernel_digest() -> str:
-    """Digest of everything that is compiled."""
-    sources = [PACKAGE / "jit.py", *PACKAGE.glob("effects/*.py"), *PACKAGE.glob("solve/*.py")]
-    return digest(sources)
-
-
-def kernel_cache() -> Path:
-    """Folder of the kernels compiled from the present sources by the present versions."""
-    versions = f"py{platform.python_version()}-numba{numba.__version__}"
-    return cache_folder() / "numba" / f"{kernel_digest()}-{versions}"
-
 
 numba.config.CACHE_DIR = str(kernel_cache())
 

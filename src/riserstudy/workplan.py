@@ -13,10 +13,9 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from riserstudy.folders import PACKAGE, cache_folder, digest
+from riserstudy.folders import PACKAGE, digest, kernel_cache
 from riserstudy.scene.load import check
 from riserstudy.scene.models import Strict
-from riserstudy.store import engine_digest
 from riserstudy.study import Study, StudyFile, Tier, read_studies, threads_worth
 
 
@@ -104,7 +103,7 @@ class Workplan:
     @property
     def compiled(self) -> str:
         """Marker of the kernels compiled from the present sources."""
-        return str(cache_folder() / "numba" / f"compiled-{engine_digest()}")
+        return str(kernel_cache() / "compiled")
 
     def figures(self) -> list[tuple[str, str]]:
         """All figures as (paper, name)."""
