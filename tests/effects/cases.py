@@ -1,0 +1,293 @@
+"""A small riser for each effect: uneven, bent, stretched, moving, in a sheared current."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.added_mass import AddedMass
+from riserstudy.effects.axial import Axial
+from riserstudy.effects.axial_damping import AxialDamping
+from riserstudy.effects.bending import Bending
+from riserstudy.effects.bending_damping import BendingDamping
+from riserstudy.effects.current import Current
+from riserstudy.effects.cylinder import Upright
+from riserstudy.effects.cylinder_damping import CylinderDamping
+from riserstudy.effects.drag import Drag
+from riserstudy.effects.end_mass import EndMass
+from riserstudy.effects.end_stop import EndStop
+from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.gas_spring import GasSpring
+from riserstudy.effects.inertia import Inertia
+from riserstudy.effects.linear_spring import LinearSpring
+from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
+from riserstudy.effects.pull import Pull
+from riserstudy.effects.support import Support
+from riserstudy.effects.weight import Weight
+from riserstudy.model import Effect, Model
+from riserstudy.solve.evaluate import energies, forces_and_tangent, one_call, shape_of
+from riserstudy.solve.state import OTHER, OWN, State
+
+L0 = np.array([12.0, 9.0, 15.0, 11.0, 8.0, 14.0])
+N = len(L0)
+SEGMENTS = np.linspace(1.0, 1.5, N)  # what makes the segments differ
+CYLINDERS = 2
+TOP = 60.0  # elevation of the ring at mid-stroke (m)
+
+
+class Case(NamedTuple):
+    """One effect and what must stand beside it to act."""
+
+    record: Callable[[int], Any]  # by number of directions
+    beside: Callable[[int], list[Any]] = lambda d: []
+    directions: tuple[int, ...] = (1, 2)
+
+
+def bending(d: int) -> Bending:
+    flexibility = L0 / (2.7e8 * SEGMENTS)
+    flex = np.zeros(N + 1)
+    flex[:-1] += OWN * flexibility
+    flex[1:] += OWN * flexibility
+    return Bending(flex, OTHER * flexibility)
+
+
+def current(d: int) -> Current:
+    heading = np.array([1.0, 0.0][: d - 1])
+    return Current(
+        np.array([-50.0, 20.0, 41.0, 75.0]), np.array([0.3, 1.0, 0.5, 1.7]), heading, 8.0
+    )
+
+
+def uniform(d: int) -> Current:
+    heading = np.array([1.0, 0.0][: d - 1])
+    return Current(np.array([0.0, 1.0]), np.array([0.7, 0.7]), heading, 0.0)
+
+
+def hinged(d: int, *ends: int) -> np.ndarray:
+    out = np.zeros(N + 1, bool)
+    out[list(ends)] = True
+    return out
+
+
+def upright(d: int) -> Upright:
+    return Upright(N, TOP + np.array([0.0, 0.5]))
+
+
+def pair(a: float, b: float) -> np.ndarray:
+    return np.array([a, b])
+
+
+def series(d: int) -> Series:
+    coefficient = np.random.default_rng(3).normal(size=(4, 5)) * [[1e-3], [1e-2], [0.1], [1.0]]
+    return Series(2, np.array([0.0, 2.0, 3.0, 5.5, 8.0, 10.0]), coefficient)
+
+
+CASES = {
+    Axial: Case(lambda d: Axial(8e9 * SEGMENTS)),
+    AxialDamping: Case(lambda d: AxialDamping(3e6 * SEGMENTS)),
+    Weight: Case(lambda d: Weight(d - 1, -1e4 * np.linspace(1.0, 2.0, N + 1))),
+    Inertia: Case(lambda d: Inertia(9e3 * SEGMENTS, -9e3 * SEGMENTS)),
+    AddedMass: Case(lambda d: AddedMass(7e3 * SEGMENTS, -7e3 * SEGMENTS)),
+    Drag: Case(lambda d: Drag(6e3 * SEGMENTS, np.zeros((d, N + 1))), lambda d: [current(d)]),
+    Current: Case(current),
+    Bending: Case(bending, directions=(2,)),
+    BendingDamping: Case(
+        lambda d: BendingDamping(0.4, *np.zeros((3, N + 1)), hinged(d, 0, N)),
+        lambda d: [bending(d)],
+        (2,),
+    ),
+    FlexJoint: Case(lambda d: FlexJoint(N, 1e-7, 0.05, 1.0), lambda d: [bending(d)], (2,)),
+    Upright: Case(upright),
+    GasSpring: Case(
+        lambda d: GasSpring(pair(0.17, 0.16), pair(190e5, 180e5), pair(3.2, 3.0), pair(1.4, 1.2)),
+        lambda d: [upright(d)],
+    ),
+    LinearSpring: Case(
+        lambda d: LinearSpring(pair(8e5, 7e5), pair(3e4, 2e4)), lambda d: [upright(d)]
+    ),
+    CylinderDamping: Case(lambda d: CylinderDamping(pair(967.0, 2e4)), lambda d: [upright(d)]),
+    EndStop: Case(
+        lambda d: EndStop(pair(-0.1, 0.2), pair(0.1, 0.3), pair(1e7, 2e7)), lambda d: [upright(d)]
+    ),
+    EndMass: Case(
+        lambda d: EndMass(0, 1.2e6, 1.4e5 * np.linspace(1.1, 1.0, d), pair(3e3, 7e3)),
+        lambda d: [uniform(d)],
+    ),
+    Pull: Case(lambda d: Pull(2, np.linspace(3e5, 2e6, d))),
+    Support: Case(
+        lambda d: Support(
+            N, np.array([1.0, TOP])[2 - d :], np.ones(d, np.int64), np.array([0, 2])[2 - d :]
+        )
+    ),
+    Position: Case(lambda d: Position(np.linspace(0.1, 0.6, 6))),
+    Harmonic: Case(
+        lambda d: Harmonic(
+            np.array([0, 2, 0]),
+            np.array([2.0, 1.0, 0.5]),
+            np.array([0.4, 0.6, 1.1]),
+            np.array([0.3, 0.0, -1.0]),
+            np.array([15.0, 0.0, 3.0]),
+        )
+    ),
+    Cruise: Case(lambda d: Cruise(0, 1.5, 12.0)),
+    Series: Case(series),
+}
+
+PAIRS = [(kind, d) for kind, case in CASES.items() for d in case.directions]
+
+
+def name(pair) -> str:
+    return f"{pair[0].__name__}-{pair[1]}d"
+
+
+def moments(kind: type, d: int) -> int:
+    return int(
+        d == 2 and (kind is Bending or any(type(r) is Bending for r in CASES[kind].beside(d)))
+    )
+
+
+class Rig:
+    """A model with one effect (and what stands beside it), stirred; record and arrays at hand."""
+
+    def __init__(self, kind: type, d: int, seed: int = 1):
+        case = CASES[kind]
+        self.kind, self.d, self.m = kind, d, moments(kind, d)
+        records = [*case.beside(d), case.record(d)]
+        if kind in (GasSpring, LinearSpring, CylinderDamping, EndStop):
+            records.reverse()  # laws before the cylinder that sums them up, as a scene has them
+        effects = [Effect(type(r).__name__, r, "") for r in records]
+        # an end carries no moment where nothing holds its direction
+        ends = [0] if kind is FlexJoint else [0, N]
+        fixed = [(node, 0) for node in ends] if self.m else []
+        self.model = Model(L0, d, self.m, effects, fixed, (OWN, OTHER), CYLINDERS)
+        self.s: State = self.model.s
+        self.record = next(e.record for e in self.model.effects if type(e.record) is kind)
+        stir(self.s, seed)
+        self.s.moment[:, self.model.hinged] = 0.0
+
+    def frozen_record(self):
+        kinds = [type(e.record) for e in self.model.effects]
+        return self.model.records[kinds.index(self.kind)]
+
+    def evaluate(self) -> np.ndarray:
+        """(m + d, n+1): what moments miss, then forces; the tangent is filled in too."""
+        forces_and_tangent(self.model.programs, self.model.state)
+        return np.concatenate([self.s.turn, self.s.force]).copy()
+
+    def inertial_forces(self) -> np.ndarray:
+        programs = self.model.programs.value
+        shape_of(self.model.programs, self.model.state)
+        self.s.force[:] = 0.0
+        one_call(programs.string_inertia, self.model.state)
+        one_call(programs.device_inertia, self.model.state)
+        return self.s.force.copy()
+
+    def settle_moments(self) -> None:
+        """Moments that belong to the shape and its rate."""
+        s = self.s
+        if self.m == 0:
+            return
+        carried = ~self.model.hinged
+        s.moment[:] = 0.0
+        shape_of(self.model.programs, self.model.state)
+        matrix = flexibility(s)[np.ix_(carried, carried)]
+        s.moment[0, carried] = np.linalg.solve(matrix, s.turn[0, carried])
+        shape_of(self.model.programs, self.model.state)
+
+    def potential(self) -> float:
+        self.settle_moments()
+        shape_of(self.model.programs, self.model.state)
+        return float(energies(self.model.programs, self.model.state)[0])
+
+    def kinetic(self) -> float:
+        shape_of(self.model.programs, self.model.state)
+        return float(energies(self.model.programs, self.model.state)[1])
+
+    def flow(self) -> tuple[float, float]:
+        """Power dissipated and supplied; after ``evaluate``."""
+        self.s.flow[:] = 0.0
+        one_call(self.model.programs.value.power, self.model.state)
+        return float(self.s.flow[0]), float(self.s.flow[1])
+
+
+def stir(s: State, seed: int) -> None:
+    """A state with nothing zero: an arc with noise, in motion, at a time within the ramps."""
+    random = np.random.default_rng(seed)
+    d = len(s.dim)
+    place = np.append(0.0, np.cumsum(s.l0 * (1.0 + 3e-3 * random.uniform(-1.0, 1.0, len(s.l0)))))
+    if d == 1:
+        s.r[0] = place
+    else:  # an arc over half a radian
+        radius = place[-1] / 0.5
+        s.r[:] = radius * np.array([1.0 - np.cos(place / radius), np.sin(place / radius)])
+        s.r[:] += 0.05 * random.normal(size=s.r.shape)
+    s.r[-1] += TOP - s.r[-1, -1]
+    s.v[:] = random.normal(size=s.v.shape)
+    s.a[:] = random.normal(size=s.a.shape)
+    s.moment[:] = 1e5 * random.normal(size=s.moment.shape)
+    s.platform[:] = 0.3 * random.normal(size=s.platform.shape)
+    s.clock[:] = 4.3, 0.8
+    s.rate[:] = 0.0
+
+
+def flexibility(s: State) -> np.ndarray:
+    return np.diag(s.flex) + np.diag(s.flex_up, 1) + np.diag(s.flex_up, -1)
+
+
+def nodes(segment: np.ndarray) -> np.ndarray:
+    """What segments do to their nodes: plus at the lower, minus at the upper."""
+    out = np.zeros((segment.shape[0], segment.shape[1] + 1))
+    out[:, :-1] += segment
+    out[:, 1:] -= segment
+    return out
+
+
+def dense_tangent(s: State) -> np.ndarray:
+    """Minus the derivative of (turn, force) by (moment, position), unknowns ordered as in arrays."""
+    d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
+    full = np.zeros((m + d, n + 1, m + d, n + 1))
+    for p in range(d):
+        for q in range(d):
+            c = p * d + q
+            for i in range(n + 1):
+                full[m + p, i, m + q, i] += s.k_node[i, c]
+            for e in range(n):
+                low, up = (m + p, e), (m + p, e + 1)
+                full[*low, m + q, e] += s.k_segment[e, c]
+                full[*up, m + q, e + 1] += s.k_segment[e, c]
+                full[*low, m + q, e + 1] += s.k_up[e, c] - s.k_segment[e, c]
+                full[*up, m + q, e] += s.k_low[e, c] - s.k_segment[e, c]
+    if m:
+        full[0, :, 0, :] = flexibility(s)
+        for e in range(n):
+            for p in range(d):
+                # the segment pulls its lower node with lever (M_e - M_e+1)
+                for node, sign in ((e, 1.0), (e + 1, -1.0)):
+                    full[m + p, node, 0, e] -= sign * s.lever[e, p]
+                    full[m + p, node, 0, e + 1] += sign * s.lever[e, p]
+                    full[0, node, m + p, e + 1] -= sign * s.swing[e, p]
+                    full[0, node, m + p, e] += sign * s.swing[e, p]
+    size = (m + d) * (n + 1)
+    return full.reshape(size, size)
+
+
+def differences(function: Callable[[], np.ndarray], array: np.ndarray, step: float) -> np.ndarray:
+    """Derivative of a function by every entry of an array it reads, fourth order; (out, in)."""
+    columns = []
+    for index in np.ndindex(array.shape):
+        kept = array[index]
+        values = []
+        for k in (-2, -1, 1, 2):
+            array[index] = kept + k * step
+            values.append(np.asarray(function()).ravel().copy())
+        array[index] = kept
+        columns.append((values[0] - 8.0 * values[1] + 8.0 * values[2] - values[3]) / (12.0 * step))
+    return np.array(columns).T
+
+
+def copied(record: Any) -> Any:
+    """A record or state with arrays of its own."""
+    return copy.deepcopy(record)

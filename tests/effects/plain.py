@@ -1,0 +1,236 @@
+"""Every effect once more in plain NumPy, from its equation: what it adds to which array of the state.
+
+A plain version takes record and state and returns the arrays that the effect's force (or drive, turn,
+place, motion) must leave behind. ``pull`` laws give the pull of each cylinder.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from cases import flexibility, nodes
+
+from riserstudy.effects.added_mass import AddedMass
+from riserstudy.effects.axial import Axial
+from riserstudy.effects.axial_damping import AxialDamping
+from riserstudy.effects.bending import Bending
+from riserstudy.effects.bending_damping import BendingDamping
+from riserstudy.effects.current import Current
+from riserstudy.effects.cylinder import Upright
+from riserstudy.effects.cylinder_damping import CylinderDamping
+from riserstudy.effects.drag import Drag
+from riserstudy.effects.end_mass import EndMass
+from riserstudy.effects.end_stop import EndStop
+from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.gas_spring import GasSpring
+from riserstudy.effects.inertia import Inertia
+from riserstudy.effects.linear_spring import LinearSpring
+from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
+from riserstudy.effects.pull import Pull
+from riserstudy.effects.support import Support
+from riserstudy.effects.weight import Weight
+
+
+def along(s):
+    """Lengths (n,) and unit tangents (d, n) of the segments."""
+    chord = np.diff(s.r, axis=1)
+    length = np.sqrt((chord**2).sum(axis=0))
+    return length, chord / length
+
+
+def at_nodes(s):
+    """Unit tangents at the nodes, (d, n+1): of the chord from neighbour to neighbour."""
+    _, tangent = along(s)
+    chord = s.r[:, 2:] - s.r[:, :-2]
+    inner = chord / np.sqrt((chord**2).sum(axis=0))
+    return np.concatenate([tangent[:, :1], inner, tangent[:, -1:]], axis=1)
+
+
+def across(vector, tangent):
+    return vector - (vector * tangent).sum(axis=0) * tangent
+
+
+def spread(coefficient, q):
+    """Loads per length at the nodes to nodal forces: 5/12 own node, 1/12 the other."""
+    out = np.zeros_like(q)
+    out[:, :-1] += coefficient * (5.0 * q[:, :-1] + q[:, 1:]) / 12.0
+    out[:, 1:] += coefficient * (5.0 * q[:, 1:] + q[:, :-1]) / 12.0
+    return out
+
+
+def axial(record, s):
+    length, tangent = along(s)
+    return {"force": nodes(record.stiffness * (length / s.l0 - 1.0) * tangent)}
+
+
+def axial_damping(record, s):
+    _, tangent = along(s)
+    rate = (np.diff(s.v, axis=1) * tangent).sum(axis=0)
+    return {"force": nodes(record.damping * rate * tangent)}
+
+
+def weight(record, s):
+    out = np.zeros_like(s.force)
+    out[record.direction] = record.load
+    return {"force": out}
+
+
+def inertia(record, s):
+    return {"force": -spread(record.mass, s.a)}
+
+
+def added_mass(record, s):
+    return {"force": -spread(record.mass, across(s.a, at_nodes(s)))}
+
+
+def drag(record, s, tangent=None):
+    u = across(s.water - s.v, at_nodes(s) if tangent is None else tangent)
+    return {"force": spread(record.coefficient, np.sqrt((u**2).sum(axis=0)) * u)}
+
+
+def current(record, s):
+    share = s.clock[1] * min(1.0, s.clock[0] / record.ramp if record.ramp else 1.0)
+    speed = np.interp(s.r[-1], record.elevation, record.speed)
+    out = np.zeros_like(s.water)
+    out[:-1] = share * record.heading[:, None] * speed
+    return {"water": out}
+
+
+def angles(s):
+    _, tangent = along(s)
+    return np.unwrap(np.arctan2(tangent[0], tangent[1]))
+
+
+def bending(record, s):
+    length, tangent = along(s)
+    turn = np.zeros(s.turn.shape)
+    turn[0, 1:-1] = np.diff(angles(s))
+    turn[0] -= flexibility(s) @ s.moment[0]
+    shear = -np.diff(s.moment[0]) / length
+    across_segment = np.array([tangent[1], -tangent[0]])
+    return {"turn": turn, "force": nodes(shear * across_segment)}
+
+
+def bending_damping(record, s):
+    length, tangent = along(s)
+    dv = np.diff(s.v, axis=1)
+    rate = (tangent[1] * dv[0] - tangent[0] * dv[1]) / length
+    return {"turn": record.time * nodes(rate[None, :])}
+
+
+def flex_joint(record, s):
+    out = np.zeros(s.turn.shape)
+    held = record.lean + record.follows * s.platform[0, 4]
+    away = angles(s)[0 if record.node == 0 else -1] - held
+    out[0, record.node] = away if record.node == 0 else -away
+    return {"turn": out}
+
+
+def upright(record, s):
+    force = np.zeros_like(s.force)
+    force[-1, record.node] = s.pull.sum()
+    reach = s.platform[0, 2] - s.r[-1, record.node] + record.zero
+    rate = s.platform[1, 2] - s.v[-1, record.node] + 0.0 * record.zero
+    return {"force": force, "reach": reach, "reach_rate": rate}
+
+
+def gas_spring(record, s):
+    left = record.volume - record.area * s.reach
+    return {"pull": record.area * record.pressure * (record.volume / left) ** record.exponent}
+
+
+def linear_spring(record, s):
+    return {"pull": record.tension + record.stiffness * s.reach}
+
+
+def cylinder_damping(record, s):
+    return {"pull": record.damping * s.reach_rate}
+
+
+def end_stop(record, s):
+    above = np.maximum(s.reach - record.longest, 0.0)
+    below = np.minimum(s.reach - record.shortest, 0.0)
+    return {"pull": record.stiffness * (above + below)}
+
+
+def end_mass(record, s):
+    i = record.node
+    out = np.zeros_like(s.force)
+    u = (s.water - s.v)[:-1, i]
+    out[:-1, i] = record.drag[0] * np.sqrt((u**2).sum()) * u
+    out[-1, i] = -record.weight - record.drag[1] * abs(s.v[-1, i]) * s.v[-1, i]
+    return {"force": out}
+
+
+def end_mass_inertia(record, s):
+    out = np.zeros_like(s.force)
+    out[:, record.node] = -record.mass * s.a[:, record.node]
+    return {"force": out}
+
+
+def pull(record, s):
+    out = np.zeros_like(s.force)
+    out[:, record.node] = record.load
+    return {"force": out}
+
+
+def support(record, s):
+    out = {name: getattr(s, name).copy() for name in ("r", "v", "a")}
+    for k in range(len(s.dim)):
+        if record.held[k]:
+            here = s.platform[:, record.motion[k]] if record.motion[k] >= 0 else np.zeros(3)
+            out["r"][k, record.node] = record.place[k] + here[0]
+            out["v"][k, record.node], out["a"][k, record.node] = here[1:]
+    return out
+
+
+def position(record, t):
+    return record.displacement
+
+
+def harmonic(record, t):
+    out = np.zeros(6)
+    ramp = np.where(record.ramp > 0.0, record.ramp, 1e-300)
+    grown = np.where(t < ramp, 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / ramp, 1.0))), 1.0)
+    value = record.amplitude * np.sin(record.frequency * t + record.phase) * grown
+    np.add.at(out, record.motion, value)
+    return out
+
+
+def cruise(record, t):
+    out = np.zeros(6)
+    sailed = 0.5 * t**2 / record.ramp if t < record.ramp else t - 0.5 * record.ramp
+    out[record.motion] = record.speed * sailed
+    return out
+
+
+def series(record, t):
+    out = np.zeros(6)
+    t = np.clip(t, record.time[0], record.time[-1])
+    k = min(np.searchsorted(record.time, t, side="right") - 1, len(record.time) - 2)
+    out[record.motion] = np.polyval(record.coefficient[:, k], t - record.time[k])
+    return out
+
+
+#: role of the kernel function that each plain version stands for, and the version
+VERSIONS = {
+    Axial: [("string", axial)],
+    AxialDamping: [("string", axial_damping)],
+    Weight: [("string", weight)],
+    Inertia: [("string_inertia", inertia)],
+    AddedMass: [("string_inertia", added_mass)],
+    Drag: [("string", drag)],
+    Current: [("drive", current)],
+    Bending: [("turn string", bending)],
+    BendingDamping: [("turn", bending_damping)],
+    FlexJoint: [("turn", flex_joint)],
+    Upright: [("drive device", upright)],
+    GasSpring: [("device", gas_spring)],
+    LinearSpring: [("device", linear_spring)],
+    CylinderDamping: [("device", cylinder_damping)],
+    EndStop: [("device", end_stop)],
+    EndMass: [("device", end_mass), ("device_inertia", end_mass_inertia)],
+    Pull: [("device", pull)],
+    Support: [("place", support)],
+}
+
+MOTIONS = {Position: position, Harmonic: harmonic, Cruise: cruise, Series: series}

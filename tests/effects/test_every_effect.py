@@ -1,0 +1,311 @@
+"""What every effect must satisfy, whatever it is: kernel, plain version, energy and derivatives agree."""
+
+import importlib
+import pkgutil
+
+import numpy as np
+import pytest
+from cases import CASES, PAIRS, N, Rig, copied, dense_tangent, differences, name, nodes
+from hypothesis import given
+from hypothesis import strategies as st
+from numba.core.registry import CPUDispatcher
+from plain import MOTIONS, VERSIONS, at_nodes, drag
+
+import riserstudy.effects
+from riserstudy.effects.added_mass import AddedMass
+from riserstudy.effects.bending import Bending
+from riserstudy.effects.bending_damping import BendingDamping
+from riserstudy.effects.current import Current
+from riserstudy.effects.drag import Drag
+from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.roles import ROLES
+from riserstudy.solve import blocktri, spread
+from riserstudy.solve.blocktri import solve_once
+from riserstudy.solve.evaluate import one_call, shape_of
+from riserstudy.solve.program import assemble
+
+# Finite differences of fourth order with steps of 1e-3 m or 1e-3 m/s: truncation and rounding of
+# forces up to 1e8 N leave a relative 1e-8 or so of the largest entry.
+DIFFERENCES = 1e-7
+WITH = {role: [p for p in PAIRS if role in ROLES[p[0]]] for role in ("potential", "power", "mass")}
+FORCES = [p for p in PAIRS if {"string", "device", "turn"} & set(ROLES[p[0]])]
+modules = [
+    importlib.import_module(f"riserstudy.effects.{m.name}")
+    for m in pkgutil.iter_modules(riserstudy.effects.__path__)
+]
+
+
+def relative(found, expected, least=1e-300):
+    """Largest difference over the largest expected value, or over ``least``."""
+    return np.abs(np.asarray(found) - expected).max() / max(np.abs(expected).max(), least)
+
+
+def test_every_registered_effect_has_a_case_and_a_plain_version():
+    assert set(CASES) == set(ROLES)
+    assert set(VERSIONS) | set(MOTIONS) == set(ROLES)
+
+
+@pytest.mark.parametrize("pair", [p for p in PAIRS if p[0] in VERSIONS], ids=name)
+def test_the_kernel_agrees_with_the_plain_version(pair):
+    kind, d = pair
+    rig = Rig(kind, d)
+    shape_of(rig.model.programs, rig.model.state)
+    for roles, version in VERSIONS[kind]:
+        rig.s.pull[:] = 1e5, 2e5
+        expected = version(rig.record, rig.s)
+        if "pull" in expected:
+            rig.s.pull[:] = 0.0
+        for target in set(expected) & {"force", "turn", "water"}:
+            getattr(rig.s, target)[:] = 0.0
+        rig.s.segment[:] = 0.0
+        for role in roles.split():
+            one_call(
+                assemble([(ROLES[kind][role], rig.frozen_record())], rig.model.state),
+                rig.model.state,
+            )
+        rig.s.force[:] += nodes(rig.s.segment)
+        for target, value in expected.items():
+            # a few roundings of the largest term; bending's arc sine is a series, cut off where its
+            # next term, 63/2816 of the sine to the 11th, is 2.3e-12 of the largest sine, 0.1
+            limit = 2.5e-12 if kind is Bending else 1e-12
+            assert relative(getattr(rig.s, target), value) < limit, (roles, target)
+
+
+@pytest.mark.parametrize("pair", [p for p in PAIRS if p[0] in MOTIONS], ids=name)
+@pytest.mark.parametrize("time", [0.7, 2.9, 4.3, 9.9, 11.3, 20.0])
+def test_platform_motions_agree_with_the_plain_version_and_its_derivatives(pair, time):
+    kind, d = pair
+    rig = Rig(kind, d)
+    rig.s.platform[:] = 0.0
+    rig.s.clock[0] = time
+    one_call(rig.model.programs.value.motion, rig.model.state)
+    plain = MOTIONS[kind]
+    h = 1e-3
+    five = [plain(rig.record, time + k * h) for k in (-2, -1, 0, 1, 2)]
+    assert relative(rig.s.platform[0], five[2]) < 1e-12
+    velocity = (five[0] - 8 * five[1] + 8 * five[3] - five[4]) / (12 * h)
+    bend = (-five[0] + 16 * five[1] - 30 * five[2] + 16 * five[3] - five[4]) / (12 * h * h)
+    # rounding of 1e-15 over h and h squared
+    np.testing.assert_allclose(rig.s.platform[1], velocity, atol=1e-10)
+    np.testing.assert_allclose(rig.s.platform[2], bend, atol=1e-7)
+
+
+@pytest.mark.parametrize("pair", WITH["potential"], ids=name)
+def test_the_force_is_minus_the_slope_of_the_energy(pair):
+    rig = Rig(*pair)
+    rig.s.v[:] = 0.0  # the energy is that of the elastic part alone, and nothing drags
+    rig.s.clock[1] = 0.0
+    slope = differences(rig.potential, rig.s.r, 1e-3)
+    rig.settle_moments()
+    force = rig.evaluate()[rig.m :].ravel()
+    assert relative(-slope[0], force) < DIFFERENCES
+
+
+@pytest.mark.parametrize("pair", FORCES, ids=name)
+def test_the_tangent_is_the_slope_of_the_force_by_position(pair):
+    kind, d = pair
+    rig = Rig(kind, d)
+    rig.evaluate()
+    tangent = dense_tangent(rig.s)
+    if kind is Drag:  # the turning of the pipe's own direction is left out, as its file says
+        held = at_nodes(rig.s)
+
+        def force():
+            shape_of(rig.model.programs, rig.model.state)
+            return drag(rig.record, rig.s, held)["force"]
+
+        assert relative(-tangent, differences(force, rig.s.r, 1e-3)) < DIFFERENCES
+        return
+    check_blocks(rig, tangent, differences(rig.evaluate, rig.s.r, 1e-3))
+
+
+@pytest.mark.parametrize("pair", FORCES, ids=name)
+def test_the_tangent_is_the_slope_of_the_force_by_velocity_too(pair):
+    rig = Rig(*pair)
+    rig.evaluate()
+    still = dense_tangent(rig.s)
+    rig.s.rate[0] = 7.0
+    rig.evaluate()
+    moving = dense_tangent(rig.s)
+    check_blocks(rig, moving - still, 7.0 * differences(rig.evaluate, rig.s.v, 1e-3))
+
+
+def check_blocks(rig, tangent, slope):
+    """Turning angles and forces apart, for their sizes differ by many orders.
+
+    A slope that vanishes is compared with the force itself a metre, or an angle of 0.1 rad a metre.
+    """
+    split = rig.m * (N + 1)
+    tangent = tangent[:, split:]
+    force = np.abs(rig.evaluate()[rig.m :]).max()
+    assert relative(-tangent[split:], slope[split:], max(force, 1.0)) < DIFFERENCES
+    if split:  # hinged ends have no equation of their own
+        carried = ~rig.model.hinged
+        assert relative(-tangent[:split][carried], slope[:split][carried], 0.1) < DIFFERENCES
+
+
+@pytest.mark.parametrize("kind", [Bending, BendingDamping, FlexJoint])
+def test_the_tangent_is_the_slope_by_moments(kind):
+    rig = Rig(kind, 2)
+    rig.evaluate()
+    tangent = dense_tangent(rig.s)[:, : N + 1]
+    slope = differences(rig.evaluate, rig.s.moment, 1e4)
+    # linear in the moments: rounding only, of angles of 0.1 rad over 1e5 N m times 1e-7 rad/(N m)
+    assert relative(-tangent[N + 1 :], slope[N + 1 :]) < DIFFERENCES
+    assert relative(-tangent[: N + 1], slope[: N + 1]) < DIFFERENCES
+
+
+@pytest.mark.parametrize("pair", WITH["mass"], ids=name)
+def test_the_mass_is_the_slope_of_the_inertial_force(pair):
+    rig = Rig(*pair)
+    slope = differences(rig.inertial_forces, rig.s.a, 1.0)
+    rig.s.rate[:] = 0.0, 1.0
+    rig.evaluate()
+    mass = dense_tangent(rig.s)
+    rig.s.rate[:] = 0.0
+    rig.evaluate()
+    # linear in acceleration: rounding only
+    assert relative(dense_tangent(rig.s) - mass, slope) < 1e-12
+
+
+@pytest.mark.parametrize("pair", [p for p in PAIRS if "kinetic" in ROLES[p[0]]], ids=name)
+def test_kinetic_energy_is_half_velocity_times_mass_times_velocity(pair):
+    rig = Rig(*pair)
+    if pair[0] is AddedMass and pair[1] == 2:
+        # on a bent pipe the neighbours' directions differ and the two agree to their angle only
+        rig.s.r[:] = np.linspace([0.0, 0.0], [30.0, 60.0], N + 1).T
+    rig.s.a[:] = rig.s.v
+    power = (rig.inertial_forces() * rig.s.v).sum()
+    assert -0.5 * power == pytest.approx(rig.kinetic(), rel=1e-12)
+
+
+POWERED = [p for p in PAIRS if {"potential", "power"} & set(ROLES[p[0]])]
+
+
+@pytest.mark.parametrize("pair", POWERED, ids=name)
+@pytest.mark.parametrize("seed", range(3))
+def test_what_the_force_does_is_stored_dissipated_or_supplied(pair, seed):
+    """Force times velocity = supplied - dissipated - rate of the energy stored, platform moving."""
+    rig = Rig(*pair, seed=seed)
+    s = rig.s
+    place, platform = s.r.copy(), s.platform.copy()
+
+    def stored_at(t):
+        s.r[:] = place + t * s.v
+        s.platform[0] = platform[0] + t * platform[1]
+        return rig.potential() if "potential" in roles_beside(rig) else 0.0
+
+    h = 1e-4
+    four = [stored_at(k * h) for k in (-2, -1, 1, 2)]
+    rate = (four[0] - 8.0 * four[1] + 8.0 * four[2] - four[3]) / (12.0 * h)
+    stored_at(0.0)
+    rig.settle_moments()
+    force = rig.evaluate()[rig.m :]
+    dissipated, supplied = rig.flow()
+    assert dissipated >= 0.0
+    terms = np.array([(force * s.v).sum(), rate, dissipated, supplied])
+    # rounding of energies up to 1e7 J over h
+    assert abs(terms @ [1.0, 1.0, 1.0, -1.0]) <= 1e-6 * np.abs(terms).max()
+
+
+def roles_beside(rig):
+    return {role for e in rig.model.effects for role in ROLES[type(e.record)]}
+
+
+@pytest.mark.parametrize("kind", [Bending, BendingDamping, FlexJoint])
+def test_moments_do_the_work_that_the_shear_does(kind):
+    """Virtual work: forces from moments = - d (sum of moments times turning angles) / d r."""
+    rig = Rig(kind, 2)
+    force = rig.evaluate()[1:].ravel()
+    kept = rig.s.moment.copy()
+    rig.s.v[:] = 0.0  # turning angles, not their rates
+
+    def work():
+        rig.s.moment[:] = 0.0
+        turn = rig.evaluate()[0]
+        rig.s.moment[:] = kept
+        return np.array([(kept[0] * turn).sum()])
+
+    assert relative(-differences(work, rig.s.r, 1e-3)[0], force) < DIFFERENCES
+
+
+@pytest.mark.parametrize("kind", [Bending, BendingDamping, FlexJoint])
+def test_the_block_solver_solves_the_dense_system(kind):
+    rig = Rig(kind, 2)
+    s = rig.s
+    rig.evaluate()
+    s.rate[:] = 3.0, 10.0
+    right = rig.evaluate()
+    s.k_node[:, [0, 3]] += 1e6  # something to stand on
+    fixed = np.array([[0, 1], [0, 2], [N, 0], [N, 1]])
+    tangent = dense_tangent(s).reshape(3, N + 1, 3, N + 1)
+    out = np.ascontiguousarray(right.T)
+    for node, unknown in fixed:
+        tangent[unknown, node] = 0.0
+        tangent[unknown, node, unknown, node] = 1.0
+        right[unknown, node] = 0.0
+    expected = np.linalg.solve(tangent.reshape(3 * N + 3, -1), right.ravel()).reshape(3, N + 1)
+    for node, unknown in fixed:
+        out[node, unknown] = 5.0  # whatever stands there
+    solve_once(rig.model.state, out, np.zeros((N + 1, 3, 3)), fixed)
+    for u in range(3):
+        # condition about 1e6 after scaling
+        assert relative(out[:, u], expected[u]) < 1e-9
+
+
+@given(seed=st.integers(0, 10_000), d=st.sampled_from([1, 2]))
+def test_drag_never_drives_the_pipe_through_still_water(seed, d):
+    rig = Rig(Drag, d, seed)
+    rig.s.clock[1] = 0.0
+    force = rig.evaluate()
+    dissipated, supplied = rig.flow()
+    assert supplied == 0.0
+    assert (force * rig.s.v).sum() == pytest.approx(-dissipated, rel=1e-12, abs=1e-9)
+    assert dissipated >= 0.0
+
+
+@pytest.fixture
+def uncompiled(monkeypatch):
+    """Compiled helpers replaced by the Python functions they were made from."""
+    for module in [*modules, blocktri, spread]:
+        for key, value in list(vars(module).items()):
+            if isinstance(value, CPUDispatcher):
+                monkeypatch.setattr(module, key, value.py_func)
+
+
+PIECES = [(kind, d, role) for kind, d in PAIRS for role in ROLES[kind]]
+
+
+@pytest.mark.parametrize("piece", PIECES, ids=lambda p: f"{p[0].__name__}-{p[1]}d-{p[2]}")
+def test_compiled_and_interpreted_effects_agree(piece, uncompiled):
+    kind, d, role = piece
+    rig = Rig(kind, d)
+    rig.s.rate[:] = 3.0, 10.0
+    rig.evaluate()
+    state, record = copied(rig.s), copied(rig.record)
+    function = ROLES[kind][role]
+    frozen = rig.frozen_record()
+    compiled = one_call(assemble([(function, frozen)], rig.model.state), rig.model.state)
+    interpreted = function.py_func(record, state)
+    assert compiled == pytest.approx(interpreted, rel=1e-10)
+    for field in state._fields:
+        expected = np.asarray(getattr(state, field))
+        if expected.size:
+            assert relative(getattr(rig.s, field), expected) < 1e-10, field
+
+
+def test_water_speed_is_continuous_and_held_beyond_the_table():
+    rig = Rig(Current, 2)
+    rig.s.clock[:] = 100.0, 1.0
+    for z in rig.record.elevation:
+        low, up = [], []
+        for side in (-1e-9, 1e-9):
+            rig.s.r[1] = z + side
+            rig.s.water[:] = 0.0
+            one_call(rig.model.programs.value.drive, rig.model.state)
+            (low if side < 0 else up).append(rig.s.water[0, 0])
+        assert low[0] == pytest.approx(up[0], abs=1e-9)
+    rig.s.r[1] = 1e4
+    rig.s.water[:] = 0.0
+    one_call(rig.model.programs.value.drive, rig.model.state)
+    np.testing.assert_array_equal(rig.s.water[0], rig.record.speed[-1])
