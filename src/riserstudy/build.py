@@ -22,6 +22,7 @@ from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.linear_spring import LinearSpring
@@ -269,6 +270,11 @@ class _Builder:
             "bending",
             Bending(flex, other * flexibility),
             "riser.young_modulus or bending_stiffness",
+        )
+        axial = self.per_segment(lambda s, k: self.parts[k].axial)
+        slope = axial * flexibility**2 / 72.0
+        self.add(
+            "foreshortening", Foreshortening(slope), "riser.young_modulus or bending_stiffness"
         )
         if relaxation:
             n = self.n + 1

@@ -7,6 +7,7 @@ CALLED_BY = {
     "axial elasticity": "riser",
     "axial damping": "riser.structural_damping",
     "bending": "bending stiffness, and lateral freedom",
+    "foreshortening": "bending stiffness, and lateral freedom",
     "bending damping": "riser.structural_damping, and lateral freedom",
     "flex joint": "rotation.stiffness, and lateral freedom",
     "clamp": "rotation: fixed, and lateral freedom",

@@ -33,7 +33,7 @@ def solve(s, out, work, fixed):
     m = nb - d
     n = s.l0.shape[0]
     k_node, k_segment, k_up, k_low = s.k_node, s.k_segment, s.k_up, s.k_low
-    lever, swing, flex, flex_up = s.lever, s.swing, s.flex, s.flex_up
+    by_low, by_up, swing, flex, flex_up = s.by_low, s.by_up, s.swing, s.flex, s.flex_up
     here = np.empty((nb, 2 * nb + 1))  # diagonal block, upper block, residual
     low = np.empty((nb, nb))
     negative = 0
@@ -56,16 +56,16 @@ def solve(s, out, work, fixed):
                 c = p * m + u
                 arm, angle = 0.0, 0.0
                 if i > 0:
-                    arm += lever[i - 1, c]
+                    arm += by_up[i - 1, c]
                     angle += swing[i - 1, c]
-                    low[m + p, u] = lever[i - 1, c]
+                    low[m + p, u] = by_low[i - 1, c]
                     low[u, m + p] = -swing[i - 1, c]
                 if i < n:
-                    arm += lever[i, c]
+                    arm -= by_low[i, c]
                     angle += swing[i, c]
-                    here[m + p, nb + u] = lever[i, c]
+                    here[m + p, nb + u] = -by_up[i, c]
                     here[u, nb + m + p] = -swing[i, c]
-                here[m + p, u] = -arm
+                here[m + p, u] = arm
                 here[u, m + p] = angle
             for w in range(m):
                 same = 1.0 if u == w else 0.0

@@ -80,7 +80,7 @@ def _bending(s, d, m, n):
                 flexibility[i * m + u, (i + 1) * m + u] = s.flex_up[i]
                 flexibility[(i + 1) * m + u, i * m + u] = s.flex_up[i]
     for e in range(n):
-        lever = s.lever[e].reshape(d, m)
+        lever = s.by_low[e].reshape(d, m)
         for u in range(m):
             for c in range(d):
                 for node, sign in ((e, 1.0), (e + 1, -1.0)):

@@ -59,8 +59,9 @@ class State(NamedTuple):
     k_node: np.ndarray  # (n+1, d*d) -d force / d r of the same node
     k_up: np.ndarray  # (n, d*d) -d force of the lower node / d r of the upper
     k_low: np.ndarray  # (n, d*d) -d force of the upper node / d r of the lower
-    lever: np.ndarray  # (n, d*m) d (segment angle) / d (r upper - r lower)
-    swing: np.ndarray  # (n, d*m) the same for the angle that bends (differs with damping)
+    by_low: np.ndarray  # (n, d*m) d segment / d moment of the lower node
+    by_up: np.ndarray  # (n, d*m) d segment / d moment of the upper node
+    swing: np.ndarray  # (n, d*m) d (angle of the segment) / d (r upper - r lower)
     flex: np.ndarray  # (n+1,) flexibility of a node: angle by its own moment (rad/(N m))
     flex_up: np.ndarray  # (n,) angle by the neighbour's moment (rad/(N m))
 
@@ -108,7 +109,8 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         k_node=zeros(n + 1, d * d),
         k_up=zeros(n, d * d),
         k_low=zeros(n, d * d),
-        lever=zeros(n, d * m),
+        by_low=zeros(n, d * m),
+        by_up=zeros(n, d * m),
         swing=zeros(n, d * m),
         flex=zeros(n + 1),
         flex_up=zeros(n),
@@ -177,5 +179,6 @@ def clear_tangent(s):
     s.k_node[:] = 0.0
     s.k_up[:] = 0.0
     s.k_low[:] = 0.0
-    s.lever[:] = 0.0
+    s.by_low[:] = 0.0
+    s.by_up[:] = 0.0
     s.swing[:] = 0.0

@@ -1,0 +1,55 @@
+r"""Foreshortening: a bent segment is longer than its chord, which adds to its tension.
+
+.. math:: T_e = EA\,\tfrac{\ell_0^2}{24}\,\kappa^2,\qquad
+          \kappa^2 = \frac{M_e^2 + M_e M_{e+1} + M_{e+1}^2}{3\,EI^2}
+
+Without it the tension that a lateral motion stirs up in a riser held at both ends is second order in
+the segment length.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+from riserstudy.solve.vec import at, mul, outer, plus, plus_block, sub, unity
+
+
+class Foreshortening(NamedTuple):
+    """Tension of a segment by its squared moments."""
+
+    slope: np.ndarray  # (n,) EA l0^2 / (72 EI^2) (1/(N m2))
+
+
+@inner
+def _tension(bent, s, e):
+    low, up = s.moment[0, e], s.moment[0, e + 1]
+    return bent.slope[e] * (low * low + low * up + up * up)
+
+
+@inner
+def force(bent, s):
+    """Tension along each segment."""
+    for e in range(s.l0.shape[0]):
+        plus(s.segment, e, mul(_tension(bent, s, e), at(s.dim, s.tangent, e)))
+    return 0.0
+
+
+@inner
+def tangent(bent, s):
+    """Derivative by the moments, and by the direction of the segment."""
+    unit = unity(s.dim)
+    for e in range(s.l0.shape[0]):
+        t = at(s.dim, s.tangent, e)
+        low, up = s.moment[0, e], s.moment[0, e + 1]
+        across = sub(unit, outer(t, t))
+        plus_block(s.k_segment, e, mul(_tension(bent, s, e) / s.length[e], across))
+        plus_block(s.by_low, e, mul(bent.slope[e] * (2.0 * low + up), t))
+        plus_block(s.by_up, e, mul(bent.slope[e] * (2.0 * up + low), t))
+    return 0.0
+
+
+register(Foreshortening, string=force, tangent=tangent)
