@@ -5,10 +5,8 @@ from snakemake.utils import min_version
 min_version("9.0")
 
 
-configfile: "config/config.yaml"
-
-
-container: None
+# Used only when a run asks for containers.
+container: "docker://python:3.12"
 
 
 include: "workflow/rules/common.smk"
@@ -19,5 +17,6 @@ include: "workflow/rules/figures.smk"
 rule all:
     default_target: True
     input:
+        DATASETS,
         FIGURES,
     localrule: True

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from riserstudy import store
 from riserstudy.errors import RiserStudyError, SimulationError
 from riserstudy.simulation import attributes, to_dataset
+from riserstudy.sound import sound_kernels
 from riserstudy.study import Point, Samples, Study
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from riserstudy.run import Result
 
 
+@sound_kernels
 def results_of(study: Study, threads: int, tell: Callable[[str], None]) -> tuple[list[Result], int]:
     """Results of all points in order, and how many had to be simulated.
 
@@ -149,7 +151,8 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
 def _about(study: Study, results: list[Result]) -> dict[str, Any]:
     from riserstudy import __version__
 
-    facts = results[0].facts
+    origins = study.base.origins
+    effects = {name: why for r in results for name, why in r.facts["effects"].items()}
     return {
         "Conventions": "CF-1.11",
         "title": f"{study.paper} {study.name}: {study.model.caption}",
@@ -159,8 +162,9 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "engine": store.engine_digest(),
         "riserstudy": __version__,
         "scene": json.dumps(study.base.tree),
-        "origins": json.dumps({p: o.status for p, o in study.base.origins.items()}),
-        "effects": json.dumps(facts["effects"]),
+        "origins": json.dumps({p: o.status for p, o in origins.items()}),
+        "evidence": json.dumps({p: o.why for p, o in origins.items()}),
+        "effects": json.dumps(effects),
     }
 
 

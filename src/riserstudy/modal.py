@@ -12,6 +12,7 @@ from riserstudy.mesh import even
 from riserstudy.run import settle
 from riserstudy.scene.models import Scene
 from riserstudy.solve.modes import natural_modes
+from riserstudy.sound import sound_kernels
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 DEFAULT_ELEMENTS = 200
 
 
+@sound_kernels
 def modes_of(scene: Scene, count: int) -> xr.Dataset:
     """Frequencies and shapes of the lowest modes.
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from riserstudy.effects.catalogue import absent
 from riserstudy.scene.load import SceneFile, read_yaml
+from riserstudy.sound import sound_kernels
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 ENDINGS = {"_max": "largest ", "_min": "smallest ", "_static": "static "}
 
 
+@sound_kernels
 def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr.Dataset:
     """Simulate a scene.
 

@@ -190,9 +190,14 @@ class Study:
 
     @cached_property
     def digest(self) -> str:
-        """One string that changes when anything that the dataset depends on changes."""
+        """One string that changes when anything that the dataset depends on changes.
+
+        Titles, origins and captions change no number, but stand in the dataset.
+        """
         axes = {name: [value for value, _ in values] for name, values in self.axes.items()}
         about = [canonical(axes), [point.key for point in self.plan], self.model.keep]
+        origins = {path: (o.status, o.why) for path, o in self.base.origins.items()}
+        about += [self.tier, self.model.caption, canonical(self.base.tree), origins]
         return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]
 
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from riserstudy.run import run
 from riserstudy.scene.models import Scene
+from riserstudy.sound import sound_kernels
 
 Tree = dict[str, Any]
 
@@ -83,6 +84,7 @@ def scenes() -> list[Scene]:
     return [Scene.model_validate(s) for s in several + explicit]
 
 
+@sound_kernels
 def warm_up() -> None:
     """Run them."""
     for scene in scenes():

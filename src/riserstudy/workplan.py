@@ -9,12 +9,13 @@ from __future__ import annotations
 import re
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
+from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, digest, kernel_cache
-from riserstudy.scene.load import check
+from riserstudy.scene.load import check, read_scene, read_yaml
 from riserstudy.scene.models import Strict
 from riserstudy.study import Study, StudyFile, Tier, read_studies, threads_worth
 
@@ -31,6 +32,14 @@ class Config(Strict):
     papers: list[str] = Field(min_length=1)
     tier: Literal["preview", "standard", "reference"]
     tiers: dict[Tier, TierModel]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.tier not in self.tiers:
+            raise ValueError(f"tiers: needs {self.tier!r}, the tier to run")
+        if len(set(self.papers)) != len(self.papers):
+            raise ValueError("papers: name each once")
+        return self
 
 
 class Workplan:
@@ -50,7 +59,18 @@ class Workplan:
         self.files: dict[str, StudyFile] = {p: read_studies(config, p) for p in self.papers}
         for paper, file in self.files.items():
             for name in file.studies:
-                self.study(paper, name).plan  # noqa: B018  every point is checked before any job
+                study = self.study(paper, name)
+                read_scene(config / study.model.scene).scene()
+                study.plan  # noqa: B018  every point is checked before any job
+
+    @classmethod
+    def read(cls, config: Path, overrides: dict[str, Any]) -> Self:
+        """Read config.yaml, and let overrides win over what it says."""
+        path = config / "config.yaml"
+        settings = read_yaml(path)
+        if not isinstance(settings, dict):
+            raise InputError(path, "", "no mapping", "it starts with names such as 'papers:'")
+        return cls(config, settings | overrides)
 
     @cached_property
     def _studies(self) -> dict[tuple[str, str], Study]:
@@ -111,7 +131,17 @@ class Workplan:
 
     def figure_files(self, paper: str | None = None) -> list[str]:
         """Files of all figures, or of those of one paper."""
-        return [f"results/{p}/{name}.png" for p, name in self.figures() if paper in (None, p)]
+        figures = [(p, name) for p, name in self.figures() if paper in (None, p)]
+        return [f"results/{p}/{name}.{kind}" for p, name in figures for kind in ("png", "pdf")]
+
+    def dataset_files(self, paper: str | None = None) -> list[str]:
+        """Files of all datasets, simulated and derived, or of those of one paper."""
+        return [
+            f"results/{p}/{name}.nc"
+            for p, file in self.files.items()
+            if paper in (None, p)
+            for name in (*file.studies, *file.derived)
+        ]
 
     @property
     def study_pattern(self) -> str:

@@ -7,21 +7,30 @@ import sys
 import time
 from pathlib import Path
 
+import netCDF4
 import psutil
 import pytest
 
-SCRIPT = Path(__file__).parents[2] / "workflow/scripts/run_study.py"
+from damaged import remove_damaged
+
+SCRIPTS = Path(__file__).parents[2] / "workflow/scripts"
 SNAKEFILE = """\
 rule all:
     input: "results/paper/a.nc", "results/reproduction.csv"
 rule dataset:
     output: "results/paper/a.nc"
     log: "logs/dataset.log"
-    shell: "(echo the pipe is gone; sh step.sh; echo {config[tier]} > {output:q}) > {log:q} 2>&1"
+    shell: "(echo the pipe is gone; sh step.sh; python dataset.py {output:q} {config[tier]}) > {log:q} 2>&1"
 rule table:
     input: "results/paper/a.nc"
     output: "results/reproduction.csv"
     shell: "cp table.csv {output:q}"
+"""
+DATASET = """\
+import sys
+import netCDF4
+with netCDF4.Dataset(sys.argv[1], "w") as dataset:
+    dataset.tier = sys.argv[2]
 """
 TABLE = """\
 paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,note
@@ -35,8 +44,8 @@ paper,C2,,claim,,,,,,not reproducible,,
 def folder(tmp_path):
     """A checkout in small; its path has a blank, as paths do."""
     folder = tmp_path / "a checkout"
-    (folder / "workflow/scripts").mkdir(parents=True)
-    shutil.copy(SCRIPT, folder / "workflow/scripts")
+    shutil.copytree(SCRIPTS, folder / "workflow/scripts")
+    (folder / "dataset.py").write_text(DATASET)
     (folder / "Snakefile").write_text(SNAKEFILE)
     (folder / "table.csv").write_text(TABLE)
     (folder / "step.sh").write_text("true\n")
@@ -71,7 +80,8 @@ def wait_for(found):
 def test_a_run_ends_with_the_verdicts_and_a_second_run_does_nothing(folder):
     status, said, complained = finish(start(folder, "--tier", "preview"))
     assert (status, complained) == (0, "")
-    assert (folder / "results/paper/a.nc").read_text() == "preview\n"
+    with netCDF4.Dataset(folder / "results/paper/a.nc") as dataset:
+        assert dataset.tier == "preview"
     assert "3 of 3 steps" in said
     assert "results/paper/*.nc (1)" in said
     lines = [line.split() for line in said.splitlines()]
@@ -134,3 +144,50 @@ def test_a_run_told_to_stop_leaves_nothing_behind(folder):
     assert "stopped" in complained
     assert not any(process.is_running() for process in left)
     assert not list((folder / ".snakemake").glob("locks/*"))
+
+
+@pytest.mark.parametrize("folder_in_the_way", ["results", "logs", ".cache"])
+def test_a_folder_that_cannot_be_written_is_named_before_anything_runs(folder, folder_in_the_way):
+    (folder / folder_in_the_way).write_text("a file")
+    status, said, complained = finish(start(folder))
+    assert (status, said) == (2, "")
+    assert complained.startswith(f"riserstudy: {folder_in_the_way}: cannot be written")
+    assert complained.count("\n") == 1
+    assert not (folder / ".snakemake").exists()
+
+
+def test_damaged_results_are_made_anew_and_leftovers_removed(folder):
+    finish(start(folder))
+    leftover = folder / "results/paper/.a.nc.4711"
+    leftover.write_text("half")
+    os.truncate(folder / "results/paper/a.nc", 300)
+    os.truncate(folder / "results/reproduction.csv", 0)
+    status, said, _ = finish(start(folder))
+    assert status == 0
+    for name in ("results/paper/a.nc", "results/reproduction.csv"):
+        assert f"{name} is damaged and will be made anew" in said
+    netCDF4.Dataset(folder / "results/paper/a.nc").close()
+    assert (folder / "results/reproduction.csv").read_text() == TABLE
+    assert not leftover.exists()
+
+
+def test_a_damaged_end_is_seen_in_each_kind_of_file(tmp_path):
+    whole = {"a.png": b"\x89PNG IEND\xaeB`\x82", "a.pdf": b"%PDF %%EOF\n", "a.html": b"</html>\n"}
+    for name, content in whole.items():
+        (tmp_path / name).write_bytes(content)
+    assert remove_damaged(tmp_path) == []
+    for name, content in whole.items():
+        (tmp_path / name).write_bytes(content[:-3])
+    assert {path.name for path in remove_damaged(tmp_path)} == set(whole)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_dataset_that_lost_its_end_is_seen(tmp_path):
+    path = tmp_path / "a.nc"
+    for lost in (1, 100, None):
+        with netCDF4.Dataset(path, "w") as dataset:
+            dataset.createDimension("x", 1000)
+            dataset.createVariable("x", "f8", ("x",))[:] = range(1000)
+        assert remove_damaged(tmp_path) == []
+        os.truncate(path, path.stat().st_size - lost if lost else 0)
+        assert remove_damaged(tmp_path) == [path]

@@ -1,4 +1,5 @@
-# What there is to do: read once from config/, checked before any job.
+# What there is to do: read once from config/, checked before any job. `--config tier=preview` and its
+# like win over config/config.yaml.
 
 from pathlib import Path
 
@@ -8,8 +9,9 @@ from riserstudy.errors import InputError
 from riserstudy.workplan import Workplan
 
 try:
-    PLAN = Workplan(Path("config"), config)
+    PLAN = Workplan.read(Path("config"), config)
 except InputError as error:
-    raise WorkflowError(str(error))
+    raise WorkflowError(f"riserstudy: {error}")
 
+DATASETS = PLAN.dataset_files()
 FIGURES = PLAN.figure_files()

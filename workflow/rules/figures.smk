@@ -7,14 +7,14 @@ rule figure:
     output:
         png="results/{paper}/{figure}.png",
         pdf="results/{paper}/{figure}.pdf",
-    params:
-        digest=PLAN.figure_digest,
     log:
         "logs/{paper}/{figure}.log",
-    message:
-        "draw {wildcards.paper}/{wildcards.figure}"
     wildcard_constraints:
         figure=PLAN.figure_pattern,
+    params:
+        digest=PLAN.figure_digest,
+    message:
+        "draw {wildcards.paper}/{wildcards.figure}"
     shell:
         "python workflow/scripts/draw.py {wildcards.paper} {wildcards.figure}"
         " {output.png:q} {output.pdf:q} {input:q} > {log:q} 2>&1"
@@ -25,9 +25,9 @@ for paper, name in PLAN.figures():
     rule:
         name:
             f"{paper}_{name}"
-        localrule: True
         input:
-            f"results/{paper}/{name}.png",
+            multiext(f"results/{paper}/{name}", ".png", ".pdf"),
+        localrule: True
 
 
 for paper in PLAN.papers:
@@ -35,12 +35,13 @@ for paper in PLAN.papers:
     rule:
         name:
             paper
-        localrule: True
         input:
+            PLAN.dataset_files(paper),
             PLAN.figure_files(paper),
+        localrule: True
 
 
 rule figures:
-    localrule: True
     input:
         FIGURES,
+    localrule: True

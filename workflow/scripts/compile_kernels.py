@@ -1,25 +1,29 @@
-"""Compile all kernels once, before jobs fan out; a broken cache is thrown away and made anew."""
+"""Compile all kernels once, before jobs fan out, and note how long that took from nothing."""
 
 from __future__ import annotations
 
-import shutil
+import argparse
+import json
 import time
+from pathlib import Path
 
-from riserstudy.jit import kernel_cache
+from riserstudy.folders import kernel_cache
+from riserstudy.store import write_whole
 from riserstudy.warmup import warm_up
 
 
-def main() -> None:
-    """Warm up; if the cache cannot be read, delete it and try once more."""
+def main(marker: Path) -> None:
+    """Warm up, and write the time into the marker when there were no kernels before."""
+    cold = next(kernel_cache().rglob("*.nbi"), None) is None
     started = time.perf_counter()
-    try:
-        warm_up()
-    except (EOFError, OSError, ValueError, ImportError, AttributeError, RuntimeError) as error:
-        print(f"compiled kernels cannot be read ({error!r}); compiling anew")
-        shutil.rmtree(kernel_cache(), ignore_errors=True)
-        warm_up()
-    print(f"compiled or loaded in {time.perf_counter() - started:.1f} s")
+    warm_up()
+    seconds = round(time.perf_counter() - started, 1)
+    marker.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(marker, json.dumps({"cold_seconds": seconds if cold else None}).encode())
+    print(f"{'compiled' if cold else 'loaded'} in {seconds} s")
 
 
 if __name__ == "__main__":
-    main()
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("marker", type=Path)
+    main(**vars(parser.parse_args()))

@@ -20,11 +20,14 @@ import time
 import uuid
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
+from itertools import pairwise
 from pathlib import Path
 from types import FrameType
 from typing import NoReturn, TextIO
 
 import psutil
+
+from damaged import remove_damaged
 
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = (sys.executable, "-m", "snakemake", "--nocolor")
@@ -32,6 +35,7 @@ RUN_NAME = "RISERSTUDY_RUN"
 VERDICTS = ("reproduced", "calibrated", "holds", "depends", "fails", "not reproducible")
 WAIT_FOR_LOCK = 3.0  # s; a run whose `make` was killed needs less to end
 LOG_TAIL = 25  # lines
+BAD_INPUT = 2  # exit status
 
 
 def main(arguments: list[str]) -> int:
@@ -39,6 +43,8 @@ def main(arguments: list[str]) -> int:
     options = parse(arguments)
     os.chdir(ROOT)
     began = time.monotonic()
+    if fault := unwritable():
+        return refuse(fault, BAD_INPUT)
     Path(".cache").mkdir(exist_ok=True)
     with Path(".cache/study.lock").open("a+", encoding="utf-8") as lock:
         if not take(lock):
@@ -53,6 +59,8 @@ def main(arguments: list[str]) -> int:
         stop_when_told()
         try:
             unlock()
+            for path in remove_damaged(Path("results")):
+                print(f"{path} is damaged and will be made anew.", flush=True)
             status = run_snakemake(options, environment(run))
         except KeyboardInterrupt:
             status = 130
@@ -78,10 +86,20 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     return options
 
 
-def refuse(reason: str) -> int:
+def refuse(reason: str, status: int = 1) -> int:
     """Say why nothing is run."""
     print(f"riserstudy: {reason}", file=sys.stderr)
-    return 1
+    return status
+
+
+def unwritable() -> str | None:
+    """Name a folder that the run needs and cannot write to, if there is one."""
+    cache = Path(os.environ.get("RISERSTUDY_CACHE") or ".cache")
+    for folder in (Path("results"), *Path("results").glob("*/"), Path("logs"), cache):
+        there = next(path for path in (folder, *folder.absolute().parents) if path.exists())
+        if not there.is_dir() or not os.access(there, os.W_OK | os.X_OK):
+            return f"{folder}: cannot be written; make it a folder that can, or move it away"
+    return None
 
 
 # One run at a time
@@ -207,9 +225,19 @@ def run_snakemake(options: argparse.Namespace, env: dict[str, str]) -> int:
         errors="replace",
     ) as process:
         said = list(show_progress(process.stdout or ()))
+    if process.returncode and (fault := bad_input(said)):
+        return refuse(fault, BAD_INPUT)
     if process.returncode:
         print(failure(said), file=sys.stderr)
     return process.returncode
+
+
+def bad_input(said: list[str]) -> str | None:
+    """Tell what is wrong in the configuration, when that is why Snakemake did not start."""
+    for before, line in pairwise(said):
+        if before.startswith("WorkflowError in") and line.startswith("riserstudy: "):
+            return line.removeprefix("riserstudy: ")
+    return None
 
 
 def show_progress(lines: Iterable[str]) -> Iterator[str]:

@@ -7,8 +7,6 @@ import sys
 from pathlib import Path
 from types import SimpleNamespace
 
-from ruamel.yaml import YAML
-
 from riserstudy.errors import RiserStudyError
 from riserstudy.gather import dataset_of, results_of, write_dataset
 from riserstudy.workplan import Workplan
@@ -16,9 +14,7 @@ from riserstudy.workplan import Workplan
 
 def simulate(paper: str, study: str, target: Path, tier: str, threads: int, expect: str) -> None:
     """Write the dataset of one study of a tier."""
-    config = Path("config")
-    settings = YAML(typ="safe", pure=True).load((config / "config.yaml").read_text("utf-8"))
-    plan = Workplan(config, settings | {"tier": tier, "papers": [paper]})
+    plan = Workplan.read(Path("config"), {"tier": tier, "papers": [paper]})
     digest = plan.study_digest(SimpleNamespace(paper=paper, study=study))
     if digest != expect:
         sys.exit("scene, study or engine changed while the workflow was running; run it again")
