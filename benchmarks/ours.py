@@ -19,11 +19,11 @@ SMOOTH = {"method": {"rho_inf": 0.9}}
 EXPLICIT = {"method": "explicit"}
 LADDER = [
     (10, 0.3, {}),
-    (22, 0.2, {}),
-    (52, 0.1, SMOOTH),
-    (72, 0.06, SMOOTH),
-    (110, 0.05, SMOOTH),
-    (43, 0.004, EXPLICIT),
+    (20, 0.2, {}),
+    (28, 0.1, SMOOTH),
+    (40, 0.06, SMOOTH),
+    (56, 0.05, SMOOTH),
+    (44, 0.004, EXPLICIT),
     (94, 0.0019, EXPLICIT),
 ]
 

@@ -247,7 +247,7 @@ def test_the_block_solver_solves_the_dense_system(kind):
     expected = np.linalg.solve(tangent.reshape(3 * N + 3, -1), right.ravel()).reshape(3, N + 1)
     for node, unknown in fixed:
         out[node, unknown] = 5.0  # whatever stands there
-    solve_once(rig.model.state, out, np.zeros((N + 1, 3, 3)), fixed)
+    solve_once(rig.model.state, out, np.zeros((N + 1, 9)), fixed)
     for u in range(3):
         # condition about 1e6 after scaling
         assert relative(out[:, u], expected[u]) < 1e-9

@@ -10,6 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from riserstudy.jit import inner, kernel
+from riserstudy.solve.rows import back, divide, eliminate, line, put_line, square_block, whole_row
+from riserstudy.solve.vec import outer
 
 
 @inner
@@ -20,7 +22,7 @@ def solve(s, out, work, fixed):
     ----------
     s : State with its tangent filled in.
     out : (n+1, m+d) array, residual on entry, correction on return.
-    work : (n+1, m+d, m+d) scratch.
+    work : (n+1, (m+d)^2) scratch.
     fixed : (k, 2) integers, (node, unknown) pairs that stay as they are; sorted by node.
 
     Returns
@@ -34,8 +36,10 @@ def solve(s, out, work, fixed):
     n = s.l0.shape[0]
     k_node, k_segment, k_up, k_low = s.k_node, s.k_segment, s.k_up, s.k_low
     by_low, by_up, swing, flex, flex_up = s.by_low, s.by_up, s.swing, s.flex, s.flex_up
-    here = np.empty((nb, 2 * nb + 1))  # diagonal block, upper block, residual
-    low = np.empty((nb, nb))
+    here = np.zeros((nb, 2 * nb + 1))  # diagonal block, upper block, residual
+    low = np.zeros((nb, nb))
+    right = s.dof
+    upper = outer(right, right)
     negative = 0
     next_fixed = 0
     for i in range(n + 1):
@@ -85,33 +89,18 @@ def solve(s, out, work, fixed):
             here[row, row] = 1.0
             next_fixed += 1
 
-        if i > 0:  # eliminate the node below
-            for p in range(nb):
-                for k in range(nb):
-                    factor = low[p, k]
-                    for q in range(nb):
-                        here[p, q] -= factor * work[i - 1, k, q]
-                    here[p, 2 * nb] -= factor * out[i - 1, k]
-        for p in range(nb):  # Gauss-Jordan within the node
-            pivot = here[p, p]
-            if pivot < 0.0:
+        row = whole_row(right, here)
+        if i > 0:
+            row = eliminate(right, upper, square_block(right, low), row)
+        upper, right, pivots = divide(right, row)
+        for p in range(nb):
+            if pivots[p] < 0.0:
                 negative += 1 if p >= m else -1
-            inverse = 1.0 / pivot
-            for q in range(p + 1, 2 * nb + 1):
-                here[p, q] *= inverse
-            for k in range(nb):
-                if k != p:
-                    factor = here[k, p]
-                    for q in range(p + 1, 2 * nb + 1):
-                        here[k, q] -= factor * here[p, q]
-        for p in range(nb):
-            out[i, p] = here[p, 2 * nb]
-            for q in range(nb):
-                work[i, p, q] = here[p, nb + q]
+        put_line(right, out, i)
+        put_line(upper, work, i)
     for i in range(n - 1, -1, -1):
-        for p in range(nb):
-            for q in range(nb):
-                out[i, p] -= work[i, p, q] * out[i + 1, q]
+        right = back(line(right, out, i), line(upper, work, i), right)
+        put_line(right, out, i)
     return negative
 
 

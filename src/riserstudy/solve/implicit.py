@@ -82,7 +82,7 @@ def march(p, s, so, method, fixed, record, ledger):
     lag = am - af  # the method's acceleration belongs to the time t + lag * step
     mu = (1.0 - am) / (1.0 - af)
 
-    out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb, nb))
+    out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
     r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
     moment0 = np.zeros((m, n + 1))
     true0, true1 = np.zeros((d, n + 1)), s.a.copy()  # balanced accelerations

@@ -34,6 +34,8 @@ def spread_stiffness(s, coefficient, own, other):
         near = own * (coefficient[i - 1] + coefficient[i])
         for c in range(len(s.dim) ** 2):
             k_node[i, c] += near * block[i, c]
+    if other == 0.0:
+        return
     for e in range(n):
         far = other * coefficient[e]
         for c in range(len(s.dim) ** 2):

@@ -119,7 +119,9 @@ def unstable_directions(programs: Frozen, state: Frozen, fixed: np.ndarray) -> i
     move_to(programs, state, s.clock[0])
     shape = len(s.l0) + 1, len(s.dof)
     return int(
-        _newton(programs, state, fixed, np.zeros(shape), np.zeros((*shape, shape[1])), 0.0, 0.0)[3]
+        _newton(
+            programs, state, fixed, np.zeros(shape), np.zeros((shape[0], shape[1] ** 2)), 0.0, 0.0
+        )[3]
     )
 
 
@@ -152,7 +154,7 @@ def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:
     s = state.value
     nb = len(s.dof)
     n = len(s.l0)
-    out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb, nb))
+    out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
     limit = 0.1 * s.l0.sum()
     pseudo, first, before = 0.0, 0.0, np.inf
     for iteration in range(MOST_ITERATIONS):

@@ -13,7 +13,7 @@ from numba.extending import overload, register_jitable
 
 
 def unrolled(body):
-    """Give a function on tuples a compiled twin; ``body(n)`` is its text for tuples of length n.
+    """Give a function on tuples a compiled twin; ``body(n)`` is its text for a first tuple of length n.
 
     The plain function stays what Python runs when compiling is switched off.
     """
