@@ -32,8 +32,12 @@ from riserstudy.effects.support import Support
 from riserstudy.effects.weight import Weight
 from riserstudy.mesh import Mesh
 from riserstudy.model import Effect, Model
-from riserstudy.scene import models
-from riserstudy.scene.models import Scene, Section, Tensioners
+from riserstudy.scene import forcing
+from riserstudy.scene.ends import Areas, BodyAddedMass, Rotation
+from riserstudy.scene.ends import FlexJoint as Joint
+from riserstudy.scene.models import Scene
+from riserstudy.scene.string import Section
+from riserstudy.scene.tensioners import Gas, Tensioners
 from riserstudy.solve.state import OTHER, OWN
 
 FloatArray = NDArray[np.float64]
@@ -144,7 +148,7 @@ class _Builder:
         rows = []
         for name in ("surge", "heave", "pitch"):
             motion = getattr(platform, name)
-            if isinstance(motion, models.Harmonic):
+            if isinstance(motion, forcing.Harmonic):
                 rows.append((name, motion))
             elif motion is not None:
                 times = np.array([p.time for p in motion.points])
@@ -297,8 +301,8 @@ class _Builder:
             if end.body is None:
                 continue
             body = end.body
-            extra = body.added_mass or models.BodyAddedMass()
-            area = body.drag_area or models.Areas()
+            extra = body.added_mass or BodyAddedMass()
+            area = body.drag_area or Areas()
             mass = np.full(self.d, body.mass)
             mass[-1] += extra.vertical or 0.0
             mass[:-1] += extra.horizontal or 0.0
@@ -370,9 +374,9 @@ def sagging(s: FloatArray, offset: float, rise: float) -> FloatArray:
     return np.stack([np.interp(s, arclength(sag), row) for row in curve(sag)])
 
 
-def flexibility_of(rotation: models.Rotation | None) -> float | None:
+def flexibility_of(rotation: Rotation | None) -> float | None:
     """1/K of what holds an end in direction (rad/(N m)), 0 for a clamp, None where it turns freely."""
-    if isinstance(rotation, models.FlexJoint):
+    if isinstance(rotation, Joint):
         return 1.0 / rotation.stiffness if rotation.stiffness > 0.0 else None
     return 0.0 if rotation == "fixed" else None
 
@@ -385,10 +389,10 @@ def halves(segment: FloatArray) -> FloatArray:
     return nodes
 
 
-def current_table(current: models.Current) -> tuple[FloatArray, FloatArray]:
+def current_table(current: forcing.Current) -> tuple[FloatArray, FloatArray]:
     """Elevations (m) and speeds (m/s) of a profile."""
     profile = current.profile
-    if isinstance(profile, models.Shape):
+    if isinstance(profile, forcing.Shape):
         z = np.linspace(profile.seabed, profile.surface, PROFILE_POINTS)
         height = (z - profile.seabed) / (profile.surface - profile.seabed)
         share = {
@@ -403,7 +407,7 @@ def current_table(current: models.Current) -> tuple[FloatArray, FloatArray]:
     )
 
 
-def gas_force(gas: models.Gas, reach: FloatArray) -> FloatArray:
+def gas_force(gas: Gas, reach: FloatArray) -> FloatArray:
     """Force of one cylinder (N) over its reach from mid-stroke (m)."""
     ratio = gas.volume / (gas.volume - gas.area * reach)
     force: FloatArray = gas.area * gas.pressure * ratio**gas.exponent

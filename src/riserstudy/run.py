@@ -18,7 +18,9 @@ from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError
 from riserstudy.mesh import COARSEST, Mesh, even, graded
 from riserstudy.model import Model
-from riserstudy.scene.models import GeneralisedAlpha, Newmark, Scene, Top
+from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
+from riserstudy.scene.ends import Top
+from riserstudy.scene.models import Scene
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.implicit import DONE, Method, generalised_alpha, march, new_ledger
@@ -222,12 +224,17 @@ def _stands_sideways(scene: Scene, mesh: Mesh, model: Model, elevation: float | 
     """Whether an axial model in compression would also stand if it could move sideways."""
     s = model.s
     tension = np.einsum("ke,ke->e", s.segment, s.tangent)
-    if len(s.dim) > 1 or float(tension.min()) >= 0.0:
+    if len(s.dim) > 1 or float(tension.min()) >= -_rounding(scene):
         return True
     top = scene.top if scene.top.x else scene.top.model_copy(update={"x": "held"})
     planar = build(scene.model_copy(update={"top": top}), mesh, elevation, planar=True)
     planar.s.r[1] = s.r[0]
     return unstable_directions(planar.programs, planar.state, planar.fixed) == 0
+
+
+def _rounding(scene: Scene) -> float:
+    """Compression that a weightless riser may show by rounding (N)."""
+    return 1e-9 * max(stiffness(section).axial for section in scene.riser)
 
 
 def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:
@@ -432,7 +439,7 @@ def _check_tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str,
     k = int(tension.argmin())
     facts["smallest_tension"] = float(tension[k])
     facts["smallest_tension_s"] = float(arrays["s_node"][k])
-    if facts["directions"] == 1 and tension[k] < 0.0:
+    if facts["directions"] == 1 and tension[k] < -_rounding(scene):
         facts["warnings"].append(
             f"effective tension falls to {tension[k]:.3g} N at s = {arrays['s_node'][k]:.4g} m: "
             "a riser free to move sideways would go slack or buckle; this run has no lateral freedom"

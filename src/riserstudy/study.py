@@ -15,8 +15,8 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
+from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, check, read_scene, read_yaml
-from riserstudy.scene.models import Strict
 from riserstudy.scene.origin import Origin
 from riserstudy.store import canonical, key_of
 

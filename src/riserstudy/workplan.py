@@ -15,8 +15,8 @@ from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, digest, kernel_cache
+from riserstudy.scene.base import Strict
 from riserstudy.scene.load import check, read_scene, read_yaml
-from riserstudy.scene.models import Strict
 from riserstudy.study import Study, StudyFile, Tier, read_studies, threads_worth
 
 

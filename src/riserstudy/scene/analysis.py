@@ -1,0 +1,70 @@
+"""What is computed, and how."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.scene import units as u
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+
+
+class Mesh(Strict):
+    """Equal segments within each section, at least this many in all."""
+
+    elements: Annotated[int, Field(ge=1, le=20000)]
+
+
+class GeneralisedAlpha(Strict):
+    """Implicit stepping with spectral radius rho_inf at high frequency."""
+
+    rho_inf: Annotated[float, Field(ge=0, le=1)]
+
+
+class Newmark(Strict):
+    """Newmark's implicit stepping."""
+
+    beta: Annotated[float, Field(ge=0.001, le=1)]
+    gamma: Annotated[float, Field(ge=0, le=1)]
+
+
+class Output(Strict):
+    """Times and places of histories. Absent from: the start; absent stations: all nodes."""
+
+    interval: Annotated[u.Time, POSITIVE]
+    start: Annotated[u.Time, NOT_NEGATIVE] | None = None
+    stations: list[u.Length] | None = None
+
+
+class Analysis(Strict):
+    """What is computed.
+
+    Absent duration: statics only. Absent mesh, step: by accuracy (0.2 % of displacement, 1 % of moment
+    where accuracy is absent too). Absent method: generalised-alpha, 0.8.
+    """
+
+    duration: Annotated[u.Time, POSITIVE] | None = None
+    output: Output | None = None
+    start: Literal["equilibrium", "unstretched"] | None = None
+    mesh: Mesh | None = None
+    step: Annotated[u.Time, POSITIVE] | None = None
+    accuracy: Annotated[u.Percent, Field(gt=0, lt=1)] | None = None
+    method: Literal["explicit"] | GeneralisedAlpha | Newmark | None = None
+    newton_tolerance: Annotated[float, Field(gt=0, le=1e-3)] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if (self.duration is None) != (self.output is None):
+            raise ValueError(
+                "duration and output go together: both for dynamics, neither for statics"
+            )
+        if self.accuracy is not None and (self.mesh or self.step):
+            raise ValueError("give accuracy, or mesh and step, not both")
+        if self.duration is not None and (self.mesh is None) != (self.step is None):
+            raise ValueError("give mesh and step together, or neither")
+        if self.duration is None and (self.step or self.method):
+            raise ValueError("step and method need a duration")
+        if self.method == "explicit" and self.mesh is None:
+            raise ValueError("explicit stepping needs mesh and step")
+        return self

@@ -1,0 +1,137 @@
+"""What moves: platform and water."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Annotated, Generic, Literal, Self, TypeVar
+
+from pydantic import Field, model_validator
+
+from riserstudy.scene import units as u
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Positive, Strict
+
+
+class Water(Strict):
+    """The sea. Absent: vacuum, no drag, no added mass, no current."""
+
+    density: Annotated[u.Density, POSITIVE]
+
+
+class Harmonic(Strict):
+    """amplitude sin(2 pi t / period + phase), grown by a half cosine over the ramp. Absent: 0."""
+
+    amplitude: float
+    period: Annotated[u.Time, POSITIVE]
+    phase: u.Angle | None = None
+    ramp: Annotated[u.Time, POSITIVE] | None = None
+
+
+class Translation(Harmonic):
+    """Harmonic surge or heave."""
+
+    amplitude: Annotated[u.Length, NOT_NEGATIVE]
+
+
+class Tilt(Harmonic):
+    """Harmonic pitch."""
+
+    amplitude: Annotated[u.Angle, NOT_NEGATIVE]
+
+
+class Cruise(Strict):
+    """Constant speed along x, reached linearly over the ramp. Absent ramp: at once."""
+
+    speed: u.Speed
+    ramp: Annotated[u.Time, POSITIVE] | None = None
+
+
+class Instant(Strict):
+    """One point of a time series."""
+
+    time: u.Time
+    value: float
+
+
+class Moved(Instant):
+    """Surge or heave at a time."""
+
+    value: u.Length
+
+
+class Tilted(Instant):
+    """Pitch at a time."""
+
+    value: u.Angle
+
+
+P = TypeVar("P", bound=Instant)
+
+
+class TimeSeries(Strict, Generic[P]):
+    """A motion by points, or by a CSV table ``{file: name.csv}``; a cubic spline joins them."""
+
+    points: Annotated[list[P], Field(min_length=4)]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if any(a.time >= b.time for a, b in pairwise(self.points)):
+            raise ValueError("points: times must rise from point to point")
+        return self
+
+
+class Position(Strict):
+    """Where the platform rests, away from above the well. An absent direction: there."""
+
+    surge: u.Length | None = None
+    heave: u.Length | None = None
+
+
+class Platform(Strict):
+    """Prescribed motion. An absent motion is none."""
+
+    position: Position | None = None
+    surge: Translation | TimeSeries[Moved] | None = None
+    heave: Translation | TimeSeries[Moved] | None = None
+    pitch: Tilt | TimeSeries[Tilted] | None = None
+    cruise: Cruise | None = None
+
+
+class Point(Strict):
+    """One point of a current profile."""
+
+    elevation: u.Length
+    speed: u.Speed
+
+
+class Shape(Strict):
+    """A named profile from the seabed to the surface: (height / depth)^power, or exp(-depth / scale)."""
+
+    shape: Literal["uniform", "power", "exponential"]
+    surface_speed: u.Speed
+    seabed: u.Length
+    surface: u.Length
+    power: Positive | None = None
+    scale: Annotated[u.Length, POSITIVE] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.seabed >= self.surface:
+            raise ValueError("seabed must lie below surface")
+        for name, needed in (("power", "power"), ("scale", "exponential")):
+            if (getattr(self, name) is not None) != (self.shape == needed):
+                raise ValueError(f"{name} belongs to shape {needed!r}, and only to it")
+        return self
+
+
+class Current(Strict):
+    """Steady current along x. Absent ramp: it flows from the start."""
+
+    profile: Annotated[list[Point], Field(min_length=2)] | Shape
+    ramp: Annotated[u.Time, POSITIVE] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        points = self.profile if isinstance(self.profile, list) else []
+        if any(a.elevation >= b.elevation for a, b in pairwise(points)):
+            raise ValueError("profile: elevations must rise from point to point")
+        return self

@@ -1,0 +1,98 @@
+"""The riser string: sections from the bottom up, and what is in and around them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.scene import units as u
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Coefficient, Strict
+
+
+class Drag(Strict):
+    """Morison drag across the pipe."""
+
+    coefficient: Coefficient
+    diameter: Annotated[u.Length, POSITIVE]
+
+
+class AddedMass(Strict):
+    """Added mass across the pipe, C_a rho pi D^2 / 4."""
+
+    coefficient: Coefficient
+    diameter: Annotated[u.Length, POSITIVE]
+
+
+class Contents(Strict):
+    """Fluid inside: adds weight, and mass across the pipe."""
+
+    density: Annotated[u.Density, POSITIVE]
+
+
+class Joints(Strict):
+    """Number and length of equal joints."""
+
+    count: Annotated[int, Field(ge=1)]
+    length: Annotated[u.Length, POSITIVE]
+
+
+class StructuralDamping(Strict):
+    """Damping in proportion to stiffness: ratio of critical at one period."""
+
+    ratio: Annotated[float, NOT_NEGATIVE]
+    at_period: Annotated[u.Time, POSITIVE]
+
+
+class Section(Strict):
+    """A length of riser with uniform properties, from the bottom up.
+
+    Stiffness comes from modulus and diameters, or is given; without bending stiffness the section is a
+    string. Absent mass, weight, drag, added mass, contents, damping or load: none.
+    """
+
+    name: str
+    length: Annotated[u.Length, POSITIVE] | None = None
+    joints: Joints | None = None
+    outer_diameter: Annotated[u.Length, POSITIVE] | None = None
+    inner_diameter: Annotated[u.Length, NOT_NEGATIVE] | None = None
+    young_modulus: Annotated[u.Modulus, POSITIVE] | None = None
+    axial_stiffness: Annotated[u.Force, POSITIVE] | None = None
+    bending_stiffness: Annotated[u.BendingStiffness, POSITIVE] | None = None
+    mass: Annotated[u.MassPerLength, POSITIVE] | None = None
+    submerged_weight: u.ForcePerLength | None = None
+    lateral_load: u.ForcePerLength | None = None
+    drag: Drag | None = None
+    added_mass: AddedMass | None = None
+    contents: Contents | None = None
+    structural_damping: StructuralDamping | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if (self.length is None) == (self.joints is None):
+            raise ValueError("needs one of length and joints")
+        outer, inner = self.outer_diameter, self.inner_diameter
+        if inner is not None and outer is None:
+            raise ValueError("inner_diameter needs outer_diameter")
+        if inner is not None and outer is not None and inner >= outer:
+            raise ValueError(
+                f"inner_diameter {self.inner_diameter:g} m must be smaller than "
+                f"outer_diameter {self.outer_diameter:g} m"
+            )
+        tube = self.young_modulus is not None
+        if tube and (self.outer_diameter is None or self.inner_diameter is None):
+            raise ValueError("young_modulus needs outer_diameter and inner_diameter")
+        if tube and (self.axial_stiffness or self.bending_stiffness):
+            raise ValueError("give young_modulus, or the stiffnesses, not both")
+        if not tube and self.axial_stiffness is None:
+            raise ValueError("needs young_modulus with diameters, or axial_stiffness")
+        if self.contents and self.inner_diameter is None:
+            raise ValueError("contents need inner_diameter")
+        return self
+
+    @property
+    def total_length(self) -> float:
+        """Unstretched length (m)."""
+        if self.joints is not None:
+            return self.joints.count * self.joints.length
+        return self.length or 0.0

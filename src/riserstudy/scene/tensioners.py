@@ -1,0 +1,86 @@
+"""Tensioners: gas or line, damping, stroke."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.scene import units as u
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+
+
+class Gas(Strict):
+    """One gas chamber a cylinder at mid-stroke; F = A P (V / (V - A reach))^k."""
+
+    area: Annotated[u.Area, POSITIVE]
+    pressure: Annotated[u.Pressure, POSITIVE]
+    volume: Annotated[u.Volume, POSITIVE]
+    exponent: Annotated[float, Field(gt=1)]
+
+
+class Linear(Strict):
+    """Straight line a cylinder: tension at mid-stroke and stiffness."""
+
+    tension: Annotated[u.Force, POSITIVE]
+    stiffness: Annotated[u.Stiffness, NOT_NEGATIVE]
+
+
+class Linearised(Strict):
+    """The gas law replaced by a straight line: its tangent, or least squares over a stroke range."""
+
+    by: Literal["tangent", "least squares"]
+    shortest: u.Length | None = None
+    longest: u.Length | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        fitted = self.by == "least squares"
+        if fitted != (self.shortest is not None) or fitted != (self.longest is not None):
+            raise ValueError("least squares needs shortest and longest, a tangent neither")
+        if self.shortest is not None and self.longest is not None and self.shortest >= self.longest:
+            raise ValueError("shortest must be below longest")
+        return self
+
+
+class Stroke(Strict):
+    """Reach at which the stops touch, from mid-stroke, + longer; and their stiffness."""
+
+    shortest: u.Length
+    longest: u.Length
+    stop_stiffness: Annotated[u.Stiffness, POSITIVE]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if not self.shortest < 0 < self.longest:
+            raise ValueError("shortest must be below zero and longest above")
+        return self
+
+
+class Tensioners(Strict):
+    """Equal upright cylinders between ring and deck. Absent damping or stroke: none, no stops."""
+
+    count: Annotated[int, Field(ge=1)]
+    mid_stroke: Literal["riser unstretched", "riser in equilibrium"]
+    gas: Gas | None = None
+    linearised: Linearised | None = None
+    linear: Linear | None = None
+    damping: Annotated[u.Damping, NOT_NEGATIVE] | None = None
+    stroke: Stroke | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if (self.gas is None) == (self.linear is None):
+            raise ValueError("needs one of gas and linear")
+        if self.linearised and self.gas is None:
+            raise ValueError("linearised needs gas")
+        if self.gas:
+            room = self.gas.volume / self.gas.area
+            for what, limit in (("stroke", self.stroke), ("linearised", self.linearised)):
+                longest = limit.longest if limit else None
+                if longest is not None and longest >= room:
+                    raise ValueError(
+                        f"{what}.longest {longest:g} m closes the gas volume, "
+                        f"which is empty at {room:g} m"
+                    )
+        return self
