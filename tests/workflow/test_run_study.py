@@ -160,7 +160,7 @@ def test_damaged_results_are_made_anew_and_leftovers_removed(folder):
     finish(start(folder))
     leftover = folder / "results/paper/.a.nc.4711"
     leftover.write_text("half")
-    os.truncate(folder / "results/paper/a.nc", 300)
+    os.truncate(folder / "results/paper/a.nc", 200)
     os.truncate(folder / "results/reproduction.csv", 0)
     status, said, _ = finish(start(folder))
     assert status == 0

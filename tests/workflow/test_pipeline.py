@@ -1,0 +1,181 @@
+"""What the pipeline promises, on the real workflow in small."""
+
+import os
+import time
+
+import psutil
+import pytest
+import xarray as xr
+
+SIMULATE = {f"simulate chang2020/{study}" for study in ("steady", "from_rest", "quasi_static")}
+AFTER = {"derive chang2020/asymmetry", "draw chang2020/fig14"}
+COMPILE = {"compile the kernels"}
+STUDY = "config/studies/chang2020.yaml"
+SCENE = "config/scenes/chang2020/heave.yaml"
+
+
+def numbers(checkout, name):
+    """A dataset without what differs between runs: the time they took."""
+    dataset = xr.load_dataset(checkout / f"results/chang2020/{name}.nc")
+    return dataset.drop_vars([n for n in dataset if n.endswith("seconds")])
+
+
+def assert_same_numbers(one, other):
+    for name in ("steady", "from_rest", "quasi_static", "asymmetry"):
+        xr.testing.assert_identical(numbers(one, name), numbers(other, name))
+
+
+# A second run, and edits
+
+
+def test_a_second_run_does_nothing(finished):
+    assert finished.planned() == set()
+    before = finished.stored()
+    status, said, complained = finished.run()
+    assert (status, complained) == (0, "")
+    assert said.startswith("Nothing to do")
+    assert finished.stored() == before
+
+
+def test_a_new_grid_value_simulates_its_points_and_what_depends_on_them(checkout):
+    before = checkout.stored()
+    checkout.edit(STUDY, "- -5.0", "- -5.0\n        - -2.5")
+    assert checkout.planned() == {"simulate chang2020/quasi_static"} | AFTER
+    status, _, complained = checkout.run()
+    assert (status, complained) == (0, "")
+    assert before < checkout.stored()
+    assert len(checkout.stored() - before) == 2  # one for each tensioner model
+    log = (checkout / "logs/chang2020/quasi_static.log").read_text()
+    assert "2 points simulated, 10 from the store" in log
+    assert checkout.planned() == set()
+
+
+def test_a_scene_value_reruns_what_depends_on_it(checkout):
+    checkout.edit(SCENE, "damping: 967 N*s/m", "damping: 968 N*s/m")
+    assert checkout.planned() == SIMULATE | AFTER
+    checkout.edit(SCENE, "damping: 968 N*s/m", "damping: 967.0 N*s/m")
+    checkout.edit(SCENE, "amplitude: 5 m", "amplitude: 4 m")  # which every study of the figure sets
+    before = checkout.stored()
+    status, _, complained = checkout.run()
+    assert (status, complained) == (0, "")
+    assert checkout.stored() == before
+
+
+def test_a_comment_in_a_scene_reruns_nothing(checkout):
+    checkout.edit(SCENE, "riser:", "# the string\nriser:")
+    assert checkout.planned() == set()
+
+
+def test_an_edited_package_reruns_what_the_edited_part_makes(checkout):
+    checkout.own_package()
+    assert checkout.planned() == set()
+    for file, jobs in (
+        ("figures/chang2020.py", {"draw chang2020/fig14"}),
+        ("derived/chang2020.py", AFTER),
+        ("run.py", SIMULATE | AFTER),
+        ("effects/weight.py", COMPILE | SIMULATE | AFTER),
+    ):
+        with (checkout / "src/riserstudy" / file).open("a") as source:
+            source.write("\n# edited\n")
+        assert checkout.planned() == jobs
+
+
+def test_a_figure_simulates_only_what_it_needs(fresh):
+    fresh.edit(STUDY, "figures:", "figures:\n  fig13:\n    caption: other\n    reads: [steady]")
+    assert fresh.planned("chang2020_fig14") - COMPILE == SIMULATE | AFTER
+    only = {"simulate chang2020/steady", "draw chang2020/fig13"}
+    assert fresh.planned("chang2020_fig13") - COMPILE == only
+    assert fresh.planned("chang2020") - COMPILE == SIMULATE | AFTER | only
+
+
+# Killed runs, damaged files
+
+
+@pytest.mark.parametrize("moment", [".cache/points/*/*.npz", "results/chang2020/*.nc"])
+def test_a_run_killed_at_any_moment_is_finished_by_the_next(fresh, finished, moment):
+    run = fresh.start("chang2020")
+    deadline = time.monotonic() + 240
+    while not any(fresh.folder.glob(moment)):
+        assert time.monotonic() < deadline
+        assert run.poll() is None, run.communicate()
+        time.sleep(0.01)
+    for process in [psutil.Process(run.pid), *psutil.Process(run.pid).children(recursive=True)]:
+        process.kill()
+    run.communicate()
+    before = fresh.stored()
+    assert before
+    status, _, complained = fresh.run()
+    assert (status, complained) == (0, "")
+    assert before <= fresh.stored()  # none is written again
+    assert len(fresh.stored()) == len(finished.stored())
+    assert_same_numbers(fresh, finished)
+    assert not list(fresh.folder.glob("results/**/.*"))
+
+
+def test_damaged_points_and_datasets_are_made_anew(checkout, finished):
+    point = next((checkout / ".cache/points").glob("*/*.npz"))
+    os.truncate(point, point.stat().st_size // 2)
+    for study in SIMULATE:
+        os.truncate(checkout / f"results/{study.split()[1]}.nc", 4000)
+    whole = {entry for entry in checkout.stored() if entry[0] != point.name}
+    status, said, complained = checkout.run()
+    assert (status, complained) == (0, "")
+    assert said.count("is damaged and will be made anew") == 3
+    assert whole < checkout.stored()
+    assert len(checkout.stored()) == len(whole) + 1
+    assert_same_numbers(checkout, finished)
+
+
+def test_damaged_kernels_are_compiled_anew(checkout, finished):
+    kernels = checkout.own_kernels()
+    damaged = [
+        next(kernels.rglob("gas_spring.entry_force*.nbc")),
+        next(kernels.rglob("end_mass.entry_mass*.nbi")),
+    ]
+    for file in damaged:
+        os.truncate(file, file.stat().st_size // 2)
+    for path in (checkout / ".cache/points").glob("*/*.npz"):
+        path.unlink()
+    (checkout / "results/chang2020/from_rest.nc").unlink()
+    status, _, complained = checkout.run()
+    assert (status, complained) == (0, "")
+    assert all(file.read_bytes().endswith(b".") for file in damaged)
+    assert_same_numbers(checkout, finished)
+
+
+# Bad input
+
+
+@pytest.mark.parametrize(
+    "file, old, new, where",
+    [
+        (SCENE, "volume: 3.2 m^3", "volume: 3.2 m^2", "heave.yaml: top.tensioners.gas.volume"),
+        (SCENE, "volume: 3.2 m^3", "volume: .nan", "heave.yaml: top.tensioners.gas.volume"),
+        (SCENE, "count: 4", "count: !!python/name:os.system 4", "heave.yaml: line"),
+        (STUDY, "- -5.0", "- -19.0\n        - .inf", "chang2020.yaml: "),
+        (STUDY, "path: platform.position.heave", "path: platform.nothing", "platform.nothing"),
+        (
+            STUDY,
+            "scene: scenes/chang2020/heave.yaml\n    caption: equi",
+            "scene: absent\n    caption: equi",
+            "absent",
+        ),
+        (STUDY, "reads: [asymmetry]", "reads: [symmetry]", "figures.fig14.reads"),
+        (STUDY, "studies:", "studies: [", "chang2020.yaml: line"),
+        (
+            "config/config.yaml",
+            "- chang2020",
+            "- nobody2020",
+            "studies/nobody2020.yaml: No such file",
+        ),
+    ],
+)
+def test_bad_input_stops_before_any_job(fresh, file, old, new, where):
+    fresh.edit(file, old, new)
+    status, said, complained = fresh.run()
+    assert (status, said) == (2, "")
+    assert complained.startswith("riserstudy: ")
+    assert where in complained
+    assert complained.count("\n") == 1
+    assert not (fresh / "results").exists()
+    assert not (fresh / "logs").exists()
