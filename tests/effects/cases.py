@@ -20,6 +20,7 @@ from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.linear_spring import LinearSpring
@@ -98,6 +99,9 @@ CASES = {
         lambda d: BendingDamping(0.4, *np.zeros((3, N + 1)), hinged(d, 0, N)),
         lambda d: [bending(d)],
         (2,),
+    ),
+    Foreshortening: Case(
+        lambda d: Foreshortening(8e9 * (L0 / 2.7e8) ** 2 / 72.0), lambda d: [bending(d)], (2,)
     ),
     FlexJoint: Case(lambda d: FlexJoint(N, 1e-7, 0.05, 1.0), lambda d: [bending(d)], (2,)),
     Upright: Case(upright),
@@ -264,10 +268,9 @@ def dense_tangent(s: State) -> np.ndarray:
         full[0, :, 0, :] = flexibility(s)
         for e in range(n):
             for p in range(d):
-                # the segment pulls its lower node with lever (M_e - M_e+1)
                 for node, sign in ((e, 1.0), (e + 1, -1.0)):
-                    full[m + p, node, 0, e] -= sign * s.lever[e, p]
-                    full[m + p, node, 0, e + 1] += sign * s.lever[e, p]
+                    full[m + p, node, 0, e] -= sign * s.by_low[e, p]
+                    full[m + p, node, 0, e + 1] -= sign * s.by_up[e, p]
                     full[0, node, m + p, e + 1] -= sign * s.swing[e, p]
                     full[0, node, m + p, e] += sign * s.swing[e, p]
     size = (m + d) * (n + 1)

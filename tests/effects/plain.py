@@ -21,6 +21,7 @@ from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.linear_spring import LinearSpring
@@ -115,6 +116,12 @@ def bending_damping(record, s):
     dv = np.diff(s.v, axis=1)
     rate = (tangent[1] * dv[0] - tangent[0] * dv[1]) / length
     return {"turn": record.time * nodes(rate[None, :])}
+
+
+def foreshortening(record, s):
+    _, tangent = along(s)
+    low, up = s.moment[0, :-1], s.moment[0, 1:]
+    return {"force": nodes(record.slope * (low**2 + low * up + up**2) * tangent)}
 
 
 def flex_joint(record, s):
@@ -222,6 +229,7 @@ VERSIONS = {
     Current: [("drive", current)],
     Bending: [("turn string", bending)],
     BendingDamping: [("turn", bending_damping)],
+    Foreshortening: [("string", foreshortening)],
     FlexJoint: [("turn", flex_joint)],
     Upright: [("drive device", upright)],
     GasSpring: [("device", gas_spring)],

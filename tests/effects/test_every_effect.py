@@ -9,7 +9,7 @@ from cases import CASES, PAIRS, N, Rig, copied, dense_tangent, differences, name
 from hypothesis import given
 from hypothesis import strategies as st
 from numba.core.registry import CPUDispatcher
-from plain import MOTIONS, VERSIONS, at_nodes, drag
+from plain import MOTIONS, VERSIONS, at_nodes, bending, drag
 
 import riserstudy.effects
 from riserstudy.effects.added_mass import AddedMass
@@ -18,6 +18,7 @@ from riserstudy.effects.bending_damping import BendingDamping
 from riserstudy.effects.current import Current
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.roles import ROLES
 from riserstudy.solve import blocktri, spread
 from riserstudy.solve.blocktri import solve_once
@@ -65,10 +66,18 @@ def test_the_kernel_agrees_with_the_plain_version(pair):
             )
         rig.s.force[:] += nodes(rig.s.segment)
         for target, value in expected.items():
-            # a few roundings of the largest term; bending's arc sine is a series, cut off where its
-            # next term, 63/2816 of the sine to the 11th, is 2.3e-12 of the largest sine, 0.1
-            limit = 2.5e-12 if kind is Bending else 1e-12
-            assert relative(getattr(rig.s, target), value) < limit, (roles, target)
+            # a few roundings of the largest term
+            assert relative(getattr(rig.s, target), value) < 1e-12, (roles, target)
+
+
+def test_small_turning_angles_agree_with_the_plain_version_too():
+    rig = Rig(Bending, 2)
+    place = np.append(0.0, np.cumsum(rig.s.l0))
+    rig.s.r[:] = 0.3 * place + 1e-4 * place**2, 0.95 * place  # turns by 2e-3 rad a node
+    rig.s.moment[:] = 0.0
+    turn = rig.evaluate()[0]
+    # angles of 0.3 rad are known to 5e-17, their differences not better
+    np.testing.assert_allclose(turn, bending(rig.record, rig.s)["turn"][0], atol=1e-15)
 
 
 @pytest.mark.parametrize("pair", [p for p in PAIRS if p[0] in MOTIONS], ids=name)
@@ -144,13 +153,12 @@ def check_blocks(rig, tangent, slope):
         assert relative(-tangent[:split][carried], slope[:split][carried], 0.1) < DIFFERENCES
 
 
-@pytest.mark.parametrize("kind", [Bending, BendingDamping, FlexJoint])
+@pytest.mark.parametrize("kind", [Bending, BendingDamping, Foreshortening, FlexJoint])
 def test_the_tangent_is_the_slope_by_moments(kind):
     rig = Rig(kind, 2)
     rig.evaluate()
     tangent = dense_tangent(rig.s)[:, : N + 1]
     slope = differences(rig.evaluate, rig.s.moment, 1e4)
-    # linear in the moments: rounding only, of angles of 0.1 rad over 1e5 N m times 1e-7 rad/(N m)
     assert relative(-tangent[N + 1 :], slope[N + 1 :]) < DIFFERENCES
     assert relative(-tangent[: N + 1], slope[: N + 1]) < DIFFERENCES
 
@@ -229,7 +237,7 @@ def test_moments_do_the_work_that_the_shear_does(kind):
     assert relative(-differences(work, rig.s.r, 1e-3)[0], force) < DIFFERENCES
 
 
-@pytest.mark.parametrize("kind", [Bending, BendingDamping, FlexJoint])
+@pytest.mark.parametrize("kind", [Bending, BendingDamping, Foreshortening, FlexJoint])
 def test_the_block_solver_solves_the_dense_system(kind):
     rig = Rig(kind, 2)
     s = rig.s
