@@ -153,14 +153,23 @@ def check(model: type[T], tree: Any, source: object) -> T:
 
 
 def _readable(error: ValidationError, source: object) -> InputError:
-    """The fault that says most: of a field with alternatives, the one that got furthest."""
-    first = max(error.errors(), key=lambda fault: len(fault["loc"]))
-    first = next((f for f in error.errors() if f["type"] == "extra_forbidden"), first)
+    """The fault that says most; of a field with alternatives, those of the nearest alternative."""
+    alternatives: dict[tuple[str, ...], list[Any]] = {}
+    for fault in error.errors():
+        chosen = tuple(str(step) for step in fault["loc"] if _names_alternative(step))
+        alternatives.setdefault(chosen, []).append(fault)
+
+    def distance(faults: list[Any]) -> tuple[int, bool, int]:
+        wrong_kind = any(fault["type"].endswith(("_type", "literal_error")) for fault in faults)
+        return len(faults), wrong_kind, -max(len(fault["loc"]) for fault in faults)
+
+    faults = alternatives.get(()) or min(alternatives.values(), key=distance)
+    first = max(faults, key=lambda fault: (fault["type"] == "extra_forbidden", len(fault["loc"])))
     where = ""
     for step in first["loc"]:
         if isinstance(step, int):
             where += f"[{step}]"
-        elif not step[:1].isupper() and "[" not in step:  # names of models are no fields
+        elif not _names_alternative(step):
             where += f".{step}" if where else step
     kind, found = first["type"], first["input"]
     shown = repr(found) if not isinstance(found, dict | list) else "what stands there"
@@ -177,6 +186,11 @@ def _readable(error: ValidationError, source: object) -> InputError:
     if kind == "value_error":
         return InputError(source, where, "does not fit together", message)
     return InputError(source, where, shown[:120], message[0].lower() + message[1:])
+
+
+def _names_alternative(step: object) -> bool:
+    """Whether a step of a fault's place names one of several models, which is no field."""
+    return isinstance(step, str) and (step[:1].isupper() or "[" in step)
 
 
 def read_scene(path: str | Path) -> SceneFile:
