@@ -281,10 +281,7 @@ class _Builder:
             "foreshortening", Foreshortening(slope), "riser.young_modulus or bending_stiffness"
         )
         if relaxation:
-            n = self.n + 1
-            hinged = np.zeros(n, bool)
-            hinged[[node for node, unknown in self.fixed if unknown == 0]] = True
-            record = BendingDamping(relaxation, np.zeros(n), np.zeros(n), np.zeros(n), hinged)
+            record = BendingDamping(relaxation, *np.zeros((2, self.n + 1)))
             self.add("bending damping", record, "riser.structural_damping")
         for node, end, name in ((0, bottom, "bottom"), (self.n, top, "top")):
             soft = flexibility_of(end.rotation)

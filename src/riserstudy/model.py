@@ -61,7 +61,7 @@ class Model:
         self.records = [Frozen(effect.record) for effect in self.effects]
         self.programs = Frozen(Programs(*(self._program(role) for role in Programs._fields)))
         for state in (self.state, self.spare):
-            set_compliance(self.programs, state)
+            set_compliance(self.programs, state, self.hinged)
 
     def _program(self, role: str) -> np.ndarray:
         calls = []

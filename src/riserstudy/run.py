@@ -280,7 +280,7 @@ def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
     state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
     state.v[:] = 0.0
     state.a[:] = 0.0
-    record = new_record([state.clock[0]], [0], state, model.hinged)
+    record = new_record([state.clock[0]], [0], state)
     evaluate_once(model.programs, model.spare, record)
     return record.values.copy(), record.probe[0].copy()
 
@@ -307,7 +307,7 @@ def _march(
     step = a.duration / count
     times = _times(a.output.start or 0.0, a.duration, a.output.interval)
     stations = _stations(mesh, a.output.stations)
-    record = new_record(times, stations, state, model.hinged)
+    record = new_record(times, stations, state)
     ledger = new_ledger()
     before = sum(energies(model.programs, model.state))
     if a.method == "explicit":

@@ -22,8 +22,6 @@ class BendingDamping(NamedTuple):
     time: float  # tau (s)
     rate: np.ndarray  # (n+1,) scratch: turning rate at the nodes (rad/s)
     moment: np.ndarray  # (n+1,) scratch: viscous part of the moments (N m)
-    scratch: np.ndarray  # (n+1,)
-    hinged: np.ndarray  # (n+1,) true where no moment is carried
 
 
 @inner
@@ -69,7 +67,7 @@ def _viscous_moments(damping, s):
         rate[e] += swing
         rate[e + 1] -= swing
     moment[:] = damping.time * rate
-    flexibility_solve(s.flex, s.flex_up, damping.hinged, moment, damping.scratch)
+    flexibility_solve(s, moment)
 
 
 @inner
@@ -78,9 +76,8 @@ def energy(damping, s):
     _viscous_moments(damping, s)
     total = 0.0
     for i in range(s.l0.shape[0] + 1):
-        if not damping.hinged[i]:
-            angle = damping.time * damping.rate[i]
-            total += angle * (0.5 * damping.moment[i] - s.moment[0, i])
+        angle = damping.time * damping.rate[i]
+        total += angle * (0.5 * damping.moment[i] - s.moment[0, i])
     return total
 
 

@@ -105,26 +105,33 @@ def solve(s, out, work, fixed):
 
 
 @inner
-def flexibility_solve(flex, flex_up, hinged, angle, scratch):
-    """Turning angles (n+1,) into the moments that belong to them, in place.
+def factor_flexibility(s, hinged):
+    """Factors of the flexibility matrix, which never changes: what `flexibility_solve` needs.
 
-    ``hinged`` (n+1,) is true where no moment is carried.
+    ``hinged`` (n+1,) is true where no moment is carried; there the inverse is 0, as in a model without
+    bending, whose flexibility is 0 for want of a better number.
     """
+    flex, flex_up, inverse, factor = s.flex, s.flex_up, s.flex_inverse, s.flex_factor
     n = flex_up.shape[0]
-    below = 0.0  # flexibility coupling to the node below, 0 across a hinge
     for i in range(n + 1):
-        if hinged[i]:
-            angle[i], scratch[i], below = 0.0, 0.0, 0.0
-            continue
         pivot = flex[i]
-        if below != 0.0:
-            pivot -= below * scratch[i - 1]
-            angle[i] -= below * angle[i - 1]
-        below = flex_up[i] if i < n and not hinged[i + 1] else 0.0
-        scratch[i] = below / pivot
-        angle[i] /= pivot
+        if i > 0:
+            pivot -= flex_up[i - 1] * factor[i - 1]
+        inverse[i] = 1.0 / pivot if pivot > 0.0 and not hinged[i] else 0.0
+        if i < n:
+            factor[i] = flex_up[i] * inverse[i]
+
+
+@inner
+def flexibility_solve(s, angle):
+    """Turning angles (n+1,) into the moments that belong to them, in place; none at hinges."""
+    flex_up, inverse, factor = s.flex_up, s.flex_inverse, s.flex_factor
+    n = flex_up.shape[0]
+    angle[0] *= inverse[0]
+    for i in range(1, n + 1):
+        angle[i] = (angle[i] - flex_up[i - 1] * angle[i - 1]) * inverse[i]
     for i in range(n - 1, -1, -1):
-        angle[i] -= scratch[i] * angle[i + 1]
+        angle[i] -= factor[i] * angle[i + 1]
 
 
 @kernel

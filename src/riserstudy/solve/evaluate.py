@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.jit import inner, kernel
-from riserstudy.solve.blocktri import flexibility_solve
+from riserstudy.solve.blocktri import factor_flexibility, flexibility_solve
 from riserstudy.solve.program import every
 from riserstudy.solve.state import clear_forces, clear_tangent, gather, keep_ends, measure
 
@@ -87,22 +87,23 @@ def tangent(p, s):
 
 
 @inner
-def true_moments(s, hinged, scratch):
+def true_moments(s):
     """Correct the moments until they belong to the shape; after ``shape``."""
     m, n = len(s.dof) - len(s.dim), s.l0.shape[0]
     for u in range(m):
-        flexibility_solve(s.flex, s.flex_up, hinged, s.turn[u], scratch)
+        flexibility_solve(s, s.turn[u])
         for i in range(n + 1):
             s.moment[u, i] += s.turn[u, i]
             s.turn[u, i] = 0.0
 
 
 @kernel
-def set_compliance(p, s):
+def set_compliance(p, s, hinged):
     """Enter the flexibility of pipe and joints, once for a model."""
     s.flex[:] = 0.0
     s.flex_up[:] = 0.0
     every(p.compliance, s)
+    factor_flexibility(s, hinged)
 
 
 @kernel

@@ -18,7 +18,7 @@ from riserstudy.solve.record import evaluate_and_note, interpolate, widen
 
 
 @inner
-def accelerate(p, s, fixed, record):
+def accelerate(p, s, fixed):
     """Acceleration of every node from the forces on it; returns the power of the supports (W).
 
     Held directions keep the acceleration they are held to.
@@ -26,7 +26,7 @@ def accelerate(p, s, fixed, record):
     d = len(s.dim)
     m = len(s.dof) - d
     shape(p, s)
-    true_moments(s, record.hinged, record.scratch)
+    true_moments(s)
     load(p, s)
     s.k_node[:] = 0.0
     every(p.mass, s)
@@ -69,7 +69,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
     k_out = 0
     move(p, s, start)
     v1[:] = s.v
-    power0 = accelerate(p, s, fixed, record)
+    power0 = accelerate(p, s, fixed)
     half = s.v.copy()
     for c in range(d):
         for i in range(n + 1):
@@ -105,7 +105,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
                 s.r[c, i] += h * half[c, i]
                 s.v[c, i] = half[c, i]
         move(p, s, t + h)
-        power1 = accelerate(p, s, fixed, record)
+        power1 = accelerate(p, s, fixed)
         for c in range(d):
             for i in range(n + 1):
                 v1[c, i] = half[c, i] + 0.5 * h * s.a[c, i]

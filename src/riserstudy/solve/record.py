@@ -24,11 +24,9 @@ class Record(NamedTuple):
     platform: np.ndarray  # (k, 6)
     probe: np.ndarray  # (k, probes)
     values: np.ndarray  # (q, n+1) scratch
-    hinged: np.ndarray  # (n+1,) true where no moment is carried
-    scratch: np.ndarray  # (n+1,)
 
 
-def new_record(time, station, s, hinged) -> Record:
+def new_record(time, station, s) -> Record:
     """Empty record for the sizes of a state."""
     d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
     q, k = d + 1 + m, len(time)
@@ -42,8 +40,6 @@ def new_record(time, station, s, hinged) -> Record:
         platform=np.zeros((k, 6)),
         probe=np.zeros((k, len(s.probe))),
         values=np.zeros((q, n + 1)),
-        hinged=np.array(hinged, np.bool_),
-        scratch=np.zeros(n + 1),
     )
 
 
@@ -109,7 +105,7 @@ def evaluate_and_note(p, s, record, k):
     """Output k of a state given by positions, velocities and true accelerations."""
     move(p, s, record.time[k])
     shape(p, s)
-    true_moments(s, record.hinged, record.scratch)
+    true_moments(s)
     load(p, s)
     inertia(p, s)
     tabulate(s, record.values)

@@ -64,6 +64,8 @@ class State(NamedTuple):
     swing: np.ndarray  # (n, d*m) d (angle of the segment) / d (r upper - r lower)
     flex: np.ndarray  # (n+1,) flexibility of a node: angle by its own moment (rad/(N m))
     flex_up: np.ndarray  # (n,) angle by the neighbour's moment (rad/(N m))
+    flex_inverse: np.ndarray  # (n+1,) factors of the flexibility matrix, 0 at hinges
+    flex_factor: np.ndarray  # (n,)
 
     reach: np.ndarray  # (cylinders,) extension from mid-stroke (m)
     reach_rate: np.ndarray  # (cylinders,) its rate (m/s)
@@ -114,6 +116,8 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         swing=zeros(n, d * m),
         flex=zeros(n + 1),
         flex_up=zeros(n),
+        flex_inverse=zeros(n + 1),
+        flex_factor=zeros(n),
         reach=zeros(c),
         reach_rate=zeros(c),
         line=zeros(d, c),
