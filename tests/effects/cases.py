@@ -67,10 +67,8 @@ def uniform(d: int) -> Current:
     return Current(np.array([0.0, 1.0]), np.array([0.7, 0.7]), heading, 0.0)
 
 
-def hinged(d: int, *ends: int) -> np.ndarray:
-    out = np.zeros(N + 1, bool)
-    out[list(ends)] = True
-    return out
+def scratch(field: str) -> np.ndarray:
+    return np.isin(np.arange(N + 1), (0, N)) if field == "hinged" else np.zeros(N + 1)
 
 
 def upright(d: int) -> Upright:
@@ -96,7 +94,7 @@ CASES = {
     Current: Case(current),
     Bending: Case(bending, directions=(2,)),
     BendingDamping: Case(
-        lambda d: BendingDamping(0.4, *np.zeros((3, N + 1)), hinged(d, 0, N)),
+        lambda d: BendingDamping(0.4, *map(scratch, BendingDamping._fields[1:])),
         lambda d: [bending(d)],
         (2,),
     ),
