@@ -40,7 +40,7 @@ def available() -> str | None:
 def ours(elements: int, step: float, moments: bool = False, **analysis: Any) -> dict[str, Any]:
     """Simulate S2c with uniform elements and steps (s); other values of ``analysis`` by name."""
     from riserstudy.mesh import even
-    from riserstudy.run import single
+    from riserstudy.single import single
 
     riser = checked(elements, step, analysis)
     mesh = even(riser, elements)

@@ -18,7 +18,7 @@ from riserstudy.study import Point, Samples, Study
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.run import Result
+    from riserstudy.single import Result
 
 
 @sound_kernels

@@ -9,8 +9,8 @@ import numpy as np
 
 from riserstudy.build import stiffness
 from riserstudy.mesh import even
-from riserstudy.run import settle
 from riserstudy.scene.models import Scene
+from riserstudy.settle import settle
 from riserstudy.solve.modes import natural_modes
 from riserstudy.sound import sound_kernels
 

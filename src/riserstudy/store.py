@@ -22,15 +22,15 @@ from pydantic import BaseModel
 from riserstudy.folders import PACKAGE, cache_folder, digest
 
 if TYPE_CHECKING:
-    from riserstudy.run import Result
     from riserstudy.scene.load import SceneFile
+    from riserstudy.single import Result
 
 
 @cache
 def engine_digest() -> str:
     """Digest of all sources that a simulated number depends on."""
-    names = ("jit.py", "build.py", "mesh.py", "model.py", "run.py")
-    files = [PACKAGE / name for name in names]
+    names = ("jit", "build", "mesh", "model", "settle", "single", "run")
+    files = [PACKAGE / f"{name}.py" for name in names]
     return digest([*files, *PACKAGE.glob("effects/*.py"), *PACKAGE.glob("solve/*.py")])
 
 
@@ -92,7 +92,7 @@ def get(key: str) -> Result | None:
     """A stored point, or None when it is missing or not whole."""
     import numpy as np
 
-    from riserstudy.run import Result
+    from riserstudy.single import Result
 
     try:
         with np.load(_file(key), allow_pickle=False) as stored:

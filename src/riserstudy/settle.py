@@ -1,0 +1,87 @@
+"""The static equilibrium that a scene starts from."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from riserstudy.build import build, gas_force, linear_law, stiffness
+from riserstudy.errors import SimulationError
+from riserstudy.mesh import Mesh
+from riserstudy.model import Model
+from riserstudy.scene.ends import Top
+from riserstudy.scene.models import Scene
+from riserstudy.solve.statics import (
+    Equilibrium,
+    NoEquilibrium,
+    find_equilibrium,
+    unstable_directions,
+)
+
+
+def settle(scene: Scene, mesh: Mesh, planar: bool | None = None) -> tuple[Model, Equilibrium]:
+    """Model at static equilibrium.
+
+    Raises
+    ------
+    SimulationError
+        When there is none to be found.
+    """
+    top = scene.top
+    elevation = None
+    before = None
+    if top.held_at_tension is not None:
+        free = Top(x=top.x, z="free", offset=top.offset, rotation=top.rotation)
+        before = free.model_copy(update={"tension": top.held_at_tension, "body": top.body})
+    elif top.tensioners and top.tensioners.mid_stroke == "riser in equilibrium":
+        rig = top.tensioners
+        each = float(gas_force(rig.gas, np.zeros(1))[0]) if rig.gas else linear_law(rig)[0]
+        before = top.model_copy(update={"tensioners": None, "tension": rig.count * each})
+    if before is not None:
+        first, _ = _equilibrium(scene.model_copy(update={"top": before}), mesh, None, planar)
+        elevation = float(first.s.r[-1, -1])
+    return _equilibrium(scene, mesh, elevation, planar)
+
+
+def _equilibrium(
+    scene: Scene, mesh: Mesh, elevation: float | None, planar: bool | None
+) -> tuple[Model, Equilibrium]:
+    model = build(scene, mesh, elevation, planar)
+    current = any(effect.name == "current" for effect in model.effects)
+    tolerance = 1e-10 * float(mesh.l0.sum())
+    try:
+        found = find_equilibrium(model.programs, model.state, model.fixed, tolerance, current)
+    except NoEquilibrium as failure:
+        s = float(mesh.s[failure.node])
+        raise SimulationError(
+            f"no static equilibrium: {failure.residual:.3g} N are left at node {failure.node} "
+            f"(s = {s:.4g} m) with {failure.load:.0%} of the current; "
+            "the riser may lack tension or a support: check top tension, weights and what holds the ends"
+        ) from None
+    if not model.s.r[-1, -1] > model.s.r[-1, 0] and elevation is None and scene.top.z == "free":
+        raise SimulationError(
+            "the riser falls over: its top comes to rest below its bottom; "
+            "the top tension does not carry its weight"
+        )
+    if found.unstable or not _stands_sideways(scene, mesh, model, elevation):
+        raise SimulationError(
+            "the static equilibrium is unstable, with lateral freedom counted: "
+            "the riser buckles under its own weight; raise the top tension or hold the ends"
+        )
+    return model, found
+
+
+def _stands_sideways(scene: Scene, mesh: Mesh, model: Model, elevation: float | None) -> bool:
+    """Whether an axial model in compression would also stand if it could move sideways."""
+    s = model.s
+    tension = np.einsum("ke,ke->e", s.segment, s.tangent)
+    if len(s.dim) > 1 or float(tension.min()) >= -rounding(scene):
+        return True
+    top = scene.top if scene.top.x else scene.top.model_copy(update={"x": "held"})
+    planar = build(scene.model_copy(update={"top": top}), mesh, elevation, planar=True)
+    planar.s.r[1] = s.r[0]
+    return unstable_directions(planar.programs, planar.state, planar.fixed) == 0
+
+
+def rounding(scene: Scene) -> float:
+    """Compression that a weightless riser may show by rounding (N)."""
+    return 1e-9 * max(stiffness(section).axial for section in scene.riser)

@@ -1,0 +1,265 @@
+"""One run of a scene on a given mesh and step: statics, time stepping, audit.
+
+Arrays in plain dictionaries come out; `simulation` labels them.
+"""
+
+from __future__ import annotations
+
+import math
+import time as clock
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.build import stiffness
+from riserstudy.diagnose import suspect
+from riserstudy.errors import SimulationError
+from riserstudy.mesh import Mesh
+from riserstudy.model import Model
+from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
+from riserstudy.scene.models import Scene
+from riserstudy.settle import rounding, settle
+from riserstudy.solve.evaluate import energies, move_to
+from riserstudy.solve.explicit import leapfrog
+from riserstudy.solve.implicit import DONE, Method, generalised_alpha, march, new_ledger
+from riserstudy.solve.modes import stable_step
+from riserstudy.solve.record import Record, evaluate_once, new_record
+
+FloatArray = NDArray[np.float64]
+RHO_INF = 0.8  # default spectral radius
+NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
+EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
+UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
+
+
+@dataclass
+class Result:
+    """Arrays of one run by name, facts about it, and warnings."""
+
+    arrays: dict[str, FloatArray]
+    facts: dict[str, Any] = field(default_factory=dict)
+
+
+def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:
+    """One run on a given mesh and step, without error estimate."""
+    started = clock.perf_counter()
+    model, equilibrium = settle(scene, mesh)
+    state = model.s
+    arrays = {"s_node": mesh.s, "l0": mesh.l0}
+    names = quantities(model)
+    static, probe = _tabulated(model)
+    for k, name in enumerate(names):
+        arrays[name + "_static"] = static[k]
+    if scene.top.tensioners:
+        arrays["tensioner_stroke_static"], arrays["tensioner_force_static"] = np.split(probe, 2)
+    arrays["zero_z"] = state.r[-1].copy()
+    if "x" in names:
+        arrays["zero_x"] = np.zeros(len(mesh.s))
+    facts: dict[str, Any] = {
+        "effects": {e.name: e.because for e in model.effects},
+        "elements": len(mesh.l0),
+        "directions": len(state.dim),
+        "statics_iterations": equilibrium.iterations,
+        "warnings": [],
+    }
+    if scene.analysis.duration is not None and step is not None:
+        _march(scene, model, mesh, step, arrays, facts)
+    _check_finite(arrays)
+    _check_tension(scene, arrays, facts)
+    facts["solve_seconds"] = clock.perf_counter() - started
+    return Result(arrays, facts)
+
+
+def quantities(model: Model) -> list[str]:
+    """Names of the quantities that a record holds, in its order."""
+    d, m = len(model.s.dim), len(model.s.dof) - len(model.s.dim)
+    moments = {0: [], 1: ["bending_moment"]}[m]
+    return [*(["x", "z"] if d == 2 else ["z"]), "effective_tension", *moments]
+
+
+def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
+    """Quantities at the nodes at rest, and what devices report."""
+    state, own = model.spare.value, model.s
+    state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
+    state.v[:] = 0.0
+    state.a[:] = 0.0
+    record = new_record([state.clock[0]], [0], state)
+    evaluate_once(model.programs, model.spare, record)
+    return record.values.copy(), record.probe[0].copy()
+
+
+def _march(
+    scene: Scene,
+    model: Model,
+    mesh: Mesh,
+    step: float,
+    arrays: dict[str, FloatArray],
+    facts: dict[str, Any],
+) -> None:
+    a = scene.analysis
+    if a.duration is None or a.output is None:
+        return
+    state = model.s
+    reach_at_rest = state.reach.copy()
+    top_at_rest = float(state.r[-1, -1])
+    if a.start == "unstretched":
+        bottom = state.r[-1, 0]
+        state.r[-1] = bottom + mesh.s
+        move_to(model.programs, model.state, 0.0)
+    count = max(1, math.ceil(a.duration / step * (1.0 - 1e-9)))
+    step = a.duration / count
+    times = _times(a.output.start or 0.0, a.duration, a.output.interval)
+    stations = _stations(mesh, a.output.stations)
+    record = new_record(times, stations, state)
+    ledger = new_ledger()
+    before = sum(energies(model.programs, model.state))
+    if a.method == "explicit":
+        limit = stable_step(model.programs, model.state, model.fixed)
+        if step > limit:
+            raise SimulationError(
+                f"analysis.step {step:.4g} s is above the stable step {limit:.4g} s of explicit "
+                f"stepping on {len(mesh.l0)} segments; take a smaller step, fewer segments, or an "
+                "implicit method"
+            )
+        outcome = leapfrog(
+            model.programs,
+            model.state,
+            model.spare,
+            step,
+            count,
+            EXPLICIT_BOUND,
+            model.fixed,
+            record,
+            ledger,
+        )
+        facts["stable_step"] = limit
+    else:
+        method = _method(scene, mesh, step, count)
+        outcome = march(
+            model.programs, model.state, model.spare, method, model.fixed, record, ledger
+        )
+    if outcome != DONE:
+        raise SimulationError(_why(model, mesh, ledger, step))
+    after = sum(energies(model.programs, model.state))
+    _audit(facts, ledger, before, after, step)
+    names = quantities(model)
+    arrays["time"] = record.time
+    arrays["s"] = mesh.s[stations]
+    for k, name in enumerate(names):
+        arrays[name] = record.history[:, k, :]
+        arrays[name + "_max"] = record.largest[k]
+        arrays[name + "_min"] = record.smallest[k]
+    _angles(scene, model, mesh, record, arrays)
+    if scene.top.tensioners:
+        c = scene.top.tensioners.count
+        arrays["tensioner_stroke"] = record.probe[:, :c]
+        arrays["tensioner_force"] = record.probe[:, c:]
+        arrays["stroke"] = record.probe[:, 0] - reach_at_rest[0]
+        facts["largest_stroke"] = float(np.abs(record.probe[:, :c]).max())
+    elif scene.platform and scene.top.z == "free" and record.station[-1] == len(mesh.l0):
+        z = record.history[:, len(state.dim) - 1, -1]
+        arrays["stroke"] = record.platform[:, 2] - (z - top_at_rest)
+
+
+def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:
+    a = scene.analysis
+    tolerance = (a.newton_tolerance or NEWTON) * float(mesh.l0.sum())
+    if isinstance(a.method, Newmark):
+        parameters = (0.0, 0.0, a.method.beta, a.method.gamma)
+    else:
+        rho = a.method.rho_inf if isinstance(a.method, GeneralisedAlpha) else RHO_INF
+        parameters = generalised_alpha(rho)
+    return Method(*parameters, step, count, tolerance, iterations=12, halvings=6)
+
+
+def _times(start: float, end: float, interval: float) -> FloatArray:
+    count = math.floor((end - start) / interval * (1.0 + 1e-12) + 1e-9)
+    return np.asarray(start + interval * np.arange(count + 1), np.float64)
+
+
+def _stations(mesh: Mesh, wanted: list[float] | None) -> NDArray[np.int64]:
+    if wanted is None:
+        return np.arange(len(mesh.s))
+    return np.array([int(np.abs(mesh.s - s).argmin()) for s in wanted])
+
+
+def _angles(
+    scene: Scene, model: Model, mesh: Mesh, record: Record, arrays: dict[str, FloatArray]
+) -> None:
+    """Angles of the riser's end tangents: against the lower stack, and the platform's vertical."""
+    if len(model.s.dim) == 1:
+        return
+    m = len(model.s.dof) - 2
+    angle = np.arctan2(record.end[:, :, 0], record.end[:, :, 1])
+    if m:  # from the middle of the end segment to its end, curvature varying linearly
+        for k, (end, sign) in enumerate(((0, -1.0), (-1, 1.0))):
+            bending = stiffness(scene.riser[mesh.section[end]]).bending
+            turned = mesh.l0[end] / bending * (record.end[:, k, 2] / 3 + record.end[:, k, 3] / 6)
+            angle[:, k] += sign * turned
+    if scene.bottom.hold == "wellhead":
+        arrays["lfj_angle"] = angle[:, 0]
+    if scene.platform and scene.top.x == "platform":
+        arrays["ufj_angle"] = angle[:, 1] - record.platform[:, 4]
+
+
+def _audit(facts: dict[str, Any], ledger: Any, before: float, after: float, step: float) -> None:
+    held, supplied, dissipated, numerical, exchanged = (float(x) for x in ledger.work)
+    residual = held + supplied - dissipated - numerical - (after - before)
+    scale = max(exchanged, abs(after - before), 1e-300)
+    facts["step"] = step
+    facts["audit"] = {
+        "work_of_supports": held,
+        "work_of_water_and_devices": supplied,
+        "dissipated": dissipated,
+        "numerically_dissipated": numerical,
+        "stored": after - before,
+        "exchanged": exchanged,
+        "unexplained": residual,
+        "unexplained_share": abs(residual) / scale,
+    }
+    facts["steps"] = int(ledger.count[0])
+    facts["newton_iterations"] = int(ledger.count[1])
+    facts["halved_steps"] = int(ledger.count[2])
+    if abs(residual) > UNEXPLAINED * scale:
+        facts["warnings"].append(
+            f"energy: {abs(residual) / scale:.2g} of what was exchanged is unexplained; "
+            "refine mesh and step"
+        )
+
+
+def _check_finite(arrays: dict[str, FloatArray]) -> None:
+    """Nothing undefined leaves the solver."""
+    for name, values in arrays.items():
+        if not np.isfinite(values).all():
+            raise SimulationError(
+                f"{name} is not finite in {int((~np.isfinite(values)).sum())} places although every "
+                "step converged; please report the scene"
+            )
+
+
+def _check_tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str, Any]) -> None:
+    tension = arrays.get("effective_tension_min", arrays["effective_tension_static"])
+    k = int(tension.argmin())
+    facts["smallest_tension"] = float(tension[k])
+    facts["smallest_tension_s"] = float(arrays["s_node"][k])
+    if facts["directions"] == 1 and tension[k] < -rounding(scene):
+        facts["warnings"].append(
+            f"effective tension falls to {tension[k]:.3g} N at s = {arrays['s_node'][k]:.4g} m: "
+            "a riser free to move sideways would go slack or buckle; this run has no lateral freedom"
+        )
+
+
+def _why(model: Model, mesh: Mesh, ledger: Any, step: float) -> str:
+    """What to tell about a step that failed."""
+    time, node, size = ledger.failure
+    how = "Newton's iteration did not converge even after halving the step"
+    if ledger.count[3]:
+        how = "velocities grow without bound"
+    return (
+        f"stopped at t = {time:.6g} s, node {int(node)} (s = {mesh.s[int(node)]:.4g} m), last correction "
+        f"{size:.3g} m: {how}; largest force there: "
+        f"{suspect(model, int(node))}. Take a smaller step, a ramp for sudden motions, or check "
+        "stroke and tension"
+    )
