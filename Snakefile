@@ -12,6 +12,7 @@ container: "docker://python:3.12"
 include: "workflow/rules/common.smk"
 include: "workflow/rules/simulate.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/report.smk"
 
 
 rule all:
@@ -19,4 +20,5 @@ rule all:
     input:
         DATASETS,
         FIGURES,
+        "results/report.html",
     localrule: True

@@ -117,7 +117,7 @@ FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
     "error_tension": lambda f: f.get("error_estimate", {}).get("tension", float("nan")),
     "unexplained_energy": lambda f: f.get("audit", {}).get("unexplained_share", float("nan")),
     "smallest_tension": lambda f: f["smallest_tension"],
-    "warnings": lambda f: "; ".join(f["warnings"]),
+    "warnings": lambda f: "\n".join(f["warnings"]),
 }
 FACT_ATTRIBUTES = {
     "wall_seconds": {"units": "s", "long_name": "wall time of the simulation"},

@@ -121,6 +121,16 @@ class Workplan:
         return digest([*shared, PACKAGE / folder / f"{paper}.py"])
 
     @property
+    def report_digest(self) -> str:
+        """The code of the report."""
+        return digest(path for path in (PACKAGE / "report").iterdir() if path.is_file())
+
+    @property
+    def study_files(self) -> list[str]:
+        """Study files: the report tells captions, axes and what studies set."""
+        return [str(self.config / "studies" / f"{paper}.yaml") for paper in self.papers]
+
+    @property
     def compiled(self) -> str:
         """Marker of the kernels compiled from the present sources."""
         return str(kernel_cache() / "compiled")

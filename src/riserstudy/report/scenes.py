@@ -1,0 +1,128 @@
+"""The scenes behind a figure as tables: every value, where it comes from, what is varied."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from riserstudy.scene.load import read_scene
+from riserstudy.study import Numbers, StudyFile
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+MOST_PARTS = 12  # of a list that is shown in full
+
+
+class Value(NamedTuple):
+    """One value of a scene; ``where`` names the datasets it holds for, "" for all."""
+
+    value: str
+    status: str
+    why: str
+    where: str
+
+
+class SceneTable(NamedTuple):
+    """A scene: its title, what is varied, and its values by path."""
+
+    title: str
+    varied: list[str]
+    rows: list[tuple[str, list[Value]]]
+
+
+def scene_tables(
+    datasets: dict[str, xr.Dataset], file: StudyFile, config: Path
+) -> list[SceneTable]:
+    """One table for each scene; datasets that set values of a common scene share it."""
+    scenes: dict[str, dict[str, xr.Dataset]] = {}
+    for name, dataset in datasets.items():
+        title = json.loads(dataset.attrs["scene"])["title"]
+        scenes.setdefault(title, {})[name] = dataset
+    return [_table(title, members, file, config) for title, members in scenes.items()]
+
+
+def _table(
+    title: str, datasets: dict[str, xr.Dataset], file: StudyFile, config: Path
+) -> SceneTable:
+    values = {name: _values(name, dataset, file, config) for name, dataset in datasets.items()}
+    paths = dict.fromkeys(path for found in values.values() for path in found)
+    rows = []
+    for path in paths:
+        by_value: dict[tuple[str, str, str], list[str]] = {}
+        for name, found in values.items():
+            by_value.setdefault(found.get(path, ("–", "absent", "")), []).append(name)
+        single = len(by_value) == 1
+        rows.append(
+            (path, [Value(*v, "" if single else ", ".join(w)) for v, w in by_value.items()])
+        )
+    varied = dict.fromkeys(text for name in datasets for text in _varied(datasets[name]))
+    return SceneTable(title, list(varied), rows)
+
+
+def _values(
+    name: str, dataset: xr.Dataset, file: StudyFile, config: Path
+) -> dict[str, tuple[str, str, str]]:
+    """Value, status and evidence of every path of a dataset's scene."""
+    tree = json.loads(dataset.attrs["scene"])
+    origins = json.loads(dataset.attrs["origins"])
+    evidence = json.loads(dataset.attrs.get("evidence", "{}"))
+    plain = "published" if tree.get("paper") else "given"
+    study = file.studies[name]
+    written = flat(read_scene(config / study.scene).tree)
+    varied = {axis.path: label for label, axis in study.axes.items() if isinstance(axis, Numbers)}
+    values = {}
+    for path, value in flat(tree).items():
+        if path in ("title", "paper", "note"):
+            continue
+        if path in varied:
+            values[path] = ("varied", "axis", varied[path])
+        elif any(within(path, place) for place in study.set):
+            values[path] = (value, "chosen", "set by the study")
+        elif path not in written:
+            values[path] = (value, "chosen", f"by the tier, {dataset.attrs['tier']}")
+        else:
+            origin = next((place for place in origins if within(path, place)), path)
+            values[path] = (value, origins.get(origin, plain), evidence.get(origin, ""))
+    return values
+
+
+def within(path: str, place: str) -> bool:
+    """Whether a path is a place or lies below it."""
+    return path == place or path.startswith((f"{place}.", f"{place}["))
+
+
+def flat(tree: Any, path: str = "") -> dict[str, str]:
+    """A nested scene as one value a path; short lists stay together."""
+    if isinstance(tree, dict):
+        parts = [(f"{path}.{key}" if path else key, value) for key, value in tree.items()]
+    elif isinstance(tree, list) and len(tree) > MOST_PARTS:
+        return {path: f"{len(tree)} entries"}
+    elif isinstance(tree, list) and any(isinstance(value, dict) for value in tree):
+        parts = [(f"{path}[{k}]", value) for k, value in enumerate(tree)]
+    else:
+        text = ", ".join(map(str, tree)) if isinstance(tree, list) else str(tree)
+        return {path: text}
+    joined: dict[str, str] = {}
+    for below, value in parts:
+        joined |= flat(value, below)
+    return joined
+
+
+def _varied(dataset: xr.Dataset) -> list[str]:
+    """The axes of a dataset in words."""
+    words = []
+    for axis in dataset["point_key"].dims:
+        values = dataset[axis].values
+        name = str(axis).replace("_", " ")
+        if values.dtype.kind == "f":
+            unit = dataset[axis].attrs.get("units", "")
+            words.append(
+                f"{name}: {len(values)} values, {values.min():g} to {values.max():g} {unit}"
+            )
+        elif values.dtype.kind in "iu":
+            words.append(f"{name}: {len(values)} samples of the open assumptions")
+        else:
+            words.append(f"{name}: {', '.join(map(str, values))}")
+    return words

@@ -1,0 +1,84 @@
+"""How numbers and names read in the report."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable
+
+_NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNORECASE)
+
+
+def number(value: object) -> str:
+    """A number from a table to four digits; text as it stands."""
+    try:
+        plain = float(str(value))
+    except ValueError:
+        return str(value)
+    return f"{plain:.4g}"
+
+
+def share(value: object) -> str:
+    """A share as a percentage to two digits."""
+    try:
+        plain = 100.0 * float(str(value))
+    except ValueError:
+        return str(value)
+    if math.isnan(plain):
+        return ""
+    return f"{plain:.0f} %" if abs(plain) >= 10.0 else f"{plain:.2g} %"
+
+
+def seconds(value: float) -> str:
+    """A time, in the unit one would say it in."""
+    if value < 1.0:
+        return f"{1000 * value:.2g} ms"
+    return f"{value:.3g} s" if value < 120 else f"{value / 60:.3g} min"
+
+
+def counted(count: int, thing: str) -> str:
+    """``1 figure``, ``9 figures``."""
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+
+
+def listed(words: Iterable[str]) -> str:
+    """``a, b and c``."""
+    *most, last = list(words) or ["none"]
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def sentence(text: str) -> str:
+    """Text with a capital at its start and a full stop at its end."""
+    return text[:1].upper() + text[1:].rstrip(".") + "."
+
+
+def unit(name: str) -> str:
+    """A unit as it stands behind a number; none for a pure number."""
+    return "" if name in ("", "1") else f" {name}"
+
+
+def grouped(warnings: Iterable[str]) -> list[tuple[str, int]]:
+    """Warnings that differ in numbers alone as one, with the range of each number and their count."""
+    kinds: dict[str, list[list[str]]] = {}
+    for warning in warnings:
+        kinds.setdefault(_NUMBER.sub("\0", warning), []).append(_NUMBER.findall(warning))
+    return [(_filled(kind, numbers), len(numbers)) for kind, numbers in kinds.items()]
+
+
+def _filled(kind: str, numbers: list[list[str]]) -> str:
+    text, *rest = kind.split("\0")
+    for place, after in enumerate(rest):
+        found = sorted({row[place] for row in numbers}, key=float)
+        text += (found[0] if len(found) == 1 else f"{found[0]} … {found[-1]}") + after
+    return text
+
+
+WORDING = {
+    "number": number,
+    "share": share,
+    "seconds": seconds,
+    "counted": counted,
+    "listed": listed,
+    "sentence": sentence,
+    "unit": unit,
+}

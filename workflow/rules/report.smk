@@ -1,0 +1,21 @@
+# The page that tells how everything came out.
+
+
+rule report:
+    input:
+        studies=PLAN.study_files,
+        compiled=PLAN.compiled,
+        datasets=DATASETS,
+        figures=[file for file in FIGURES if file.endswith(".png")],
+    output:
+        "results/report.html",
+    log:
+        "logs/report.log",
+    params:
+        digest=PLAN.report_digest,
+        papers=PLAN.papers,
+    message:
+        "make the report"
+    shell:
+        "python workflow/scripts/report.py {output:q} --papers {params.papers} --compiled {input.compiled:q}"
+        " --files {input.datasets:q} {input.figures:q} > {log:q} 2>&1"
