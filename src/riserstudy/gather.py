@@ -18,7 +18,7 @@ from riserstudy.study import Point, Samples, Study
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.single import Result
+    from riserstudy.result import Result
 
 
 @sound_kernels

@@ -9,9 +9,10 @@ import numpy as np
 
 from riserstudy.errors import SimulationError
 from riserstudy.mesh import COARSEST, Mesh, even, graded
+from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
-from riserstudy.single import Result, single
+from riserstudy.single import single
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
 REFINEMENTS = 6  # halvings of mesh and step, at most

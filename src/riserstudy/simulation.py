@@ -14,7 +14,7 @@ from riserstudy.sound import sound_kernels
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.single import Result
+    from riserstudy.result import Result
 
 ENDINGS = {"_max": "largest ", "_min": "smallest ", "_static": "static "}
 

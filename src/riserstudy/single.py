@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 import time as clock
-from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,7 @@ from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
+from riserstudy.result import Result
 from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
 from riserstudy.scene.models import Scene
 from riserstudy.settle import rounding, settle
@@ -32,14 +32,6 @@ RHO_INF = 0.8  # default spectral radius
 NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
 UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
-
-
-@dataclass
-class Result:
-    """Arrays of one run by name, facts about it, and warnings."""
-
-    arrays: dict[str, FloatArray]
-    facts: dict[str, Any] = field(default_factory=dict)
 
 
 def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:

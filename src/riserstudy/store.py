@@ -22,8 +22,8 @@ from pydantic import BaseModel
 from riserstudy.folders import PACKAGE, cache_folder, digest
 
 if TYPE_CHECKING:
+    from riserstudy.result import Result
     from riserstudy.scene.load import SceneFile
-    from riserstudy.single import Result
 
 
 @cache
@@ -92,7 +92,7 @@ def get(key: str) -> Result | None:
     """A stored point, or None when it is missing or not whole."""
     import numpy as np
 
-    from riserstudy.single import Result
+    from riserstudy.result import Result
 
     try:
         with np.load(_file(key), allow_pickle=False) as stored:

@@ -1,0 +1,17 @@
+"""What a run returns. Needs no kernels: reading stored points must not load them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass
+class Result:
+    """Arrays of one run by name, and facts about it."""
+
+    arrays: dict[str, NDArray[np.float64]]
+    facts: dict[str, Any] = field(default_factory=dict)
