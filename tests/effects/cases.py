@@ -67,10 +67,6 @@ def uniform(d: int) -> Current:
     return Current(np.array([0.0, 1.0]), np.array([0.7, 0.7]), heading, 0.0)
 
 
-def scratch(field: str) -> np.ndarray:
-    return np.isin(np.arange(N + 1), (0, N)) if field == "hinged" else np.zeros(N + 1)
-
-
 def upright(d: int) -> Upright:
     return Upright(N, TOP + np.array([0.0, 0.5]))
 
@@ -94,7 +90,7 @@ CASES = {
     Current: Case(current),
     Bending: Case(bending, directions=(2,)),
     BendingDamping: Case(
-        lambda d: BendingDamping(0.4, *map(scratch, BendingDamping._fields[1:])),
+        lambda d: BendingDamping(0.4, *np.zeros((2, N + 1))),
         lambda d: [bending(d)],
         (2,),
     ),

@@ -6,7 +6,7 @@ import numpy as np
 
 from riserstudy import load_scene, simulate
 from riserstudy.mesh import even
-from riserstudy.run import Result, single
+from riserstudy.single import Result, single
 
 SCENES = Path(__file__).parents[2] / "config" / "scenes" / "bench"
 METHODS = {
