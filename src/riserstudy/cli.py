@@ -163,10 +163,9 @@ def modes(
 @app.command()
 def schema() -> None:
     """Print the JSON schema of scene files, for editors."""
-    from riserstudy.scene.models import Scene
+    from riserstudy.scene.schema import scene_schema
 
-    text = {"$schema": "https://json-schema.org/draft/2020-12/schema", **Scene.model_json_schema()}
-    print(json.dumps(text, indent=2))
+    print(json.dumps(scene_schema(), indent=2))
 
 
 @app.command()

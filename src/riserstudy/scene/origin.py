@@ -15,11 +15,12 @@ from dataclasses import dataclass
 from typing import Any
 
 STATUSES = ("assumed", "derived", "calibrated")
-_COMPANIONS = {
+COMPANIONS = {
     "assumed": {"range", "options", "because"},
     "derived": {"from"},
     "calibrated": {"to", "range", "options", "because"},
 }
+NEEDED = {"assumed": ["because"], "derived": [], "calibrated": ["to"]}
 
 
 @dataclass(frozen=True)
@@ -63,9 +64,9 @@ def unwrap(tree: Any, path: str = "") -> Unwrapped:
 def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped:
     kind = status[0]
     faults = []
-    unknown = set(tree) - {kind} - _COMPANIONS[kind]
+    unknown = set(tree) - {kind} - COMPANIONS[kind]
     if unknown:
-        allowed = f"beside '{kind}' stand {', '.join(sorted(_COMPANIONS[kind]))}"
+        allowed = f"beside '{kind}' stand {', '.join(sorted(COMPANIONS[kind]))}"
         faults.append((path, f"unknown key {', '.join(sorted(map(str, unknown)))}", allowed))
     span = tree.get("range")
     if span is not None and not (isinstance(span, list) and len(span) == 2):

@@ -1,0 +1,135 @@
+"""The reference page of scene files, written from the models."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal, get_args, get_origin
+
+from annotated_types import Ge, Gt, Le, Lt
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from riserstudy.scene.models import Scene
+from riserstudy.scene.tables import PLACES
+from riserstudy.scene.units import Percent, Unit
+
+HEAD = """\
+# Scene files
+
+<!-- Written by workflow/scripts/make_reference.py from the models; edits here are lost. -->
+
+A scene file says what is there: YAML, one riser, and what holds, moves and surrounds it.
+**What is absent is not simulated**, and no value has a default that changes physics.
+`riserstudy effects SCENE.yaml` says which effects a scene has and because of which line.
+
+Values carry the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; inside everything
+is SI. A bare number where a unit is needed is refused, and so are a rotational stiffness without
+`/deg` or `/rad`, a pressure that does not say `absolute` or `gauge`, and `t` as a force (`tf` is one).
+Elevations count upwards from any datum, the same throughout a scene; arclengths count from the lower end.
+
+A plain value is *published* in a scene with `paper:`, *given* in one without. Anything else says so:
+
+```yaml
+count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
+pin_length: {assumed: 24 m, range: [22.5 m, 30 m], because: "the retracted body is longer than 15 m"}
+roll_centre: {calibrated: 4.5 m, to: paper/ID of the number it was fitted to}
+added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
+```
+
+A study can then vary every assumption over its range or options at once.
+
+A table may stand in a CSV file beside the scene, as `profile: {file: current.csv}`. Its first line names
+the columns with their units: %s.
+
+Editors that understand JSON schema complete and check scene files with
+[`scene.schema.json`](../workflow/schemas/scene.schema.json), which `riserstudy schema` prints. Put this
+into the first line of a scene, with the path from there:
+
+```yaml
+# yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json
+```
+"""
+
+
+def scene_reference() -> str:
+    """The page as Markdown."""
+    tables = [
+        f"`{'.'.join((*way, name))}` ({', '.join(f'`{c}`' for c in columns)})"
+        for way, name, columns, _ in PLACES
+    ]
+    parts = [HEAD % "; ".join(tables)]
+    for model in models():
+        parts.append(f"## {title(model)}\n\n{_prose(model)}\n")
+        rows = [f"| `{name}` | {shown(field)} |" for name, field in model.model_fields.items()]
+        parts.append("| key | value |\n|---|---|\n" + "\n".join(rows) + "\n")
+    return "\n".join(parts)
+
+
+def models(first: type[BaseModel] = Scene) -> list[type[BaseModel]]:
+    """A model and every model below it, each after the one that first mentions it."""
+    found = [first]
+    for field in first.model_fields.values():
+        for below in _models_in(field.annotation):
+            found += [model for model in models(below) if model not in found]
+    return found
+
+
+def _models_in(kind: Any) -> Iterator[Any]:
+    if inspect.isclass(kind) and issubclass(kind, BaseModel):
+        yield kind
+    for part in get_args(kind):
+        yield from _models_in(part)
+
+
+def _prose(model: type[BaseModel]) -> str:
+    return (inspect.getdoc(model) or "").replace("``", "`")
+
+
+def title(model: type[BaseModel]) -> str:
+    """Name of a model as a heading: the parameter of a generic one stands behind it."""
+    return model.__name__.replace("[", " of ").replace("]", "")
+
+
+def shown(field: FieldInfo) -> str:
+    """What a field takes, and whether it must be there."""
+    text = describe(field.annotation, field.metadata)
+    return f"{text}; required" if field.is_required() else text
+
+
+def describe(kind: Any, limits: list[Any]) -> str:
+    """What a type takes, in words."""
+    if get_origin(kind) is Annotated:
+        inner, *more = get_args(kind)
+        for extra in more:
+            limits = [*limits, *(extra.metadata if isinstance(extra, FieldInfo) else [extra])]
+        return describe(inner, limits)
+    choices = get_args(kind)
+    if get_origin(kind) is Literal:
+        return " or ".join(f"`{choice}`" for choice in choices)
+    if get_origin(kind) is list:
+        return f"list of {describe(choices[0], [])}"
+    if type(None) in choices:
+        return " or ".join(describe(c, limits) for c in choices if c is not type(None))
+    if choices and not inspect.isclass(kind):
+        return " or ".join(describe(choice, limits) for choice in choices)
+    if inspect.isclass(kind) and issubclass(kind, BaseModel):
+        return f"[{title(kind)}](#{title(kind).lower().replace(' ', '-')})"
+    return _plain(kind, limits)
+
+
+def _plain(kind: Any, limits: list[Any]) -> str:
+    units = [limit.name for limit in limits if isinstance(limit, Unit)]
+    percent = any(limit in get_args(Percent)[1:] for limit in limits)
+    names = {float: "number", int: "whole number", str: "text", bool: "true or false"}
+    text = f"quantity such as `1 {units[0]}`" if units else names[kind]
+    if units == ["Pa"]:
+        text = "pressure such as `1 bar absolute` or `1 bar gauge`"
+    if percent:
+        return "percentage such as `1 %`"
+    bounds = {Gt: ("gt", "above"), Ge: ("ge", "from"), Lt: ("lt", "below"), Le: ("le", "up to")}
+    for limit in limits:
+        if type(limit) in bounds:
+            attribute, word = bounds[type(limit)]
+            text += f", {word} {getattr(limit, attribute):g}"
+    return text

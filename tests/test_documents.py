@@ -1,0 +1,67 @@
+"""What is written about the project agrees with the project."""
+
+import difflib
+import json
+import re
+from pathlib import Path
+
+import jsonschema
+import pytest
+from ruamel.yaml import YAML
+
+from make_reference import made
+
+ROOT = Path(__file__).parents[1]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+SCENES = sorted((ROOT / "config/scenes").glob("*/*.yaml"))
+
+
+@pytest.mark.parametrize("path", made(), ids=lambda path: path.name)
+def test_what_is_written_from_the_models_is_up_to_date(path):
+    stands, should = path.read_text("utf-8"), made()[path]
+    difference = difflib.unified_diff(stands.splitlines(), should.splitlines(), lineterm="")
+    assert stands == should, "run `python workflow/scripts/make_reference.py`:\n" + "\n".join(
+        difference
+    )
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_the_schema_accepts_every_scene(path):
+    schema = json.loads((ROOT / "workflow/schemas/scene.schema.json").read_text("utf-8"))
+    scene = YAML(typ="safe", pure=True).load(path)
+    jsonschema.validate(scene, schema)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"depth": "3 m"},
+        {"gravity": 9.81},
+        {"gravity": {"assumed": "9.81 m/s^2"}},
+        {"riser": []},
+    ],
+)
+def test_the_schema_refuses_what_a_scene_cannot_say(wrong):
+    schema = json.loads((ROOT / "workflow/schemas/scene.schema.json").read_text("utf-8"))
+    scene = YAML(typ="safe", pure=True).load(ROOT / "config/scenes/bench/s2c.yaml")
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(scene | wrong, schema)
+
+
+def anchor(heading):
+    """Address of a heading within a page."""
+    return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
+def test_links_within_the_project_lead_somewhere(page):
+    text = re.sub(r"```.*?```", "", page.read_text("utf-8"), flags=re.S)
+    for target in re.findall(r"\]\(([^)\s]+)\)", text):
+        if re.match(r"\w+:", target):
+            continue
+        path, _, place = target.partition("#")
+        linked = (page.parent / path).resolve() if path else page
+        assert linked.exists(), target
+        if place:
+            headings = re.findall(r"^#+ (.*)$", linked.read_text("utf-8"), re.M)
+            assert place in {anchor(heading) for heading in headings}, target
