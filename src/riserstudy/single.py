@@ -199,7 +199,8 @@ def _angles(
 def _audit(facts: dict[str, Any], ledger: Any, before: float, after: float, step: float) -> None:
     held, supplied, dissipated, numerical, exchanged = (float(x) for x in ledger.work)
     residual = held + supplied - dissipated - numerical - (after - before)
-    scale = max(exchanged, abs(after - before), 1e-300)
+    still = 1e-12 * max(abs(before), abs(after), 1.0)  # rounding of a riser that stays at rest (J)
+    scale = max(exchanged, abs(after - before), still / UNEXPLAINED)
     facts["step"] = step
     facts["audit"] = {
         "work_of_supports": held,
