@@ -131,7 +131,7 @@ class Study:
         path = self.config / self.model.scene
         file = read_scene(path).with_values(self.model.set, f"{self.where}.set")
         analysis = file.tree.get("analysis", {})
-        if self.accuracy and not ({"mesh", "step"} & set(analysis)):
+        if self.accuracy and not ({"mesh", "step", "accuracy"} & set(analysis)):
             file = file.with_values({"analysis.accuracy": self.accuracy}, "config.yaml")
         return file
 
