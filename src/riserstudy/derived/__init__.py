@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -10,7 +11,15 @@ if TYPE_CHECKING:
 
 
 def derive(paper: str, name: str, datasets: dict[str, xr.Dataset]) -> xr.Dataset:
-    """Derived dataset ``name`` of a paper, by the function of that name in the paper's module."""
+    """Derived dataset ``name`` of a paper, by the function of that name in the paper's module.
+
+    Its attribute ``origins`` joins those of its sources: where a calibrated value went must stay known.
+    """
     function = getattr(import_module(f"riserstudy.derived.{paper}"), name)
     dataset: xr.Dataset = function(**datasets)
+    origins: dict[str, str] = {}
+    for source in datasets.values():
+        for path, status in json.loads(source.attrs.get("origins", "{}")).items():
+            origins[path] = status if origins.get(path) != "calibrated" else "calibrated"
+    dataset.attrs["origins"] = json.dumps(origins)
     return dataset

@@ -1,17 +1,255 @@
-"""Figures of Chang et al. 2020."""
+"""Figures of Chang et al. 2020: the printed ones by number, others by what they show.
+
+x is the rise of the ring above the unstretched riser, a that of the platform, X = x - a the piston's.
+"""
 
 from __future__ import annotations
 
+from typing import Any
+
+import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
 
+MODELS = {"gas law": "-", "linear": "--"}
 READINGS = {
     "steady": "settled",
     "from_rest": "first 100 s from rest",
     "quasi_static": "quasi-static",
 }
+FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12, of which the text names 3 and 10
+#: reductions that the text gives for Fig 8; config/published/chang2020.yaml, A1 and A2
+REDUCED = {"tension": 0.30, "heave": 0.50}
+STARTS = {"unstretched": "unstretched at rest", "equilibrium": "in equilibrium"}
+PISTON = "piston displacement X = x − a (m)"
+HEAVE, TENSION = "riser heave x (m)", "riser tension (MN)"
+AMPLITUDE, TIME = "heave amplitude of the platform (m)", "time (s)"
+
+
+# the tensioner's law
+
+
+def fig05(quasi_static: xr.Dataset) -> Figure:
+    """Tensioner force over piston displacement."""
+    figure, (ax,) = panels()
+    law = _law(quasi_static, "gas law")
+    law = law.interp(X=np.linspace(max(-10, float(law["X"][0])), 10, 201), method="cubic")
+    ax.plot(law["X"], law / 1e6, color=COLOURS[0])
+    ax.set_xlabel(PISTON)
+    ax.set_ylabel("force of four cylinders (MN)")
+    _per_cylinder(ax, "force of one cylinder (MN)")
+    return figure
+
+
+def fig06(quasi_static: xr.Dataset) -> Figure:
+    """Secant and tangent stiffness over piston displacement."""
+    figure, (ax,) = panels()
+    law = _law(quasi_static, "gas law")
+    at = np.linspace(max(-10, float(law["X"][0])), 10, 401)
+    fine = law.interp(X=at, method="cubic")
+    rise = fine - law.interp(X=0.0, method="cubic")
+    secant = np.abs(rise / fine["X"].where(np.abs(fine["X"]) > 1e-9))
+    tangent = np.abs(fine.differentiate("X"))
+    ax.plot(at, tangent / 1e6, color=GREY, label="tangent |dF/dX|")
+    ax.plot(at, secant / 1e6, color=COLOURS[0], label="secant |F(X) − F(0)| / |X|, Eq. 5")
+    ax.set_xlabel(PISTON)
+    ax.set_ylabel("stiffness of four cylinders (MN/m)")
+    ax.legend(fontsize="small")
+    _per_cylinder(ax, "stiffness of one cylinder (MN/m)")
+    return figure
+
+
+def fig09(quasi_static: xr.Dataset) -> Figure:
+    """Gas law and its least-squares line."""
+    figure, (ax,) = panels()
+    for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+        law = _law(quasi_static, model).interp(X=np.linspace(-8, 8, 161), method="cubic")
+        label = {"gas law": "gas law", "linear": "least-squares line"}[model]
+        ax.plot(law["X"], law / 1e6, line, color=colour, label=label)
+    ax.set_xlabel(PISTON)
+    ax.set_ylabel("force of four cylinders (MN)")
+    ax.legend(fontsize="small")
+    _per_cylinder(ax, "force of one cylinder (MN)")
+    return figure
+
+
+def _law(quasi_static: xr.Dataset, model: str) -> xr.DataArray:
+    """Force of all cylinders (N) over X (m), from equilibria with the platform held at many heights."""
+    rest = quasi_static.sel(tensioner_model=model)
+    force = rest["tensioner_force_static"].sum("cylinder")
+    displacement = -rest["tensioner_stroke_static"].isel(cylinder=0)
+    order = np.argsort(displacement.values)
+    return xr.DataArray(
+        force.values[order], dims="X", coords={"X": displacement.values[order]}, name="force"
+    )
+
+
+def _per_cylinder(ax: Axes, label: str) -> None:
+    def one(force: Any) -> Any:
+        return force / 4
+
+    def four(force: Any) -> Any:
+        return 4 * force
+
+    right = ax.secondary_yaxis("right", functions=(one, four))
+    right.set_ylabel(label)
+
+
+# the response
+
+
+def fig08(from_rest: xr.Dataset, steady: xr.Dataset, rigid: xr.Dataset) -> Figure:
+    """Riser tension and heave with and without tensioner, platform heaving 5 m."""
+    figure, axes = panels(2, 1, 3.2, sharex=True)
+    runs = {
+        "without tensioner": (_histories(rigid).sel(heave_amplitude=5.0), GREY, 1.4),
+        "with tensioner, from rest": (_gas(from_rest).sel(heave_amplitude=5.0), COLOURS[0], 1.2),
+        "with tensioner, settled": (
+            _repeated(_gas(steady).sel(heave_amplitude=5.0), from_rest["time"]),
+            COLOURS[1],
+            1.2,
+        ),
+    }
+    for ax, quantity, label in zip(axes, ("tension", "heave"), (TENSION, HEAVE), strict=True):
+        for name, (run, colour, width) in runs.items():
+            ax.plot(run["time"], run[quantity], color=colour, linewidth=width, label=name)
+        bare, held = runs["without tensioner"][0], runs["with tensioner, settled"][0]
+        half = 0.5 * (1.0 - REDUCED[quantity]) * float(np.ptp(bare[quantity].values))
+        middle = 0.5 * float(held[quantity].max() + held[quantity].min())
+        for side, word in ((-1.0, None), (1.0, "printed reduction: tension 30 %, heave 50 %")):
+            ax.axhline(middle + side * half, label=word, **PRINTED)
+        ax.set_ylabel(label)
+    axes[-1].set_xlabel(TIME)
+    axes[-1].set_xlim(0, 100)
+    key_below(figure, axes[0], 2)
+    return figure
+
+
+def fig10(from_rest: xr.Dataset) -> Figure:
+    """Heave and tension at 3 and 10 m, gas law and linear tensioner."""
+    figure, axes = panels(2, 2, 3.0, sharex=True)
+    _models_compared(axes, from_rest)
+    for ax in axes[2:]:
+        ax.set_xlabel(TIME)
+    axes[0].set_xlim(0, 100)
+    key_below(figure, axes[0], 2)
+    return figure
+
+
+def fig11(from_rest: xr.Dataset) -> Figure:
+    """Heave of the riser for four amplitudes."""
+    return _four(from_rest, "heave", HEAVE)
+
+
+def fig12(from_rest: xr.Dataset) -> Figure:
+    """Tension of the riser for four amplitudes."""
+    return _four(from_rest, "tension", TENSION)
+
+
+def settled_response(steady: xr.Dataset) -> Figure:
+    """Figs 10 to 12 without start-up ringing, over one period."""
+    figure, axes = panels(3, 2, 2.7, sharex=True)
+    _models_compared(axes, steady)
+    axes[0].legend(fontsize="small", loc="upper right")
+    for ax, quantity, label in zip(axes[4:], ("heave", "tension"), (HEAVE, TENSION), strict=True):
+        _amplitudes(ax, steady, quantity)
+        ax.set_ylabel(label)
+        ax.set_xlabel("time in the settled period (s)")
+    axes[4].legend(
+        fontsize="x-small", loc="upper right", title="amplitude", title_fontsize="x-small"
+    )
+    axes[0].set_xlim(0, 20)
+    return figure
+
+
+def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
+    """Panels (a) to (d) of Fig 10."""
+    histories = _histories(runs)
+    start = float(runs["time"][0])
+    for k, amplitude in enumerate((3.0, 10.0)):
+        for ax, quantity, label in zip(
+            axes[2 * k :], ("heave", "tension"), (HEAVE, TENSION), strict=False
+        ):
+            for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+                run = histories.sel(tensioner_model=model, heave_amplitude=amplitude)
+                ax.plot(run["time"] - start, run[quantity], line, color=colour, lw=1.2, label=model)
+            ax.set_ylabel(label)
+            ax.set_title(f"platform {amplitude:g} m", loc="right", fontsize="small")
+
+
+def _four(runs: xr.Dataset, quantity: str, label: str) -> Figure:
+    figure, axes = panels(4, 1, 1.55, sharex=True, sharey=True)
+    for ax, colour, amplitude in zip(axes, COLOURS, FOUR, strict=False):
+        run = _gas(runs).sel(heave_amplitude=amplitude)
+        rest = float(
+            _histories(runs, "static")[quantity]
+            .sel(tensioner_model="gas law")
+            .isel(heave_amplitude=0)
+        )
+        ax.axhline(rest, color=GREY, linewidth=0.8)
+        ax.plot(run["time"], run[quantity], color=colour, linewidth=1.2)
+        ax.set_title(f"platform {amplitude:g} m", loc="right", fontsize="small")
+    figure.supylabel(label, fontsize="medium")
+    axes[-1].set_xlabel(TIME + "; grey: equilibrium")
+    axes[-1].set_xlim(0, 100)
+    return figure
+
+
+def _amplitudes(ax: Axes, runs: xr.Dataset, quantity: str) -> None:
+    for colour, amplitude in zip(COLOURS, FOUR, strict=False):
+        run = _gas(runs).sel(heave_amplitude=amplitude)
+        start = float(run["time"][0])
+        ax.plot(run["time"] - start, run[quantity], color=colour, label=f"{amplitude:g} m")
+
+
+def _histories(runs: xr.Dataset, when: str = "") -> xr.Dataset:
+    """Heave (m) and riser tension (MN) at the ring over time, or at rest."""
+    if when == "static":
+        top = runs.isel(s_node=-1)
+        z, tension, zero = (
+            top["z_static"],
+            top["effective_tension_static"],
+            float(runs["s_node"][-1]),
+        )
+    else:
+        top = runs.isel(s=-1)
+        z, tension, zero = top["z"], top["effective_tension"], float(runs["s"][-1])
+    return xr.Dataset({"heave": z - zero, "tension": tension / 1e6})
+
+
+def _gas(runs: xr.Dataset) -> xr.Dataset:
+    return _histories(runs).sel(tensioner_model="gas law")
+
+
+def _repeated(period: xr.Dataset, time: xr.DataArray) -> xr.Dataset:
+    """A settled period laid end to end over other times; both start at the same phase."""
+    start, end = float(period["time"][0]), float(period["time"][-1])
+    within = start + np.mod(time.values - start, end - start)
+    return period.interp(time=within).assign_coords(time=time.values)
+
+
+# asymmetry
+
+
+def fig13(asymmetry: xr.Dataset) -> Figure:
+    """Displacement above and below equilibrium over amplitude."""
+    figure, axes = panels(1, 2, 3.6, sharey=True)
+    sides = {"displacement_up": "above, x_p", "displacement_down": "below, x_n"}
+    for ax, model in zip(axes, MODELS, strict=True):
+        for colour, (side, word) in zip(COLOURS, sides.items(), strict=False):
+            for line, (reading, label) in zip(("-", "--", ":"), READINGS.items(), strict=True):
+                curve = asymmetry[side].sel(reading=reading, tensioner_model=model)
+                ax.plot(
+                    curve["heave_amplitude"], curve, line, color=colour, label=f"{word}: {label}"
+                )
+        ax.set_xlabel(AMPLITUDE)
+        ax.set_title(model, loc="right", fontsize="small")
+    axes[0].set_ylabel("displacement from equilibrium (m)")
+    key_below(figure, axes[0], 2)
+    return figure
 
 
 def fig14(asymmetry: xr.Dataset) -> Figure:
@@ -19,10 +257,150 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     figure, (ax,) = panels()
     index = asymmetry["asymmetry_index"]
     for colour, (reading, label) in zip(COLOURS, READINGS.items(), strict=False):
-        for model, line in (("gas law", "-"), ("linear", "--")):
+        for model, line in MODELS.items():
             curve = index.sel(reading=reading, tensioner_model=model)
-            ax.plot(curve["heave_amplitude"], curve, line, color=colour, label=f"{label}, {model}")
-    ax.set_xlabel("heave amplitude (m)")
-    ax.set_ylabel("asymmetry index S (-)")
+            mark = {"gas law": ".", "linear": "x"}[model] if reading == "quasi_static" else None
+            style = "none" if mark else line
+            ax.plot(
+                curve["heave_amplitude"],
+                curve,
+                linestyle=style,
+                marker=mark,
+                markersize=5,
+                color=colour,
+                label=f"{label}, {model}",
+            )
+    ax.set_xlabel(AMPLITUDE)
+    ax.set_ylabel("asymmetry index S = x_p / x_n (-)")
     ax.legend(fontsize="small")
+    return figure
+
+
+def open_choices(open_choices: xr.Dataset) -> Figure:
+    """Asymmetry index for each sample of what the paper leaves open."""
+    figure, axes = panels(1, 2, 3.6, sharey=True)
+    runs = open_choices.isel(s_node=-1)
+    rest = runs["z_static"].sel(heave_amplitude=0.0)
+    moving = runs.sel(heave_amplitude=runs["heave_amplitude"] > 0)
+    index = (moving["z_max"] - rest) / (rest - moving["z_min"])
+    ramps = (("None", "platform moves at once"), ("40 s", "motion grows over 40 s"))
+    starts = dict(zip(("unstretched", "equilibrium"), COLOURS, strict=False))
+    for ax, (ramp, title) in zip(axes, ramps, strict=True):
+        for start, colour in starts.items():
+            chosen = (runs["assumed_platform_heave_ramp"] == ramp) & (
+                runs["assumed_analysis_start"] == start
+            )
+            lines = index.sel(sample=chosen).transpose("heave_amplitude", "sample")
+            ax.plot(lines["heave_amplitude"], lines, color=colour, lw=0.7, alpha=0.55)
+        ax.axhline(1.0, color="black", linewidth=0.8)
+        ax.set_title(title, loc="right", fontsize="small")
+        ax.set_xlabel(AMPLITUDE)
+    for start, colour in starts.items():
+        axes[0].plot([], [], color=colour, label=f"one sample, riser starts {STARTS[start]}")
+    axes[0].set_ylabel("asymmetry index S (-)")
+    key_below(figure, axes[0], 2)
+    return figure
+
+
+# beside the paper
+
+
+def percentages(reductions: xr.Dataset) -> Figure:
+    """Every reading of the two percentages."""
+    figure, (ax,) = panels(height=4.0)
+    table = 100.0 * reductions["reduction"].sel(quantity="heave")
+    places: list[float] = []
+    names: list[str] = []
+    words = {"swing": "swing", "deviation": "standard\ndeviation", "peak": "peak"}
+    for j, height in enumerate(("amplitude", "height")):
+        for k, measure in enumerate(words):
+            at = j * 3.6 + k
+            for n, (colour, reading) in enumerate(zip(COLOURS, READINGS, strict=False)):
+                value = float(table.sel(height=height, measure=measure, reading=reading))
+                label = READINGS[reading] if not places else None
+                bar = ax.bar(at + 0.27 * (n - 1), value, 0.25, color=colour, label=label)
+                written = ax.bar_label(bar, fmt="%.0f", fontsize="x-small", padding=2)
+                written[0].set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
+            places.append(at)
+            names.append(words[measure])
+    for name, value in REDUCED.items():
+        ax.axhline(100.0 * value, zorder=0.5, **PRINTED)
+        ax.annotate(
+            f"printed: {name}",
+            (1.0, 100.0 * value),
+            xycoords=("axes fraction", "data"),
+            xytext=(4, 0),
+            textcoords="offset points",
+            va="center",
+            fontsize="small",
+        )
+    ax.axhline(0.0, color="black", linewidth=0.8)
+    ax.set_xticks(places, names)
+    for middle, text in (
+        (1.0, "H = 5 m is the amplitude"),
+        (4.6, "H = 5 m is twice the amplitude"),
+    ):
+        ax.annotate(
+            text,
+            (middle, 0),
+            xycoords=("data", "axes fraction"),
+            xytext=(0, -34),
+            textcoords="offset points",
+            ha="center",
+            va="top",
+            fontsize="small",
+        )
+    ax.set_ylabel("reduction of heave, and of tension (%)")
+    ax.margins(y=0.12)
+    key_below(figure, ax, 3)
+    return figure
+
+
+def period_sweep(period_sweep: xr.Dataset) -> Figure:
+    """Settled motion over the platform's period."""
+    figure, axes = panels(1, 2, 3.6, sharex=True)
+    top = period_sweep.isel(s_node=-1)
+    up, down = top["z_max"] - top["z_static"], top["z_static"] - top["z_min"]
+    curves = {
+        "half swing / heave amplitude (-)": 0.5 * (up + down) / top["heave_amplitude"],
+        "asymmetry index S (-)": up / down,
+    }
+    for ax, (label, values) in zip(axes, curves.items(), strict=True):
+        for colour, amplitude in zip(COLOURS, values["heave_amplitude"].values, strict=False):
+            for model, line in MODELS.items():
+                curve = values.sel(heave_amplitude=amplitude, tensioner_model=model)
+                name = f"platform {amplitude:g} m, {model}"
+                ax.plot(
+                    curve["heave_period"], curve, line, color=colour, marker=".", ms=3, label=name
+                )
+        ax.set_xlabel("heave period of the platform (s)")
+        ax.set_ylabel(label)
+    axes[0].set_yscale("log")
+    key_below(figure, axes[0], 2)
+    return figure
+
+
+def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
+    """The riser's mass at the ring and along the riser."""
+    figure, axes = panels(1, 2, 3.6)
+    for colour, place in zip(COLOURS, riser_mass["mass_place"].values, strict=False):
+        start = riser_mass_start.sel(mass_place=place)
+        away = start["z"].isel(s=-1) - start["z_static"].isel(s_node=-1)
+        axes[0].plot(start["time"], away, color=colour, linewidth=1.2, label=f"mass {place}")
+        top = riser_mass.sel(mass_place=place).isel(s_node=-1)
+        for line, word, side in (
+            ("-", "above, x_p", top["z_max"] - top["z_static"]),
+            ("--", "below, x_n", top["z_static"] - top["z_min"]),
+        ):
+            label = word if colour == COLOURS[0] else None
+            axes[1].plot(side["heave_amplitude"], side, line, color=colour, label=label)
+    axes[0].set_xlabel(TIME)
+    axes[0].set_xlim(0, float(riser_mass_start["time"][-1]))
+    axes[0].set_ylabel("heave from equilibrium (m)")
+    axes[0].set_title("platform 5 m, starts at once", loc="right", fontsize="small")
+    axes[1].set_xlabel(AMPLITUDE)
+    axes[1].set_ylabel("displacement from equilibrium (m)")
+    axes[1].set_title("settled", loc="right", fontsize="small")
+    axes[1].legend(fontsize="small")
+    key_below(figure, axes[0], 2)
     return figure

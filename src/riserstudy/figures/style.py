@@ -1,6 +1,8 @@
-"""How figures look: size, colours, labels with units from the variable table."""
+"""How figures look: size, colours, letters of panels, legends."""
 
 from __future__ import annotations
+
+from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -9,16 +11,21 @@ from matplotlib.figure import Figure
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 GREY = "#888888"
 WIDTH = 6.4  # inches
+PRINTED: dict[str, Any] = {"color": "black", "linestyle": (0, (6, 3)), "linewidth": 1.0}
 
 
 def panels(
-    rows: int = 1, columns: int = 1, height: float = 3.4, **options: bool
+    rows: int = 1,
+    columns: int = 1,
+    height: float = 3.4,
+    *,
+    sharex: bool = False,
+    sharey: bool = False,
 ) -> tuple[Figure, list[Axes]]:
     """Empty figure with a grid of panels, lettered when there are several."""
-    figure = Figure(
-        (WIDTH if columns == 1 else 1.6 * WIDTH, height * rows), dpi=150, layout="constrained"
-    )
-    grid = figure.subplots(rows, columns, squeeze=False, **options)
+    width = WIDTH if columns == 1 else 1.6 * WIDTH
+    figure = Figure((width, height * rows), dpi=150, layout="constrained")
+    grid = figure.subplots(rows, columns, sharex=sharex, sharey=sharey, squeeze=False)
     axes = list(grid.flat)
     for letter, ax in zip("abcdefghijkl", axes, strict=False):
         ax.grid(True, color="0.9", linewidth=0.6)
@@ -26,3 +33,9 @@ def panels(
         if len(axes) > 1:
             ax.set_title(f"({letter})", loc="left", fontsize="medium")
     return figure, axes
+
+
+def key_below(figure: Figure, ax: Axes, columns: int) -> None:
+    """One legend for the whole figure, below its panels."""
+    handles, labels = ax.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=columns, fontsize="small")
