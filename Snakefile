@@ -12,6 +12,7 @@ container: "docker://python:3.12"
 include: "workflow/rules/common.smk"
 include: "workflow/rules/simulate.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/grade.smk"
 include: "workflow/rules/report.smk"
 
 
@@ -20,5 +21,6 @@ rule all:
     input:
         DATASETS,
         FIGURES,
+        PLAN.joined_tables(),
         "results/report.html",
     localrule: True

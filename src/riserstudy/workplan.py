@@ -15,6 +15,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, digest, kernel_cache
+from riserstudy.published.models import PublishedFile, published_path, read_published
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import check, read_scene, read_yaml
 from riserstudy.study import Study, StudyFile, Tier, read_studies, threads_worth
@@ -43,7 +44,11 @@ class Config(Strict):
 
 
 class Workplan:
-    """All studies, datasets and figures of the configured papers.
+    """All studies, datasets, figures and printed numbers of the configured papers.
+
+    Parameters
+    ----------
+    only : a study to check instead of all, as (paper, name): enough for the job that simulates it.
 
     Raises
     ------
@@ -51,26 +56,32 @@ class Workplan:
         When any part of the configuration, a scene or a grid point cannot be meant.
     """
 
-    def __init__(self, config: Path, settings: dict[str, Any]):
+    def __init__(self, config: Path, settings: dict[str, Any], only: tuple[str, str] | None = None):
         self.config = config
         self.settings = check(Config, dict(settings), config / "config.yaml")
         self.tier: Tier = self.settings.tier
         self.papers = self.settings.papers
         self.files: dict[str, StudyFile] = {p: read_studies(config, p) for p in self.papers}
-        for paper, file in self.files.items():
-            for name in file.studies:
-                study = self.study(paper, name)
-                read_scene(config / study.model.scene).scene()
-                study.plan  # noqa: B018  every point is checked before any job
+        self.published: dict[str, PublishedFile] = {
+            paper: read_published(config, paper, {*file.studies, *file.derived})
+            for paper, file in self.files.items()
+            if published_path(config, paper).exists()
+        }
+        for paper, name in [only] if only else self._studies:
+            study = self.study(paper, name)
+            read_scene(config / study.model.scene).scene()
+            study.plan  # noqa: B018  every point is checked before any job
 
     @classmethod
-    def read(cls, config: Path, overrides: dict[str, Any]) -> Self:
+    def read(
+        cls, config: Path, overrides: dict[str, Any], only: tuple[str, str] | None = None
+    ) -> Self:
         """Read config.yaml, and let overrides win over what it says."""
         path = config / "config.yaml"
         settings = read_yaml(path)
         if not isinstance(settings, dict):
             raise InputError(path, "", "no mapping", "it starts with names such as 'papers:'")
-        return cls(config, settings | overrides)
+        return cls(config, settings | overrides, only)
 
     @cached_property
     def _studies(self) -> dict[tuple[str, str], Study]:
@@ -116,6 +127,16 @@ class Workplan:
         """The code that draws."""
         return self._code("figures", wildcards.paper)
 
+    def grade_inputs(self, wildcards: Any) -> list[str]:
+        """Datasets that a paper's numbers and claims are graded with."""
+        paper = wildcards.paper
+        return [f"results/{paper}/{name}.nc" for name in self.published[paper].datasets]
+
+    def grade_digest(self, wildcards: Any) -> str:
+        """The printed numbers and claims, and the code that grades."""
+        printed = digest([published_path(self.config, wildcards.paper)])
+        return f"{printed}-{self._code('published', wildcards.paper)}"
+
     def _code(self, folder: str, paper: str) -> str:
         shared = [f for f in (PACKAGE / folder).glob("*.py") if f.stem not in self.files]
         return digest([*shared, PACKAGE / folder / f"{paper}.py"])
@@ -152,6 +173,14 @@ class Workplan:
             if paper in (None, p)
             for name in (*file.studies, *file.derived)
         ]
+
+    def graded_files(self, paper: str | None = None, kind: str = "reproduction") -> list[str]:
+        """Tables of all papers that have numbers or claims, or of one of them."""
+        return [f"results/{p}/{kind}.csv" for p in self.published if paper in (None, p)]
+
+    def joined_tables(self) -> list[str]:
+        """Tables over all papers, when there is anything to join."""
+        return ["results/reproduction.csv", "results/errata.csv"] if self.published else []
 
     @property
     def study_pattern(self) -> str:

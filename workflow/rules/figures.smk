@@ -8,7 +8,7 @@ rule figure:
         png="results/{paper}/{figure}.png",
         pdf="results/{paper}/{figure}.pdf",
     log:
-        "logs/{paper}/{figure}.log",
+        "logs/{paper}/draw_{figure}.log",
     wildcard_constraints:
         figure=PLAN.figure_pattern,
     params:
@@ -38,6 +38,7 @@ for paper in PLAN.papers:
         input:
             PLAN.dataset_files(paper),
             PLAN.figure_files(paper),
+            PLAN.graded_files(paper),
         localrule: True
 
 

@@ -7,6 +7,7 @@ rule report:
         compiled=PLAN.compiled,
         datasets=DATASETS,
         figures=[file for file in FIGURES if file.endswith(".png")],
+        tables=PLAN.joined_tables(),
     output:
         "results/report.html",
     log:
@@ -18,4 +19,4 @@ rule report:
         "make the report"
     shell:
         "python workflow/scripts/report.py {output:q} --papers {params.papers} --compiled {input.compiled:q}"
-        " --files {input.datasets:q} {input.figures:q} > {log:q} 2>&1"
+        " --files {input.datasets:q} {input.figures:q} {input.tables:q} > {log:q} 2>&1"

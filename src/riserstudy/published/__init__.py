@@ -1,0 +1,1 @@
+"""What papers printed, as data, and how simulations come out beside it."""

@@ -1,0 +1,132 @@
+"""Which inputs decide a yes or no.
+
+Over samples that mix ranges and options: correlation ratios, the share of the outcome's variance that
+lies between groups of equal input, freed of what chance alone would give (epsilon squared). Estimators
+for given data that rest on a kernel or on the rank of an input (delta, PAWN, RBD-FAST) have no meaning
+for options without an order. Over a full grid of readings: total effects, which count interactions too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+MOST_GROUPS = 8  # of a continuous input
+A_GROUP = 4  # samples at least
+WEAK = 0.5  # below this share of the variance, two inputs together are considered
+WORTH = 0.1  # of the variance, for a second input to be named
+
+
+class Deciding(NamedTuple):
+    """Names of the deciding inputs, the most important first, and what is known of them."""
+
+    names: list[str]
+    why: str
+
+
+def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
+    """Inputs that decide a boolean outcome.
+
+    Parameters
+    ----------
+    outcome : boolean, over ``sample`` and any other dimensions.
+    about : holds what each sample assumed, as variables ``assumed_...`` with the path as long_name.
+    """
+    if bool(outcome.all()) or not bool(outcome.any()):
+        return Deciding([], "")
+    if "sample" not in outcome.dims:
+        return _of_a_grid(outcome)
+    values = outcome.values.astype(float).ravel()
+    groups = {name: _groups(x) for name, x in inputs(outcome, about).items()}
+    groups = {name: group for name, group in groups.items() if group.max(initial=0) > 0}
+    if not groups:
+        return Deciding([], "")
+    single = {name: correlation_ratio(values, group) for name, group in groups.items()}
+    names = [max(single, key=lambda name: single[name])]
+    explained = single[names[0]]
+    if explained < WEAK and len(groups) > 1:
+        pairs = {
+            (a, b): correlation_ratio(values, groups[a] * (groups[b].max() + 1) + groups[b])
+            for a, b in combinations(groups, 2)
+        }
+        pair = max(pairs, key=lambda two: pairs[two])
+        if pairs[pair] >= explained + WORTH:
+            names = sorted(pair, key=lambda name: -single[name])
+            explained = pairs[pair]
+    word = "explains" if len(names) == 1 else "together explain"
+    return Deciding(
+        names, f"{listed(names)} {word} {100 * explained:.0f} % of the variance of the outcome."
+    )
+
+
+def _of_a_grid(outcome: xr.DataArray) -> Deciding:
+    """The dimensions whose total effect is at least half of the largest."""
+    effects = total_effects(outcome)
+    largest = max(effects.values(), default=0.0)
+    names = sorted(
+        (name for name, effect in effects.items() if effect >= 0.5 * largest),
+        key=lambda name: -effects[name],
+    )
+    shares = ", ".join(f"{name} {100 * effects[name]:.0f} %" for name in names)
+    return Deciding(names, f"Total effects: {shares}.")
+
+
+def total_effects(outcome: xr.DataArray) -> dict[str, float]:
+    """Share of the variance that remains when all dimensions but one are known, for each."""
+    values = outcome.astype(float)
+    total = float(values.var())
+    names = [str(dim) for dim in values.dims if total > 0]
+    return {name: float(values.var(name).mean()) / total for name in names}
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names as one phrase."""
+    *most, last = names
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def inputs(outcome: xr.DataArray, about: xr.Dataset) -> dict[str, NDArray[np.generic]]:
+    """Values of every input in each cell of the outcome, flat: dimensions and what samples assumed."""
+    found: dict[str, xr.DataArray] = {}
+    for dim in outcome.dims:
+        name = str(dim)
+        if name != "sample" and outcome.sizes[dim] > 1:
+            found[name] = outcome[name]
+    if "sample" in outcome.dims:
+        for label, values in about.data_vars.items():
+            if str(label).startswith("assumed_"):
+                found[str(values.attrs.get("long_name", label))] = values
+    return {
+        name: values.broadcast_like(outcome).transpose(*outcome.dims).values.ravel()
+        for name, values in found.items()
+    }
+
+
+def correlation_ratio(values: NDArray[np.float64], group: NDArray[np.int64]) -> float:
+    """Share of the variance between groups, less what chance gives; 0 to 1."""
+    total = float(((values - values.mean()) ** 2).sum())
+    count = np.bincount(group)
+    used = int((count > 0).sum())
+    if total == 0.0 or len(values) <= used:
+        return 0.0
+    mean = np.bincount(group, values) / np.maximum(count, 1)
+    within = float(((values - mean[group]) ** 2).sum())
+    ratio = 1.0 - within / (len(values) - used) / (total / (len(values) - 1))
+    return max(0.0, ratio)
+
+
+def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:
+    """Group of each value: itself for options, one of several equally filled bins for a range."""
+    unique, group = np.unique(values, return_inverse=True)
+    places: NDArray[np.int64] = np.arange(len(unique))
+    if len(unique) > MOST_GROUPS:
+        numbers = np.array([float(str(value).split()[0]) for value in unique])
+        count = max(2, min(MOST_GROUPS, len(unique) // A_GROUP))
+        places[np.argsort(numbers)] = np.arange(len(unique)) * count // len(unique)
+    found: NDArray[np.int64] = places[group]
+    return found

@@ -1,0 +1,209 @@
+"""Grade datasets against what a paper printed: one row a number or claim, one an erratum."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict, dataclass, fields
+from functools import partial
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import xarray as xr
+
+from riserstudy.errors import SimulationError
+from riserstudy.published.deciding import deciding, listed
+from riserstudy.published.models import Checked, Erratum, Item, PublishedFile
+from riserstudy.published.verdict import (
+    Verdict,
+    error,
+    met,
+    verdict_of_claim,
+    verdict_of_number,
+)
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+Datasets = Mapping[str, xr.Dataset]
+
+
+class Found(NamedTuple):
+    """What a check finds: a quantity, and for a claim whether it is true; over the same cells."""
+
+    value: xr.DataArray
+    true: xr.DataArray | None = None
+
+    def at(self, cell: Mapping[str, Any]) -> Found:
+        """One cell of it."""
+        return Found(self.value.sel(cell), None if self.true is None else self.true.sel(cell))
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of reproduction.csv; the fields are its columns."""
+
+    paper: str
+    id: str
+    figure: str
+    kind: str
+    statement: str
+    published: float | None
+    simulated: float | None
+    unit: str
+    error: float | None
+    verdict: Verdict
+    depends_on: str
+    note: str
+
+
+@dataclass(frozen=True)
+class ErratumRow:
+    """One line of errata.csv; the fields are its columns."""
+
+    paper: str
+    id: str
+    where: str
+    printed: str
+    reading: str
+    simulation: str
+
+
+def grade(file: PublishedFile, datasets: Datasets) -> list[Row]:
+    """A row for every number and claim of a paper.
+
+    Raises
+    ------
+    SimulationError
+        When a check finds no finite value.
+    """
+    module = import_module(f"riserstudy.published.{file.paper}")
+    return [graded(file.paper, item, module, datasets) for item in file.items]
+
+
+def graded(paper: str, item: Item, module: ModuleType, datasets: Datasets) -> Row:
+    """The row of one number or claim."""
+    if item.impossible:
+        return _row(paper, item, None, None, "not reproducible", "", [item.impossible, item.note])
+    look = partial(_look, item, module=module, datasets=datasets)
+    found = look(item.reads)
+    base = found.at(item.base) if item.base else found
+    space = look(item.over) if item.over else found
+    simulated = float(base.value)
+    if not math.isfinite(simulated):
+        raise SimulationError(f"{paper}/{item.id}: {item.check} finds {simulated}")
+    calibrated = any(_calibrated(datasets[name]) for name in item.datasets)
+    hits = _hits(item, space)
+    share = float(hits.mean())
+    if item.published is None:
+        off, verdict = None, verdict_of_claim(share, calibrated)
+    else:
+        off = error(simulated, item.published)
+        sampled = share if hits.ndim else None
+        verdict = verdict_of_number(bool(_hits(item, base)), sampled, calibrated)
+    about = datasets[next(iter((item.over or item.reads).values()))]
+    depends_on, said = _explained(item, hits, about, verdict) if hits.ndim else ("", "")
+    cases = [_case(item, "Base case", base) if item.published is None else ""]
+    cases += [_case(item, name, look(reads)) for name, reads in item.beside.items()]
+    return _row(paper, item, simulated, off, verdict, depends_on, [said, *cases, item.note])
+
+
+def _hits(item: Item, found: Found) -> xr.DataArray:
+    """Where a number is met, or a claim true."""
+    if item.published is None or item.rounding is None:
+        if found.true is None:
+            raise TypeError(f"{item.id}: {item.check} judges no claim")
+        return found.true
+    hits: xr.DataArray = xr.apply_ufunc(
+        partial(met, published=item.published, rounding=item.rounding), found.value, vectorize=True
+    )
+    return hits
+
+
+def _case(item: Item, name: str, found: Found) -> str:
+    """One further case as a sentence."""
+    hits = _hits(item, found)
+    words = ("met", "missed") if item.kind == "number" else ("true", "false")
+    unit = f" {item.unit}" if item.unit not in ("", "1") else ""
+    return f"{name}: {float(found.value):.3g}{unit}, {words[0] if bool(hits.all()) else words[1]}."
+
+
+def errata(file: PublishedFile, datasets: Datasets) -> list[ErratumRow]:
+    """A row for every erratum of a paper, its text filled with what was simulated."""
+    module = import_module(f"riserstudy.published.{file.paper}")
+    return [
+        ErratumRow(file.paper, e.id, e.where, e.printed, e.reading, _filled(e, module, datasets))
+        for e in file.errata
+    ]
+
+
+def table(rows: Iterable[Any], kind: type) -> str:
+    """Rows as CSV text with a header; numbers to six digits."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, [field.name for field in fields(kind)], lineterminator="\n")
+    writer.writeheader()
+    for row in rows:
+        writer.writerow({name: _cell(value) for name, value in asdict(row).items()})
+    return text.getvalue()
+
+
+def _look(entry: Checked, reads: Mapping[str, str], module: ModuleType, datasets: Datasets) -> Any:
+    function: Callable[..., Any] = getattr(module, entry.check or "")
+    return function(**{name: datasets[of] for name, of in reads.items()}, **entry.options)
+
+
+def _filled(erratum: Erratum, module: ModuleType, datasets: Datasets) -> str:
+    if not erratum.check:
+        return erratum.simulation
+    return erratum.simulation.format(**_look(erratum, erratum.reads, module, datasets))
+
+
+def _explained(
+    item: Item, hits: xr.DataArray, about: xr.Dataset, verdict: Verdict
+) -> tuple[str, str]:
+    """What decides, and the share of the samples, as text."""
+    word = "met" if item.kind == "number" else "true"
+    share = f"{word} in {int(hits.sum())} of {hits.size} samples ({100 * float(hits.mean()):.0f} %)"
+    if verdict != "depends":
+        return "", f"{share[0].upper()}{share[1:]}."
+    names, why = deciding(hits, about)
+    return f"{listed(names) if names else 'nothing that was varied'}; {share}", why
+
+
+def _calibrated(dataset: xr.Dataset) -> bool:
+    return "calibrated" in json.loads(dataset.attrs.get("origins", "{}")).values()
+
+
+def _row(
+    paper: str,
+    item: Item,
+    simulated: float | None,
+    off: float | None,
+    verdict: Verdict,
+    depends_on: str,
+    notes: list[str],
+) -> Row:
+    note = " ".join(text for text in notes if text)
+    return Row(
+        paper,
+        item.id,
+        item.figure,
+        item.kind,
+        item.statement,
+        item.published,
+        simulated,
+        item.unit,
+        off,
+        verdict,
+        depends_on,
+        note,
+    )
+
+
+def _cell(value: Any) -> Any:
+    if value is None:
+        return ""
+    return f"{value:.6g}" if isinstance(value, float) else value

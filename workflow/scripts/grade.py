@@ -1,0 +1,37 @@
+"""Grade the numbers and claims of a paper, and say what simulations make of its errata."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+import xarray as xr
+
+from riserstudy.errors import RiserStudyError
+from riserstudy.published.grading import ErratumRow, Row, errata, grade, table
+from riserstudy.published.models import read_published
+from riserstudy.store import write_whole
+
+
+def main(paper: str, graded: Path, errors: Path, sources: list[Path]) -> None:
+    """Read the sources, write both tables."""
+    datasets = {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
+    file = read_published(Path("config"), paper, datasets)
+    rows = grade(file, datasets)
+    write_whole(graded, table(rows, Row).encode())
+    write_whole(errors, table(errata(file, datasets), ErratumRow).encode())
+    for row in rows:
+        print(f"{paper}/{row.id}: {row.verdict}")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("paper")
+    parser.add_argument("graded", type=Path)
+    parser.add_argument("errors", type=Path)
+    parser.add_argument("sources", type=Path, nargs="+")
+    try:
+        main(**vars(parser.parse_args()))
+    except RiserStudyError as error:
+        sys.exit(f"riserstudy: {error}")
