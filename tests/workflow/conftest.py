@@ -92,6 +92,7 @@ def in_small(folder):
     shutil.copy(ROOT / "Snakefile", folder)
     for part in ("workflow", "profiles", "config"):
         shutil.copytree(ROOT / part, folder / part)
+    shutil.rmtree(folder / "config/published")  # which needs more studies than these
     yaml = YAML()
     path = folder / "config/studies/chang2020.yaml"
     file = yaml.load(path)

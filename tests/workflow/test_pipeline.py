@@ -54,7 +54,7 @@ def test_a_scene_value_reruns_what_depends_on_it(checkout):
     checkout.edit(SCENE, "damping: 967 N*s/m", "damping: 968 N*s/m")
     assert checkout.planned() == SIMULATE | AFTER
     checkout.edit(SCENE, "damping: 968 N*s/m", "damping: 967.0 N*s/m")
-    checkout.edit(SCENE, "amplitude: 5 m", "amplitude: 4 m")  # which every study of the figure sets
+    checkout.edit(SCENE, "assumed: 5 m,", "assumed: 4 m,")  # which every study of the figure sets
     before = checkout.stored()
     status, _, complained = checkout.run()
     assert (status, complained) == (0, "")
