@@ -71,6 +71,15 @@ def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) 
     return file
 
 
+def _check_writable(output: Path) -> None:
+    import os
+
+    folder = output.resolve().parent
+    if output.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
+        allowed = "allowed is a file in a folder that exists"
+        raise InputError("--output", str(output), "cannot be written", allowed)
+
+
 @app.command()
 def run(
     scene: SceneArgument,
@@ -84,17 +93,8 @@ def run(
     ] = None,
 ) -> None:
     """Simulate a scene and write its dataset."""
-    import os
-
     file = _scene(scene, settings, accuracy)
-    folder = output.resolve().parent
-    if output.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
-        raise InputError(
-            "--output",
-            str(output),
-            "cannot be written",
-            "allowed is a file in a folder that exists",
-        )
+    _check_writable(output)
     from riserstudy.gather import write_dataset
     from riserstudy.simulation import simulate
 
@@ -147,7 +147,10 @@ def modes(
 
     from riserstudy.modal import modes_of
 
-    dataset = modes_of(_scene(scene, settings).scene(), count)
+    file = _scene(scene, settings)
+    if output is not None:
+        _check_writable(output)
+    dataset = modes_of(file.scene(), count)
     table = Table("mode", "period (s)", "frequency (Hz)", "motion")
     for k in range(dataset.sizes["mode"]):
         frequency = float(dataset["frequency"][k])

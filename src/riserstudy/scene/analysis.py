@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+
+MOST_OUTPUTS = 1_000_000
+MOST_STEPS = 1_000_000_000
 
 
 class Mesh(Strict):
@@ -34,7 +38,13 @@ class Output(Strict):
 
     interval: Annotated[u.Time, POSITIVE]
     start: Annotated[u.Time, NOT_NEGATIVE] | None = None
-    stations: list[u.Length] | None = None
+    stations: Annotated[list[u.Length], Field(min_length=1)] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if any(a >= b for a, b in pairwise(self.stations or [])):
+            raise ValueError("stations must rise from one to the next")
+        return self
 
 
 class Analysis(Strict):
@@ -67,4 +77,22 @@ class Analysis(Strict):
             raise ValueError("step and method need a duration")
         if self.method == "explicit" and self.mesh is None:
             raise ValueError("explicit stepping needs mesh and step")
+        if self.duration is not None and self.output is not None:
+            self._fits_in_time(self.duration, self.output)
         return self
+
+    def _fits_in_time(self, duration: float, output: Output) -> None:
+        start = output.start or 0.0
+        if start > duration:
+            raise ValueError(
+                f"output.start {start:g} s lies after the end; allowed is up to {duration:g} s"
+            )
+        if (duration - start) / output.interval > MOST_OUTPUTS:
+            raise ValueError(
+                f"output.interval {output.interval:g} s asks for more than {MOST_OUTPUTS} outputs; "
+                "take a longer one"
+            )
+        if self.step is not None and duration / self.step > MOST_STEPS:
+            raise ValueError(
+                f"step {self.step:g} s asks for more than {MOST_STEPS} steps; take a longer one"
+            )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,6 +22,7 @@ from riserstudy.scene.tables import fill_in_tables
 T = TypeVar("T", bound=BaseModel)
 MOST_BYTES = 1_000_000  # of an input file
 DEEPEST = 20  # nesting levels
+_STEP = re.compile(r"[A-Za-z_]\w*(\[\d{1,6}\])*")  # of a dotted path
 
 
 @dataclass(frozen=True)
@@ -111,18 +113,20 @@ def _not_plain(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, str
     return None
 
 
-def _steps(path: str) -> list[str | int]:
+def _steps(path: str, layer: str) -> list[str | int]:
     steps: list[str | int] = []
     for part in path.split("."):
+        if not _STEP.fullmatch(part):
+            allowed = "allowed are names and indices, as in riser[0].length"
+            raise InputError(layer, path, f"{part!r} is no step of a path", allowed)
         name, *indices = part.replace("]", "").split("[")
-        steps.append(name)
-        steps += [int(k) if k.isdigit() else k for k in indices]
+        steps += [name, *map(int, indices)]
     return steps
 
 
 def _set(tree: dict[str, Any], path: str, value: Any, layer: str) -> None:
     """Put a value at a dotted path (``riser[0].length``); null removes what is there."""
-    *way, last = _steps(path)
+    *way, last = _steps(path, layer)
     here: Any = tree
     for step in way:
         if isinstance(here, dict) and step not in here and isinstance(step, str):
@@ -159,9 +163,14 @@ def _readable(error: ValidationError, source: object) -> InputError:
         chosen = tuple(str(step) for step in fault["loc"] if _names_alternative(step))
         alternatives.setdefault(chosen, []).append(fault)
 
-    def distance(faults: list[Any]) -> tuple[int, bool, int]:
-        wrong_kind = any(fault["type"].endswith(("_type", "literal_error")) for fault in faults)
-        return len(faults), wrong_kind, -max(len(fault["loc"]) for fault in faults)
+    def distance(faults: list[Any]) -> tuple[bool, int, int]:
+        another_kind = any(
+            fault["type"].endswith(("_type", "literal_error"))
+            and _names_alternative(fault["loc"][-1])
+            for fault in faults
+        )
+        other_keys = sum(fault["type"] in ("extra_forbidden", "missing") for fault in faults)
+        return another_kind, other_keys, len(faults)
 
     faults = alternatives.get(()) or min(alternatives.values(), key=distance)
     first = max(faults, key=lambda fault: (fault["type"] == "extra_forbidden", len(fault["loc"])))

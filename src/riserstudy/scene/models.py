@@ -59,6 +59,16 @@ class Scene(Strict):
             raise ValueError("riser: structural_damping must be the same in all sections")
         if self.top.z != "free" and self.bottom.hold == "free" and self.top.elevation is None:
             raise ValueError("a riser that hangs needs top.elevation")
+        if self.platform is None and "platform" in (self.top.x, self.top.z):
+            raise ValueError("top is on the platform: needs platform")
+        length = sum(section.total_length for section in self.riser)
+        stations = (self.analysis.output and self.analysis.output.stations) or []
+        for s in stations:
+            if not 0.0 <= s <= length * (1.0 + 1e-9):
+                raise ValueError(
+                    f"analysis.output.stations: {s:g} m is not on the riser; "
+                    f"allowed is from 0 to {length:g} m"
+                )
         return self
 
     @property

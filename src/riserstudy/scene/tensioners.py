@@ -60,7 +60,7 @@ class Stroke(Strict):
 class Tensioners(Strict):
     """Equal upright cylinders between ring and deck. Absent damping or stroke: none, no stops."""
 
-    count: Annotated[int, Field(ge=1)]
+    count: Annotated[int, Field(ge=1, le=1000)]
     mid_stroke: Literal["riser unstretched", "riser in equilibrium"]
     gas: Gas | None = None
     linearised: Linearised | None = None

@@ -95,8 +95,8 @@ class Unit:
 
 
 def _percent(value: object) -> float:
-    if isinstance(value, str) and (m := re.fullmatch(r"\s*([0-9.eE+-]+)\s*%\s*", value)):
-        return float(m.group(1)) / 100.0
+    if isinstance(value, str) and (m := _NUMBER.match(value)) and value[m.end() :].strip() == "%":
+        return float(m.group()) / 100.0
     raise ValueError(f"{value!r} is no percentage; allowed is text such as '1 %'")
 
 

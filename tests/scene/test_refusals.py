@@ -1,0 +1,232 @@
+"""Input that cannot be meant: one message with file, field, what was found and what is allowed."""
+
+from pathlib import Path
+
+import pytest
+
+from riserstudy import load_scene
+from riserstudy.errors import InputError
+from riserstudy.scene.load import read_scene
+
+SCENES = Path(__file__).parents[2] / "config" / "scenes"
+SURGE, HEAVE, CHANG = (
+    SCENES / "bench/s2.yaml",
+    SCENES / "bench/s3.yaml",
+    SCENES / "chang2020/heave.yaml",
+)
+
+STROKE = {"shortest": "-7 m", "longest": "20 m", "stop_stiffness": "1e9 N/m"}
+POINTS = [{"time": f"{t} s", "value": "0 m"} for t in (0, 1, 1, 2)]
+PROFILE = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 100, 50)]
+MESH = {"elements": 10}
+
+#: scene, path, value, field of the message, what else the message says
+REFUSED = {
+    # units
+    "a bare number": (SURGE, "riser[0].mass", 1006, "riser[0].mass", "1006 has no unit; allowed is text"),
+    "a bare number as text": (SURGE, "riser[0].mass", "1006", "riser[0].mass", "has no unit"),
+    "a wrong dimension": (SURGE, "riser[0].length", "5 kg", "riser[0].length", "another dimension"),
+    "an unknown unit": (SURGE, "riser[0].length", "5 cubits", "riser[0].length", "not known"),
+    "words": (SURGE, "riser[0].length", "long", "riser[0].length", "does not start with a number"),
+    "tonnes as a force": (SURGE, "top.tension", "232 t", "top.tension", "write tf"),
+    "a stiffness without angle": (
+        SURGE, "top.rotation", {"stiffness": "27 kN*m"}, "top.rotation.stiffness", "/deg",
+    ),
+    "an angle without unit": (SURGE, "platform.surge.phase", 1.0, "platform.surge.phase", "no unit"),
+    "an angular speed for an angle": (
+        SURGE, "platform.surge.phase", "1 rad/s", "platform.surge.phase", "dimension",
+    ),
+    "a pressure of unsaid kind": (
+        CHANG, "top.tensioners.gas.pressure", "190.2 bar", "top.tensioners.gas.pressure",
+        "neither absolute nor gauge",
+    ),
+    "a pressure below vacuum": (
+        CHANG, "top.tensioners.gas.pressure", "-1.1 bar gauge", "top.tensioners.gas.pressure",
+        "greater than 0",
+    ),
+    # numbers
+    "NaN": (SURGE, "riser[0].mass", float("nan"), "riser[0].mass", "nan"),
+    "NaN with a unit": (SURGE, "riser[0].mass", "nan kg/m", "riser[0].mass", "number"),
+    "infinity": (SURGE, "top.tension", float("inf"), "top.tension", "inf"),
+    "a number too large": (SURGE, "top.tension", "1e999 N", "top.tension", "not finite"),
+    "a negative mass": (SURGE, "riser[0].mass", "-3 kg/m", "riser[0].mass", "greater than 0"),
+    "text for a count": (CHANG, "top.tensioners.count", "4", "top.tensioners.count", "integer"),
+    "no cylinders": (CHANG, "top.tensioners.count", 0, "top.tensioners.count", "1"),
+    "a billion cylinders": (CHANG, "top.tensioners.count", 10**9, "top.tensioners.count", "1000"),
+    "half an element": (SURGE, "analysis.mesh", {"elements": 1.5}, "analysis.mesh.elements", "integer"),
+    "a spectral radius above one": (
+        SURGE, "analysis.method", {"rho_inf": 2.0}, "analysis.method.rho_inf", "less than or equal to 1",
+    ),
+    "a spectral radius of words": (
+        SURGE, "analysis.method", {"rho_inf": "high"}, "analysis.method.rho_inf", "number",
+    ),
+    "parameters of two methods": (
+        SURGE, "analysis.method", {"rho_inf": 0.5, "beta": 0.25}, "analysis.method.beta", "unknown key",
+    ),
+    "half of a method": (SURGE, "analysis.method", {"beta": 0.25}, "analysis.method.gamma", "missing"),
+    "a word for a joint": (SURGE, "top.rotation", "fixd", "top.rotation", "'free' or 'fixed'"),
+    "one bad point of many": (
+        SURGE, "platform.surge", {"points": [{"time": "0 s", "value": "1 kg"}] * 4},
+        "platform.surge.points[0].value", "another dimension",
+    ),
+    # keys
+    "an unknown key": (SURGE, "riser[0].colour", "red", "riser[0].colour", "unknown key"),
+    "an unknown section": (SURGE, "moonpool", {}, "moonpool", "unknown key"),
+    "a missing field": (SURGE, "title", None, "title", "missing"),
+    "a missing section": (SURGE, "bottom", None, "bottom", "missing"),
+    "a list that is none": (SURGE, "riser", "pipe", "riser", "list"),
+    "a word not among those allowed": (SURGE, "top.x", "floating", "top.x", "'floating'"),
+    # geometry and physics
+    "a pipe without wall": (SURGE, "riser[0].inner_diameter", "1 m", "riser[0]", "must be smaller than"),
+    "two ways to stiffness": (SURGE, "riser[0].axial_stiffness", "1 GN", "riser[0]", "not both"),
+    "two ways to length": (
+        SURGE, "riser[0].joints", {"count": 3, "length": "10 m"}, "riser[0]", "length and joints",
+    ),
+    "contents without gravity": (SURGE, "riser[0].contents", {"density": "1 t/m^3"}, "", "gravity"),
+    "drag without water": (SURGE, "water", None, "", "needs water"),
+    "a stroke that closes the gas volume": (
+        CHANG, "top.tensioners.stroke", STROKE, "top.tensioners", "empty at 18.4",
+    ),
+    "two laws of a tensioner": (
+        CHANG, "top.tensioners.linear", {"tension": "1 MN", "stiffness": "1 kN/m"}, "top.tensioners",
+        "one of gas and linear",
+    ),
+    "both ends free": (HEAVE, "top", {"z": "free"}, "", "both ends are free"),
+    "a top on no platform": (SURGE, "platform", None, "", "needs platform"),
+    "lateral motion with x unsaid": (SURGE, "top.x", None, "", "top.x is needed"),
+    "a current that goes back down": (
+        SURGE, "current", {"profile": PROFILE}, "current", "elevations must rise",
+    ),
+    "a motion that goes back in time": (
+        SURGE, "platform.surge", {"points": POINTS}, "platform.surge", "times must rise",
+    ),
+    # analysis
+    "an accuracy of nothing": (SURGE, "analysis.accuracy", "0 %", "analysis.accuracy", "greater than 0"),
+    "an accuracy below nothing": (SURGE, "analysis.accuracy", "-1 %", "analysis.accuracy", "greater"),
+    "an accuracy of no number": (SURGE, "analysis.accuracy", "1.2.3 %", "analysis.accuracy", "percentage"),
+    "an accuracy without per cent": (SURGE, "analysis.accuracy", 0.01, "analysis.accuracy", "percentage"),
+    "a mesh without step": (SURGE, "analysis.mesh", MESH, "analysis", "mesh and step together"),
+    "dynamics without output": (SURGE, "analysis.output", None, "analysis", "go together"),
+    "time that runs back": (SURGE, "analysis.duration", "-1 s", "analysis.duration", "greater than 0"),
+    "output after the end": (SURGE, "analysis.output.start", "200 s", "analysis", "after the end"),
+    "too much output": (SURGE, "analysis.output.interval", "1 ns", "analysis", "outputs"),
+    "a station beyond the riser": (SURGE, "analysis.output.stations", ["9 km"], "", "not on the riser"),
+    "no stations": (SURGE, "analysis.output.stations", [], "analysis.output.stations", "at least 1"),
+    "stations out of order": (
+        SURGE, "analysis.output.stations", ["9 m", "5 m"], "analysis.output", "must rise",
+    ),
+    # origins
+    "an assumption without evidence": (
+        SURGE, "riser[0].mass", {"assumed": "1 t/m"}, "riser[0].mass", "because",
+    ),
+    "a calibration to nothing": (SURGE, "riser[0].mass", {"calibrated": "1 t/m"}, "riser[0].mass", "to:"),
+    "a range of one value": (
+        SURGE, "riser[0].mass", {"assumed": "1 t/m", "because": "so", "range": ["1 t/m"]},
+        "riser[0].mass.range", "two values",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_input_that_cannot_be_meant_is_refused_with_field_and_reason(case):
+    path, field, value, place, reason = REFUSED[case]
+    with pytest.raises(InputError) as refusal:
+        load_scene(path, **{field: value})
+    error = refusal.value
+    assert error.exit_code == 2
+    assert error.field == place
+    assert reason in str(error)
+    assert "\n" not in str(error)
+    assert Path(error.where).name == path.name or error.where == "overrides"
+    assert error.found
+    assert error.allowed
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["riser[4].length", "riser[0.length", "riser]0[.length", "top..x", "", "top.x.y", "riser.x"],
+)
+def test_a_path_that_leads_nowhere_is_refused(path):
+    with pytest.raises(InputError):
+        load_scene(SURGE, **{path: "3 m"})
+
+
+@pytest.mark.parametrize(
+    "text, problem",
+    [
+        ("title: !!python/object/apply:os.system ['true']", "a YAML tag"),
+        ("title: !custom x", "a YAML tag"),
+        ("a: &one {b: 1}\nc: *one", "anchor"),
+        ("title: a\ntitle: b", "title"),
+        ("1: a", "no text"),
+        ("- a\n- b", "no mapping"),
+        ("title: .nan", "nan"),
+        ("title: [", "line"),
+        ("", "no mapping"),
+        ("a: 2020-01-01", "date"),
+        ("a: " + "[" * 30 + "]" * 30, "nested"),
+        ("a: " + "x" * 1_000_001, "larger than 1 MB"),
+    ],
+    ids=lambda text: text[:20].strip(),
+)
+def test_a_file_that_is_no_plain_yaml_is_refused(text, problem, tmp_path):
+    file = tmp_path / "scene.yaml"
+    file.write_text(text)
+    with pytest.raises(InputError) as refusal:
+        read_scene(file)
+    assert problem in str(refusal.value)
+    assert str(file) in str(refusal.value)
+
+
+def test_a_tag_is_not_executed(tmp_path):
+    mark = tmp_path / "executed"
+    file = tmp_path / "scene.yaml"
+    file.write_text(f"title: !!python/object/apply:pathlib.Path.touch [{str(mark)!r}]")
+    with pytest.raises(InputError):
+        read_scene(file)
+    assert not mark.exists()
+
+
+def test_what_is_no_text_is_refused(tmp_path):
+    file = tmp_path / "scene.yaml"
+    file.write_bytes(b"title: \xff\xfe")
+    with pytest.raises(InputError, match="UTF-8"):
+        read_scene(file)
+    with pytest.raises(InputError, match="No such file"):
+        read_scene(tmp_path / "absent.yaml")
+    with pytest.raises(InputError):
+        read_scene(tmp_path)
+
+
+TABLES = {
+    "no such file": (None, "No such file"),
+    "empty": ("", "line 1: 'nothing'"),
+    "other columns": ("depth (m), speed (m/s)\n0, 1\n1, 2\n", "elevation (unit), speed (unit)"),
+    "no units": ("elevation, speed\n0, 1\n1, 2\n", "elevation (unit), speed (unit)"),
+    "a word": ("elevation (m), speed (m/s)\n0, fast\n", "line 2"),
+    "a missing value": ("elevation (m), speed (m/s)\n0, 1\n1\n", "line 3"),
+    "a wrong unit": ("elevation (m), speed (kg)\n0, 1\n1, 2\n", "another dimension"),
+    "NaN": ("elevation (m), speed (m/s)\n0, nan\n1, 2\n", "nan"),
+    "one line": ("elevation (m), speed (m/s)\n0, 1\n", "at least 2"),
+}
+
+
+@pytest.mark.parametrize("case", TABLES)
+def test_a_table_that_cannot_be_read_is_refused(case, tmp_path):
+    text, problem = TABLES[case]
+    scene = tmp_path / "s2.yaml"
+    scene.write_text(SURGE.read_text())
+    if text is not None:
+        (tmp_path / "current.csv").write_text(text)
+    with pytest.raises(InputError) as refusal:
+        load_scene(scene, **{"current": {"profile": {"file": "current.csv"}}})
+    assert problem in str(refusal.value)
+
+
+def test_a_table_takes_the_place_of_points(tmp_path):
+    scene = tmp_path / "s2.yaml"
+    scene.write_text(SURGE.read_text())
+    (tmp_path / "current.csv").write_text("elevation (ft), speed (knot)\n0, 0\n1000, 2\n")
+    found = load_scene(scene, **{"current": {"profile": {"file": "current.csv"}}}).scene()
+    assert found.current.profile[1].elevation == pytest.approx(304.8)
+    assert found.current.profile[1].speed == pytest.approx(2 * 1852 / 3600)

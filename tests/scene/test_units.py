@@ -1,0 +1,39 @@
+"""Units at the door."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import UNITS, numbers
+
+from riserstudy.scene.units import ATMOSPHERE, to_si
+
+
+@pytest.mark.parametrize(
+    "text, unit, value",
+    [
+        ("21 in", "m", 0.5334),
+        ("27 kN*m/deg", "N*m/rad", 27e3 * 57.29577951308232),
+        ("2.5 knot", "m/s", 2.5 * 1852.0 / 3600.0),
+        ("190.2 bar absolute", "Pa", 190.2e5),
+        ("190.2 bar gauge", "Pa", 190.2e5 + ATMOSPHERE),
+        ("232 tf", "N", 232e3 * 9.80665),
+        ("140 t", "kg", 140e3),
+        ("36 deg", "rad", 0.6283185307179586),
+        ("206 GPa", "N/m^2", 206e9),
+        ("8.6 lb/gal", "kg/m^3", 1030.50727),
+        ("1e-3 m^2", "m^2", 1e-3),
+        ("-.5 m", "m", -0.5),
+    ],
+)
+def test_a_paper_s_unit_becomes_si(text, unit, value):
+    assert to_si(text, unit) == pytest.approx(value, rel=1e-6)
+
+
+@given(number=numbers, pair=st.sampled_from(UNITS))
+def test_units_make_the_round_trip(number, pair):
+    name, unit, factor = pair
+    # two conversions, a rounding each
+    assert to_si(f"{number!r} {name}", unit) == pytest.approx(number * factor, rel=1e-12)
+    assert to_si(f"{to_si(f'{number!r} {name}', unit)!r} {unit}", unit) == to_si(
+        f"{number!r} {name}", unit
+    )
