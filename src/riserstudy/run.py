@@ -98,8 +98,9 @@ def _first_mesh(scene: Scene) -> Mesh:
 
 
 def massless(scene: Scene) -> bool:
-    """Whether the string is a mere spring."""
-    return all(s.mass is None and s.submerged_weight is None for s in scene.riser)
+    """Whether the string is a mere spring, which one segment represents exactly."""
+    bare = all(s.mass is None and s.submerged_weight is None for s in scene.riser)
+    return bare and not scene.lateral
 
 
 def _first_step(scene: Scene) -> float | None:
@@ -131,6 +132,7 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
                 up, low = up - zero, low - zero0
                 scale = max(scale, float(np.abs(up).max()))
                 off = max(off, float(np.abs(np.interp(s0, s1, up) - low).max()))
-        if scale > 0.0:
+        rounding = 1e-9 * float(s1[-1]) if name == "displacement" else 0.0
+        if scale > rounding:
             estimate[name] = off / scale / 3.0
     return estimate

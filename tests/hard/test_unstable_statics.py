@@ -45,7 +45,7 @@ HEAVY = {
 
 
 def test_a_riser_with_too_little_top_tension_is_called_unstable():
-    with pytest.raises(SimulationError, match="unstable.*raise the top tension"):
+    with pytest.raises(SimulationError, match=r"unstable.*raise the top tension"):
         simulate(changed(COLUMN, **HEAVY))
     simulate(changed(COLUMN, **(HEAVY | {"top__tension": "1200 kN"})))
 

@@ -5,7 +5,9 @@ import pytest
 import reference as ref
 from engine import dataset, off, scene, slopes
 
+from riserstudy.errors import SimulationError
 from riserstudy.modal import modes_of
+from riserstudy.scene.models import Scene
 
 TENSION = 2275e3
 STRAIN = TENSION / ref.EA
@@ -116,3 +118,29 @@ def test_an_elastic_catenary_converges_with_second_order():
     assert slopes(LENGTHS, tension).min() > 1.9
     assert shape[-1] < 5e-5
     assert tension[-1] < 5e-5
+
+
+@pytest.mark.parametrize("name", ["s4b", "s4c"])
+def test_an_accuracy_asked_of_a_massless_beam_is_reached(name):
+    found = dataset(name, analysis={"accuracy": "0.1 %"})
+    best = dataset(name, 400)
+    assert off(found["x"], np.interp(found["s"], best["s"], best["x"])) < 1e-3
+    moment = np.interp(found["s"], best["s"], best["bending_moment"])
+    assert off(found["bending_moment"], moment) < 1e-3
+
+
+def test_modes_of_a_mass_on_a_massless_spring_are_those_of_the_oscillator():
+    spring = {
+        "title": "mass on a spring",
+        "riser": [{"name": "spring", "length": "100 m", "axial_stiffness": "343 MN"}],
+        "bottom": {"hold": "wellhead", "elevation": "0 m"},
+        "top": {"z": "free", "body": {"name": "mass", "mass": "749 t"}},
+        "analysis": {},
+    }
+    found = modes_of(Scene.model_validate(spring), 3)
+    assert found["frequency"].values == pytest.approx([np.sqrt(3.43e6 / 749e3) / (2 * np.pi)])
+
+
+def test_modes_without_mass_are_refused_with_the_reason():
+    with pytest.raises(SimulationError, match="need mass"):
+        modes_of(scene("s1").scene(), 3)
