@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from riserstudy.build import stiffness
+from riserstudy.errors import SimulationError
 from riserstudy.mesh import even
+from riserstudy.run import massless
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
 from riserstudy.solve.modes import natural_modes
@@ -31,14 +33,26 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
     -------
     Dataset with ``frequency`` (Hz, negative for an unstable direction) and ``motion`` over ``mode``,
     and shapes ``x``, ``z`` over (mode, s), largest displacement 1.
+
+    Raises
+    ------
+    SimulationError
+        When there is no equilibrium, or a node that moves has no mass.
     """
     import xarray as xr
 
-    mesh = even(scene, scene.analysis.mesh.elements if scene.analysis.mesh else DEFAULT_ELEMENTS)
+    most = len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS
+    mesh = even(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
     bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
     planar = bool(scene.lateral) or (bends and scene.top.x is not None)
     model, _ = settle(scene, mesh, planar=planar)
-    frequency, shape = natural_modes(model.programs, model.state, model.fixed, count)
+    try:
+        frequency, shape = natural_modes(model.programs, model.state, model.fixed, count)
+    except np.linalg.LinAlgError:
+        raise SimulationError(
+            "modes need mass at every node that moves: give every section its mass, or a massless "
+            "spring a single segment"
+        ) from None
     size = np.abs(shape).max(axis=2)
     names = ["lateral", "axial"] if planar else ["axial"]
     motion = [names[int(row.argmax())] for row in size]
