@@ -39,9 +39,19 @@ def test_the_page_on_adding_an_effect_works_as_written(tmp_path):
         copy(ROOT / part, tmp_path / part)
     follow(PAGE.read_text("utf-8"), tmp_path)
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "tests/effects", "tests/verification", "-k", "guide or Guide"],
+        [
+            sys.executable,
+            "-m",
+            "pytest",
+            "-q",
+            "tests/effects",
+            "tests/verification",
+            "-k",
+            "guide or Guide",
+        ],
         cwd=tmp_path,
-        env=os.environ | {"PYTHONPATH": str(tmp_path / "src"), "RISERSTUDY_CACHE": str(tmp_path / ".cache")},
+        env=os.environ
+        | {"PYTHONPATH": str(tmp_path / "src"), "RISERSTUDY_CACHE": str(tmp_path / ".cache")},
         capture_output=True,
         text=True,
     )

@@ -86,7 +86,10 @@ def contents(sources: Sources) -> dict[str, Any]:
     rows = [_row(*key, dataset) for key, dataset in simulated.items()]
     graded = table(sources.tables, "reproduction")
     figures = [_figure(path, studies, simulated, sources.config) for path in sources.figures]
-    jobs = len(sources.datasets) + len(sources.figures) + len(sources.tables) + 2
+    grading = len({row["paper"] for row in graded}) + 1 if graded else 0
+    jobs = (
+        len(sources.datasets) + len(sources.figures) + grading + 2
+    )  # with compiling and reporting
     cold = json.loads(sources.compiled.read_text() or "{}").get("cold_seconds")
     wall: dict[str, float] = {}
     for row in rows:
