@@ -7,7 +7,7 @@ import json
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import product
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
@@ -105,6 +105,20 @@ class FigureModel(Strict):
 StudyFile.model_rebuild()
 
 
+def scene_file(path: Path) -> SceneFile:
+    """A scene file, read once as long as it stays the same: many studies share one."""
+    try:
+        stamp = path.stat().st_mtime_ns
+    except OSError:
+        stamp = 0  # reading it tells what is wrong
+    return _scene_file(path, stamp)
+
+
+@cache
+def _scene_file(path: Path, stamp: int) -> SceneFile:
+    return read_scene(path)
+
+
 @dataclass(frozen=True)
 class Point:
     """One point of a study: where it lies on the axes, and its scene."""
@@ -129,7 +143,7 @@ class Study:
     def base(self) -> SceneFile:
         """The scene with what the study sets on top of it."""
         path = self.config / self.model.scene
-        file = read_scene(path).with_values(self.model.set, f"{self.where}.set")
+        file = scene_file(path).with_values(self.model.set, f"{self.where}.set")
         analysis = file.tree.get("analysis", {})
         if self.accuracy and not ({"mesh", "step", "accuracy"} & set(analysis)):
             file = file.with_values({"analysis.accuracy": self.accuracy}, "config.yaml")

@@ -17,8 +17,8 @@ from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, digest, kernel_cache
 from riserstudy.published.models import PublishedFile, published_path, read_published
 from riserstudy.scene.base import Strict
-from riserstudy.scene.load import check, read_scene, read_yaml
-from riserstudy.study import Study, StudyFile, Tier, read_studies, threads_worth
+from riserstudy.scene.load import check, read_yaml
+from riserstudy.study import Study, StudyFile, Tier, read_studies, scene_file, threads_worth
 
 
 class TierModel(Strict):
@@ -69,7 +69,7 @@ class Workplan:
         }
         for paper, name in [only] if only else self._studies:
             study = self.study(paper, name)
-            read_scene(config / study.model.scene).scene()
+            scene_file(config / study.model.scene).scene()
             study.plan  # noqa: B018  every point is checked before any job
 
     @classmethod
