@@ -1,0 +1,151 @@
+"""The command line: exit codes, one message, no file made when refused."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import xarray as xr
+
+from riserstudy.cli import main
+
+SCENES = Path(__file__).parents[1] / "config" / "scenes"
+CURRENT, SURGE = str(SCENES / "bench/s1.yaml"), str(SCENES / "bench/s2.yaml")
+QUICK = ["--set", "analysis.duration=30 s"]
+
+
+@pytest.fixture
+def command(monkeypatch, capsys):
+    """Run a command here; its exit code, output and messages."""
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["riserstudy", *map(str, arguments)])
+        try:
+            main()
+            code = 0
+        except SystemExit as done:
+            code = done.code or 0
+        said = capsys.readouterr()
+        return code, said.out, said.err
+
+    return run
+
+
+def test_a_run_writes_its_dataset_and_says_how_good_it_is(command, tmp_path):
+    code, out, err = command("run", SURGE, "-o", tmp_path / "out.nc", *QUICK)
+    assert (code, err) == (0, "")
+    assert "estimated error" in out
+    with xr.open_dataset(tmp_path / "out.nc") as found:
+        assert float(found["time"][-1]) == 30.0
+
+
+def test_accuracy_and_settings_reach_the_run(command, tmp_path):
+    target = tmp_path / "out.nc"
+    settings = ["--set", "current.profile[1].speed=0.5 m/s", "--accuracy", "0.5%"]
+    assert command("run", CURRENT, "-o", target, *settings)[0] == 0
+    with xr.open_dataset(target) as found:
+        assert max(json.loads(found.attrs["error_estimate"]).values()) <= 0.005
+        tree = json.loads(found.attrs["provenance"])["scene"]
+    assert tree["current"]["profile"][1]["speed"] == "0.5 m/s"
+    assert "mesh" not in tree["analysis"]
+
+
+REFUSED = {
+    "an unknown key": [SURGE, "--set", "colour=red"],
+    "a wrong unit": [SURGE, "--set", "riser[0].length=5 kg"],
+    "a path that leads nowhere": [SURGE, "--set", "riser[9].length=5 m"],
+    "no value": [SURGE, "--set", "riser"],
+    "no path": [SURGE, "--set", "=5"],
+    "a tag": [SURGE, "--set", "title=!!python/name:os.system"],
+    "a broken value": [SURGE, "--set", "title=[1, 2"],
+    "an accuracy of nothing": [SURGE, "--accuracy", "0%"],
+    "an accuracy below nothing": [SURGE, "--accuracy", "-3%"],
+    "an accuracy of no number": [SURGE, "--accuracy", "good"],
+    "no such scene": ["absent.yaml"],
+    "no such option": [SURGE, "--colour"],
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_a_refused_run_ends_with_two_one_message_and_no_file(command, tmp_path, case, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    code, out, err = command("run", *REFUSED[case], "-o", tmp_path / "out.nc")
+    assert code == 2
+    assert out == ""
+    assert err.startswith("riserstudy: ")
+    assert err.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("subcommand", ["run", "modes"])
+def test_an_output_that_cannot_be_written_is_refused_before_anything_runs(
+    command, tmp_path, subcommand
+):
+    for target in (tmp_path, tmp_path / "no" / "such" / "folder.nc"):
+        code, out, err = command(subcommand, SURGE, "-o", target)
+        assert (code, out) == (2, "")
+        assert "--output" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_run_without_output_is_refused(command):
+    assert command("run", SURGE)[0] == 2
+
+
+def test_an_unknown_command_is_refused(command):
+    code, _, err = command("sink")
+    assert code == 2
+    assert "sink" in err
+
+
+def test_a_simulation_that_cannot_be_completed_ends_with_three(command, tmp_path):
+    heavy = ["--set", "current=null", "--set", "top.tension=30 kN"]  # of a weight of 75 kN
+    code, _, err = command("run", CURRENT, "-o", tmp_path / "out.nc", *heavy)
+    assert code == 3
+    assert err.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_effects_tells_what_is_on_and_why(command):
+    code, out, _ = command("effects", SURGE)
+    assert code == 0
+    assert "added mass" in out
+    assert "no top.tensioners" in out
+
+
+def test_modes_prints_the_lowest_frequencies(command, tmp_path):
+    code, out, _ = command(
+        "modes", SCENES / "bench/s4a.yaml", "--count", "3", "-o", tmp_path / "m.nc"
+    )
+    assert code == 0
+    assert out.count("lateral") == 3
+    with xr.open_dataset(tmp_path / "m.nc") as found:
+        assert found.sizes["mode"] == 3
+
+
+def test_schema_prints_json(command):
+    code, out, _ = command("schema")
+    assert code == 0
+    assert json.loads(out)["$schema"].startswith("https://json-schema.org/")
+
+
+def test_results_lists_what_is_stored(command):
+    assert command("results", "no such point ever")[:2] == (0, "")
+
+
+def test_the_installed_command_gives_the_exit_codes_too(tmp_path):
+    def code(*arguments):
+        return subprocess.run(
+            [Path(sys.executable).with_name("riserstudy"), *arguments],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    assert code("run", SURGE, "-o", "out.nc", *QUICK).returncode == 0
+    refused = code("run", SURGE, "-o", "no.nc", "--set", "top.tension=3 t")
+    assert refused.returncode == 2
+    assert "Traceback" not in refused.stderr
+    assert [p.name for p in tmp_path.iterdir()] == ["out.nc"]
