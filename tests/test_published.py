@@ -147,6 +147,21 @@ def test_two_inputs_that_decide_only_together_are_both_named():
     assert set(deciding(outcome, about).names) == {"analysis.start", "heave.phase"}
 
 
+def test_an_option_is_not_hidden_by_how_evenly_two_ranges_fill_their_plane():
+    """Two samples of a Sobol sequence in a cell of two ranges share the option."""
+    levels = np.arange(8)
+    a, b = (grid.repeat(2) for grid in np.meshgrid(levels, levels))
+    half = (a + b) % 2 == 0  # what the cell knows of the option
+    about = samples(
+        start=np.where(half, "unstretched", "equilibrium"),
+        phase=[f"{x} deg" for x in a + 0.01 * np.arange(128)],
+        period=[f"{x} s" for x in b + 0.01 * np.arange(128)[::-1]],
+    )
+    random = np.random.default_rng(2)
+    outcome = xr.DataArray(~half | (random.random(128) > 0.6), dims="sample")
+    assert deciding(outcome, about).names[0] == "start"
+
+
 def test_a_dimension_beside_the_samples_can_decide():
     _, about = sampled(32)
     outcome = xr.DataArray(
@@ -162,11 +177,19 @@ def test_nothing_decides_what_never_changes():
     assert deciding(xr.ones_like(about["sample"], bool), about).names == []
 
 
-def test_pure_chance_is_not_explained():
-    random, about = sampled(128)
-    outcome = (random.random(128) > 0.5).astype(float)
-    groups = random.integers(0, 8, 128)
-    assert correlation_ratio(outcome, groups) < 0.15
+@pytest.mark.parametrize("count", [16, 128])
+def test_pure_chance_is_not_explained(count):
+    random, about = sampled(count)
+    outcome = xr.DataArray(random.random(count) > 0.5, dims="sample")
+    names, why = deciding(outcome, about)
+    assert names == []
+    assert why.startswith("No input stands out")
+
+
+def test_correlation_ratios_run_from_nothing_to_all():
+    outcome = np.array([0.0, 0.0, 1.0, 1.0] * 4)
+    assert correlation_ratio(outcome, np.array([0, 0, 1, 1] * 4)) == 1.0
+    assert correlation_ratio(outcome, np.array([0, 1, 0, 1] * 4)) == 0.0
 
 
 def test_total_effects_of_a_grid_count_interactions():
@@ -233,10 +256,11 @@ def test_derived_datasets_hand_the_origins_of_their_sources_on(monkeypatch):
 
 
 def test_a_number_met_in_some_samples_depends():
-    space = dataset([2.0, 2.0, 5.0, 5.0]).merge(samples(lever=["in", "in", "out", "out"]))
+    levers = ["in", "in", "out", "out"] * 4
+    space = dataset([2.0, 2.0, 5.0, 5.0] * 4).merge(samples(lever=levers))
     found = number_row({"base": dataset(5.0), "space": space}, over={"runs": "space"})
     assert found.verdict == "depends"
-    assert found.depends_on == "lever; met in 2 of 4 samples (50 %)"
+    assert found.depends_on == "lever; met in 8 of 16 samples (50 %)"
     assert found.error == 1.5
 
 

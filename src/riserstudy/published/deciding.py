@@ -8,6 +8,7 @@ for options without an order. Over a full grid of readings: total effects, which
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from itertools import combinations
 from typing import NamedTuple
@@ -18,8 +19,9 @@ from numpy.typing import NDArray
 
 MOST_GROUPS = 8  # of a continuous input
 A_GROUP = 4  # samples at least
-WEAK = 0.5  # below this share of the variance, two inputs together are considered
-WORTH = 0.1  # of the variance, for a second input to be named
+WEAK = 0.5  # below this share of the variance, a second input is looked for
+WORTH = 0.05  # of the variance, for a second input to be named
+SHUFFLES, SURE, SEED = 200, 0.95, 0  # an input is named when it beats so many shuffled outcomes
 
 
 class Deciding(NamedTuple):
@@ -46,22 +48,56 @@ def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
     groups = {name: group for name, group in groups.items() if group.max(initial=0) > 0}
     if not groups:
         return Deciding([], "")
-    single = {name: correlation_ratio(values, group) for name, group in groups.items()}
-    names = [max(single, key=lambda name: single[name])]
-    explained = single[names[0]]
-    if explained < WEAK and len(groups) > 1:
-        pairs = {
-            (a, b): correlation_ratio(values, groups[a] * (groups[b].max() + 1) + groups[b])
-            for a, b in combinations(groups, 2)
-        }
-        pair = max(pairs, key=lambda two: pairs[two])
-        if pairs[pair] >= explained + WORTH:
-            names = sorted(pair, key=lambda name: -single[name])
-            explained = pairs[pair]
+    shuffled = np.random.default_rng(SEED).permutation
+    chance = [shuffled(values) for _ in range(SHUFFLES)]
+    for count in (1, 2):
+        names, explained = _best(values, groups, count)
+        if explained > np.quantile([_best(v, groups, count)[1] for v in chance], SURE):
+            break
+    else:
+        return Deciding([], "No input stands out from what chance gives with so many samples.")
+    if count == 1 and explained < WEAK:
+        pair, together = _best(values, groups, 2, containing=names[0])
+        if together >= explained + WORTH:
+            names, explained = pair, together
     word = "explains" if len(names) == 1 else "together explain"
     return Deciding(
         names, f"{listed(names)} {word} {100 * explained:.0f} % of the variance of the outcome."
     )
+
+
+def _best(
+    values: NDArray[np.float64],
+    groups: dict[str, NDArray[np.int64]],
+    count: int,
+    containing: str = "",
+) -> tuple[list[str], float]:
+    """The one input or the two that explain most, first the ``containing`` one; and their share.
+
+    Two inputs are laid out coarsely: evenly spread samples leave few in a cell, which then share what
+    other inputs are, and the cell would be given credit for that.
+    """
+    if count == 1:
+        single = {name: correlation_ratio(values, group) for name, group in groups.items()}
+        best = max(single, key=lambda name: single[name])
+        return [best], single[best]
+    sides = max(2, min(4, math.isqrt(len(values) // 8)))
+    coarse = {name: _coarser(group, sides) for name, group in groups.items()}
+    pairs = {
+        (a, b): correlation_ratio(values, coarse[a] * (coarse[b].max() + 1) + coarse[b])
+        for a, b in combinations(groups, 2)
+        if containing in ("", a, b)
+    }
+    if not pairs:
+        return [], 0.0
+    pair = max(pairs, key=lambda two: pairs[two])
+    return sorted(pair, key=lambda name: name != containing), pairs[pair]
+
+
+def _coarser(group: NDArray[np.int64], most: int) -> NDArray[np.int64]:
+    count = int(group.max()) + 1
+    coarse: NDArray[np.int64] = group * min(count, most) // count
+    return coarse
 
 
 def _of_a_grid(outcome: xr.DataArray) -> Deciding:

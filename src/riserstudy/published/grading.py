@@ -170,7 +170,7 @@ def _explained(
     if verdict != "depends":
         return "", f"{share[0].upper()}{share[1:]}."
     names, why = deciding(hits, about)
-    return f"{listed(names) if names else 'nothing that was varied'}; {share}", why
+    return f"{listed(names) if names else 'no single input or pair'}; {share}", why
 
 
 def _calibrated(dataset: xr.Dataset) -> bool:
