@@ -1,0 +1,182 @@
+"""The engine against the independent Hermite beam: small surge, damping, taper, flex joints, point loads."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import reference as ref
+from engine import march, off, slopes
+from reference_heave import ramped_sine
+
+from riserstudy.hermite import Beam, End, dynamics, statics
+from riserstudy.mesh import even
+from riserstudy.run import run
+from riserstudy.scene.models import Scene
+from riserstudy.single import single
+
+RISER = ref.Riser()
+#: a pipe that does not stretch, as the beam
+STIFF = {"axial_stiffness": "1e13 N", "bending_stiffness": f"{ref.EI!r} N*m^2"}
+TIMES = 0.1 * np.arange(601)
+
+
+def riser(elements, top, bottom=End(), **changes):
+    """S2 in small-angle form, tension of its straight equilibrium."""
+    s = np.linspace(0.0, RISER.length, elements + 1)
+    tension = RISER.top_force - RISER.weight * (RISER.length - s)
+    values = {
+        "s": s,
+        "bending_stiffness": np.full((elements, 2), ref.EI),
+        "tension": np.column_stack([tension[:-1], tension[1:]]),
+        "mass": np.full(elements, RISER.mass),
+        "added_mass": np.full(elements, RISER.added_mass),
+        "drag": np.full(elements, RISER.drag),
+        "load": np.zeros((elements, 2)),
+        "top": top,
+        "bottom": bottom,
+    }
+    return Beam(**(values | changes))
+
+
+@pytest.mark.parametrize("amplitude", [0.02, 0.2])
+def test_a_small_surge_agrees_with_the_hermite_beam(amplitude):
+    moving = End(motion=lambda t: ramped_sine(t, amplitude, 15.0))
+    beam = dynamics(riser(160, moving), TIMES, 0.0125)
+    found = march(
+        "s2",
+        80,
+        0.0125,
+        platform__surge__amplitude=f"{amplitude} m",
+        analysis__duration="60 s",
+        analysis__output={"interval": "0.1 s"},
+        **{f"riser[0].{name}": value for name, value in STIFF.items()},
+        **{
+            f"riser[0].{name}": None
+            for name in ("young_modulus", "outer_diameter", "inner_diameter")
+        },
+    ).arrays
+    # strain of 2.7e-4 and slopes of 3e-3, which the beam leaves out
+    assert off(found["x"], beam.displacement[:, ::2]) < 1e-3
+    assert off(found["bending_moment"], beam.moment[:, ::2]) < 2e-3
+
+
+def test_structural_damping_agrees_with_damping_in_proportion_to_bending_stiffness():
+    """A beam without tension, since Rayleigh's damping would damp the tension's stiffness as well."""
+    length, amplitude, elements = 60.0, 0.05, 64
+    ratio, period = 0.05, 2.0
+    pipe = {
+        "name": "beam",
+        "length": f"{length} m",
+        **STIFF,
+        "mass": "1006 kg/m",
+        "structural_damping": {"ratio": ratio, "at_period": f"{period} s"},
+    }
+    scene = Scene.model_validate(
+        {
+            "title": "damped beam",
+            "riser": [pipe],
+            "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": "free"},
+            "top": {"x": "platform", "z": "free", "rotation": "free"},
+            "platform": {
+                "surge": {"amplitude": f"{amplitude} m", "period": "1.5 s", "ramp": "3 s"}
+            },
+            "analysis": {
+                "duration": "12 s",
+                "output": {"interval": "0.1 s"},
+                "mesh": {"elements": elements},
+                "step": "5 ms",
+            },
+        }
+    )
+    found = single(scene, even(scene, elements), 0.005).arrays
+
+    def surge(t):
+        grown, rate, bend = (
+            np.where(t < 3.0, value, late)
+            for value, late in (
+                (0.5 * (1.0 - np.cos(np.pi * t / 3.0)), 1.0),
+                (np.pi / 6.0 * np.sin(np.pi * t / 3.0), 0.0),
+                (np.pi**2 / 18.0 * np.cos(np.pi * t / 3.0), 0.0),
+            )
+        )
+        w = 2.0 * np.pi / 1.5
+        sine, cosine = amplitude * np.sin(w * t), amplitude * np.cos(w * t)
+        return (
+            sine * grown,
+            w * cosine * grown + sine * rate,
+            -w * w * sine * grown + 2.0 * w * cosine * rate + sine * bend,
+        )
+
+    zero = np.zeros(elements)
+    beam = riser(
+        elements,
+        End(motion=surge),
+        s=np.linspace(0.0, length, elements + 1),
+        tension=np.zeros((elements, 2)),
+        added_mass=zero,
+        drag=zero,
+    )
+    tau = ratio * period / np.pi
+    exact = dynamics(beam, 0.1 * np.arange(121), 0.0025, rayleigh=(0.0, tau))
+    assert off(found["x"], exact.displacement) < 1e-3
+    assert off(found["bending_moment"], exact.moment) < 2e-3
+
+
+STIFFNESS, LOAD = 30e6, 10.0
+
+
+def jointed(analysis):
+    """A flex joint below, a clamp above, under a uniform lateral load."""
+    pipe = {
+        "name": "riser",
+        "length": "533 m",
+        **STIFF,
+        "submerged_weight": "141.264 N/m",
+        "lateral_load": f"{LOAD} N/m",
+    }
+    joint = {"stiffness": f"{STIFFNESS} N*m/rad"}
+    return Scene.model_validate(
+        {
+            "title": "joints",
+            "riser": [pipe],
+            "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": joint},
+            "top": {"x": "held", "z": "free", "tension": "2275 kN", "rotation": "fixed"},
+            "analysis": analysis,
+        }
+    )
+
+
+@cache
+def jointed_beam(elements):
+    """Fourth order: 1e-6 of the moment at 640 elements."""
+    bottom, top = End(rotation_stiffness=STIFFNESS), End(rotation_stiffness=np.inf)
+    load = np.full((elements, 2), LOAD)
+    return statics(riser(elements, top, bottom, load=load))
+
+
+def test_flex_joint_and_clamp_agree_with_the_hermite_beam_s_rotational_springs():
+    elements = np.array([160, 320, 640])
+    x, moment = [], []
+    for n in elements:
+        scene = jointed({"mesh": {"elements": int(n)}})
+        found = single(scene, even(scene, int(n)), None).arrays
+        every = 640 // int(n)
+        x.append(off(found["x_static"], jointed_beam(640).displacement[::every]))
+        moment.append(off(found["bending_moment_static"], jointed_beam(640).moment[::every]))
+    # second order where an end is held in direction; the layer of 11 m is 3 to 13 segments long
+    assert slopes(1.0 / elements, moment).min() > 1.75
+    assert slopes(1.0 / elements, x).min() > 1.75
+    assert x[-1] < 1e-4
+    assert moment[-1] < 1e-3
+
+
+def test_the_default_accuracy_grades_the_mesh_towards_held_ends():
+    found = run(jointed({})).arrays
+    exact = jointed_beam(640)
+    s = np.linspace(0.0, RISER.length, 641)
+    moment = np.interp(found["s_node"], s, exact.moment)
+    assert off(found["bending_moment_static"], moment) < 0.01
+    x = np.interp(found["s_node"], s, exact.displacement)
+    assert off(found["x_static"], x) < 0.002
+    assert len(found["l0"]) < 400
+    assert found["l0"][-1] < 0.2 * found["l0"].max()
