@@ -121,7 +121,8 @@ def forces_and_tangent(p, s):
 
 @kernel
 def energies(p, s):
-    """Potential and kinetic energy (J)."""
+    """Potential and kinetic energy (J) of the positions and velocities as they are."""
+    shape(p, s)
     return every(p.potential, s), every(p.kinetic, s)
 
 
