@@ -242,7 +242,6 @@ def test_stations_are_the_nodes_nearest_to_those_wanted():
     xr.testing.assert_allclose(found["x"], whole["x"].sel(s=found["s"]))
 
 
-@pytest.mark.xfail(strict=True, reason="stroke is taken from the top's history, if it has one")
 def test_stroke_does_not_need_a_station_at_the_top():
     analysis = PLAIN["analysis"] | {"output": {"interval": "0.5 s", "stations": ["20 m"]}}
     assert "stroke" in simulate(SceneFile("test.yaml", PLAIN | {"analysis": analysis}))

@@ -57,9 +57,10 @@ def _equilibrium(
             f"(s = {s:.4g} m) with {failure.load:.0%} of the current; "
             "the riser may lack tension or a support: check top tension, weights and what holds the ends"
         ) from None
-    if not model.s.r[-1, -1] > model.s.r[-1, 0] and elevation is None and scene.top.z == "free":
+    lowest = float(model.s.r[-1].min()) - float(model.s.r[-1, 0])
+    if scene.top.z == "free" and lowest < -1e-3 * float(mesh.l0.sum()):
         raise SimulationError(
-            "the riser falls over: its top comes to rest below its bottom; "
+            f"the riser falls over: it would come to rest {-lowest:.4g} m below its lower end; "
             "the top tension does not carry its weight"
         )
     if found.unstable or not _stands_sideways(scene, mesh, model, elevation):

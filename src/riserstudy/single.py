@@ -75,6 +75,7 @@ def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
     """Quantities at the nodes at rest, and what devices report."""
     state, own = model.spare.value, model.s
     state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
+    state.platform[:] = own.platform
     state.v[:] = 0.0
     state.a[:] = 0.0
     record = new_record([state.clock[0]], [0], state)
@@ -99,7 +100,7 @@ def _march(
     if a.start == "unstretched":
         bottom = state.r[-1, 0]
         state.r[-1] = bottom + mesh.s
-        move_to(model.programs, model.state, 0.0)
+    move_to(model.programs, model.state, 0.0)
     count = max(1, math.ceil(a.duration / step * (1.0 - 1e-9)))
     step = a.duration / count
     times = _times(a.output.start or 0.0, a.duration, a.output.interval)
@@ -150,9 +151,8 @@ def _march(
         arrays["tensioner_force"] = record.probe[:, c:]
         arrays["stroke"] = record.probe[:, 0] - reach_at_rest[0]
         facts["largest_stroke"] = float(np.abs(record.probe[:, :c]).max())
-    elif scene.platform and scene.top.z == "free" and record.station[-1] == len(mesh.l0):
-        z = record.history[:, len(state.dim) - 1, -1]
-        arrays["stroke"] = record.platform[:, 2] - (z - top_at_rest)
+    elif scene.platform and scene.top.z == "free":
+        arrays["stroke"] = record.platform[:, 2] - (record.top[:, -1] - top_at_rest)
 
 
 def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:

@@ -50,9 +50,6 @@ def test_a_riser_with_too_little_top_tension_is_called_unstable():
     simulate(changed(COLUMN, **(HEAVY | {"top__tension": "1200 kN"})))
 
 
-@pytest.mark.xfail(
-    strict=True, reason="planar statics settles in a loop 271 m below the wellhead, without a word"
-)
 def test_a_riser_with_too_little_top_tension_is_not_let_through_because_something_pushes_it():
     with pytest.raises(SimulationError):
         simulate(changed(COLUMN, **HEAVY, **{"riser[0].lateral_load": "1 N/m"}))

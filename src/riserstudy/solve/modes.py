@@ -30,9 +30,9 @@ def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
         return _dense(s, d, n)
 
     stiff = tangent(0.0)
+    turn, flexibility = _bending(s, d, m, n)  # of the angles at rest, before rates enter them
     damping = tangent(1.0) - stiff
     if m:
-        turn, flexibility = _bending(s, d, m, n)
         carried = np.ones(m * (n + 1), bool)
         for node, unknown in fixed:
             if unknown < m:
@@ -80,7 +80,7 @@ def _bending(s, d, m, n):
                 flexibility[i * m + u, (i + 1) * m + u] = s.flex_up[i]
                 flexibility[(i + 1) * m + u, i * m + u] = s.flex_up[i]
     for e in range(n):
-        lever = s.by_low[e].reshape(d, m)
+        lever = s.swing[e].reshape(d, m)
         for u in range(m):
             for c in range(d):
                 for node, sign in ((e, 1.0), (e + 1, -1.0)):

@@ -21,6 +21,7 @@ class Record(NamedTuple):
     largest: np.ndarray  # (q, n+1) envelopes over all steps from the first output on
     smallest: np.ndarray  # (q, n+1)
     end: np.ndarray  # (k, 2, d + 2m): tangent of end segment, moments of its end and inner node
+    top: np.ndarray  # (k, d) position of the top
     platform: np.ndarray  # (k, 6)
     probe: np.ndarray  # (k, probes)
     values: np.ndarray  # (q, n+1) scratch
@@ -37,6 +38,7 @@ def new_record(time, station, s) -> Record:
         largest=np.full((q, n + 1), -np.inf),
         smallest=np.full((q, n + 1), np.inf),
         end=np.zeros((k, 2, d + 2 * m)),
+        top=np.zeros((k, d)),
         platform=np.zeros((k, 6)),
         probe=np.zeros((k, len(s.probe))),
         values=np.zeros((q, n + 1)),
@@ -91,6 +93,7 @@ def note(p, s, record, k):
     for c in range(d):
         record.end[k, 0, c] = s.tangent[c, 0]
         record.end[k, 1, c] = s.tangent[c, n - 1]
+        record.top[k, c] = s.r[c, n]
     for u in range(m):
         record.end[k, 0, d + u], record.end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
         record.end[k, 1, d + u], record.end[k, 1, d + m + u] = s.moment[u, n], s.moment[u, n - 1]
@@ -104,12 +107,18 @@ def note(p, s, record, k):
 def evaluate_and_note(p, s, record, k):
     """Output k of a state given by positions, velocities and true accelerations."""
     move(p, s, record.time[k])
+    evaluate(p, s, record)
+    note(p, s, record, k)
+
+
+@inner
+def evaluate(p, s, record):
+    """Forces of a state as it stands, tabulated."""
     shape(p, s)
     true_moments(s)
     load(p, s)
     inertia(p, s)
     tabulate(s, record.values)
-    note(p, s, record, k)
 
 
 @inner
@@ -129,5 +138,6 @@ def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
 
 @kernel
 def evaluate_once(p, s, record):
-    """Tabulate a state as it stands, for callers in Python."""
-    evaluate_and_note(p, s, record, 0)
+    """Tabulate and note a state as it stands, for callers in Python."""
+    evaluate(p, s, record)
+    note(p, s, record, 0)
