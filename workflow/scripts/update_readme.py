@@ -1,0 +1,42 @@
+"""Bring picture and table of the README up to date with the results of `make study`."""
+
+from __future__ import annotations
+
+import csv
+import shutil
+from collections import Counter
+from pathlib import Path
+
+from riserstudy.report.contents import VERDICTS
+
+ROOT = Path(__file__).resolve().parents[2]
+PICTURE = Path("chang2020/fig14.png")
+BEGIN, END = "<!-- results: python workflow/scripts/update_readme.py -->\n", "<!-- end -->\n"
+
+
+def main() -> None:
+    """Copy the picture, rewrite the table."""
+    target = ROOT / "docs/images" / PICTURE.as_posix().replace("/", "_")
+    target.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(ROOT / "results" / PICTURE, target)
+    with (ROOT / "results/reproduction.csv").open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    readme = ROOT / "README.md"
+    before, rest = readme.read_text("utf-8").split(BEGIN)
+    readme.write_text(before + BEGIN + table(rows) + END + rest.split(END)[1], "utf-8")
+
+
+def table(rows: list[dict[str, str]]) -> str:
+    """Verdicts by paper and kind."""
+    counts: dict[tuple[str, str], Counter[str]] = {}
+    for row in rows:
+        counts.setdefault((row["paper"], row["kind"]), Counter())[row["verdict"]] += 1
+    lines = [f"| | {' | '.join(VERDICTS)} |", "|---" * (len(VERDICTS) + 1) + "|"]
+    for (paper, kind), found in counts.items():
+        cells = " | ".join(str(found[verdict] or "–") for verdict in VERDICTS)
+        lines.append(f"| {paper}, {sum(found.values())} {kind}s | {cells} |")
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    main()
