@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+import resource
 import subprocess
 import sys
 import time
@@ -31,7 +32,9 @@ def main(tier: str) -> None:
     os.chdir(ROOT)
     make("study", tier)  # whatever is missing, kernels above all
     make("clean", tier)
+    load, before = os.getloadavg()[0], cpu_seconds()
     wall, said = make("study", tier)
+    cpu = cpu_seconds() - before
     idle, _ = make("study", tier)
     jobs = int(re.findall(r"of (\d+) steps", said)[-1])
     simulation, points = simulated()
@@ -39,12 +42,15 @@ def main(tier: str) -> None:
     cores = os.cpu_count() or 1
     own = (simulation + plotting) / cores
     promise = FACTOR * own + START_UP
-    print(f"tier {tier}, {cores} cores")
+    print(f"tier {tier}, {cores} cores, load average {load:.1f} before the run")
     print(
         f"simulation {simulation:.1f} s ({points} points), plotting {plotting:.1f} s ({figures} figures)"
     )
     print(
         f"make study after make clean: {wall:.1f} s, {jobs} jobs; promised {promise:.1f} s at most"
+    )
+    print(
+        f"processor time {cpu:.0f} s, which these cores do in {cpu / cores:.0f} s when left alone"
     )
     print(f"beyond simulation and plotting: {wall - own:.1f} s, {(wall - own) / jobs:.2f} s a job,")
     print(f"  {(wall - own) / wall:.0%} of the wall time")
@@ -58,6 +64,12 @@ def make(target: str, tier: str) -> tuple[float, str]:
         ["make", target, f"TIER={tier}"], capture_output=True, text=True, check=True
     )
     return time.perf_counter() - began, done.stdout
+
+
+def cpu_seconds() -> float:
+    """Processor time of all children so far."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def simulated() -> tuple[float, int]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from riserstudy import store
 from riserstudy.errors import RiserStudyError, SimulationError
-from riserstudy.simulation import attributes, to_dataset
+from riserstudy.simulation import attributes, labelled
 from riserstudy.sound import sound_kernels
 from riserstudy.study import Point, Samples, Study
 
@@ -90,7 +90,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
 
 def _alike(study: Study, results: list[Result]) -> list[xr.Dataset]:
     """Datasets of the runs with the quantities to keep, on one set of nodes."""
-    runs = [to_dataset(r, p.file).drop_attrs() for r, p in zip(results, study.plan, strict=True)]
+    runs = [labelled(result) for result in results]
     if study.model.keep is not None:
         runs = [run[[name for name in study.model.keep if name in run]] for run in runs]
     for name in ("s", "s_node"):

@@ -59,7 +59,23 @@ def at_accuracy(file: SceneFile, accuracy: str) -> SceneFile:
 
 
 def to_dataset(result: Result, file: SceneFile) -> xr.Dataset:
-    """Label the arrays of a run."""
+    """Label the arrays of a run, and say what they are."""
+    dataset = labelled(result)
+    for label in dataset.variables:
+        dataset[label].attrs = attributes(str(label))
+    dataset.attrs = {
+        "Conventions": "CF-1.11",
+        "title": file.tree.get("title", ""),
+        "source": file.source,
+        "effects_off": json.dumps(absent(set(result.facts["effects"]))),
+        **{key: _text(value) for key, value in result.facts.items()},
+        "provenance": json.dumps(provenance(file)),
+    }
+    return dataset
+
+
+def labelled(result: Result) -> xr.Dataset:
+    """The arrays of a run with their dimensions, without attributes."""
     import xarray as xr
 
     arrays = result.arrays
@@ -76,18 +92,7 @@ def to_dataset(result: Result, file: SceneFile) -> xr.Dataset:
             short = name.removesuffix("_static")
             place = ("s",) if "s_node" in data[name][0] else data[name][0]
             data[short] = (place, arrays[name])
-    dataset = xr.Dataset(data, coords)
-    for label in dataset.variables:
-        dataset[label].attrs = attributes(str(label))
-    dataset.attrs = {
-        "Conventions": "CF-1.11",
-        "title": file.tree.get("title", ""),
-        "source": file.source,
-        "effects_off": json.dumps(absent(set(result.facts["effects"]))),
-        **{key: _text(value) for key, value in result.facts.items()},
-        "provenance": json.dumps(provenance(file)),
-    }
-    return dataset
+    return xr.Dataset(data, coords)
 
 
 def dimensions(name: str, values: Any) -> tuple[str, ...]:
