@@ -29,6 +29,7 @@ from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
+from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.effects.weight import Weight
 from riserstudy.mesh import Mesh
 from riserstudy.model import Effect, Model
@@ -37,12 +38,13 @@ from riserstudy.scene.ends import Areas, BodyAddedMass, Rotation
 from riserstudy.scene.ends import FlexJoint as Joint
 from riserstudy.scene.models import Scene
 from riserstudy.scene.string import Section
-from riserstudy.scene.tensioners import Gas, Tensioners
 from riserstudy.solve.state import OTHER, OWN
+from riserstudy.tensioner_law import linear_law
 
 FloatArray = NDArray[np.float64]
 MOTION = {"surge": 0, "sway": 1, "heave": 2, "roll": 3, "pitch": 4, "yaw": 5}
 PROFILE_POINTS = 2001  # of a named current shape
+GAS_FIELDS = ("area", "pressure", "volume")
 
 
 class Stiffness(NamedTuple):
@@ -328,10 +330,21 @@ class _Builder:
                 gas.area * each, gas.pressure * each, gas.volume * each, gas.exponent * each
             )
             self.add("gas tensioner", record, "top.tensioners.gas")
+        elif rig.two_chamber_gas and not rig.linearised:
+            both = rig.two_chamber_gas
+            sides = (getattr(side, name) for side in (both.high, both.low) for name in GAS_FIELDS)
+            weight = (both.piston_mass or 0.0) * self.g
+            record = TwoChamberGas(*(x * each for x in (*sides, both.exponent, weight)))
+            self.add("two-chamber gas tensioner", record, "top.tensioners.two_chamber_gas")
         else:
-            tension, slope = linear_law(rig)
-            why = "top.tensioners.linearised" if rig.gas else "top.tensioners.linear"
+            tension, slope = linear_law(rig, self.g)
+            why = "top.tensioners.linearised" if rig.any_gas else "top.tensioners.linear"
             self.add("linear tensioner", LinearSpring(tension * each, slope * each), why)
+        if rig.two_chamber_gas and rig.two_chamber_gas.piston_mass:
+            mass = np.zeros(self.d)
+            mass[-1] = rig.count * rig.two_chamber_gas.piston_mass
+            pistons = EndMass(self.n, 0.0, mass, np.zeros(2))
+            self.add("piston mass", pistons, "top.tensioners.two_chamber_gas.piston_mass")
         if rig.damping:
             self.add(
                 "tensioner damping", CylinderDamping(rig.damping * each), "top.tensioners.damping"
@@ -402,29 +415,3 @@ def current_table(current: forcing.Current) -> tuple[FloatArray, FloatArray]:
         np.array([point.elevation for point in profile]),
         np.array([point.speed for point in profile]),
     )
-
-
-def gas_force(gas: Gas, reach: FloatArray) -> FloatArray:
-    """Force of one cylinder (N) over its reach from mid-stroke (m)."""
-    ratio = gas.volume / (gas.volume - gas.area * reach)
-    force: FloatArray = gas.area * gas.pressure * ratio**gas.exponent
-    return force
-
-
-def linear_law(rig: Tensioners) -> tuple[float, float]:
-    """Tension at mid-stroke (N) and stiffness (N/m) of one cylinder made linear.
-
-    Least squares are those of the continuous law over the stroke range.
-    """
-    if rig.linear:
-        return rig.linear.tension, rig.linear.stiffness
-    gas, made = rig.gas, rig.linearised
-    if gas is None or made is None:
-        raise TypeError("no law to make linear")
-    if made.by == "tangent" or made.shortest is None or made.longest is None:
-        return gas.area * gas.pressure, gas.exponent * gas.area**2 * gas.pressure / gas.volume
-    node, weight = np.polynomial.legendre.leggauss(64)
-    middle, half = 0.5 * (made.longest + made.shortest), 0.5 * (made.longest - made.shortest)
-    force = gas_force(gas, middle + half * node)
-    mean, slope = 0.5 * (weight @ force), 1.5 * (weight @ (force * node)) / half
-    return float(mean - slope * middle), float(slope)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from riserstudy.build import build, gas_force, linear_law, stiffness
+from riserstudy.build import build, stiffness
 from riserstudy.errors import SimulationError
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
@@ -16,6 +16,7 @@ from riserstudy.solve.statics import (
     find_equilibrium,
     unstable_directions,
 )
+from riserstudy.tensioner_law import tension_at_mid_stroke
 
 
 def settle(scene: Scene, mesh: Mesh, planar: bool | None = None) -> tuple[Model, Equilibrium]:
@@ -34,7 +35,7 @@ def settle(scene: Scene, mesh: Mesh, planar: bool | None = None) -> tuple[Model,
         before = free.model_copy(update={"tension": top.held_at_tension, "body": top.body})
     elif top.tensioners and top.tensioners.mid_stroke == "riser in equilibrium":
         rig = top.tensioners
-        each = float(gas_force(rig.gas, np.zeros(1))[0]) if rig.gas else linear_law(rig)[0]
+        each = tension_at_mid_stroke(rig, scene.gravity or 0.0)
         before = top.model_copy(update={"tensioners": None, "tension": rig.count * each})
     if before is not None:
         first, _ = _equilibrium(scene.model_copy(update={"top": before}), mesh, None, planar)

@@ -28,6 +28,13 @@ _WET: Tree = {
 }
 _BODY: Tree = {"name": "body", "mass": "10 t", "submerged_weight": "10 kN"}
 _GAS: Tree = {"area": "0.1 m^2", "pressure": "50 bar absolute", "volume": "3 m^3", "exponent": 1.4}
+_CHAMBER: Tree = {key: value for key, value in _GAS.items() if key != "exponent"}
+_TWO: Tree = {
+    "high": _CHAMBER,
+    "low": _CHAMBER | {"pressure": "2 bar absolute"},
+    "exponent": 1.4,
+    "piston_mass": "1 t",
+}
 _RIG: Tree = {
     "count": 4,
     "mid_stroke": "riser in equilibrium",
@@ -77,8 +84,12 @@ def scenes() -> list[Scene]:
         "platform": axial["platform"],
         "bottom": axial["bottom"] | {"rotation": "fixed"},
     }
+    pistons = axial | {
+        "gravity": "9.81 m/s^2",
+        "top": axial["top"] | {"tensioners": _RIG | {"two_chamber_gas": _TWO}},
+    }
     linear_axial = axial | {"top": axial["top"] | {"tensioners": _RIG | {"linear": linear}}}
-    several = [axial, planar, gas_in_plane, linear_axial]
+    several = [axial, planar, gas_in_plane, pistons, linear_axial]
     short = _ANALYSIS | {"duration": "1 ms", "step": "0.1 ms", "method": "explicit"}
     explicit = [s | {"analysis": short} for s in several[:2]]
     return [Scene.model_validate(s) for s in several + explicit]

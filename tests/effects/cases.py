@@ -27,6 +27,7 @@ from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
+from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.effects.weight import Weight
 from riserstudy.model import Effect, Model
 from riserstudy.solve.evaluate import energies, forces_and_tangent, one_call, shape_of
@@ -103,6 +104,14 @@ CASES = {
         lambda d: GasSpring(pair(0.17, 0.16), pair(190e5, 180e5), pair(3.2, 3.0), pair(1.4, 1.2)),
         lambda d: [upright(d)],
     ),
+    TwoChamberGas: Case(
+        lambda d: TwoChamberGas(
+            *(pair(0.20, 0.21), pair(20e5, 21e5), pair(9.4, 9.0)),
+            *(pair(0.25, 0.24), pair(1.5e5, 1.4e5), pair(2.2, 2.3)),
+            *(pair(1.4, 1.2), pair(9.9e3, 5.9e4)),
+        ),
+        lambda d: [upright(d)],
+    ),
     LinearSpring: Case(
         lambda d: LinearSpring(pair(8e5, 7e5), pair(3e4, 2e4)), lambda d: [upright(d)]
     ),
@@ -154,7 +163,7 @@ class Rig:
         case = CASES[kind]
         self.kind, self.d, self.m = kind, d, moments(kind, d)
         records = [*case.beside(d), case.record(d)]
-        if kind in (GasSpring, LinearSpring, CylinderDamping, EndStop):
+        if kind in (GasSpring, TwoChamberGas, LinearSpring, CylinderDamping, EndStop):
             records.reverse()  # laws before the cylinder that sums them up, as a scene has them
         effects = [Effect(type(r).__name__, r, "") for r in records]
         # an end carries no moment where nothing holds its direction

@@ -28,6 +28,7 @@ from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
+from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.effects.weight import Weight
 
 
@@ -145,6 +146,14 @@ def gas_spring(record, s):
     return {"pull": record.area * record.pressure * (record.volume / left) ** record.exponent}
 
 
+def two_chamber_gas(record, s):
+    high = 1.0 - record.high_area * s.reach / record.high_volume
+    low = 1.0 + record.low_area * s.reach / record.low_volume
+    up = record.high_area * record.high_pressure * high**-record.exponent
+    down = record.low_area * record.low_pressure * low**-record.exponent
+    return {"pull": up - down - record.weight}
+
+
 def linear_spring(record, s):
     return {"pull": record.tension + record.stiffness * s.reach}
 
@@ -233,6 +242,7 @@ VERSIONS = {
     FlexJoint: [("turn", flex_joint)],
     Upright: [("drive device", upright)],
     GasSpring: [("device", gas_spring)],
+    TwoChamberGas: [("device", two_chamber_gas)],
     LinearSpring: [("device", linear_spring)],
     CylinderDamping: [("device", cylinder_damping)],
     EndStop: [("device", end_stop)],

@@ -14,6 +14,7 @@ SURGE, HEAVE, CHANG = (
     SCENES / "bench/s3.yaml",
     SCENES / "chang2020/heave.yaml",
 )
+LIU = SCENES / "liu2020/heave.yaml"
 
 STROKE = {"shortest": "-7 m", "longest": "20 m", "stop_stiffness": "1e9 N/m"}
 POINTS = [{"time": f"{t} s", "value": "0 m"} for t in (0, 1, 1, 2)]
@@ -87,9 +88,20 @@ REFUSED = {
     "a stroke that closes the gas volume": (
         CHANG, "top.tensioners.stroke", STROKE, "top.tensioners", "empty at 18.4",
     ),
+    "a stroke that closes the low-pressure volume": (
+        LIU, "top.tensioners.stroke.shortest", "-9.2 m", "top.tensioners", "empty at -9.13",
+    ),
+    "a stroke that closes the high-pressure volume": (
+        LIU, "top.tensioners.stroke.longest", "46 m", "top.tensioners", "empty at 45.8",
+    ),
+    "a line over more than the low-pressure volume": (
+        LIU, "top.tensioners.linearised", {"by": "least squares", "shortest": "-10 m", "longest": "8 m"},
+        "top.tensioners", "linearised.shortest -10 m closes the low-pressure volume",
+    ),
+    "a piston without gravity": (LIU, "gravity", None, "", "piston_mass needs gravity"),
     "two laws of a tensioner": (
         CHANG, "top.tensioners.linear", {"tension": "1 MN", "stiffness": "1 kN/m"}, "top.tensioners",
-        "one of gas and linear",
+        "one of gas, two_chamber_gas and linear",
     ),
     "both ends free": (HEAVE, "top", {"z": "free"}, "", "both ends are free"),
     "a top on no platform": (SURGE, "platform", None, "", "needs platform"),

@@ -6,12 +6,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import gases, shares, shifts
 
-from riserstudy.build import gas_force, linear_law
 from riserstudy.effects.gas_spring import GasSpring, energy
 from riserstudy.mesh import even
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Gas, Linearised, Tensioners
 from riserstudy.single import single
+from riserstudy.tensioner_law import gas_force, linear_law
 
 
 def scene(east=1.0, shift=(0.0, 0.0)):
@@ -117,7 +117,7 @@ def test_the_least_squares_line_leaves_the_least_squares(gas, half):
     made = Linearised.model_construct(
         by="least squares", shortest=-half * room, longest=half * room
     )
-    rig = Tensioners.model_construct(gas=law, linearised=made, linear=None)
+    rig = Tensioners.model_construct(gas=law, two_chamber_gas=None, linearised=made, linear=None)
     tension, slope = linear_law(rig)
     x = np.linspace(-half * room, half * room, 4001)
     weight = np.full(x.size, 1.0)

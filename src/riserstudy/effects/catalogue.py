@@ -25,6 +25,8 @@ CALLED_BY = {
     "constant tension": "top.tension",
     "lateral force": "top.lateral_force",
     "gas tensioner": "top.tensioners.gas",
+    "two-chamber gas tensioner": "top.tensioners.two_chamber_gas",
+    "piston mass": "top.tensioners.two_chamber_gas.piston_mass",
     "linear tensioner": "top.tensioners.linear or linearised",
     "tensioner damping": "top.tensioners.damping",
     "end stops": "top.tensioners.stroke",

@@ -19,6 +19,26 @@ class Gas(Strict):
     exponent: Annotated[float, Field(gt=1)]
 
 
+class Chamber(Strict):
+    """Gas on one side of a piston: the area it acts on, and its state at mid-stroke."""
+
+    area: Annotated[u.Area, POSITIVE]
+    pressure: Annotated[u.Pressure, POSITIVE]
+    volume: Annotated[u.Volume, POSITIVE]
+
+
+class TwoChamberGas(Strict):
+    """Two gas chambers a cylinder: high pressure pulls, low pressure and the piston's weight push back.
+
+    ``piston_mass`` is that of one cylinder; it moves with the ring. Absent: without weight and mass.
+    """
+
+    high: Chamber
+    low: Chamber
+    exponent: Annotated[float, Field(gt=1)]
+    piston_mass: Annotated[u.Mass, NOT_NEGATIVE] | None = None
+
+
 class Linear(Strict):
     """Straight line a cylinder: tension at mid-stroke and stiffness."""
 
@@ -63,6 +83,7 @@ class Tensioners(Strict):
     count: Annotated[int, Field(ge=1, le=1000)]
     mid_stroke: Literal["riser unstretched", "riser in equilibrium"]
     gas: Gas | None = None
+    two_chamber_gas: TwoChamberGas | None = None
     linearised: Linearised | None = None
     linear: Linear | None = None
     damping: Annotated[u.Damping, NOT_NEGATIVE] | None = None
@@ -70,17 +91,33 @@ class Tensioners(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if (self.gas is None) == (self.linear is None):
-            raise ValueError("needs one of gas and linear")
-        if self.linearised and self.gas is None:
-            raise ValueError("linearised needs gas")
-        if self.gas:
-            room = self.gas.volume / self.gas.area
-            for what, limit in (("stroke", self.stroke), ("linearised", self.linearised)):
-                longest = limit.longest if limit else None
-                if longest is not None and longest >= room:
-                    raise ValueError(
-                        f"{what}.longest {longest:g} m closes the gas volume, "
-                        f"which is empty at {room:g} m"
-                    )
+        if [self.gas, self.two_chamber_gas, self.linear].count(None) != 2:
+            raise ValueError("needs one of gas, two_chamber_gas and linear")
+        if self.linearised and self.any_gas is None:
+            raise ValueError("linearised needs gas or two_chamber_gas")
+        for what, limit in (("stroke", self.stroke), ("linearised", self.linearised)):
+            if limit is not None:
+                self._stays_open(what, limit.shortest, limit.longest)
         return self
+
+    def _stays_open(self, what: str, shortest: float | None, longest: float | None) -> None:
+        """Refuse a range of reach in which a gas volume closes."""
+        both = self.two_chamber_gas
+        pulling, pushing = (both.high, both.low) if both else (self.gas, None)
+        if pulling is None:
+            return
+        room = pulling.volume / pulling.area
+        if longest is not None and longest >= room:
+            raise ValueError(
+                f"{what}.longest {longest:g} m closes the gas volume, which is empty at {room:g} m"
+            )
+        if pushing and shortest is not None and shortest <= -pushing.volume / pushing.area:
+            raise ValueError(
+                f"{what}.shortest {shortest:g} m closes the low-pressure volume, "
+                f"which is empty at {-pushing.volume / pushing.area:g} m"
+            )
+
+    @property
+    def any_gas(self) -> Gas | TwoChamberGas | None:
+        """The gas law, of one chamber or two."""
+        return self.gas or self.two_chamber_gas

@@ -1,0 +1,56 @@
+"""The law of one tensioner cylinder: its pull over its reach, and the straight line in its place."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.scene.tensioners import Gas, Tensioners, TwoChamberGas
+
+FloatArray = NDArray[np.float64]
+
+
+def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray, gravity: float = 0.0) -> FloatArray:
+    """Force of one cylinder (N) over its reach from mid-stroke (m); gravity acts on its piston."""
+    if isinstance(gas, TwoChamberGas):
+        up, down = gas.high, gas.low
+        high = (up.volume / (up.volume - up.area * reach)) ** gas.exponent
+        low = (down.volume / (down.volume + down.area * reach)) ** gas.exponent
+        weight = (gas.piston_mass or 0.0) * gravity
+        pull: FloatArray = up.area * up.pressure * high - down.area * down.pressure * low - weight
+        return pull
+    ratio = gas.volume / (gas.volume - gas.area * reach)
+    force: FloatArray = gas.area * gas.pressure * ratio**gas.exponent
+    return force
+
+
+def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:
+    """Tension at mid-stroke (N) and stiffness (N/m) of one cylinder made linear.
+
+    Least squares are those of the continuous law over the stroke range.
+    """
+    if rig.linear:
+        return rig.linear.tension, rig.linear.stiffness
+    gas, made = rig.any_gas, rig.linearised
+    if gas is None or made is None:
+        raise TypeError("no law to make linear")
+    if made.by == "tangent" or made.shortest is None or made.longest is None:
+        return float(gas_force(gas, np.zeros(1), gravity)[0]), _stiffness(gas)
+    node, weight = np.polynomial.legendre.leggauss(64)
+    middle, half = 0.5 * (made.longest + made.shortest), 0.5 * (made.longest - made.shortest)
+    force = gas_force(gas, middle + half * node, gravity)
+    mean, slope = 0.5 * (weight @ force), 1.5 * (weight @ (force * node)) / half
+    return float(mean - slope * middle), float(slope)
+
+
+def tension_at_mid_stroke(rig: Tensioners, gravity: float = 0.0) -> float:
+    """Pull of one cylinder at mid-stroke (N)."""
+    if rig.any_gas and not rig.linearised:
+        return float(gas_force(rig.any_gas, np.zeros(1), gravity)[0])
+    return linear_law(rig, gravity)[0]
+
+
+def _stiffness(gas: Gas | TwoChamberGas) -> float:
+    """Slope of the law at mid-stroke (N/m)."""
+    chambers = (gas.high, gas.low) if isinstance(gas, TwoChamberGas) else (gas,)
+    return sum(gas.exponent * c.area**2 * c.pressure / c.volume for c in chambers)
