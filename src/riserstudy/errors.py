@@ -32,3 +32,7 @@ class SimulationError(RiserStudyError):
     """A simulation that cannot be completed: when, where, why, and what may help."""
 
     exit_code = 3
+
+
+class StepFailed(SimulationError):
+    """A time step that could not be completed, which a finer mesh and step may cure."""

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from riserstudy.scene.models import Scene
 
-GROWTH = 1.3  # ratio of neighbouring segments in a graded layer
-LAYER = 0.35  # first segment of a layer, in layer lengths sqrt(EI/T)
-COARSEST = 16  # segments over the riser before grading
+GROWTH = 1.7  # ratio of neighbouring segments in a graded layer
+LAYER = 0.7  # first segment of a layer, in layer lengths sqrt(EI/T)
+COARSEST = 8  # segments over the riser before grading
 
 
 class Mesh(NamedTuple):

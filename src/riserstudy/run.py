@@ -4,19 +4,25 @@ from __future__ import annotations
 
 import math
 import time as clock
+from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import make_interp_spline
 
-from riserstudy.errors import SimulationError
+from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.mesh import COARSEST, Mesh, even, graded
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
-from riserstudy.single import single
+from riserstudy.single import EVERYWHERE, keep_stations, single
+
+Array = NDArray[np.float64]
+Arrays = dict[str, Array]
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
-REFINEMENTS = 6  # halvings of mesh and step, at most
-STEPS_A_PERIOD = 48  # of the coarsest step
+REFINEMENTS = 7  # halvings of mesh and step, at most
+STEPS_A_PERIOD = 24  # of the coarsest step
 
 
 def run(scene: Scene) -> Result:
@@ -32,26 +38,33 @@ def run(scene: Scene) -> Result:
         When no equilibrium is found or a step fails: time, node, effect and remedy.
     """
     started = clock.perf_counter()
-    a = scene.analysis
-    if a.mesh is not None:
-        result = single(scene, even(scene, a.mesh.elements), a.step)
-        if a.mesh.elements > 1 or a.step:
-            other = even(scene, max(1, a.mesh.elements // 2))
-            result.facts["error_estimate"] = _estimate_aside(scene, other, a.step, result)
-    else:
-        result = _refined(scene)
+    result = _refined(scene) if scene.analysis.mesh is None else _as_asked(scene)
     result.facts["wall_seconds"] = clock.perf_counter() - started
     return result
 
 
-def _estimate_aside(scene: Scene, mesh: Mesh, step: float | None, fine: Result) -> dict[str, float]:
-    explicit = scene.analysis.method == "explicit"
-    try:
-        coarse = single(scene, mesh, 2.0 * step if step and not explicit else step)
-    except SimulationError:
-        fine.facts["warnings"].append("no error estimate: the coarser run cannot be completed")
-        return {}
-    return difference(coarse, fine)
+def _as_asked(scene: Scene) -> Result:
+    """A run with the scene's own mesh and step; its error from two coarser runs."""
+    a = scene.analysis
+    elements = a.mesh.elements if a.mesh else 1
+    result = single(scene, even(scene, elements), a.step)
+    if elements == 1 and not a.step:
+        return result
+    runs = [result]
+    for k in (2, 4):
+        step = k * a.step if a.step and a.method != "explicit" else a.step
+        try:
+            runs.insert(0, single(scene, even(scene, max(1, elements // k)), step, EVERYWHERE))
+        except SimulationError:  # a coarse mesh may buckle, a long step fail
+            break
+    if len(runs) == 1:
+        result.facts["warnings"].append("no error estimate: the coarser run cannot be completed")
+        result.facts["error_estimate"] = {}
+        return result
+    result.facts["error_estimate"] = estimate(
+        difference(*runs[-2:]), difference(*runs[:2]) if len(runs) > 2 else None
+    )
+    return result
 
 
 def _refined(scene: Scene) -> Result:
@@ -60,24 +73,33 @@ def _refined(scene: Scene) -> Result:
     target["tension"] = target["moment"]
     mesh = _first_mesh(scene)
     step = _first_step(scene)
-    coarse = single(scene, mesh, step)
-    cost = coarse.facts["solve_seconds"]
-    for _ in range(REFINEMENTS):
+    cost = 0.0
+    coarse, before, error = None, None, {}
+    for left in range(REFINEMENTS, -1, -1):
+        try:
+            fine = single(scene, mesh, step, EVERYWHERE)
+        except StepFailed:
+            if left == 0:
+                raise
+            coarse, before = None, None
+        else:
+            cost += fine.facts["solve_seconds"]
+            if coarse is not None:
+                now = difference(coarse, fine)
+                error = fine.facts["error_estimate"] = estimate(now, before)
+                before = now
+                if all(error.get(name, 0.0) <= limit for name, limit in target.items()):
+                    break
+            coarse = fine
         mesh = mesh if massless(scene) else mesh.halved()
         step = 0.5 * step if step else None
-        fine = single(scene, mesh, step)
-        cost += fine.facts["solve_seconds"]
-        estimate = difference(coarse, fine)
-        fine.facts["error_estimate"] = estimate
-        if all(estimate.get(name, 0.0) <= limit for name, limit in target.items()):
-            break
-        coarse = fine
     else:
-        worst = ", ".join(f"{name} {100 * value:.2g} %" for name, value in estimate.items())
+        worst = ", ".join(f"{name} {100 * value:.2g} %" for name, value in error.items())
         fine.facts["warnings"].append(
-            f"accuracy not reached after {REFINEMENTS} refinements: {worst} estimated"
+            f"accuracy not reached after {REFINEMENTS} refinements: {worst or 'nothing'} estimated"
         )
     fine.facts["solve_seconds"] = cost
+    keep_stations(fine, a.output.stations if a.output else None)
     return fine
 
 
@@ -112,27 +134,57 @@ def _first_step(scene: Scene) -> float | None:
     return period / STEPS_A_PERIOD
 
 
+def estimate(now: dict[str, float], before: dict[str, float] | None) -> dict[str, float]:
+    """Error of the finest of three runs, each twice as fine as the last, from their differences.
+
+    Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as at most
+    4 (second order), and as 2 where it is smaller or unknown.
+    """
+    error = {}
+    for name, value in now.items():
+        fall = (before or {}).get(name, 0.0) / value if value > 0.0 else 4.0
+        error[name] = value / (min(max(fall, 2.0), 4.0) - 1.0)
+    return error
+
+
 def difference(coarse: Result, fine: Result) -> dict[str, float]:
-    """Estimated relative error of the finer of two runs, by quantity, for second-order convergence."""
-    s0, s1 = coarse.arrays["s_node"], fine.arrays["s_node"]
-    estimate = {}
+    """Relative difference of two runs, by quantity.
+
+    Envelopes and the static state are compared at all nodes, histories at the stations, so that an
+    error in phase counts too. The scale is the largest value anywhere.
+    """
+    found = {}
     for name, fields in (
-        ("displacement", ("x", "z")),
+        ("displacement", ("x", "y", "z")),
         ("tension", ("effective_tension",)),
         ("moment", ("bending_moment",)),
     ):
         scale, off = 0.0, 0.0
-        for quantity in fields:
-            for end in ("_max", "_min", "_static"):
-                if quantity + end not in fine.arrays:
-                    continue
-                low, up = coarse.arrays[quantity + end], fine.arrays[quantity + end]
-                zero = fine.arrays["zero_" + quantity] if name == "displacement" else 0.0
-                zero0 = coarse.arrays["zero_" + quantity] if name == "displacement" else 0.0
-                up, low = up - zero, low - zero0
+        for field in fields:
+            for low, up in _pairs(coarse.arrays, fine.arrays, field):
                 scale = max(scale, float(np.abs(up).max()))
-                off = max(off, float(np.abs(np.interp(s0, s1, up) - low).max()))
-        rounding = 1e-9 * float(s1[-1]) if name == "displacement" else 0.0
+                off = max(off, float(np.abs(up - low).max()))
+        rounding = 1e-9 * float(fine.arrays["s_node"][-1]) if name == "displacement" else 0.0
         if scale > rounding:
-            estimate[name] = off / scale / 3.0
-    return estimate
+            found[name] = off / scale
+    return found
+
+
+def _pairs(coarse: Arrays, fine: Arrays, field: str) -> Iterator[tuple[Array, Array]]:
+    """The same values of both runs: envelopes, static state, histories; displacements from straight."""
+    s0, s1 = coarse["s_node"], fine["s_node"]
+    zero0, zero1 = (a.get("zero_" + field, np.zeros_like(a["s_node"])) for a in (coarse, fine))
+    for end in ("_max", "_min", "_static"):
+        if field + end in fine:
+            yield coarse[field + end] - zero0, np.interp(s0, s1, fine[field + end] - zero1)
+    if field in fine and "time" in coarse:
+        mine, yours = coarse["s"], fine["s"]
+        _, here, there = np.intersect1d(
+            np.round(mine, 6), np.round(yours, 6), assume_unique=False, return_indices=True
+        )
+        if len(here):
+            low = coarse[field][:, here] - np.interp(mine[here], s0, zero0)
+            yield low, fine[field][:, there] - np.interp(yours[there], s1, zero1)
+        else:  # no station on a node of the coarse mesh
+            low = make_interp_spline(mine, coarse[field] - zero0, k=min(3, len(mine) - 1), axis=1)
+            yield low(yours), fine[field] - np.interp(yours, s1, zero1)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from riserstudy.build import stiffness
 from riserstudy.diagnose import suspect
-from riserstudy.errors import SimulationError
+from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.result import Result
@@ -31,11 +31,12 @@ FloatArray = NDArray[np.float64]
 RHO_INF = 0.8  # default spectral radius
 NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
+EVERYWHERE = "everywhere"  # histories at all nodes
 UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
 
 
-def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:
-    """One run on a given mesh and step, without error estimate."""
+def single(scene: Scene, mesh: Mesh, step: float | None, stations: str = "asked for") -> Result:
+    """One run on a given mesh and step, without error estimate; histories at ``stations``, or EVERYWHERE."""
     started = clock.perf_counter()
     model, equilibrium = settle(scene, mesh)
     state = model.s
@@ -57,7 +58,7 @@ def single(scene: Scene, mesh: Mesh, step: float | None) -> Result:
         "warnings": [],
     }
     if scene.analysis.duration is not None and step is not None:
-        _march(scene, model, mesh, step, arrays, facts)
+        _march(scene, model, mesh, step, stations, arrays, facts)
     _check_finite(arrays)
     _check_tension(scene, arrays, facts)
     facts["solve_seconds"] = clock.perf_counter() - started
@@ -88,6 +89,7 @@ def _march(
     model: Model,
     mesh: Mesh,
     step: float,
+    where: str,
     arrays: dict[str, FloatArray],
     facts: dict[str, Any],
 ) -> None:
@@ -104,7 +106,7 @@ def _march(
     count = max(1, math.ceil(a.duration / step * (1.0 - 1e-9)))
     step = a.duration / count
     times = _times(a.output.start or 0.0, a.duration, a.output.interval)
-    stations = _stations(mesh, a.output.stations)
+    stations = _stations(mesh.s, None if where == EVERYWHERE else a.output.stations)
     record = new_record(times, stations, state)
     ledger = new_ledger()
     before = sum(energies(model.programs, model.state))
@@ -134,7 +136,7 @@ def _march(
             model.programs, model.state, model.spare, method, model.fixed, record, ledger
         )
     if outcome != DONE:
-        raise SimulationError(_why(model, mesh, ledger, step))
+        raise StepFailed(_why(model, mesh, ledger, step))
     after = sum(energies(model.programs, model.state))
     _audit(facts, ledger, before, after, step)
     names = quantities(model)
@@ -171,10 +173,23 @@ def _times(start: float, end: float, interval: float) -> FloatArray:
     return np.asarray(start + interval * np.arange(count + 1), np.float64)
 
 
-def _stations(mesh: Mesh, wanted: list[float] | None) -> NDArray[np.int64]:
+def _stations(nodes: FloatArray, wanted: list[float] | None) -> NDArray[np.int64]:
+    """The nodes next to the stations."""
     if wanted is None:
-        return np.arange(len(mesh.s))
-    return np.array([int(np.abs(mesh.s - s).argmin()) for s in wanted])
+        return np.arange(len(nodes))
+    return np.array([int(np.abs(nodes - s).argmin()) for s in wanted])
+
+
+def keep_stations(result: Result, wanted: list[float] | None) -> None:
+    """Keep histories only where they are asked for."""
+    arrays = result.arrays
+    if wanted is None or "s" not in arrays:
+        return
+    kept = _stations(arrays["s"], wanted)
+    for name in ("x", "y", "z", "effective_tension", "bending_moment"):
+        if name in arrays:
+            arrays[name] = arrays[name][:, kept]
+    arrays["s"] = arrays["s"][kept]
 
 
 def _angles(

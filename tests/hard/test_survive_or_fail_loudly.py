@@ -82,7 +82,7 @@ def test_a_step_that_cannot_converge_names_time_node_effect_and_remedy():
 def test_the_effect_that_is_named_is_the_one_to_blame():
     name, values = HARD["stops hit"]
     with pytest.raises(SimulationError, match="end stops"):
-        simulate(from_file(name, **values))
+        simulate(from_file(name, **values | {"analysis__step": "0.1 s"}))
 
 
 @pytest.mark.parametrize(

@@ -66,24 +66,13 @@ def test_the_support_force_of_heave_is_of_second_order_in_the_step(method):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_the_support_force_of_surge_is_of_second_order_in_the_step(method):
-    """In vacuum; the next test is of added mass."""
     steps = [0.008, 0.004, 0.002]
     dry = {"riser[0].added_mass": None, "riser[0].drag": None}
     found = errors("s2c", 4, steps, method, 8, 0.04, **dry)
     assert list(slopes(steps, found["tension at -1"])) == [SECOND] * 2
 
 
-TURNING = pytest.mark.xfail(
-    strict=True,
-    reason="below rho_inf = 1 inertia of added mass is averaged at another time than its acceleration, "
-    "so that a pipe which turns meanwhile is followed with first order",
-)
-
-
-@pytest.mark.parametrize(
-    "method",
-    [pytest.param(m, marks=TURNING) if m in ("rho 0.5", "rho 0.8") else m for m in METHODS],
-)
+@pytest.mark.parametrize("method", METHODS)
 def test_added_mass_on_a_pipe_that_swings_is_of_second_order_in_the_step(method):
     """A hanging pipe of four segments, its top moved by 30 m to either side."""
     steps = [0.02, 0.01, 0.005]
