@@ -30,6 +30,7 @@ from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Serie
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
+from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 from riserstudy.mesh import Mesh
 from riserstudy.model import Effect, Model
@@ -38,12 +39,12 @@ from riserstudy.scene.ends import Areas, BodyAddedMass, Rotation
 from riserstudy.scene.ends import FlexJoint as Joint
 from riserstudy.scene.models import Scene
 from riserstudy.scene.string import Section
+from riserstudy.sea import current_table, wave_of
 from riserstudy.solve.state import OTHER, OWN
 from riserstudy.tensioner_law import linear_law
 
 FloatArray = NDArray[np.float64]
 MOTION = {"surge": 0, "sway": 1, "heave": 2, "roll": 3, "pitch": 4, "yaw": 5}
-PROFILE_POINTS = 2001  # of a named current shape
 GAS_FIELDS = ("area", "pressure", "volume")
 
 
@@ -118,6 +119,7 @@ class _Builder:
         self.motion()
         self.supports()
         self.current()
+        self.wave()
         self.string()
         self.ends()
         self.tensioners()
@@ -206,8 +208,16 @@ class _Builder:
         current = self.scene.current
         if current is None or self.d == 1:
             return
-        z, speed = current_table(current)
+        z, speed = current_table(current, self.scene.water)
         self.add("current", Current(z, speed, np.array([1.0]), current.ramp or 0.0), "current")
+
+    def wave(self) -> None:
+        sea, water = self.scene.wave, self.scene.water
+        if sea is None or water is None or self.d == 1:
+            return
+        heading = sea.heading or 0.0
+        along = np.array([math.cos(heading), math.sin(heading)])[: self.d - 1]
+        self.add("wave", wave_of(sea, water, self.g, along), "wave")
 
     # the string
 
@@ -256,6 +266,13 @@ class _Builder:
         )
         if np.any(added):
             self.add("added mass", AddedMass(added * l0, -added * l0), "riser.added_mass")
+        displaced = self.per_segment(
+            lambda s, k: 0.25 * math.pi * s.added_mass.diameter**2 * rho if s.added_mass else 0.0
+        )
+        if np.any(displaced) and self.scene.wave:
+            mass = (displaced + added) * l0
+            record = WaveForce(mass, np.zeros((self.d, self.n + 1)))
+            self.add("wave force", record, "wave, riser.added_mass")
         drag = self.per_segment(
             lambda s, k: 0.5 * rho * s.drag.coefficient * s.drag.diameter if s.drag else 0.0
         )
@@ -397,21 +414,3 @@ def halves(segment: FloatArray) -> FloatArray:
     nodes[:-1] += 0.5 * segment
     nodes[1:] += 0.5 * segment
     return nodes
-
-
-def current_table(current: forcing.Current) -> tuple[FloatArray, FloatArray]:
-    """Elevations (m) and speeds (m/s) of a profile."""
-    profile = current.profile
-    if isinstance(profile, forcing.Shape):
-        z = np.linspace(profile.seabed, profile.surface, PROFILE_POINTS)
-        height = (z - profile.seabed) / (profile.surface - profile.seabed)
-        share = {
-            "uniform": lambda: np.ones_like(z),
-            "power": lambda: height ** (profile.power or 1.0),
-            "exponential": lambda: np.exp((z - profile.surface) / (profile.scale or 1.0)),
-        }[profile.shape]()
-        return z, profile.surface_speed * share
-    return (
-        np.array([point.elevation for point in profile]),
-        np.array([point.speed for point in profile]),
-    )

@@ -14,6 +14,7 @@ from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.mesh import COARSEST, Mesh, even, graded
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
+from riserstudy.sea import depth_of_action
 from riserstudy.settle import settle
 from riserstudy.single import EVERYWHERE, keep_stations, single
 
@@ -104,7 +105,7 @@ def _refined(scene: Scene) -> Result:
 
 
 def _first_mesh(scene: Scene) -> Mesh:
-    """Coarse mesh, graded where held ends confine bending to a layer sqrt(EI/T)."""
+    """Coarse mesh, graded where held ends confine bending to a layer sqrt(EI/T), and under waves."""
     if not scene.lateral:
         return even(scene, len(scene.riser) if massless(scene) else COARSEST)
     probe = even(scene, COARSEST)
@@ -116,6 +117,8 @@ def _first_mesh(scene: Scene) -> Mesh:
         tension = float(np.abs(model.s.segment[:, end] @ model.s.tangent[:, end]))
         stiff = probe.l0[end] / (6.0 * model.s.flex_up[end]) if flexible else 0.0
         layers.append(math.sqrt(stiff / tension) if flexible and tension > 0 else math.inf)
+    if scene.wave and scene.water:
+        layers[1] = min(layers[1], depth_of_action(scene.wave, scene.water, scene.gravity or 0.0))
     return graded(scene, (layers[0], layers[1]))
 
 

@@ -102,6 +102,9 @@ def _march(
     if a.start == "unstretched":
         bottom = state.r[-1, 0]
         state.r[-1] = bottom + mesh.s
+    if a.start == "undeflected":
+        still, _ = settle(scene.model_copy(update={"current": None}), mesh, planar=True)
+        state.r[:], state.moment[:] = still.s.r, still.s.moment
     move_to(model.programs, model.state, 0.0)
     count = max(1, math.ceil(a.duration / step * (1.0 - 1e-9)))
     step = a.duration / count

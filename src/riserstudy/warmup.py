@@ -66,6 +66,8 @@ def scenes() -> list[Scene]:
     planar = axial | {
         "title": "planar",
         "gravity": "9.81 m/s^2",
+        "water": axial["water"] | {"seabed": "0 m", "surface": "90 m"},
+        "wave": {"height": "1 m", "period": "8 s", "above_mean_level": "stretched"},
         "riser": [_SECTION | _WET],
         "bottom": axial["bottom"] | {"rotation": {"stiffness": "10 kN*m/deg"}},
         "top": axial["top"]

@@ -28,6 +28,8 @@ from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Serie
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
+from riserstudy.effects.wave import CONSTANT, STRETCHED, Wave
+from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 from riserstudy.model import Effect, Model
 from riserstudy.solve.evaluate import energies, forces_and_tangent, one_call, shape_of
@@ -68,6 +70,14 @@ def uniform(d: int) -> Current:
     return Current(np.array([0.0, 1.0]), np.array([0.7, 0.7]), heading, 0.0)
 
 
+def wave(d: int, above: int = STRETCHED) -> Wave:
+    heading = np.array([0.6, 0.8][: d - 1])
+    return Wave(
+        np.array([1.5, 2.0]), np.array([0.8, 0.5]), np.array([0.07, 0.03]), np.array([0.3, -1.0]),
+        heading, 45.0, 60.0, 9.0, above,
+    )  # fmt: skip
+
+
 def upright(d: int) -> Upright:
     return Upright(N, TOP + np.array([0.0, 0.5]))
 
@@ -89,6 +99,10 @@ CASES = {
     AddedMass: Case(lambda d: AddedMass(7e3 * SEGMENTS, -7e3 * SEGMENTS)),
     Drag: Case(lambda d: Drag(6e3 * SEGMENTS, np.zeros((d, N + 1))), lambda d: [current(d)]),
     Current: Case(current),
+    Wave: Case(wave),
+    WaveForce: Case(
+        lambda d: WaveForce(8e3 * SEGMENTS, np.zeros((d, N + 1))), lambda d: [wave(d, CONSTANT)]
+    ),
     Bending: Case(bending, directions=(2,)),
     BendingDamping: Case(
         lambda d: BendingDamping(0.4, *np.zeros((2, N + 1))),

@@ -29,6 +29,8 @@ from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Serie
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
+from riserstudy.effects.wave import CONSTANT, NONE, Wave
+from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 
 
@@ -95,6 +97,43 @@ def current(record, s):
     out = np.zeros_like(s.water)
     out[:-1] = share * record.heading[:, None] * speed
     return {"water": out}
+
+
+def wave(record, s):
+    """Velocity and acceleration of the water, component by component, from the potential's formulas."""
+    t, d = s.clock[0], record.depth
+    p = np.pi / record.ramp if t < record.ramp else 0.0
+    grown, rate = (0.5 * (1 - np.cos(p * t)), 0.5 * p * np.sin(p * t)) if p else (1.0, 0.0)
+    water, water_rate = np.zeros((2, *s.r.shape))
+    for i in range(s.r.shape[1]):
+        x = record.heading @ s.r[:-1, i]
+        z = s.r[-1, i] - record.surface
+        angle = record.number * x - record.frequency * t + record.phase
+        eta = grown * (record.amplitude * np.cos(angle)).sum()
+        if record.above == NONE:
+            dry = z > 0.0
+        elif record.above == CONSTANT:
+            dry = z > max(eta, 0.0)
+            z = min(z, 0.0)
+        else:
+            dry = z > eta
+            z = (z + d) * d / (d + eta) - d
+        if dry:
+            continue
+        speed, kd = record.amplitude * record.frequency, record.number * d
+        u = speed * np.cosh(record.number * (z + d)) / np.sinh(kd)
+        w = speed * np.sinh(record.number * (z + d)) / np.sinh(kd)
+        water[:-1, i] = record.heading * grown * (u * np.cos(angle)).sum()
+        water[-1, i] = grown * (w * np.sin(angle)).sum()
+        f = record.frequency
+        along = (u * (grown * f * np.sin(angle) + rate * np.cos(angle))).sum()
+        water_rate[:-1, i] = record.heading * along
+        water_rate[-1, i] = (w * (rate * np.sin(angle) - grown * f * np.cos(angle))).sum()
+    return {"water": water, "water_rate": water_rate}
+
+
+def wave_force(record, s):
+    return {"force": spread(record.mass, across(s.water_rate, at_nodes(s)))}
 
 
 def angles(s):
@@ -236,6 +275,8 @@ VERSIONS = {
     AddedMass: [("string_inertia", added_mass)],
     Drag: [("string", drag)],
     Current: [("drive", current)],
+    Wave: [("drive", wave)],
+    WaveForce: [("string", wave_force)],
     Bending: [("turn string", bending)],
     BendingDamping: [("turn", bending_damping)],
     Foreshortening: [("string", foreshortening)],

@@ -20,6 +20,8 @@ STROKE = {"shortest": "-7 m", "longest": "20 m", "stop_stiffness": "1e9 N/m"}
 POINTS = [{"time": f"{t} s", "value": "0 m"} for t in (0, 1, 1, 2)]
 PROFILE = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 100, 50)]
 MESH = {"elements": 10}
+WATER = {"density": "1025 kg/m^3", "seabed": "0 m", "surface": "533 m"}
+WAVE = {"height": "6 m", "period": "8 s", "above_mean_level": "none"}
 
 #: scene, path, value, field of the message, what else the message says
 REFUSED = {
@@ -77,6 +79,19 @@ REFUSED = {
     "a missing section": (SURGE, "bottom", None, "bottom", "missing"),
     "a list that is none": (SURGE, "riser", "pipe", "riser", "list"),
     "a word not among those allowed": (SURGE, "top.x", "floating", "top.x", "'floating'"),
+    # the sea
+    "a wave on water of unsaid depth": (SURGE, "wave", WAVE, "", "needs water.surface and water.seabed"),
+    "a wave of two heights": (SURGE, "wave", WAVE | {"amplitude": "3 m"}, "wave", "one of height"),
+    "a wave that ends nowhere": (
+        SURGE, "wave", {"height": "6 m", "period": "8 s"}, "wave.above_mean_level", "missing",
+    ),
+    "a sea above its bed": (
+        SURGE, "water", WATER | {"seabed": "600 m"}, "water", "seabed must lie below surface",
+    ),
+    "a drift of unsaid depth": (
+        SURGE, "current", {"profile": {"sum": [{"shape": "uniform", "surface_speed": "1 m/s"}]}}, "",
+        "current.profile needs water.surface",
+    ),
     # geometry and physics
     "a pipe without wall": (SURGE, "riser[0].inner_diameter", "1 m", "riser[0]", "must be smaller than"),
     "two ways to stiffness": (SURGE, "riser[0].axial_stiffness", "1 GN", "riser[0]", "not both"),

@@ -18,6 +18,8 @@ CALLED_BY = {
     "added mass": "riser.added_mass, and lateral freedom",
     "drag": "riser.drag, and lateral freedom",
     "current": "current",
+    "wave": "wave",
+    "wave force": "wave, and riser.added_mass",
     "platform motion": "platform",
     "platform position": "platform.position",
     "support": "bottom.hold, top.x, top.z",

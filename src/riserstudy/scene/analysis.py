@@ -50,13 +50,14 @@ class Output(Strict):
 class Analysis(Strict):
     """What is computed.
 
-    Absent duration: statics only. Absent mesh, step: by accuracy (0.2 % of displacement, 1 % of moment
-    where accuracy is absent too). Absent method: generalised-alpha, 0.8.
+    Absent duration: statics only. Absent start: equilibrium; undeflected is that without current. Absent
+    mesh, step: by accuracy (0.2 % of displacement, 1 % of moment where accuracy is absent too). Absent
+    method: generalised-alpha, 0.8.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None
     output: Output | None = None
-    start: Literal["equilibrium", "unstretched"] | None = None
+    start: Literal["equilibrium", "unstretched", "undeflected"] | None = None
     mesh: Mesh | None = None
     step: Annotated[u.Time, POSITIVE] | None = None
     accuracy: Annotated[u.Percent, Field(gt=0, lt=1)] | None = None

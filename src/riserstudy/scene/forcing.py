@@ -9,12 +9,24 @@ from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Positive, Strict
+from riserstudy.scene.sea import WindDrift
 
 
 class Water(Strict):
-    """The sea. Absent: vacuum, no drag, no added mass, no current."""
+    """The sea. Absent: vacuum, no drag, no added mass, no current, no waves.
+
+    Elevations of mean level and seabed are needed by waves, and by profiles that do not bring their own.
+    """
 
     density: Annotated[u.Density, POSITIVE]
+    surface: u.Length | None = None
+    seabed: u.Length | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.surface is not None and self.seabed is not None and self.seabed >= self.surface:
+            raise ValueError("seabed must lie below surface")
+        return self
 
 
 class Harmonic(Strict):
@@ -104,18 +116,21 @@ class Point(Strict):
 
 
 class Shape(Strict):
-    """A named profile from the seabed to the surface: (height / depth)^power, or exp(-depth / scale)."""
+    """A named profile from the seabed to the surface: (height / depth)^power, or exp(-depth / scale).
+
+    Absent seabed, surface: those of the water.
+    """
 
     shape: Literal["uniform", "power", "exponential"]
     surface_speed: u.Speed
-    seabed: u.Length
-    surface: u.Length
+    seabed: u.Length | None = None
+    surface: u.Length | None = None
     power: Positive | None = None
     scale: Annotated[u.Length, POSITIVE] | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if self.seabed >= self.surface:
+        if self.seabed is not None and self.surface is not None and self.seabed >= self.surface:
             raise ValueError("seabed must lie below surface")
         for name, needed in (("power", "power"), ("scale", "exponential")):
             if (getattr(self, name) is not None) != (self.shape == needed):
@@ -123,11 +138,24 @@ class Shape(Strict):
         return self
 
 
+class Combined(Strict):
+    """Profiles that add up, such as tide and drift."""
+
+    sum: Annotated[list[Shape | WindDrift], Field(min_length=1)]
+
+
 class Current(Strict):
     """Steady current along x. Absent ramp: it flows from the start."""
 
-    profile: Annotated[list[Point], Field(min_length=2)] | Shape
+    profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined
     ramp: Annotated[u.Time, POSITIVE] | None = None
+
+    @property
+    def parts(self) -> list[Shape | WindDrift]:
+        """Named profiles that add up; none where it is a table."""
+        if isinstance(self.profile, list):
+            return []
+        return self.profile.sum if isinstance(self.profile, Combined) else [self.profile]
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

@@ -6,6 +6,7 @@ a default that changes physics: an absent section stands for an absent effect, a
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Self
 
 from pydantic import Field, model_validator
@@ -13,8 +14,10 @@ from pydantic import Field, model_validator
 from riserstudy.scene import units as u
 from riserstudy.scene.analysis import Analysis
 from riserstudy.scene.base import POSITIVE, Strict
+from riserstudy.scene.buoyancy import Buoyancy
 from riserstudy.scene.ends import Bottom, Top
-from riserstudy.scene.forcing import Current, Harmonic, Platform, Water
+from riserstudy.scene.forcing import Current, Harmonic, Platform, Shape, Water
+from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.string import Section
 
 
@@ -27,10 +30,12 @@ class Scene(Strict):
     gravity: Annotated[u.Acceleration, POSITIVE] | None = None
     water: Water | None = None
     riser: Annotated[list[Section], Field(min_length=1)]
+    buoyancy: Buoyancy | None = None
     bottom: Bottom
     top: Top
     platform: Platform | None = None
     current: Current | None = None
+    wave: RegularWave | IrregularSea | None = None
     analysis: Analysis
 
     @model_validator(mode="after")
@@ -42,6 +47,7 @@ class Scene(Strict):
             raise ValueError("current needs water")
         if self.current and not any(s.drag for s in self.riser):
             raise ValueError("current needs a riser section with drag")
+        self._fits_the_sea()
         if any(s.contents for s in self.riser) and self.gravity is None:
             raise ValueError("contents need gravity")
         rig = self.top.tensioners
@@ -72,15 +78,48 @@ class Scene(Strict):
                     f"analysis.output.stations: {s:g} m is not on the riser; "
                     f"allowed is from 0 to {length:g} m"
                 )
-        return self
+        return self._loaded()
+
+    def _loaded(self) -> Self:
+        """The scene with the weights and the top tension that a buoyant factor stands for."""
+        if self.buoyancy is None:
+            return self
+        if self.gravity is None or not all(s.mass for s in self.riser):
+            raise ValueError("buoyancy needs gravity, and the mass of every section")
+        if any(s.submerged_weight is not None for s in self.riser) or self.top.tension is not None:
+            raise ValueError("give buoyancy, or submerged_weight and top.tension, not both")
+        if self.top.z != "free" or self.top.tensioners:
+            raise ValueError("buoyancy gives the top tension: needs 'z: free' without tensioners")
+        riser, tension = self.buoyancy.loads(self.riser, self.gravity)
+        top = self.top.model_copy(update={"tension": tension})
+        return self.model_copy(update={"riser": riser, "top": top})
+
+    def _fits_the_sea(self) -> None:
+        levels = self.water and None not in (self.water.surface, self.water.seabed)
+        if self.wave:
+            if not levels:
+                raise ValueError("wave needs water.surface and water.seabed")
+            if self.gravity is None:
+                raise ValueError("wave needs gravity")
+            if not any(s.drag or s.added_mass for s in self.riser):
+                raise ValueError("wave needs a riser section with drag or added mass")
+            if abs(math.sin(self.wave.heading or 0.0)) > 1e-9:
+                raise ValueError(
+                    "wave.heading: in a plane a wave travels along x, 0 deg or 180 deg"
+                )
+        for part in self.current.parts if self.current else []:
+            own = isinstance(part, Shape) and None not in (part.seabed, part.surface)
+            if not own and not levels:
+                raise ValueError("current.profile needs water.surface and water.seabed")
 
     @property
     def shortest_period(self) -> float | None:
-        """Shortest period of the platform's motion (s)."""
-        if self.platform is None:
-            return None
-        motions = (self.platform.surge, self.platform.heave, self.platform.pitch)
+        """Shortest period of platform and waves (s)."""
+        platform = self.platform or Platform()
+        motions = (platform.surge, platform.heave, platform.pitch)
         periods = [motion.period for motion in motions if isinstance(motion, Harmonic)]
+        if self.wave:
+            periods.append(self.wave.shortest_period)
         return min(periods, default=None)
 
     @property
@@ -89,6 +128,7 @@ class Scene(Strict):
         platform = self.platform or Platform()
         reasons = {
             "current": self.current,
+            "wave": self.wave,
             "platform.position.surge": platform.position and platform.position.surge,
             "platform.surge": platform.surge,
             "platform.pitch": platform.pitch,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Self
 
 from pydantic import Field, model_validator
@@ -48,7 +49,8 @@ class Section(Strict):
     """A length of riser with uniform properties, from the bottom up.
 
     Stiffness comes from modulus and diameters, or is given; without bending stiffness the section is a
-    string. Absent mass, weight, drag, added mass, contents, damping or load: none.
+    string. Mass is given, or that of a wall of some density. Absent mass, weight, drag, added mass,
+    contents, damping or load: none.
     """
 
     name: str
@@ -60,6 +62,7 @@ class Section(Strict):
     axial_stiffness: Annotated[u.Force, POSITIVE] | None = None
     bending_stiffness: Annotated[u.BendingStiffness, POSITIVE] | None = None
     mass: Annotated[u.MassPerLength, POSITIVE] | None = None
+    wall_density: Annotated[u.Density, POSITIVE] | None = None
     submerged_weight: u.ForcePerLength | None = None
     lateral_load: u.ForcePerLength | None = None
     drag: Drag | None = None
@@ -79,6 +82,8 @@ class Section(Strict):
                 f"inner_diameter {self.inner_diameter:g} m must be smaller than "
                 f"outer_diameter {self.outer_diameter:g} m"
             )
+        if self.wall_density and (self.mass or self.inner_diameter is None):
+            raise ValueError("wall_density needs outer_diameter and inner_diameter, and no mass")
         tube = self.young_modulus is not None
         if tube and (self.outer_diameter is None or self.inner_diameter is None):
             raise ValueError("young_modulus needs outer_diameter and inner_diameter")
@@ -88,7 +93,21 @@ class Section(Strict):
             raise ValueError("needs young_modulus with diameters, or axial_stiffness")
         if self.contents and self.inner_diameter is None:
             raise ValueError("contents need inner_diameter")
+        if self.wall_density:
+            return self.model_copy(update={"mass": self.wall_density * self.wall_area})
         return self
+
+    @property
+    def wall_area(self) -> float:
+        """Cross section of the wall (m2)."""
+        outer, inner = self.outer_diameter or 0.0, self.inner_diameter or 0.0
+        return 0.25 * math.pi * (outer**2 - inner**2)
+
+    @property
+    def contents_mass(self) -> float:
+        """Mass of the fluid inside (kg/m)."""
+        bore = 0.25 * math.pi * (self.inner_diameter or 0.0) ** 2
+        return self.contents.density * bore if self.contents else 0.0
 
     @property
     def total_length(self) -> float:

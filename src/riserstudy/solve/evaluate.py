@@ -47,6 +47,7 @@ def shape(p, s):
     clear_forces(s)
     s.water[:] = 0.0
     s.shear[:] = 0.0
+    s.water_rate[:] = 0.0
     measure(s)
     every(p.drive, s)
     every(p.turn, s)

@@ -46,6 +46,7 @@ class State(NamedTuple):
     platform: np.ndarray  # (3, 6) displacement, velocity, acceleration: surge ... heave ... yaw
     water: np.ndarray  # (d, n+1) water velocity at the nodes (m/s)
     shear: np.ndarray  # (d, n+1) its change with elevation (1/s)
+    water_rate: np.ndarray  # (d, n+1) water acceleration at the nodes (m/s2)
 
     density: np.ndarray  # (d, n+1) scratch: a load per length at the nodes
     block: np.ndarray  # (n+1, d*d) scratch: minus its derivative by the node
@@ -101,6 +102,7 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         platform=zeros(3, 6),
         water=zeros(d, n + 1),
         shear=zeros(d, n + 1),
+        water_rate=zeros(d, n + 1),
         density=zeros(d, n + 1),
         block=zeros(n + 1, d * d),
         segment=zeros(d, n),

@@ -1,0 +1,111 @@
+r"""Waves: velocity and acceleration of the water at the nodes by linear (Airy) theory, at any depth.
+
+A sum of long-crested components travelling along one heading; a regular wave is one of them. With the
+distance x along the heading, z up from the mean level and :math:`\theta = k x - \omega t + \varphi`,
+
+.. math::
+    \eta = \sum a \cos\theta,\quad
+    u = \sum a \omega \frac{\cosh k(z+d)}{\sinh kd} \cos\theta,\quad
+    w = \sum a \omega \frac{\sinh k(z+d)}{\sinh kd} \sin\theta
+
+and the derivatives by time. All grow by a half cosine over the ramp, whose own rate is part of the
+acceleration. Up to and at t = 0 the sea is calm: statics know no waves.
+
+Linear theory ends at the mean level. Above it there is nothing, or the value at the mean level up to the
+surface (constant), or the whole profile is stretched from bed to surface (Wheeler 1970). Evaluated at
+the deformed position of a node; the change with horizontal position is left out of the stiffness.
+"""
+
+from __future__ import annotations
+
+from math import cos, exp, pi, sin
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+NONE, CONSTANT, STRETCHED = 0, 1, 2
+DEEP = 37.0  # k times depth below which exp(-kz) is rounding
+
+
+class Wave(NamedTuple):
+    """Components of a sea."""
+
+    amplitude: np.ndarray  # (c,) (m)
+    frequency: np.ndarray  # (c,) (rad/s)
+    number: np.ndarray  # (c,) wave number (rad/m)
+    phase: np.ndarray  # (c,) (rad)
+    heading: np.ndarray  # (d-1,) unit vector of travel in the horizontal directions
+    surface: float  # elevation of the mean level (m)
+    depth: float  # of the water (m)
+    ramp: float  # (s), 0 for none
+    above: int  # NONE, CONSTANT or STRETCHED
+
+
+@inner
+def growth(wave, t):
+    """Share of the wave that acts at a time, and its rate."""
+    if t <= 0.0:
+        return 0.0, 0.0
+    if t >= wave.ramp:
+        return 1.0, 0.0
+    p = pi / wave.ramp
+    return 0.5 * (1.0 - cos(p * t)), 0.5 * p * sin(p * t)
+
+
+@inner
+def drive(wave, s):
+    """Add velocity, its change with elevation, and acceleration of the water at the nodes."""
+    up = len(s.dim) - 1
+    t = s.clock[0]
+    grown, rate = growth(wave, t)
+    if grown == 0.0 and rate == 0.0:
+        return 0.0
+    components = wave.amplitude.shape[0]
+    for i in range(s.l0.shape[0] + 1):
+        x = 0.0
+        for c in range(up):
+            x += wave.heading[c] * s.r[c, i]
+        z = s.r[up, i] - wave.surface
+        if z > 0.0 and wave.above == NONE:
+            continue
+        squeeze = 1.0
+        if wave.above != NONE and (z > 0.0 or wave.above == STRETCHED):
+            eta = 0.0
+            for k in range(components):
+                eta += wave.amplitude[k] * cos(
+                    wave.number[k] * x - wave.frequency[k] * t + wave.phase[k]
+                )
+            eta *= grown
+            if z > eta:
+                continue
+            if wave.above == CONSTANT:
+                z, squeeze = 0.0, 0.0
+            else:
+                squeeze = wave.depth / (wave.depth + eta)
+                z = (z + wave.depth) * squeeze - wave.depth
+        for k in range(components):
+            number, w = wave.number[k], wave.frequency[k]
+            if -number * z > DEEP:
+                continue
+            # cosh and sinh k(z+d) over sinh kd, without overflow at any depth
+            near, far = exp(number * z), exp(-number * (z + 2.0 * wave.depth))
+            below = 1.0 - exp(-2.0 * number * wave.depth)
+            even, odd = (near + far) / below, (near - far) / below
+            angle = number * x - w * t + wave.phase[k]
+            speed = wave.amplitude[k] * w
+            sine, cosine = speed * sin(angle), speed * cos(angle)
+            slope = number * squeeze * grown
+            for c in range(up):
+                s.water[c, i] += wave.heading[c] * grown * even * cosine
+                s.shear[c, i] += wave.heading[c] * slope * odd * cosine
+                s.water_rate[c, i] += wave.heading[c] * even * (grown * w * sine + rate * cosine)
+            s.water[up, i] += grown * odd * sine
+            s.shear[up, i] += slope * even * sine
+            s.water_rate[up, i] += odd * (rate * sine - grown * w * cosine)
+    return 0.0
+
+
+register(Wave, drive=drive)

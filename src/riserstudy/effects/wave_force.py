@@ -1,0 +1,57 @@
+r"""Morison's inertia force: what the accelerating water does to the pipe, across it.
+
+.. math:: f = (1 + C_a)\,\rho\,\frac{\pi D^2}{4}\,(\dot u - (\dot u \cdot t)\,t)
+
+per unstretched length, with the local acceleration of the water. Its share that follows the pipe's own
+acceleration is the added mass. The change with position is left out of the stiffness: over a step it is
+a thousandth of the inertia or less.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+from riserstudy.solve.spread import spread
+from riserstudy.solve.state import OTHER, OWN
+from riserstudy.solve.vec import at, dot, mul, put, sub
+
+
+class WaveForce(NamedTuple):
+    """Mass of the water that the pipe displaces, with added mass."""
+
+    mass: np.ndarray  # (n,) of the segments (kg)
+    force: np.ndarray  # (d, n+1) scratch
+
+
+@inner
+def _across(s):
+    """Acceleration of the water across the pipe, into ``s.density``."""
+    for i in range(s.l0.shape[0] + 1):
+        a, t = at(s.dim, s.water_rate, i), at(s.dim, s.direction, i)
+        put(s.density, i, sub(a, mul(dot(a, t), t)))
+
+
+@inner
+def force(wave_force, s):
+    """Inertia force on the nodes."""
+    _across(s)
+    spread(s, wave_force.mass, OWN, OTHER, s.density, s.force)
+    return 0.0
+
+
+@inner
+def power(wave_force, s):
+    """Power that the water supplies (W)."""
+    _across(s)
+    wave_force.force[:] = 0.0
+    spread(s, wave_force.mass, OWN, OTHER, s.density, wave_force.force)
+    for i in range(s.l0.shape[0] + 1):
+        s.flow[1] += dot(at(s.dim, wave_force.force, i), at(s.dim, s.v, i))
+    return 0.0
+
+
+register(WaveForce, string=force, power=power)

@@ -1,0 +1,43 @@
+"""Weight and top tension of a riser told by a buoyant factor and a tension ratio."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from riserstudy.scene.base import Positive, Strict
+from riserstudy.scene.string import Section
+
+#: share of the dry weight that is left along the riser, and that the top tension is a multiple of
+READINGS = {
+    "R1": lambda b: (1.0 - b, 1.0 - b),
+    "R2": lambda b: (b, b),
+    "R3": lambda b: (b, 1.0),
+}
+
+
+class Buoyancy(Strict):
+    """Blocks of foam around the riser, in place of submerged weights and top tension.
+
+    With w L the weight in air of riser and contents, b the factor and e the tension ratio, the effective
+    tension a distance h below the top is, in three readings of the same words,
+    R1: (1 - b) w (e L - h), the factor is the share that the blocks carry;
+    R2: b w (e L - h), the factor is the share that is left;
+    R3: w (e L - b h), the share that is left, the ratio being to the weight without blocks.
+    """
+
+    factor: Annotated[float, Field(ge=0, le=1)]
+    tension_ratio: Positive
+    reading: Literal["R1", "R2", "R3"]
+
+    def loads(self, riser: list[Section], gravity: float) -> tuple[list[Section], float]:
+        """Sections with their submerged weights, and the top tension (N)."""
+        left, of_tension = READINGS[self.reading](self.factor)
+        tension, sections = 0.0, []
+        for section in riser:
+            inside = section.contents_mass * gravity
+            dry = (section.mass or 0.0) * gravity + inside
+            tension += self.tension_ratio * of_tension * dry * section.total_length
+            sections.append(section.model_copy(update={"submerged_weight": left * dry - inside}))
+        return sections, tension

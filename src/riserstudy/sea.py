@@ -1,0 +1,124 @@
+"""The sea of a scene in numbers: current over elevation, components of its waves."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import cumulative_trapezoid
+from scipy.optimize import brentq
+
+from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
+from riserstudy.scene.forcing import Current, Shape, Water
+from riserstudy.scene.sea import IrregularSea, RegularWave, WindDrift
+
+FloatArray = NDArray[np.float64]
+PROFILE_POINTS = 2001  # of a named current profile
+ABOVE = {"none": NONE, "constant": CONSTANT, "stretched": STRETCHED}
+
+
+def current_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
+    """Elevations (m) and speeds (m/s) of a profile."""
+    if isinstance(current.profile, list):
+        return (
+            np.array([point.elevation for point in current.profile]),
+            np.array([point.speed for point in current.profile]),
+        )
+    spans = [levels(part, water) for part in current.parts]
+    z = np.linspace(min(low for low, _ in spans), max(high for _, high in spans), PROFILE_POINTS)
+    speed = np.zeros_like(z)
+    for part, span in zip(current.parts, spans, strict=True):
+        speed += profile(part, span, z)
+    return z, speed
+
+
+def levels(part: Shape | WindDrift, water: Water | None) -> tuple[float, float]:
+    """Elevations of seabed and surface that a profile lies between (m)."""
+    own = (part.seabed, part.surface) if isinstance(part, Shape) else (None, None)
+    of_water = (water.seabed, water.surface) if water else (None, None)
+    low, high = (a if a is not None else b for a, b in zip(own, of_water, strict=True))
+    if low is None or high is None:
+        raise TypeError("a profile without seabed or surface")  # refused by the scene
+    return low, high
+
+
+def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -> FloatArray:
+    """Speed of one named profile at elevations within its span (m/s); its end values beyond."""
+    low, high = span
+    inside = np.clip(z, low, high)
+    if isinstance(part, WindDrift):
+        strength = part.wind_speed / math.sqrt(math.sin(part.latitude))
+        fall = math.pi * (inside - high) / (part.depth_factor * strength)
+        drift = part.surface_factor * strength * np.exp(fall)
+        turned = np.cos(0.25 * math.pi + fall) if part.component == "along the wind" else 1.0
+        return np.asarray(drift * turned)
+    share = {
+        "uniform": lambda: np.ones_like(z),
+        "power": lambda: ((inside - low) / (high - low)) ** (part.power or 1.0),
+        "exponential": lambda: np.exp((inside - high) / (part.scale or 1.0)),
+    }[part.shape]()
+    return np.asarray(part.surface_speed * share)
+
+
+def wave_number(frequency: float, depth: float, gravity: float) -> float:
+    """Wave number k (rad/m) of w^2 = g k tanh(k d)."""
+    shape = frequency**2 * depth / gravity  # kd tanh kd
+    high = max(shape, math.sqrt(shape)) + 1.0
+    return float(brentq(lambda kd: kd * math.tanh(kd) - shape, 0.0, high, xtol=1e-14)) / depth
+
+
+def depth_of_action(sea: RegularWave | IrregularSea, water: Water, gravity: float) -> float:
+    """Depth 1/k over which the shortest waves that matter fade (m)."""
+    frequency = 2.0 * math.pi / sea.shortest_period
+    return 1.0 / wave_number(frequency, (water.surface or 0.0) - (water.seabed or 0.0), gravity)
+
+
+def wave_of(
+    sea: RegularWave | IrregularSea, water: Water, gravity: float, heading: FloatArray
+) -> Wave:
+    """Components of a wave or sea, travelling along a horizontal unit vector."""
+    if water.surface is None or water.seabed is None:
+        raise TypeError("waves on water without levels")  # refused by the scene
+    depth = water.surface - water.seabed
+    if isinstance(sea, RegularWave):
+        frequency = np.array([2.0 * math.pi / sea.period])
+        amplitude = np.array([sea.amplitude or 0.5 * (sea.height or 0.0)])
+        phase = np.array([sea.phase or 0.0])
+    else:
+        frequency, amplitude = components(sea)
+        random = np.random.default_rng(sea.seed)
+        phase = random.uniform(0.0, 2.0 * math.pi, sea.components)
+    number = np.array([wave_number(w, depth, gravity) for w in frequency])
+    return Wave(
+        amplitude, frequency, number, phase, heading,
+        water.surface, depth, sea.ramp or 0.0, ABOVE[sea.above_mean_level],
+    )  # fmt: skip
+
+
+def components(sea: IrregularSea) -> tuple[FloatArray, FloatArray]:
+    """Frequencies (rad/s) and amplitudes (m) that share the energy of the sea equally.
+
+    Each stands at the middle of its share of the energy, so that no two are commensurate and the
+    record does not repeat.
+    """
+    peak = 2.0 * math.pi / sea.peak_period
+    w = peak * np.geomspace(0.4, 10.0, 20001)
+    energy = cumulative_trapezoid(jonswap(w, peak, sea.peak_enhancement), w, initial=0.0)
+    shares = (np.arange(sea.components) + 0.5) / sea.components
+    frequency = np.interp(shares * energy[-1], energy, w)
+    amplitude = sea.significant_height / math.sqrt(8.0 * sea.components)  # Hs = 4 sqrt(sum a^2 / 2)
+    return frequency, np.full(sea.components, amplitude)
+
+
+def jonswap(w: FloatArray, peak: float, enhancement: float) -> FloatArray:
+    """JONSWAP spectrum over circular frequency, without its scale.
+
+    References
+    ----------
+    Hasselmann et al. 1973, Measurements of wind-wave growth and swell decay during the Joint North Sea
+    Wave Project, Deutsche Hydrographische Zeitschrift A8(12), equation 2.4.1.
+    """
+    width = np.where(w <= peak, 0.07, 0.09)
+    bump = np.exp(-0.5 * ((w - peak) / (width * peak)) ** 2)
+    return np.asarray(w**-5.0 * np.exp(-1.25 * (peak / w) ** 4) * enhancement**bump)
