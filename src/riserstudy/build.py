@@ -350,18 +350,18 @@ class _Builder:
         elif rig.two_chamber_gas and not rig.linearised:
             both = rig.two_chamber_gas
             sides = (getattr(side, name) for side in (both.high, both.low) for name in GAS_FIELDS)
-            weight = (both.piston_mass or 0.0) * self.g
+            weight = rig.piston_mass * self.g
             record = TwoChamberGas(*(x * each for x in (*sides, both.exponent, weight)))
             self.add("two-chamber gas tensioner", record, "top.tensioners.two_chamber_gas")
         else:
             tension, slope = linear_law(rig, self.g)
             why = "top.tensioners.linearised" if rig.any_gas else "top.tensioners.linear"
             self.add("linear tensioner", LinearSpring(tension * each, slope * each), why)
-        if rig.two_chamber_gas and rig.two_chamber_gas.piston_mass:
+        if rig.piston_mass:
             mass = np.zeros(self.d)
-            mass[-1] = rig.count * rig.two_chamber_gas.piston_mass
+            mass[-1] = rig.count * rig.piston_mass
             pistons = EndMass(self.n, 0.0, mass, np.zeros(2))
-            self.add("piston mass", pistons, "top.tensioners.two_chamber_gas.piston_mass")
+            self.add("piston mass", pistons, "top.tensioners.two_chamber_gas.pistons")
         if rig.damping:
             self.add(
                 "tensioner damping", CylinderDamping(rig.damping * each), "top.tensioners.damping"

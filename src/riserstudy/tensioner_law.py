@@ -10,14 +10,13 @@ from riserstudy.scene.tensioners import Gas, Tensioners, TwoChamberGas
 FloatArray = NDArray[np.float64]
 
 
-def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray, gravity: float = 0.0) -> FloatArray:
-    """Force of one cylinder (N) over its reach from mid-stroke (m); gravity acts on its piston."""
+def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray) -> FloatArray:
+    """Force of the gas of one cylinder (N) over its reach from mid-stroke (m)."""
     if isinstance(gas, TwoChamberGas):
-        up, down = gas.high, gas.low
-        high = (up.volume / (up.volume - up.area * reach)) ** gas.exponent
-        low = (down.volume / (down.volume + down.area * reach)) ** gas.exponent
-        weight = (gas.piston_mass or 0.0) * gravity
-        pull: FloatArray = up.area * up.pressure * high - down.area * down.pressure * low - weight
+        up, down, k = gas.high, gas.low, gas.exponent
+        high = (up.volume / (up.volume - up.area * reach)) ** k
+        low = (down.volume / (down.volume + down.area * reach)) ** k
+        pull: FloatArray = up.area * up.pressure * high - down.area * down.pressure * low
         return pull
     ratio = gas.volume / (gas.volume - gas.area * reach)
     force: FloatArray = gas.area * gas.pressure * ratio**gas.exponent
@@ -25,7 +24,7 @@ def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray, gravity: float = 0.0)
 
 
 def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:
-    """Tension at mid-stroke (N) and stiffness (N/m) of one cylinder made linear.
+    """Tension at mid-stroke (N) and stiffness (N/m) of one cylinder made linear; gravity acts on pistons.
 
     Least squares are those of the continuous law over the stroke range.
     """
@@ -34,19 +33,20 @@ def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:
     gas, made = rig.any_gas, rig.linearised
     if gas is None or made is None:
         raise TypeError("no law to make linear")
+    weight = rig.piston_mass * gravity
     if made.by == "tangent" or made.shortest is None or made.longest is None:
-        return float(gas_force(gas, np.zeros(1), gravity)[0]), _stiffness(gas)
-    node, weight = np.polynomial.legendre.leggauss(64)
+        return float(gas_force(gas, np.zeros(1))[0]) - weight, _stiffness(gas)
+    node, share = np.polynomial.legendre.leggauss(64)
     middle, half = 0.5 * (made.longest + made.shortest), 0.5 * (made.longest - made.shortest)
-    force = gas_force(gas, middle + half * node, gravity)
-    mean, slope = 0.5 * (weight @ force), 1.5 * (weight @ (force * node)) / half
+    force = gas_force(gas, middle + half * node) - weight
+    mean, slope = 0.5 * (share @ force), 1.5 * (share @ (force * node)) / half
     return float(mean - slope * middle), float(slope)
 
 
 def tension_at_mid_stroke(rig: Tensioners, gravity: float = 0.0) -> float:
     """Pull of one cylinder at mid-stroke (N)."""
     if rig.any_gas and not rig.linearised:
-        return float(gas_force(rig.any_gas, np.zeros(1), gravity)[0])
+        return float(gas_force(rig.any_gas, np.zeros(1))[0]) - rig.piston_mass * gravity
     return linear_law(rig, gravity)[0]
 
 

@@ -33,7 +33,7 @@ _TWO: Tree = {
     "high": _CHAMBER,
     "low": _CHAMBER | {"pressure": "2 bar absolute"},
     "exponent": 1.4,
-    "piston_mass": "1 t",
+    "pistons": {"mass": "1 t", "counted": "each"},
 }
 _RIG: Tree = {
     "count": 4,

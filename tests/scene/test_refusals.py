@@ -113,7 +113,7 @@ REFUSED = {
         LIU, "top.tensioners.linearised", {"by": "least squares", "shortest": "-10 m", "longest": "8 m"},
         "top.tensioners", "linearised.shortest -10 m closes the low-pressure volume",
     ),
-    "a piston without gravity": (LIU, "gravity", None, "", "piston_mass needs gravity"),
+    "a piston without gravity": (LIU, "gravity", None, "", "pistons need gravity"),
     "two laws of a tensioner": (
         CHANG, "top.tensioners.linear", {"tension": "1 MN", "stiffness": "1 kN/m"}, "top.tensioners",
         "one of gas, two_chamber_gas and linear",

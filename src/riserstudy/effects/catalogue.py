@@ -28,7 +28,7 @@ CALLED_BY = {
     "lateral force": "top.lateral_force",
     "gas tensioner": "top.tensioners.gas",
     "two-chamber gas tensioner": "top.tensioners.two_chamber_gas",
-    "piston mass": "top.tensioners.two_chamber_gas.piston_mass",
+    "piston mass": "top.tensioners.two_chamber_gas.pistons",
     "linear tensioner": "top.tensioners.linear or linearised",
     "tensioner damping": "top.tensioners.damping",
     "end stops": "top.tensioners.stroke",

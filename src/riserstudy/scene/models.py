@@ -51,8 +51,8 @@ class Scene(Strict):
         if any(s.contents for s in self.riser) and self.gravity is None:
             raise ValueError("contents need gravity")
         rig = self.top.tensioners
-        if rig and rig.two_chamber_gas and rig.two_chamber_gas.piston_mass and not self.gravity:
-            raise ValueError("piston_mass needs gravity")
+        if rig and rig.piston_mass and self.gravity is None:
+            raise ValueError("pistons need gravity")
         if self.bottom.hold == "free" and self.top.z == "free":
             raise ValueError("both ends are free: hold one")
         if self.analysis.duration and not (

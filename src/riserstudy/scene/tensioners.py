@@ -27,16 +27,23 @@ class Chamber(Strict):
     volume: Annotated[u.Volume, POSITIVE]
 
 
-class TwoChamberGas(Strict):
-    """Two gas chambers a cylinder: high pressure pulls, low pressure and the piston's weight push back.
+class Pistons(Strict):
+    """Mass of a piston with its rod, moving with the ring: one for all cylinders, or one for each."""
 
-    ``piston_mass`` is that of one cylinder; it moves with the ring. Absent: without weight and mass.
+    mass: Annotated[u.Mass, POSITIVE]
+    counted: Literal["once", "each"]
+
+
+class TwoChamberGas(Strict):
+    """Two gas chambers a cylinder: high pressure pulls, low pressure and pistons' weight push back.
+
+    Absent pistons: without weight and mass.
     """
 
     high: Chamber
     low: Chamber
     exponent: Annotated[float, Field(gt=1)]
-    piston_mass: Annotated[u.Mass, NOT_NEGATIVE] | None = None
+    pistons: Pistons | None = None
 
 
 class Linear(Strict):
@@ -116,6 +123,14 @@ class Tensioners(Strict):
                 f"{what}.shortest {shortest:g} m closes the low-pressure volume, "
                 f"which is empty at {-pushing.volume / pushing.area:g} m"
             )
+
+    @property
+    def piston_mass(self) -> float:
+        """Mass of piston and rod that falls to one cylinder (kg)."""
+        pistons = self.two_chamber_gas.pistons if self.two_chamber_gas else None
+        if pistons is None:
+            return 0.0
+        return pistons.mass / (self.count if pistons.counted == "once" else 1)
 
     @property
     def any_gas(self) -> Gas | TwoChamberGas | None:
