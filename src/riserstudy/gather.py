@@ -61,6 +61,9 @@ def results_of(study: Study, threads: int, tell: Callable[[str], None]) -> tuple
     return [r for p in study.plan if (r := done[p.key])], len(missing)
 
 
+SHARED = ("time", "s", "s_node", "cylinder")  # dimensions of runs
+
+
 def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     """Dataset with the study's axes as dimensions, over the quantities of its runs.
 
@@ -73,7 +76,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     for name, extract in FACTS.items():
         flat[name] = ("point", [extract(r.facts) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])
-    dataset = xr.Dataset(coords={n: flat[n] for n in ("time", "s", "s_node") if n in flat.coords})
+    dataset = xr.Dataset(coords={n: flat[n] for n in SHARED if n in flat.coords})
     for label, values in flat.data_vars.items():
         values = values.transpose("point", ...)
         grid = values.values.reshape(shape + values.shape[1:])

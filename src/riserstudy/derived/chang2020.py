@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from riserstudy.simulation import attributes
+from riserstudy.derived.shared import described
 
+PAPER = "chang2020"
 #: how the printed motion height H = 5 m can be meant, and the amplitude (m) that each gives
 HEIGHTS = {"amplitude": 5.0, "height": 2.5}
 QUANTITIES = {"heave": "z", "tension": "effective_tension"}
@@ -32,10 +33,11 @@ def asymmetry(steady: xr.Dataset, from_rest: xr.Dataset, quasi_static: xr.Datase
         )
         for k in range(2)
     )
-    return _described(
+    return described(
         xr.Dataset(
             {"displacement_up": up, "displacement_down": down, "asymmetry_index": up / down}
         ),
+        PAPER,
         "asymmetry index S of Eq. 9",
     )
 
@@ -64,8 +66,9 @@ def reductions(
         table = table.assign_coords({name: ("way", [way[k] for way in ways])})
     table = table.set_index(way=["quantity", "height", "reading"]).unstack("way")
     order = ("quantity", "measure", "height", "reading")
-    return _described(
+    return described(
         table.transpose(*order).to_dataset(name="reduction"),
+        PAPER,
         "reduction of the riser's oscillation by the tensioner",
     )
 
@@ -105,10 +108,3 @@ def _held(runs: xr.Dataset, name: str, amplitude: xr.DataArray) -> dict[str, xr.
         )
         for side, sign in (("above", 1.0), ("below", -1.0))
     }
-
-
-def _described(dataset: xr.Dataset, title: str) -> xr.Dataset:
-    for name in dataset.variables:
-        dataset[name].attrs = attributes(str(name))
-    dataset.attrs = {"Conventions": "CF-1.11", "paper": "chang2020", "title": f"chang2020: {title}"}
-    return dataset.drop_vars([n for n in dataset.coords if n not in dataset.dims])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -39,3 +40,13 @@ def key_below(figure: Figure, ax: Axes, columns: int) -> None:
     """One legend for the whole figure, below its panels."""
     handles, labels = ax.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=columns, fontsize="small")
+
+
+def field(figure: Figure, ax: Axes, values: xr.DataArray, across: str, up: str, label: str) -> None:
+    """A quantity in colours over two of its coordinates, with a bar that says its unit."""
+    shown = values.transpose(up, across)
+    colours = ax.pcolormesh(
+        shown[across], shown[up], shown, shading="gouraud", cmap="viridis", rasterized=True
+    )
+    figure.colorbar(colours, ax=ax, label=label)
+    ax.grid(False)

@@ -1,0 +1,56 @@
+"""Liu et al. 2020: tension in every reading, amplitudes of the axial force."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.derived.shared import described, first_harmonic, half_swing, settling
+
+PAPER = "liu2020"
+INCLINATIONS = (0.0, 2.0, 5.7, 9.5, 12.8)  # deg, of cylinders between ring and deck, all alike
+
+
+def tension_readings(tension: xr.Dataset) -> xr.Dataset:
+    """Tension of all cylinders at rest over the readings of Table 2, upright and inclined.
+
+    An inclined cylinder carries its pull times the cosine; the ring's height hardly changes.
+    """
+    pull = tension["tensioner_force_static"].sum("cylinder")
+    lean = xr.DataArray(list(INCLINATIONS), dims="inclination", name="inclination")
+    lean = lean.assign_coords(inclination=lean)
+    found = xr.Dataset({"top_tension": pull * np.cos(np.deg2rad(lean))})
+    return described(found, PAPER, "top tension at rest in every reading")
+
+
+def heave(heave_runs: xr.Dataset) -> xr.Dataset:
+    """Amplitude of the axial force over (heave_amplitude, heave_period), gas law and linear."""
+    found = _axial_force(heave_runs.sel(tensioner_model="gas law", drop=True))
+    linear = _axial_force(heave_runs.sel(tensioner_model="linear", drop=True))
+    found["axial_force_amplitude_linear"] = linear["axial_force_amplitude"]
+    return described(found, PAPER, "amplitude of the axial force, platform heaving")
+
+
+def heave_readings(heave_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of what the paper leaves open."""
+    found = _axial_force(heave_open)
+    for name, values in heave_open.data_vars.items():
+        if str(name).startswith("assumed_"):
+            found[name] = values
+    return described(found, PAPER, "amplitude of the axial force over what the paper leaves open")
+
+
+def _axial_force(runs: xr.Dataset) -> xr.Dataset:
+    """Amplitudes at the riser's ends over the last period, lag between them, and how settled they are."""
+    tension = runs["effective_tension"]
+    swing = half_swing(tension, "heave_period")
+    ends = first_harmonic(tension, "heave_period")
+    lag = xr.apply_ufunc(np.angle, ends.isel(s=-1, drop=True) / ends.isel(s=0, drop=True))
+    return xr.Dataset(
+        {
+            "axial_force_amplitude": swing.isel(s=0, drop=True),
+            "axial_force_amplitude_top": swing.isel(s=-1, drop=True),
+            "axial_force_lag": lag,
+            "settling": settling(tension, "heave_period").max("s"),
+        }
+    )
