@@ -208,7 +208,7 @@ def test_cylinders_share_the_pull_that_holds_the_riser(runs):
     found = runs["rigged"]
     pull = found["tensioner_force"]
     assert found.sizes["cylinder"] == 3
-    np.testing.assert_allclose(pull, pull.isel(cylinder=0).expand_dims(cylinder=3).T)
+    np.testing.assert_allclose(pull, pull.isel(cylinder=0, drop=True).expand_dims(cylinder=3).T)
     at_rest = float(found["tensioner_force_static"].sum())
     assert at_rest == pytest.approx(3 * 0.1 * 40e5, rel=1e-9)
     assert float(found["effective_tension_static"][-1]) == pytest.approx(at_rest, rel=1e-9)

@@ -79,7 +79,9 @@ def labelled(result: Result) -> xr.Dataset:
     import xarray as xr
 
     arrays = result.arrays
-    coords = {name: (name, arrays[name]) for name in ("time", "s", "s_node") if name in arrays}
+    coords: dict[str, Any] = {
+        name: (name, arrays[name]) for name in ("time", "s", "s_node") if name in arrays
+    }
     if (force := arrays.get("tensioner_force_static")) is not None:
         coords["cylinder"] = ("cylinder", [k + 1 for k in range(len(force))])
     static_only = "time" not in arrays

@@ -90,14 +90,14 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     reach = heave_limit["tensioner_stroke"].isel(cylinder=0)
     tension = heave_limit["effective_tension"].isel(s=0) / 1e6
     for colour, stiffness in zip(COLOURS, heave_limit["stop_stiffness"].values, strict=False):
-        for line, quantity, ax in (("-", reach, axes[0]), ("-", tension, axes[1])):
+        for quantity, ax in ((reach, axes[0]), (tension, axes[1])):
             curve = quantity.sel(stop_stiffness=stiffness)
             for side in ("max", "min"):
                 ends = getattr(curve, side)("time")
                 label = f"stops of {stiffness:g} MN/m" if side == "max" else None
-                ax.plot(ends["heave_amplitude"], ends, line, color=colour, marker=".", label=label)
-    for side in (-STROKE, STROKE):
-        axes[0].axhline(side, color=GREY, linewidth=0.9)
+                ax.plot(ends["heave_amplitude"], ends, color=colour, marker=".", label=label)
+    for limit in (-STROKE, STROKE):
+        axes[0].axhline(limit, color=GREY, linewidth=0.9)
     axes[1].axhline(0.0, color=GREY, linewidth=0.9)
     axes[0].set_ylabel("reach of a cylinder, extremes (m)")
     axes[1].set_ylabel("tension at the bottom, extremes (MN)")

@@ -29,7 +29,7 @@ def uniform(
     """
     run = heave.sel(heave_amplitude=amplitude, heave_period=period, drop=True)
     apart = abs(run["axial_force_amplitude_top"] / run["axial_force_amplitude"] - 1.0)
-    worst = np.maximum(apart, run["settling"])
+    worst = apart.where(apart > run["settling"], run["settling"])
     return Found(worst, (worst <= at_most) & (abs(run["axial_force_lag"]) <= np.deg2rad(lag)))
 
 
