@@ -83,9 +83,10 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
         about = attributes(str(label)) or FACT_ATTRIBUTES.get(str(label), {})
         dataset[label] = xr.DataArray(grid, dims=(*study.axes, *values.dims[1:]), attrs=about)
     for axis, steps in study.axes.items():
-        dataset.coords[axis] = xr.DataArray(
-            [v for v, _ in steps], dims=axis, attrs=attributes(axis)
-        )
+        about = attributes(axis)
+        if all(isinstance(value, str) for value, _ in steps):
+            about["sets"] = json.dumps(dict(steps))  # what each label stands for
+        dataset.coords[axis] = xr.DataArray([v for v, _ in steps], dims=axis, attrs=about)
     _add_sampled(dataset, study)
     dataset.attrs = _about(study, results)
     return dataset

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
+from riserstudy.derived.methods import beamlike, by_collocation, by_hermite_elements, scenes_of
 from riserstudy.derived.shared import described, first_harmonic, half_swing, settling
 
 PAPER = "liu2020"
@@ -21,6 +22,39 @@ def tension_readings(tension: xr.Dataset) -> xr.Dataset:
     lean = lean.assign_coords(inclination=lean)
     found = xr.Dataset({"top_tension": pull * np.cos(np.deg2rad(lean))})
     return described(found, PAPER, "top tension at rest in every reading")
+
+
+def current_profiles(check_riser: xr.Dataset) -> xr.Dataset:
+    """Speed of the current over its surface speed, over (current_profile, depth)."""
+    length = float(check_riser["s_node"][-1])
+    depth = xr.DataArray(np.linspace(0.0, length, 201), dims="depth", name="depth")
+    shares = {}
+    for place, scene in scenes_of(check_riser.isel(contents=[0])):
+        speed = beamlike(scene).current(length - depth.values)
+        shares[place["current_profile"]] = depth.copy(data=speed / speed[0])
+    names = xr.DataArray(list(shares), dims="current_profile", name="current_profile")
+    table = xr.concat(shares.values(), names).assign_coords(depth=depth)
+    return described(table.to_dataset(name="current_share"), PAPER, "current profiles (assumed)")
+
+
+def codes(check_riser: xr.Dataset) -> xr.Dataset:
+    """Displacement of the riser of Fig 10 over (code, contents, current_profile, depth)."""
+    length = float(check_riser["s_node"][-1])
+    depth = xr.DataArray(np.linspace(0.0, length, 201), dims="depth", name="depth")
+    at = length - depth
+    ours = check_riser["x_static"].interp(s_node=at, method="cubic").drop_vars("s_node")
+    found = {"lumped masses": ours.assign_coords(depth=depth)}
+    for name, solve in (
+        ("Hermite elements", by_hermite_elements),
+        ("collocation", by_collocation),
+    ):
+        other = found["lumped masses"].copy(deep=True)
+        for place, scene in scenes_of(check_riser):
+            other.loc[place] = solve(beamlike(scene), at.values)
+        found[name] = other
+    names = xr.DataArray(list(found), dims="code", name="code")
+    table = xr.concat(found.values(), names).to_dataset(name="displacement")
+    return described(table, PAPER, "displacement of the riser of Fig 10 by three methods")
 
 
 def heave(heave_runs: xr.Dataset) -> xr.Dataset:

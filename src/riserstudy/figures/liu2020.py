@@ -10,10 +10,64 @@ from riserstudy.figures.style import COLOURS, GREY, field, key_below, panels
 
 MODELS = {"gas law": "-", "linear": "--"}
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
+SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
 STROKE = 7.5  # m, either way
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 TENSION = "effective tension (kN)"
 AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
+
+
+# current and check riser
+
+
+def fig09(current_profiles: xr.Dataset) -> Figure:
+    """Current profiles over depth: printed surface speeds, assumed shapes."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    share = current_profiles["current_share"]
+    for colour, speed in zip(COLOURS, SPEEDS, strict=False):
+        curve = speed * share.sel(current_profile="linear")
+        axes[0].plot(curve, curve["depth"], color=colour, label=f"{speed:g} m/s")
+    for colour, shape in zip(COLOURS, share["current_profile"].values, strict=False):
+        curve = share.sel(current_profile=shape)
+        axes[1].plot(curve, curve["depth"], color=colour, label=shape)
+    for ax, title in zip(axes, ("linear", "1 m/s at the surface"), strict=True):
+        ax.set_xlabel("current speed (m/s)")
+        ax.set_title(title, loc="right", fontsize="small")
+    axes[0].legend(fontsize="small", loc="lower right")
+    axes[0].set_ylabel(DEPTH)
+    axes[0].invert_yaxis()
+    key_below(figure, axes[1], 6)
+    return figure
+
+
+def fig10(codes: xr.Dataset) -> Figure:
+    """Displacement of the check riser by three methods."""
+    figure, axes = panels(1, 2, 4.2, sharey=True)
+    lines = {"lumped masses": "-", "Hermite elements": "--", "collocation": ":"}
+    titles = {"water": "filled with water", "air": "filled with air"}
+    for ax, contents in zip(axes, titles, strict=True):
+        moved = codes["displacement"].sel(contents=contents)
+        for colour, shape in zip(COLOURS, codes["current_profile"].values, strict=False):
+            for (code, line), width in zip(lines.items(), (3.0, 1.6, 1.6), strict=True):
+                curve = moved.sel(code=code, current_profile=shape)
+                ours = code == "lumped masses"
+                ax.plot(
+                    curve,
+                    curve["depth"],
+                    line,
+                    color=colour if ours else "black",
+                    alpha=0.45 if ours else 1.0,
+                    linewidth=width,
+                    label=shape if ours else None,
+                )
+        ax.set_title(f"{titles[contents]}; colours: this engine", loc="right", fontsize="small")
+        ax.set_xlabel("lateral displacement (m)")
+    for code in ("Hermite elements", "collocation"):
+        axes[0].plot([], [], lines[code], color="black", linewidth=1.6, label=code)
+    axes[0].set_ylabel(DEPTH)
+    axes[0].invert_yaxis()
+    key_below(figure, axes[0], 4)
+    return figure
 
 
 # heave
@@ -80,6 +134,7 @@ def fig15(heave: xr.Dataset) -> Figure:
     axes[0].set_ylabel("amplitude of the axial force (kN)")
     axes[0].legend(fontsize="small")
     axes[1].set_xlabel(PERIOD)
+    axes[1].margins(x=0.1)
     axes[1].set_title("heave amplitudes; dashed: linear", loc="right", fontsize="small")
     return figure
 

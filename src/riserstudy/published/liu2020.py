@@ -17,6 +17,17 @@ def constant_tension(readings: xr.Dataset) -> Found:
     return Found(readings["top_tension"] / readings["gravity"] / 1e3)
 
 
+# Fig 10: the check riser
+
+
+def codes_agree(codes: xr.Dataset, at_most: float) -> Found:
+    """Three methods give nearly the same displacement; value: largest difference over the largest."""
+    moved = codes["displacement"]
+    largest = abs(moved).max(["depth", "code"])
+    apart = (moved.max("code") - moved.min("code")).max("depth") / largest
+    return Found(apart, apart <= at_most)
+
+
 # Figs 13 to 15: heave
 
 
