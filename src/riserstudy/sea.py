@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
 from riserstudy.scene.forcing import Current, Shape, Water
-from riserstudy.scene.sea import IrregularSea, RegularWave, WindDrift
+from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDrift
 
 FloatArray = NDArray[np.float64]
 PROFILE_POINTS = 2001  # of a named current profile
@@ -81,14 +81,7 @@ def wave_of(
     if water.surface is None or water.seabed is None:
         raise TypeError("waves on water without levels")  # refused by the scene
     depth = water.surface - water.seabed
-    if isinstance(sea, RegularWave):
-        frequency = np.array([2.0 * math.pi / sea.period])
-        amplitude = np.array([sea.amplitude or 0.5 * (sea.height or 0.0)])
-        phase = np.array([sea.phase or 0.0])
-    else:
-        frequency, amplitude = components(sea)
-        random = np.random.default_rng(sea.seed)
-        phase = random.uniform(0.0, 2.0 * math.pi, sea.components)
+    amplitude, frequency, phase = components_of(sea)
     number = np.array([wave_number(w, depth, gravity) for w in frequency])
     return Wave(
         amplitude, frequency, number, phase, heading,
@@ -96,7 +89,19 @@ def wave_of(
     )  # fmt: skip
 
 
-def components(sea: IrregularSea) -> tuple[FloatArray, FloatArray]:
+def components_of(sea: Swell | Storm) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Amplitudes (m), frequencies (rad/s) and phases (rad) of a wave or sea."""
+    if isinstance(sea, Swell):
+        amplitude = sea.amplitude or 0.5 * (sea.height or 0.0)
+        numbers = (amplitude, 2.0 * math.pi / sea.period, sea.phase or 0.0)
+        one, two, three = (np.array([x]) for x in numbers)
+        return one, two, three
+    frequency, amplitudes = components(sea)
+    random = np.random.default_rng(sea.seed)
+    return amplitudes, frequency, random.uniform(0.0, 2.0 * math.pi, sea.components)
+
+
+def components(sea: Storm) -> tuple[FloatArray, FloatArray]:
     """Frequencies (rad/s) and amplitudes (m) that share the energy of the sea equally.
 
     Each stands at the middle of its share of the energy, so that no two are commensurate and the

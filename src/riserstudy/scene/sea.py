@@ -21,13 +21,8 @@ class Wave(Strict):
     above_mean_level: Literal["none", "constant", "stretched"]
 
 
-class RegularWave(Wave):
-    """A regular Airy wave, of an amplitude, or a height of twice that.
-
-    Its surface is amplitude cos(k x - 2 pi t / period + phase); absent phase: 0. Absent heading: along
-    x. Absent ramp: all at once, after a rest at t = 0. Above the mean level there is no wave, that at
-    the mean level up to the surface (constant), or the profile is stretched (Wheeler).
-    """
+class Swell(Strict):
+    """Regular waves of an amplitude, or a height of twice that. Absent phase: 0."""
 
     height: Annotated[u.Length, POSITIVE] | None = None
     amplitude: Annotated[u.Length, POSITIVE] | None = None
@@ -46,12 +41,17 @@ class RegularWave(Wave):
         return self.period
 
 
-class IrregularSea(Wave):
-    """A sea with a JONSWAP spectrum: components of equal energy, with random phases by a seed.
+class RegularWave(Swell, Wave):
+    """A regular Airy wave, of an amplitude, or a height of twice that.
 
-    Absent heading: along x. Absent ramp: all at once, after a rest at t = 0. Above the mean level as for
-    a regular wave.
+    Its surface is amplitude cos(k x - 2 pi t / period + phase); absent phase: 0. Absent heading: along
+    x. Absent ramp: all at once, after a rest at t = 0. Above the mean level there is no wave, that at
+    the mean level up to the surface (constant), or the profile is stretched (Wheeler).
     """
+
+
+class Storm(Strict):
+    """A JONSWAP spectrum: components of equal energy, with random phases by a seed."""
 
     significant_height: Annotated[u.Length, POSITIVE]
     peak_period: Annotated[u.Time, POSITIVE]
@@ -63,6 +63,14 @@ class IrregularSea(Wave):
     def shortest_period(self) -> float:
         """Half the peak period: shorter waves hold a tenth of the energy (s)."""
         return 0.5 * self.peak_period
+
+
+class IrregularSea(Storm, Wave):
+    """A sea with a JONSWAP spectrum: components of equal energy, with random phases by a seed.
+
+    Absent heading: along x. Absent ramp: all at once, after a rest at t = 0. Above the mean level as for
+    a regular wave.
+    """
 
 
 class WindDrift(Strict):
