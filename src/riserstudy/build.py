@@ -323,7 +323,7 @@ class _Builder:
             mass[-1] += extra.vertical or 0.0
             mass[:-1] += extra.horizontal or 0.0
             drag = 0.5 * self.rho * np.array([area.horizontal or 0.0, area.vertical or 0.0])
-            record = EndMass(node, body.submerged_weight or 0.0, mass, drag)
+            record = EndMass(node, body.weight(self.g, self.rho), mass, drag)
             self.add("end mass", record, f"{name}.body")
         if top.tension:
             load = np.zeros(self.d)

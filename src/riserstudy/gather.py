@@ -21,6 +21,10 @@ if TYPE_CHECKING:
     from riserstudy.result import Result
 
 
+FEW = 3  # stations between which no curve is drawn
+NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
+
+
 @sound_kernels
 def results_of(study: Study, threads: int, tell: Callable[[str], None]) -> tuple[list[Result], int]:
     """Results of all points in order, and how many had to be simulated.
@@ -67,7 +71,8 @@ SHARED = ("time", "s", "s_node", "cylinder")  # dimensions of runs
 def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     """Dataset with the study's axes as dimensions, over the quantities of its runs.
 
-    Runs on different meshes share one ``s``: they are laid on the finest mesh among them.
+    Runs on different meshes share one ``s``: they are laid on the finest mesh among them. Risers of
+    different lengths share the nodes of all, and have no values above their own tops.
     """
     import xarray as xr
 
@@ -98,17 +103,34 @@ def _alike(study: Study, results: list[Result]) -> list[xr.Dataset]:
     if study.model.keep is not None:
         runs = [run[[name for name in study.model.keep if name in run]] for run in runs]
     for name in ("s", "s_node"):
-        finest = max((run[name] for run in runs if name in run), key=len, default=None)
-        if finest is not None:
-            runs = [run if finest.equals(run[name]) else _laid_on(run, finest) for run in runs]
+        if any(name in run for run in runs):
+            runs = _on_common_nodes(runs, name)
     return runs
+
+
+def _on_common_nodes(runs: list[xr.Dataset], name: str) -> list[xr.Dataset]:
+    """Runs on the finest of their meshes, or on the nodes of all where risers differ in length."""
+    nodes = max((run[name] for run in runs), key=len)
+    if all(nodes.equals(run[name]) for run in runs):
+        return runs
+    # Rounded, so that the last node of one mesh is not beyond that of another.
+    runs = [run.assign_coords({name: run[name].round(NODE_DIGITS)}) for run in runs]
+    nodes = nodes.round(NODE_DIGITS).assign_coords({name: nodes.values.round(NODE_DIGITS)})
+    if len({float(run[name][-1]) for run in runs}) == 1:
+        return [_laid_on(run, nodes) for run in runs]
+    every = runs[0][name]
+    for run in runs[1:]:
+        every = every.combine_first(run[name])
+    # Between a few stations nothing is known: such runs keep their own.
+    few = all(run.sizes[name] <= FEW for run in runs)
+    return [run.reindex({name: every}) if few else _laid_on(run, every) for run in runs]
 
 
 def _laid_on(run: xr.Dataset, nodes: xr.DataArray) -> xr.Dataset:
     name = str(nodes.name)
     if run.sizes[name] == 1:
         return run
-    method: Literal["cubic", "linear"] = "cubic" if run.sizes[name] > 3 else "linear"
+    method: Literal["cubic", "linear"] = "cubic" if run.sizes[name] > FEW else "linear"
     return run.interp({name: nodes}, method=method)
 
 
@@ -145,8 +167,9 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
     for name, axis in study.model.axes.items():
         if not isinstance(axis, Samples):
             continue
-        for path in study.axes[name][0][1]:
-            values = [overrides[path] for _, overrides in study.axes[name]]
+        samples = study.assumed(axis)
+        for path in samples[0]:
+            values = [assumed[path] for assumed in samples]
             plain = [v if isinstance(v, int | float) else str(v) for v in values]
             label = "assumed_" + path.replace(".", "_")
             dataset[label] = xr.DataArray(plain, dims=name, attrs={"long_name": path})

@@ -57,6 +57,9 @@ def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -
         "uniform": lambda: np.ones_like(z),
         "power": lambda: ((inside - low) / (high - low)) ** (part.power or 1.0),
         "exponential": lambda: np.exp((inside - high) / (part.scale or 1.0)),
+        "layer": lambda: np.interp(
+            high - inside, (part.layer or 0.0, part.vanishes or 1.0), (1, 0)
+        ),
     }[part.shape]()
     return np.asarray(part.surface_speed * share)
 

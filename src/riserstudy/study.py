@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from itertools import product
 from pathlib import Path
@@ -39,10 +39,14 @@ class Steps(Strict):
 
 
 class Numbers(Strict):
-    """An axis of numbers put at a path of the scene, with a unit."""
+    """An axis of numbers put at a path of the scene, with a unit. Absent offset: as they are.
+
+    ``offset`` is added on the way, where the axis counts from elsewhere than the path.
+    """
 
     path: str
     unit: str
+    offset: float | None = None
     values: list[float] | Steps
     preview: list[float] | None = None
 
@@ -62,18 +66,24 @@ class Numbers(Strict):
 
     def overrides(self, number: float) -> dict[str, Any]:
         """What a value sets."""
-        return {self.path: f"{number!r} {self.unit}"}
+        return {self.path: f"{number + (self.offset or 0.0)!r} {self.unit}"}
 
 
 class Samples(Strict):
-    """An axis of samples: every assumption of the scene varied over its range or options at once."""
+    """An axis of samples: every assumption of the scene varied over its range or options at once.
+
+    ``readings`` names readings of the study file that are varied with them, each with equal chance.
+    """
 
     count: dict[Tier, Annotated[int, Field(ge=2)]]
     seed: int
     leave: list[str] = Field(default_factory=list)
+    readings: list[str] = Field(default_factory=list)
 
 
 Labels = dict[str, dict[str, Any]]
+#: an axis over all readings of that name in the study file
+Reading = Literal["readings"]
 
 
 class StudyModel(Strict):
@@ -82,14 +92,18 @@ class StudyModel(Strict):
     scene: str
     caption: str
     set: dict[str, Any] = Field(default_factory=dict)
-    axes: dict[str, Numbers | Samples | Labels]
+    axes: dict[str, Numbers | Samples | Labels | Reading]
     keep: list[str] | None = None
 
 
 class StudyFile(Strict):
-    """Studies of one paper, datasets derived from them, and the figures that read them."""
+    """Studies of one paper, datasets derived from them, and the figures that read them.
+
+    ``readings``: named ways to read the paper, by what each sets; studies share them as axes or samples.
+    """
 
     paper: str
+    readings: dict[str, Labels] = Field(default_factory=dict)
     studies: dict[str, StudyModel]
     derived: dict[str, list[str]] = Field(default_factory=dict)
     figures: dict[str, FigureModel]
@@ -138,6 +152,7 @@ class Study:
     config: Path
     tier: Tier
     accuracy: str | None = None
+    readings: dict[str, Labels] = field(default_factory=dict)
 
     @cached_property
     def base(self) -> SceneFile:
@@ -163,15 +178,31 @@ class Study:
                 axes[name] = [(x, axis.overrides(x)) for x in axis.numbers(self.tier)]
             elif isinstance(axis, Samples):
                 axes[name] = list(enumerate(self._samples(axis)))
+            elif axis == "readings":
+                axes[name] = list(self.readings[name].items())
             else:
                 axes[name] = list(axis.items())
         return axes
 
-    def _samples(self, axis: Samples) -> list[dict[str, Any]]:
+    def assumed(self, axis: Samples) -> list[dict[str, Any]]:
+        """What each sample assumes: values by path of the scene, and readings by name."""
         from riserstudy.assumptions import sample
 
         open_values = {p: o for p, o in self.open_assumptions.items() if p not in axis.leave}
+        for name in axis.readings:
+            labels = tuple(self.readings[name])
+            open_values[name] = Origin("assumed", labels[0], options=labels)
         return sample(open_values, axis.count[self.tier], axis.seed)
+
+    def _samples(self, axis: Samples) -> list[dict[str, Any]]:
+        """What each sample sets."""
+        samples = []
+        for values in self.assumed(axis):
+            sets = {path: value for path, value in values.items() if path not in axis.readings}
+            for name in axis.readings:
+                sets |= self.readings[name][values[name]]
+            samples.append(sets)
+        return samples
 
     @property
     def open_assumptions(self) -> dict[str, Origin]:
@@ -219,6 +250,13 @@ def read_studies(config: Path, paper: str) -> StudyFile:
     """The checked study file of a paper."""
     path = config / "studies" / f"{paper}.yaml"
     file = check(StudyFile, read_yaml(path), path)
+    for name, model in file.studies.items():
+        for axis_name, axis in model.axes.items():
+            wanted = axis.readings if isinstance(axis, Samples) else []
+            for reading in [axis_name] if axis == "readings" else wanted:
+                if reading not in file.readings:
+                    where = f"studies.{name}.axes.{axis_name}"
+                    raise InputError(path, where, f"no readings {reading!r}", _among(file.readings))
     known = set(file.studies) | set(file.derived)
     for name, needed in file.derived.items():
         for study in needed:
@@ -242,7 +280,7 @@ def _among(names: Any) -> str:
 def study(config: Path, paper: str, name: str, tier: Tier, accuracy: str | None) -> Study:
     """One study of a paper, by name."""
     file = read_studies(config, paper)
-    return Study(paper, name, file.studies[name], config, tier, accuracy)
+    return Study(paper, name, file.studies[name], config, tier, accuracy, file.readings)
 
 
 def threads_worth(points: int) -> int:

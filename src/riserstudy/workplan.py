@@ -87,7 +87,9 @@ class Workplan:
     def _studies(self) -> dict[tuple[str, str], Study]:
         accuracy = self.settings.tiers[self.tier].accuracy
         return {
-            (paper, name): Study(paper, name, model, self.config, self.tier, accuracy)
+            (paper, name): Study(
+                paper, name, model, self.config, self.tier, accuracy, file.readings
+            )
             for paper, file in self.files.items()
             for name, model in file.studies.items()
         }
@@ -139,7 +141,8 @@ class Workplan:
 
     def _code(self, folder: str, paper: str) -> str:
         shared = [f for f in (PACKAGE / folder).glob("*.py") if f.stem not in self.files]
-        return digest([*shared, PACKAGE / folder / f"{paper}.py"])
+        common = (PACKAGE / "quantities").glob("*.py")
+        return digest([*shared, *common, PACKAGE / folder / f"{paper}.py"])
 
     @property
     def report_digest(self) -> str:

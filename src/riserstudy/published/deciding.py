@@ -160,9 +160,17 @@ def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:
     """Group of each value: itself for options, one of several equally filled bins for a range."""
     unique, group = np.unique(values, return_inverse=True)
     places: NDArray[np.int64] = np.arange(len(unique))
-    if len(unique) > MOST_GROUPS:
-        numbers = np.array([float(str(value).split()[0]) for value in unique])
+    numbers = _numbers(unique)
+    if len(unique) > MOST_GROUPS and numbers is not None:
         count = max(2, min(MOST_GROUPS, len(unique) // A_GROUP))
         places[np.argsort(numbers)] = np.arange(len(unique)) * count // len(unique)
     found: NDArray[np.int64] = places[group]
     return found
+
+
+def _numbers(values: NDArray[np.generic]) -> NDArray[np.float64] | None:
+    """Numbers that values begin with; None for options, which have no order."""
+    try:
+        return np.array([float(str(value).split()[0]) for value in values])
+    except ValueError:
+        return None

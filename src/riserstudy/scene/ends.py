@@ -26,13 +26,29 @@ class BodyAddedMass(Strict):
 
 
 class Body(Strict):
-    """A concentrated mass: LMRP, tension ring. Absent weight, drag, added mass: none."""
+    """A concentrated mass: LMRP, tension ring. Absent weight, drag, added mass: none.
+
+    Its weight in water is given, or follows from mass, gravity and the volume of water it displaces.
+    """
 
     name: str
     mass: Annotated[u.Mass, NOT_NEGATIVE]
     submerged_weight: u.Force | None = None
+    displaced_volume: Annotated[u.Volume, NOT_NEGATIVE] | None = None
     drag_area: Areas | None = None
     added_mass: BodyAddedMass | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.submerged_weight is not None and self.displaced_volume is not None:
+            raise ValueError("give submerged_weight or displaced_volume, not both")
+        return self
+
+    def weight(self, gravity: float, water: float) -> float:
+        """Weight in water of a density (N)."""
+        if self.displaced_volume is None:
+            return self.submerged_weight or 0.0
+        return (self.mass - water * self.displaced_volume) * gravity
 
 
 class FlexJoint(Strict):

@@ -116,25 +116,31 @@ class Point(Strict):
 
 
 class Shape(Strict):
-    """A named profile from the seabed to the surface: (height / depth)^power, or exp(-depth / scale).
+    """A named profile from the seabed to the surface: (height / depth)^power, exp(-depth / scale).
 
+    ``layer``: uniform down to ``layer`` below the surface, from there linear to nothing at ``vanishes``.
     Absent seabed, surface: those of the water.
     """
 
-    shape: Literal["uniform", "power", "exponential"]
+    shape: Literal["uniform", "power", "exponential", "layer"]
     surface_speed: u.Speed
     seabed: u.Length | None = None
     surface: u.Length | None = None
     power: Positive | None = None
     scale: Annotated[u.Length, POSITIVE] | None = None
+    layer: Annotated[u.Length, NOT_NEGATIVE] | None = None
+    vanishes: Annotated[u.Length, POSITIVE] | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.seabed is not None and self.surface is not None and self.seabed >= self.surface:
             raise ValueError("seabed must lie below surface")
-        for name, needed in (("power", "power"), ("scale", "exponential")):
+        owners = {"power": "power", "scale": "exponential", "layer": "layer", "vanishes": "layer"}
+        for name, needed in owners.items():
             if (getattr(self, name) is not None) != (self.shape == needed):
                 raise ValueError(f"{name} belongs to shape {needed!r}, and only to it")
+        if self.layer is not None and self.vanishes is not None and self.layer >= self.vanishes:
+            raise ValueError("layer must end above the depth where the current vanishes")
         return self
 
 

@@ -53,6 +53,11 @@ class Scene(Strict):
         rig = self.top.tensioners
         if rig and rig.piston_mass and self.gravity is None:
             raise ValueError("pistons need gravity")
+        bodies = [end.body for end in (self.bottom, self.top) if end.body]
+        if any(body.displaced_volume is not None for body in bodies) and (
+            self.gravity is None or self.water is None
+        ):
+            raise ValueError("displaced_volume needs gravity and water")
         if self.bottom.hold == "free" and self.top.z == "free":
             raise ValueError("both ends are free: hold one")
         if self.analysis.duration and not (

@@ -1,0 +1,194 @@
+"""Figures of Mao, Zeng, Liu: the printed ones by number, others by what they show.
+
+Displacements are distances behind the platform, along its track; depths count from the upper flex joint.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+from riserstudy.quantities.towed import displacement
+
+ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
+MOMENT = "bending moment at 130 s (kN m)"
+RISE = "rise of the LMRP (m)"
+TIME = "time (s)"
+STATED = 130.0  # s, the time of Fig 9
+TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
+DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
+#: printed values; config/published/mao_hangoff.yaml, N1 to N3
+X_HEAVY, X_LIGHT, LARGEST = 58.2, 62.7, 52.0
+MARKS = ("o", "s", "^", "D", "v", "P")
+
+
+# printed figures
+
+
+def fig09(base: xr.Dataset, base_runs: xr.Dataset) -> Figure:
+    """The evacuation of Table 2: shape, moment, shapes in time, axial motion."""
+    figure, axes = panels(2, 2, 3.6)
+    depth = float(base["s"][-1]) - base["s"]
+    axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=COLOURS[0])
+    axes[0].axvline(X_HEAVY, label="printed at the LMRP: 58.2 m", **PRINTED)
+    axes[1].plot(base["max_bending_moment"] / 1e3, depth, color=COLOURS[0])
+    axes[1].axvline(LARGEST, label="printed largest: 52 kN m", **PRINTED)
+    axes[0].set_title("130 s", loc="right", fontsize="small")
+    for colour, time in zip(COLOURS, TIMES, strict=False):
+        shape = -base["displacement_along"].sel(time=time)
+        axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
+    z = base_runs["z"]
+    for colour, line, below in zip(COLOURS, ("-", "-", "-", "--"), DEPTHS, strict=False):
+        at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
+        axes[3].plot(at["time"], at - at[0], line, color=colour, lw=1.1, label=f"{below:g} m")
+    for ax, label in zip(axes, (ASTERN, MOMENT, ASTERN), strict=False):
+        _down(ax, label)
+    axes[3].set_xlabel(TIME)
+    axes[3].set_ylabel("axial motion (m)")
+    for ax in axes:
+        ax.legend(fontsize="small")
+    return figure
+
+
+def fig10(lmrp_mass: xr.Dataset) -> Figure:
+    """Shape, moment and axial motion for three LMRP masses."""
+    figure = _three(lmrp_mass, "lmrp_mass", (140.0, 130.0, 120.0), "LMRP {:g} t")
+    for value, colour in ((X_HEAVY, COLOURS[0]), (X_LIGHT, COLOURS[2])):
+        figure.axes[0].axvline(value, **(PRINTED | {"color": colour}))
+    figure.axes[0].set_title("dashed: printed", loc="right", fontsize="small")
+    return figure
+
+
+def fig11(current_speed: xr.Dataset) -> Figure:
+    """The same for three speeds of the current."""
+    return _three(current_speed, "current_speed", (1.0, 1.1, 1.2), "current {:g} m/s")
+
+
+def fig12(platform_speed: xr.Dataset) -> Figure:
+    """The same for three speeds of the platform."""
+    return _three(platform_speed, "platform_speed", (2.4, 2.5, 2.6), "platform {:g} kn")
+
+
+def fig14(riser_length: xr.Dataset) -> Figure:
+    """The same for three lengths of riser."""
+    return _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
+
+
+def _three(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str) -> Figure:
+    """Panels (a) to (c) of Figs 10 to 14."""
+    figure, axes = panels(1, 3, 3.7)
+    for colour, value in zip(COLOURS, values, strict=False):
+        run = runs.sel({axis: value}, method="nearest")
+        shape = run["displacement_along"].sel(time=STATED).dropna("s")
+        moment = run["max_bending_moment"].dropna("s")
+        name = label.format(value)
+        top = float(shape["s"][-1])
+        axes[0].plot(-shape, top - shape["s"], color=colour, label=name)
+        axes[1].plot(moment / 1e3, top - moment["s"], color=colour)
+        axes[2].plot(run["time"], run["lmrp_rise"], color=colour, lw=1.0)
+    _down(axes[0], ASTERN)
+    _down(axes[1], MOMENT)
+    axes[2].set_xlabel(TIME)
+    axes[2].set_ylabel(RISE)
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def _down(ax: Axes, label: str) -> None:
+    ax.set_xlabel(label)
+    ax.set_ylabel(DEPTH)
+    ax.invert_yaxis()
+
+
+# beside the paper
+
+
+def trends(
+    lmrp_mass: xr.Dataset,
+    current_speed: xr.Dataset,
+    platform_speed: xr.Dataset,
+    riser_length: xr.Dataset,
+) -> Figure:
+    """Displacement, moment and joint angle at 130 s over all four axes."""
+    figure, axes = panels(3, 4, 2.3)
+    columns: dict[str, tuple[xr.Dataset, str]] = {
+        "lmrp_mass": (lmrp_mass, "LMRP mass (t)"),
+        "current_speed": (current_speed, "current (m/s)"),
+        "platform_speed": (platform_speed, "platform (kn)"),
+        "riser_length": (riser_length, "riser length (m)"),
+    }
+    for k, (axis, (runs, label)) in enumerate(columns.items()):
+        at = runs.sel(time=STATED)
+        curves: tuple[xr.DataArray, ...] = (
+            -at["lmrp_displacement"],
+            runs["max_bending_moment"].max("s") / 1e3,
+            180.0 / np.pi * abs(at["ufj_angle"]),
+        )
+        for ax, curve in zip(axes[k::4], curves, strict=True):
+            ax.plot(curve[axis], curve, marker=".", color=COLOURS[k])
+        axes[8 + k].set_xlabel(label)
+    for ax, label in zip(axes[::4], ("LMRP astern (m)", "M (kN m)", "joint (deg)"), strict=True):
+        ax.set_ylabel(label)
+    return figure
+
+
+def readings(readings: xr.Dataset) -> Figure:
+    """Every reading of riser weight, flow and profile beside the printed numbers."""
+    found = _numbers(readings)
+    figure, axes = _beside_print()
+    flows = list(found["flow"].values)
+    for colour, weight in zip(COLOURS, found["riser_weight"].values, strict=False):
+        for mark, flow in zip(MARKS, flows, strict=False):
+            one = found.sel(riser_weight=weight, flow=flow)
+            style: dict[str, Any] = {"color": colour, "marker": mark, "ls": "none", "ms": 4}
+            axes[0].plot(one["x"], one["moment"], **style)
+            axes[1].plot(one["x"], one["ratio"], **style)
+        axes[0].plot([], [], "o", color=colour, ms=4, label=str(weight))
+    for mark, flow in zip(MARKS, flows, strict=False):
+        axes[0].plot([], [], ls="none", marker=mark, color=GREY, ms=4, label=str(flow))
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def open_choices(open_lmrp_mass: xr.Dataset) -> Figure:
+    """Samples of all that is open beside the printed numbers."""
+    found = _numbers(open_lmrp_mass)
+    figure, axes = _beside_print()
+    weights = open_lmrp_mass["assumed_riser_weight"]
+    for colour, weight in zip(COLOURS, dict.fromkeys(weights.values), strict=False):
+        one = found.sel(sample=weights == weight)
+        axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=3, label=str(weight))
+        axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
+    key_below(figure, axes[0], 2)
+    return figure
+
+
+def _beside_print() -> tuple[Figure, list[Axes]]:
+    figure, axes = panels(1, 2, 4.2, sharex=True)
+    axes[0].axhline(LARGEST, label="printed", **PRINTED)
+    axes[1].axhline(X_LIGHT / X_HEAVY, **PRINTED)
+    labels = ("largest moment at 130 s (kN m)", "displacement, 120 t over 140 t (-)")
+    for ax, label in zip(axes, labels, strict=True):
+        ax.axvline(X_HEAVY, **PRINTED)
+        ax.set_xlabel("LMRP astern at 130 s, 140 t (m)")
+        ax.set_ylabel(label)
+    return figure, axes
+
+
+def _numbers(runs: xr.Dataset) -> xr.Dataset:
+    """Distance x (m) and M (kN m) with 140 t, and x with 120 t over that."""
+    x = abs(displacement(runs).sel(time=STATED, drop=True).isel(s=0, drop=True))
+    moment = abs(runs["bending_moment"].sel(time=STATED, drop=True)).max("s") / 1e3
+    heavy = x.sel(lmrp_mass=140.0, drop=True)
+    return xr.Dataset(
+        {
+            "x": heavy,
+            "moment": moment.sel(lmrp_mass=140.0, drop=True),
+            "ratio": x.sel(lmrp_mass=120.0, drop=True) / heavy,
+        }
+    )

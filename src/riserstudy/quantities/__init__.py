@@ -1,0 +1,1 @@
+"""Quantities that derived datasets, figures and checks all take from datasets; they know nothing else."""
