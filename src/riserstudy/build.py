@@ -34,6 +34,7 @@ from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 from riserstudy.mesh import Mesh
 from riserstudy.model import Effect, Model
+from riserstudy.response import harmonics
 from riserstudy.scene import forcing
 from riserstudy.scene.ends import Areas, BodyAddedMass, Rotation
 from riserstudy.scene.ends import FlexJoint as Joint
@@ -117,6 +118,7 @@ class _Builder:
 
     def model(self) -> Model:
         self.motion()
+        self.respond()
         self.supports()
         self.current()
         self.wave()
@@ -174,6 +176,20 @@ class _Builder:
             cruise = platform.cruise
             record = Cruise(MOTION["surge"], cruise.speed, cruise.ramp or 0.0)
             self.add("platform motion", record, "platform.cruise")
+
+    def respond(self) -> None:
+        """Motion of the platform in the waves."""
+        response = self.scene.platform and self.scene.platform.response
+        if not response:
+            return
+        wave = response.wave or self.scene.wave
+        if wave is None:
+            raise TypeError("a response without wave")  # refused by the scene
+        found = harmonics(response, wave)
+        ramp = np.full(len(found.motion), response.ramp or 0.0)
+        motion = np.array([MOTION[name] for name in found.motion])
+        record = Harmonic(motion, found.amplitude, found.frequency, found.phase, ramp)
+        self.add("platform motion", record, "platform.response")
 
     def hold(
         self, node: int, place: list[float], held: list[bool], follow: list[int], why: str

@@ -83,7 +83,7 @@ def labelled(result: Result) -> xr.Dataset:
         name: (name, arrays[name]) for name in ("time", "s", "s_node") if name in arrays
     }
     if (force := arrays.get("tensioner_force_static")) is not None:
-        coords["cylinder"] = ("cylinder", [k + 1 for k in range(len(force))])
+        coords["cylinder"] = ("cylinder", list(range(len(force))))
     static_only = "time" not in arrays
     data: dict[str, Any] = {}
     for name, values in arrays.items():

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Positive, Strict
+from riserstudy.scene.response import Response
 from riserstudy.scene.sea import WindDrift
 
 
@@ -106,6 +107,7 @@ class Platform(Strict):
     heave: Translation | TimeSeries[Moved] | None = None
     pitch: Tilt | TimeSeries[Tilted] | None = None
     cruise: Cruise | None = None
+    response: Response | None = None
 
 
 class Point(Strict):

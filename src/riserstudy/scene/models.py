@@ -100,6 +100,9 @@ class Scene(Strict):
         return self.model_copy(update={"riser": riser, "top": top})
 
     def _fits_the_sea(self) -> None:
+        response = self.platform and self.platform.response
+        if response and response.wave is None and self.wave is None:
+            raise ValueError("platform.response needs a wave, of its own or of the scene")
         levels = self.water and None not in (self.water.surface, self.water.seabed)
         if self.wave:
             if not levels:
@@ -123,8 +126,8 @@ class Scene(Strict):
         platform = self.platform or Platform()
         motions = (platform.surge, platform.heave, platform.pitch)
         periods = [motion.period for motion in motions if isinstance(motion, Harmonic)]
-        if self.wave:
-            periods.append(self.wave.shortest_period)
+        swell = platform.response and platform.response.wave
+        periods += [wave.shortest_period for wave in (self.wave, swell) if wave]
         return min(periods, default=None)
 
     @property
@@ -137,6 +140,8 @@ class Scene(Strict):
             "platform.position.surge": platform.position and platform.position.surge,
             "platform.surge": platform.surge,
             "platform.pitch": platform.pitch,
+            "platform.response": platform.response
+            and ({"surge", "pitch"} & set(platform.response.moving) or None),
             "platform.cruise": platform.cruise,
             "top.offset": self.top.offset,
             "top.lateral_force": self.top.lateral_force,

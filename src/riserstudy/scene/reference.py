@@ -11,7 +11,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from riserstudy.scene.models import Scene
-from riserstudy.scene.tables import PLACES
+from riserstudy.scene.tables import OPTIONAL, PLACES
 from riserstudy.scene.units import Percent, Unit
 
 HEAD = """\
@@ -55,7 +55,8 @@ into the first line of a scene, with the path from there:
 def scene_reference() -> str:
     """The page as Markdown."""
     tables = [
-        f"`{'.'.join((*way, name))}` ({', '.join(f'`{c}`' for c in columns)})"
+        f"`{'.'.join((*way, name))}` ({', '.join(f'`{c}`' for c in columns)}"
+        f"{', and any motion such as `heave` with `heave_phase`' if name in OPTIONAL else ''})"
         for way, name, columns, _ in PLACES
     ]
     parts = [HEAD % "; ".join(tables)]

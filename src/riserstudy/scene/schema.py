@@ -27,7 +27,7 @@ def scene_schema() -> dict[str, Any]:
         for name, field in fields.items():
             fields[name] = _with_origins(field)
     for way, name, *_ in PLACES:
-        fields = models[way[0].capitalize()]["properties"]
+        fields = models[way[-1].capitalize()]["properties"]
         fields[name]["anyOf"].append(TABLE)
     for status in COMPANIONS:
         schema["$defs"][status.capitalize()] = _origin(status)

@@ -7,13 +7,18 @@ from __future__ import annotations
 
 import csv
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
+from riserstudy.scene.response import MOTIONS
 
 MOST_ROWS = 100_000
 _HEADING = re.compile(r"\s*(\w+)\s*\(([^)]+)\)\s*")
+
+#: columns that a table may have besides, in any order
+OPTIONAL = {"operators": [f"{name}{end}" for name in MOTIONS for end in ("", "_phase")]}
 
 #: where a table may stand: path of its parent, name, columns, and where its rows go
 PLACES = (
@@ -21,6 +26,7 @@ PLACES = (
     (("platform",), "surge", ("time", "value"), "points"),
     (("platform",), "heave", ("time", "value"), "points"),
     (("platform",), "pitch", ("time", "value"), "points"),
+    (("platform", "response"), "operators", ("period",), None),
 )
 
 
@@ -40,12 +46,20 @@ def fill_in_tables(tree: dict[str, Any], folder: Path) -> dict[str, Any]:
         here = parent.get(name) if isinstance(parent, dict) else None
         if not (isinstance(here, dict) and set(here) == {"file"}):
             continue
-        rows = read_table(folder / str(here["file"]), columns)
-        filled[way[0]] = {**filled[way[0]], name: rows if key is None else {key: rows}}
+        rows = read_table(folder / str(here["file"]), columns, OPTIONAL.get(name, []))
+        filled = _with(filled, (*way, name), rows if key is None else {key: rows})
     return filled
 
 
-def read_table(path: Path, columns: tuple[str, ...]) -> list[dict[str, str]]:
+def _with(tree: dict[str, Any], way: tuple[str, ...], value: Any) -> dict[str, Any]:
+    """A copy of the tree with another value at the end of the way."""
+    step, *further = way
+    return {**tree, step: _with(tree[step], tuple(further), value) if further else value}
+
+
+def read_table(
+    path: Path, columns: tuple[str, ...], optional: Sequence[str] = ()
+) -> list[dict[str, str]]:
     """Rows of a CSV table, each value with the unit of its column."""
     try:
         with path.open(encoding="utf-8", newline="") as stream:
@@ -59,7 +73,10 @@ def read_table(path: Path, columns: tuple[str, ...]) -> list[dict[str, str]]:
     wanted = ", ".join(f"{name} (unit)" for name in columns)
     headings = [_HEADING.fullmatch(cell) for cell in (lines[0] if lines else [])]
     found = [m.group(1) for m in headings if m]
-    if found != list(columns) or len(headings) != len(columns):
+    more = found[len(columns) :]
+    fits = found[: len(columns)] == list(columns) and len(found) == len(headings)
+    if not fits or len(set(more)) != len(more) or not set(more) <= set(optional):
+        wanted += f", and any of {', '.join(optional)}" if optional else ""
         shown = ", ".join(lines[0]) if lines else "nothing"
         raise InputError(path, "line 1", repr(shown), f"allowed are the columns {wanted}")
     if len(lines) > MOST_ROWS:
@@ -69,9 +86,9 @@ def read_table(path: Path, columns: tuple[str, ...]) -> list[dict[str, str]]:
     for number, cells in enumerate(lines[1:], start=2):
         if not cells:
             continue
-        if len(cells) != len(columns):
+        if len(cells) != len(found):
             raise InputError(
-                path, f"line {number}", f"{len(cells)} values", f"allowed are {len(columns)}"
+                path, f"line {number}", f"{len(cells)} values", f"allowed are {len(found)}"
             )
         for cell in cells:
             try:
@@ -81,6 +98,6 @@ def read_table(path: Path, columns: tuple[str, ...]) -> list[dict[str, str]]:
                     path, f"line {number}", repr(cell), "allowed are numbers"
                 ) from None
         rows.append(
-            {c: f"{cell.strip()} {u}" for c, cell, u in zip(columns, cells, units, strict=True)}
+            {c: f"{cell.strip()} {u}" for c, cell, u in zip(found, cells, units, strict=True)}
         )
     return rows
