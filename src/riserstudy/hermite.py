@@ -2,7 +2,7 @@
 
 Planar, small slope, u lateral over unstretched arclength s from the bottom, end to end:
 
-    (m + m_a) u.. - (T u')' + (EI u'')'' = q + c |U - u.| (U - u.)
+    (m + m_a) u.. - (T u')' + (EI u'')'' = q + c |U - u.| (U - u.) + m_w U.
 
 It shares no code with the lumped-mass engine. Large rotation and axial strain are not in it: in a
 2 m surge of a 533 m riser they change the displacement by 0.09 % of the surge and the largest moment
@@ -18,9 +18,10 @@ from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 from scipy.linalg import eigh
+
+from riserstudy.hermite_kernels import Mesh, Sea, factorise, flow, march, pin, substitute
 
 Array = NDArray[np.float64]
 Motion = Callable[[Array], tuple[Array, Array, Array]]
@@ -56,6 +57,17 @@ class Beam(NamedTuple):
     current: Callable[[Array], Array] | None = None  # s (m) -> U (m/s)
     bottom: End = End()
     top: End = End()
+    waves: Waves | None = None
+
+
+class Waves(NamedTuple):
+    """Components whose horizontal velocity at the pipe is speed cos(phase - frequency t)."""
+
+    speed: Callable[[Array], Array]  # s (m), any shape -> (c, ...) m/s
+    inertia: Array  # (n,) kg/m, (1 + C_a) rho A
+    frequency: Array  # (c,) rad/s
+    phase: Array  # (c,) rad
+    ramp: float = 0.0  # s
 
 
 class Response(NamedTuple):
@@ -67,20 +79,6 @@ class Response(NamedTuple):
     moment: Array  # (time, n + 1) N m
     shear: Array  # (time, n + 1) N
     iterations: int  # most in one step
-
-
-class _Mesh(NamedTuple):
-    """The discretised beam; bands hold A[i, i + k] of a symmetric matrix at [i, k]."""
-
-    value: Array  # (n, 4 points, 4) shape functions at the Gauss points
-    mass: Array  # (n, 4, 4) kg
-    stiffness: Array  # (n, 4, 4) N/m
-    loads: Array  # (n, 4) N, from the distributed load
-    strength: Array  # (n, 4) N s2/m2, drag times weight
-    water: Array  # (n, 4) m/s
-    force: Array  # (2n + 2,) N, the loads and the ends' forces
-    mass_band: Array  # (2n + 2, 4), point masses included
-    stiffness_band: Array  # (2n + 2, 4), rotational springs included
 
 
 def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilibrium") -> Response:
@@ -103,11 +101,12 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
     fixed, forced = _prescribed(beam, np.zeros(1))
     u, still = np.zeros((2, 2 * len(beam.s)))
     u[fixed] = forced[0, :, 0]
-    force = mesh.force + _add(_drag(mesh, still)) - _dense(mesh.stiffness_band) @ u
+    calm = _flows(_sea(beam, mesh), np.zeros(1))
+    force = mesh.force + _add(_on_elements(mesh, calm, still)[0]) - _dense(mesh.stiffness_band) @ u
     for dof in fixed:
-        _pin(mesh.stiffness_band, force, dof)
+        pin(mesh.stiffness_band, force, dof)
     diagonal = mesh.stiffness_band[:, 0].copy()
-    bad = _factor(mesh.stiffness_band)
+    bad = factorise(mesh.stiffness_band)
     small = mesh.stiffness_band[:, 0] < 1e-12 * diagonal  # a mechanism leaves a pivot of rounding
     if bad >= 0 or small.any():
         where = beam.s[max(bad, int(np.argmax(small))) // 2]
@@ -115,10 +114,10 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
             f"s = {where:.6g} m: pivot of the stiffness not positive, so the beam is unstable;"
             " raise the tension or the stiffness, or hold an end"
         )
-    _substitute(mesh.stiffness_band, force)
+    substitute(mesh.stiffness_band, force)
     u += force
     moment, shear = _section_forces(
-        beam, mesh, u[None], still[None], still[None], (0.0, 0.0), recovery
+        beam, mesh, calm, u[None], still[None], still[None], (0.0, 0.0), recovery
     )
     return Response(np.empty(0), u[::2], u[1::2], moment[0], shear[0], 1)
 
@@ -165,9 +164,10 @@ def dynamics(
     rayleigh: tuple[float, float] = (0.0, 0.0),
     tolerance: float = 1e-10,
     iterations: int = 50,
+    start: Literal["equilibrium", "straight"] = "equilibrium",
     recovery: Literal["equilibrium", "curvature"] = "equilibrium",
 ) -> Response:
-    """Motion from the static equilibrium at rest, by Newmark's method.
+    """Motion from rest, in static equilibrium or straight, by Newmark's method.
 
     Parameters
     ----------
@@ -187,6 +187,8 @@ def dynamics(
         Largest correction of the displacement that ends the iteration, relative to 1 m.
     iterations : int
         Limit per step.
+    start : {"equilibrium", "straight"}
+        Shape at time zero; a straight one feels current and waves at once.
     recovery : {"equilibrium", "curvature"}
         ``equilibrium``: moment and shear from the elements' end forces, which balance load, drag
         and inertia (fourth order) and contain what Rayleigh damping adds. ``curvature``: EI times
@@ -211,13 +213,18 @@ def dynamics(
     methods = ("lagged", "picard", "newton")
     if drag not in methods:
         raise HermiteError(f"drag {drag!r} must be one of {', '.join(methods)}")
-    mesh, rest = _mesh(beam), statics(beam)
+    mesh = _mesh(beam)
+    first = np.zeros(2 * len(beam.s))
+    if start == "equilibrium":
+        rest = statics(beam)
+        first = np.column_stack([rest.displacement, rest.rotation]).ravel()
     each = int(np.ceil(gaps[0] / step * (1.0 - 1e-12)))
     grid = np.arange(each * (times.size - 1) + 1) * (gaps[0] / each)
     fixed, forced = _prescribed(beam, grid)
     damping = rayleigh[0] * mesh.mass_band + rayleigh[1] * mesh.stiffness_band
-    (u, v, a), most, failed = _march(
-        mesh, damping, np.column_stack([rest.displacement, rest.rotation]).ravel(), fixed, forced,
+    sea = _sea(beam, mesh)
+    (u, v, a), most, failed = march(
+        mesh, sea, damping, first, fixed, forced,
         grid[1], each, beta, gamma, methods.index(drag), tolerance, iterations,
     )  # fmt: skip
     if failed >= 0:
@@ -225,11 +232,11 @@ def dynamics(
             f"t = {grid[failed]:.6g} s: not converged in {iterations} iterations or not finite;"
             " reduce the step, or use drag='newton', beta 1/4, gamma 1/2"
         )
-    moment, shear = _section_forces(beam, mesh, u, v, a, rayleigh, recovery)
+    moment, shear = _section_forces(beam, mesh, _flows(sea, times), u, v, a, rayleigh, recovery)
     return Response(times, u[:, ::2], u[:, 1::2], moment, shear, most)
 
 
-def _mesh(beam: Beam) -> _Mesh:
+def _mesh(beam: Beam) -> Mesh:
     """Check the beam at the door and integrate its elements."""
     n = len(beam.s) - 1
     if n < 1 or not (np.diff(beam.s) > 0.0).all():
@@ -243,11 +250,6 @@ def _mesh(beam: Beam) -> _Mesh:
             raise HermiteError(f"{name}: smallest value {array.min():.6g}, must not be negative")
     value, slope, curve = (_shapes(beam, d, POINT) for d in range(3))
     weight = WEIGHT * np.diff(beam.s)[:, None]
-    water = np.zeros((n, 4))
-    if beam.current is not None:
-        water += beam.current(beam.s[:-1, None] + np.diff(beam.s)[:, None] * POINT)
-        if not np.isfinite(water).all():
-            raise HermiteError("current: not finite at some elevation of the beam")
 
     def integral(strength: Array, shape: Array) -> Array:
         return np.asarray(np.einsum("eg,egi,egj->eij", strength * weight, shape, shape))
@@ -266,8 +268,8 @@ def _mesh(beam: Beam) -> _Mesh:
         if end.rotation_stiffness < np.inf:
             stiffness_band[dof + 1, 0] += end.rotation_stiffness
     strength = beam.drag[:, None] * weight
-    return _Mesh(
-        value, mass, stiffness, loads, strength, water, force, mass_band, stiffness_band
+    return Mesh(
+        value, mass, stiffness, loads, strength, force, mass_band, stiffness_band
     )  # fmt: skip
 
 
@@ -300,10 +302,35 @@ def _linear(ends: Array) -> Array:
     return np.asarray(ends[:, :1] * (1.0 - POINT) + ends[:, 1:] * POINT)
 
 
-def _drag(mesh: _Mesh, v: Array) -> Array:
-    """Element vectors (..., n, 4) of the drag at nodal velocities v (..., 2n + 2)."""
-    relative = mesh.water - np.einsum("egi,...ei->...eg", mesh.value, _gather(v))
-    force = mesh.strength * np.abs(relative) * relative
+def _sea(beam: Beam, mesh: Mesh) -> Sea:
+    """Current and waves at the Gauss points."""
+    s = beam.s[:-1, None] + np.diff(beam.s)[:, None] * POINT
+    current = np.zeros(s.shape) if beam.current is None else np.zeros(s.shape) + beam.current(s)
+    waves = beam.waves or Waves(
+        lambda s: np.zeros((0, *s.shape)), np.zeros(len(s)), np.zeros(0), np.zeros(0)
+    )
+    sea = Sea(
+        current, waves.speed(s), waves.inertia[:, None] * WEIGHT * np.diff(beam.s)[:, None],
+        waves.frequency, waves.phase, waves.ramp,
+    )  # fmt: skip
+    if not all(np.isfinite(part).all() for part in sea):
+        raise HermiteError("current or waves: not finite at some elevation of the beam")
+    return sea
+
+
+def _flows(sea: Sea, times: Array) -> tuple[Array, Array]:
+    """Velocity and push of the water at the Gauss points, each (time, n, 4)."""
+    water, push = np.zeros((2, len(times), *sea.current.shape))
+    for k, t in enumerate(times):
+        flow(sea, t, water[k], push[k])
+    return water, push
+
+
+def _on_elements(mesh: Mesh, flows: tuple[Array, Array], v: Array) -> Array:
+    """Element vectors (time, n, 4) of what the water does at nodal velocities v (..., 2n + 2)."""
+    water, push = flows
+    relative = water - np.einsum("egi,...ei->...eg", mesh.value, _gather(v))
+    force = mesh.strength * np.abs(relative) * relative + push
     return np.asarray(np.einsum("...eg,egi->...ei", force, mesh.value))
 
 
@@ -338,7 +365,7 @@ def _dense(band: Array) -> Array:
 
 
 def _section_forces(
-    beam: Beam, mesh: _Mesh, u: Array, v: Array, a: Array,
+    beam: Beam, mesh: Mesh, flows: tuple[Array, Array], u: Array, v: Array, a: Array,
     rayleigh: tuple[float, float], recovery: str,
 ) -> tuple[Array, Array]:  # fmt: skip
     """Moment and shear at the nodes, each (time, n + 1)."""
@@ -353,7 +380,7 @@ def _section_forces(
         shear = -beam.bending_stiffness * third - rate * curve
         return _mean(beam.bending_stiffness * curve), _mean(shear)
     force = np.einsum("eij,tej->tei", mesh.stiffness, _gather(u + rayleigh[1] * v))
-    force -= mesh.loads + _drag(mesh, v)
+    force -= mesh.loads + _on_elements(mesh, flows, v)
     force += np.einsum("eij,tej->tei", mesh.mass, _gather(a + rayleigh[0] * v))
     moment = np.stack([-force[..., 1], force[..., 3]], axis=-1)
     lateral = np.stack([-force[..., 0], force[..., 2]], axis=-1)
@@ -364,120 +391,3 @@ def _mean(ends: Array) -> Array:
     """Nodal means (time, n + 1) of element end values (time, n, 2)."""
     inner = 0.5 * (ends[:, :-1, 1] + ends[:, 1:, 0])
     return np.concatenate([ends[:, :1, 0], inner, ends[:, -1:, 1]], axis=1)
-
-
-@njit(cache=True, nogil=True)
-def _pin(band: Array, right: Array, dof: int) -> None:
-    """Replace row and column of a degree of freedom by the identity, its right side by zero."""
-    band[dof] = 0.0
-    band[dof, 0] = 1.0
-    right[dof] = 0.0
-    for k in range(1, min(4, dof + 1)):
-        band[dof - k, k] = 0.0
-
-
-@njit(cache=True, nogil=True)
-def _factor(band: Array) -> int:
-    """L D L' in place; the first row whose pivot is not positive (or not a number), or -1."""
-    n = len(band)
-    for i in range(n):
-        if not band[i, 0] > 0.0:
-            return i
-        for j in range(1, min(4, n - i)):
-            share = band[i, j] / band[i, 0]
-            for k in range(j, 4):
-                band[i + j, k - j] -= share * band[i, k]
-            band[i, j] = share
-    return -1
-
-
-@njit(cache=True, nogil=True)
-def _substitute(band: Array, x: Array) -> None:
-    """Solve in place with the factors of ``_factor``."""
-    n = len(band)
-    for i in range(n):
-        for j in range(1, min(4, n - i)):
-            x[i + j] -= band[i, j] * x[i]
-    for i in range(n - 1, -1, -1):
-        x[i] /= band[i, 0]
-        for j in range(1, min(4, n - i)):
-            x[i] -= band[i, j] * x[i + j]
-
-
-@njit(cache=True, nogil=True)
-def _multiply(band: Array, x: Array, out: Array) -> None:
-    """Add the symmetric band times x to out."""
-    n = len(band)
-    for i in range(n):
-        out[i] += band[i, 0] * x[i]
-        for j in range(1, min(4, n - i)):
-            out[i] += band[i, j] * x[i + j]
-            out[i + j] += band[i, j] * x[i]
-
-
-@njit(cache=True, nogil=True)
-def _add_drag(out: Array, band: Array, mesh: _Mesh, v: Array, lag: Array, factor: float) -> None:
-    """Subtract c |U - lag| (U - v) from out and add ``factor`` c |U - lag| to the band."""
-    for e in range(len(mesh.value)):
-        shape = mesh.value[e]
-        for g in range(4):
-            relative, weighing = mesh.water[e, g], mesh.water[e, g]
-            for i in range(4):
-                relative -= shape[g, i] * v[2 * e + i]
-                weighing -= shape[g, i] * lag[2 * e + i]
-            damping = mesh.strength[e, g] * abs(weighing)
-            for i in range(4):
-                out[2 * e + i] -= damping * relative * shape[g, i]
-                for j in range(i, 4):
-                    band[2 * e + i, j - i] += factor * damping * shape[g, i] * shape[g, j]
-
-
-@njit(cache=True, nogil=True)
-def _march(
-    mesh: _Mesh, damping: Array, start: Array, fixed: NDArray[np.int64], forced: Array, h: float,
-    each: int, beta: float, gamma: float, method: int, tolerance: float, iterations: int,
-) -> tuple[Array, int, int]:  # fmt: skip
-    """Newmark's method; method 0 lags |U - u.|, 1 repeats with the last iterate's, 2 is Newton.
-
-    Returns u, v, a at the stored steps, the most iterations and the failed step or -1. Step 0
-    only finds the initial acceleration, linear in the unknowns.
-    """
-    mass, stiffness = mesh.mass_band, mesh.stiffness_band
-    history = np.zeros((3, (forced.shape[2] - 1) // each + 1, len(start)))
-    u, v, a = start.copy(), np.zeros_like(start), np.zeros_like(start)
-    steady = mass + gamma * h * damping + beta * h * h * stiffness
-    most = 0
-    for step in range(forced.shape[2]):
-        moving = 1.0 if step > 0 else 0.0
-        lag = v.copy()
-        u += moving * h * (v + 0.5 * h * a)
-        v += moving * h * a
-        for k in range(len(fixed)):
-            u[fixed[k]], v[fixed[k]], a[fixed[k]] = forced[:, k, step]
-        for iteration in range(iterations):
-            band = steady.copy() if step > 0 else mass.copy()
-            residual = -mesh.force
-            _multiply(mass, a, residual)
-            _multiply(damping, v, residual)
-            _multiply(stiffness, u, residual)
-            if method == 2 or iteration > 0 or step == 0:
-                lag[:] = v
-            factor = moving * gamma * h * (2.0 if method == 2 else 1.0)
-            _add_drag(residual, band, mesh, v, lag, factor)
-            for dof in fixed:
-                _pin(band, residual, dof)
-            if _factor(band) >= 0:
-                return history, most, step
-            _substitute(band, residual)
-            a -= residual
-            v -= moving * gamma * h * residual
-            u -= moving * beta * h * h * residual
-            most = max(most, iteration + 1)
-            size = np.sqrt(np.sum(residual**2)) * h * h
-            if size < tolerance or (size < np.inf and (step == 0 or method == 0)):
-                break
-            if iteration == iterations - 1 or not size < np.inf:
-                return history, most, step
-        if step % each == 0:
-            history[0, step // each], history[1, step // each], history[2, step // each] = u, v, a
-    return history, most, -1

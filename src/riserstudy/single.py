@@ -21,6 +21,7 @@ from riserstudy.result import Result
 from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
 from riserstudy.scene.models import Scene
 from riserstudy.settle import rounding, settle
+from riserstudy.small_angle import solve_small_angle
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.implicit import DONE, Method, generalised_alpha, march, new_ledger
@@ -37,6 +38,8 @@ UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
 
 def single(scene: Scene, mesh: Mesh, step: float | None, stations: str = "asked for") -> Result:
     """One run on a given mesh and step, without error estimate; histories at ``stations``, or EVERYWHERE."""
+    if scene.analysis.solver == "hermite":
+        return solve_small_angle(scene, mesh, step)
     started = clock.perf_counter()
     model, equilibrium = settle(scene, mesh)
     state = model.s

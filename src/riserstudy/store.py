@@ -29,7 +29,20 @@ if TYPE_CHECKING:
 @cache
 def engine_digest() -> str:
     """Digest of all sources that a simulated number depends on."""
-    names = ("jit", "build", "mesh", "model", "sea", "settle", "single", "tensioner_law", "run")
+    names = (
+        "hermite",
+        "hermite_kernels",
+        "jit",
+        "build",
+        "mesh",
+        "model",
+        "sea",
+        "settle",
+        "single",
+        "small_angle",
+        "tensioner_law",
+        "run",
+    )
     files = [PACKAGE / f"{name}.py" for name in names]
     return digest([*files, *PACKAGE.glob("effects/*.py"), *PACKAGE.glob("solve/*.py")])
 

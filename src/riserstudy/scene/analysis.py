@@ -52,11 +52,12 @@ class Analysis(Strict):
 
     Absent duration: statics only. Absent start: equilibrium; undeflected is that without current. Absent
     mesh, step: by accuracy (0.2 % of displacement, 1 % of moment where accuracy is absent too). Absent
-    method: generalised-alpha, 0.8.
+    method: generalised-alpha, 0.8. Absent solver: lumped masses; hermite is a beam of small slopes.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None
     output: Output | None = None
+    solver: Literal["hermite"] | None = None
     start: Literal["equilibrium", "unstretched", "undeflected"] | None = None
     mesh: Mesh | None = None
     step: Annotated[u.Time, POSITIVE] | None = None
@@ -78,6 +79,8 @@ class Analysis(Strict):
             raise ValueError("step and method need a duration")
         if self.method == "explicit" and self.mesh is None:
             raise ValueError("explicit stepping needs mesh and step")
+        if self.solver and self.mesh is None:
+            raise ValueError("the Hermite beam needs a mesh, and for dynamics a step")
         if self.duration is not None and self.output is not None:
             self._fits_in_time(self.duration, self.output)
         return self

@@ -1,0 +1,185 @@
+"""The compiled part of the Hermite beam: banded linear algebra, and Newmark's method with drag and waves.
+
+Bands hold A[i, i + k] of a symmetric matrix at [i, k]; an element's vectors are its two ends' (u, u').
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+class Mesh(NamedTuple):
+    """The discretised beam; bands hold A[i, i + k] of a symmetric matrix at [i, k]."""
+
+    value: Array  # (n, 4 points, 4) shape functions at the Gauss points
+    mass: Array  # (n, 4, 4) kg
+    stiffness: Array  # (n, 4, 4) N/m
+    loads: Array  # (n, 4) N, from the distributed load
+    strength: Array  # (n, 4) N s2/m2, drag times weight
+    force: Array  # (2n + 2,) N, the loads and the ends' forces
+    mass_band: Array  # (2n + 2, 4), point masses included
+    stiffness_band: Array  # (2n + 2, 4), rotational springs included
+
+
+class Sea(NamedTuple):
+    """Water at the Gauss points: a steady current and wave components, calm up to t = 0."""
+
+    current: Array  # (n, 4) m/s
+    speed: Array  # (c, n, 4) m/s, amplitudes of the waves' horizontal velocity
+    inertia: Array  # (n, 4) kg, water that accelerates the pipe, times weight
+    frequency: Array  # (c,) rad/s
+    phase: Array  # (c,) rad
+    ramp: float  # s, half a cosine; 0 for none
+
+
+@njit(cache=True, nogil=True)
+def flow(sea: Sea, t: float, water: Array, push: Array) -> None:
+    """Velocity of the water (m/s) and force of its acceleration (N) at the Gauss points at a time."""
+    water[:] = sea.current
+    push[:] = 0.0
+    if t <= 0.0:
+        return
+    grown, rate = 1.0, 0.0
+    if t < sea.ramp:
+        p = pi / sea.ramp
+        grown, rate = 0.5 * (1.0 - cos(p * t)), 0.5 * p * sin(p * t)
+    for c in range(len(sea.frequency)):
+        angle = sea.phase[c] - sea.frequency[c] * t
+        faster = grown * sea.frequency[c] * sin(angle) + rate * cos(angle)
+        water += grown * cos(angle) * sea.speed[c]
+        push += faster * sea.speed[c] * sea.inertia
+
+
+@njit(cache=True, nogil=True)
+def pin(band: Array, right: Array, dof: int) -> None:
+    """Replace row and column of a degree of freedom by the identity, its right side by zero."""
+    band[dof] = 0.0
+    band[dof, 0] = 1.0
+    right[dof] = 0.0
+    for k in range(1, min(4, dof + 1)):
+        band[dof - k, k] = 0.0
+
+
+@njit(cache=True, nogil=True)
+def factorise(band: Array) -> int:
+    """L D L' in place; the first row whose pivot is not positive (or not a number), or -1."""
+    n = len(band)
+    for i in range(n):
+        if not band[i, 0] > 0.0:
+            return i
+        for j in range(1, min(4, n - i)):
+            share = band[i, j] / band[i, 0]
+            for k in range(j, 4):
+                band[i + j, k - j] -= share * band[i, k]
+            band[i, j] = share
+    return -1
+
+
+@njit(cache=True, nogil=True)
+def substitute(band: Array, x: Array) -> None:
+    """Solve in place with the factors of ``factorise``."""
+    n = len(band)
+    for i in range(n):
+        for j in range(1, min(4, n - i)):
+            x[i + j] -= band[i, j] * x[i]
+    for i in range(n - 1, -1, -1):
+        x[i] /= band[i, 0]
+        for j in range(1, min(4, n - i)):
+            x[i] -= band[i, j] * x[i + j]
+
+
+@njit(cache=True, nogil=True)
+def multiply(band: Array, x: Array, out: Array) -> None:
+    """Add the symmetric band times x to out."""
+    n = len(band)
+    for i in range(n):
+        out[i] += band[i, 0] * x[i]
+        for j in range(1, min(4, n - i)):
+            out[i] += band[i, j] * x[i + j]
+            out[i + j] += band[i, j] * x[i]
+
+
+@njit(cache=True, nogil=True)
+def add_water(
+    out: Array,
+    band: Array,
+    mesh: Mesh,
+    water: Array,
+    push: Array,
+    v: Array,
+    lag: Array,
+    factor: float,
+) -> None:
+    """Subtract push and drag c |U - lag| (U - v) from out; add ``factor`` c |U - lag| to the band."""
+    for e in range(len(mesh.value)):
+        shape = mesh.value[e]
+        for g in range(4):
+            relative, weighing = water[e, g], water[e, g]
+            for i in range(4):
+                relative -= shape[g, i] * v[2 * e + i]
+                weighing -= shape[g, i] * lag[2 * e + i]
+            damping = mesh.strength[e, g] * abs(weighing)
+            for i in range(4):
+                out[2 * e + i] -= (damping * relative + push[e, g]) * shape[g, i]
+                for j in range(i, 4):
+                    band[2 * e + i, j - i] += factor * damping * shape[g, i] * shape[g, j]
+
+
+@njit(cache=True, nogil=True)
+def march(
+    mesh: Mesh, sea: Sea, damping: Array, start: Array, fixed: NDArray[np.int64], forced: Array, h: float,
+    each: int, beta: float, gamma: float, method: int, tolerance: float, iterations: int,
+) -> tuple[Array, int, int]:  # fmt: skip
+    """Newmark's method; method 0 lags |U - u.|, 1 repeats with the last iterate's, 2 is Newton.
+
+    Returns u, v, a at the stored steps, the most iterations and the failed step or -1. Step 0
+    only finds the initial acceleration, linear in the unknowns.
+    """
+    mass, stiffness = mesh.mass_band, mesh.stiffness_band
+    history = np.zeros((3, (forced.shape[2] - 1) // each + 1, len(start)))
+    u, v, a = start.copy(), np.zeros_like(start), np.zeros_like(start)
+    steady = mass + gamma * h * damping + beta * h * h * stiffness
+    water, push = np.zeros_like(sea.current), np.zeros_like(sea.current)
+    most = 0
+    for step in range(forced.shape[2]):
+        moving = 1.0 if step > 0 else 0.0
+        lag = v.copy()
+        u += moving * h * (v + 0.5 * h * a)
+        v += moving * h * a
+        flow(sea, step * h, water, push)
+        for k in range(len(fixed)):
+            u[fixed[k]], v[fixed[k]], a[fixed[k]] = forced[:, k, step]
+        for iteration in range(iterations):
+            band = steady.copy() if step > 0 else mass.copy()
+            residual = -mesh.force
+            multiply(mass, a, residual)
+            multiply(damping, v, residual)
+            multiply(stiffness, u, residual)
+            if method == 2 or iteration > 0 or step == 0:
+                lag[:] = v
+            factor = moving * gamma * h * (2.0 if method == 2 else 1.0)
+            add_water(residual, band, mesh, water, push, v, lag, factor)
+            for dof in fixed:
+                pin(band, residual, dof)
+            if factorise(band) >= 0:
+                return history, most, step
+            substitute(band, residual)
+            a -= residual
+            v -= moving * gamma * h * residual
+            u -= moving * beta * h * h * residual
+            most = max(most, iteration + 1)
+            size = np.sqrt(np.sum(residual**2)) * h * h
+            if size < tolerance or (size < np.inf and (step == 0 or method == 0)):
+                break
+            if iteration == iterations - 1 or not size < np.inf:
+                return history, most, step
+        if step % each == 0:
+            history[0, step // each], history[1, step // each], history[2, step // each] = u, v, a
+    return history, most, -1

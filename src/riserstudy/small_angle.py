@@ -1,0 +1,254 @@
+"""A scene by the Hermite beam: small slopes, tension that stays that of the straight riser.
+
+The paper's own way of solving, and a second opinion on the lumped masses with which it shares no code.
+Water is met at the straight riser; a riser that stretches or draws its top down is not in it.
+"""
+
+from __future__ import annotations
+
+import math
+import time as clock
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.build import flexibility_of, stiffness
+from riserstudy.errors import SimulationError
+from riserstudy.hermite import Beam, End, HermiteError, Motion, Response, Waves, dynamics, statics
+from riserstudy.mesh import Mesh
+from riserstudy.result import Result
+from riserstudy.scene.analysis import Newmark
+from riserstudy.scene.ends import Rotation
+from riserstudy.scene.forcing import Translation
+from riserstudy.scene.models import Scene
+from riserstudy.sea import current_table, wave_of
+
+FloatArray = NDArray[np.float64]
+AVERAGE_ACCELERATION = Newmark(beta=0.25, gamma=0.5)
+
+
+def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
+    """One run of a scene as a tensioned beam; histories at all nodes, envelopes over the outputs.
+
+    Raises
+    ------
+    SimulationError
+        When the scene has what the beam has not, is unstable, or a step fails.
+    """
+    started = clock.perf_counter()
+    beam = beam_of(scene, mesh)
+    straight = scene.analysis.start == "undeflected" and step is not None
+    try:
+        rest = _at_rest(beam) if straight else statics(beam)
+        moving = _moving(scene, beam, step) if step else None
+    except HermiteError as error:
+        raise SimulationError(f"Hermite beam: {error}") from None
+    tension = np.append(beam.tension[:, 0], beam.tension[-1, 1])
+    elevation = (scene.bottom.elevation or 0.0) + mesh.s
+    arrays = {"s_node": mesh.s, "l0": mesh.l0, "zero_x": np.zeros(len(mesh.s)), "zero_z": elevation}
+    values = {"x": rest.displacement, "z": elevation, "effective_tension": tension}
+    for name, value in (values | {"bending_moment": rest.moment}).items():
+        arrays[name + "_static"] = value
+    lowest = int(tension.argmin())
+    facts: dict[str, Any] = {
+        "effects": _effects(scene),
+        "elements": len(mesh.l0),
+        "directions": 2,
+        "warnings": [],
+        "smallest_tension": float(tension[lowest]),
+        "smallest_tension_s": float(mesh.s[lowest]),
+    }
+    if moving is not None and scene.analysis.output is not None:
+        keep = moving.time >= (scene.analysis.output.start or 0.0) - 1e-9
+        arrays["time"], arrays["s"] = moving.time[keep], mesh.s
+        still = np.ones((int(keep.sum()), 1))
+        histories = {
+            "x": moving.displacement[keep],
+            "z": still * elevation,
+            "effective_tension": still * tension,
+            "bending_moment": moving.moment[keep],
+        }
+        for name, history in histories.items():
+            arrays[name] = history
+            arrays[name + "_max"], arrays[name + "_min"] = history.max(axis=0), history.min(axis=0)
+        arrays["lfj_angle"] = moving.rotation[keep, 0]
+        facts |= {"step": step, "newton_iterations": moving.iterations}
+    facts["solve_seconds"] = clock.perf_counter() - started
+    return Result(arrays, facts)
+
+
+def beam_of(scene: Scene, mesh: Mesh) -> Beam:
+    """The beam of a scene on a mesh.
+
+    Raises
+    ------
+    SimulationError
+        When the scene has what a beam of small slopes has not.
+    """
+    _refuse(scene)
+    gravity, water = scene.gravity or 0.0, scene.water
+    density = water.density if water else 0.0
+    n = len(mesh.l0)
+
+    def per_segment(values: list[float]) -> FloatArray:
+        return np.array(values)[mesh.section]
+
+    sections = scene.riser
+    weight = per_segment(
+        [(s.submerged_weight or 0.0) + s.contents_mass * gravity for s in sections]
+    )
+    above = np.append(np.cumsum((weight * mesh.l0)[::-1])[::-1], 0.0)
+    tension = (scene.top.tension or scene.top.held_at_tension or 0.0) - above
+    displaced = [
+        density * 0.25 * math.pi * s.added_mass.diameter**2 if s.added_mass else 0.0
+        for s in sections
+    ]
+    added = [m * (s.added_mass.coefficient if s.added_mass else 0.0)
+             for m, s in zip(displaced, sections, strict=True)]  # fmt: skip
+    drag = [0.5 * density * s.drag.coefficient * s.drag.diameter if s.drag else 0.0
+            for s in sections]  # fmt: skip
+    bending = per_segment([stiffness(s).bending for s in sections])
+    load = per_segment([s.lateral_load or 0.0 for s in sections])
+    zero = scene.bottom.elevation or 0.0
+    current = waves = None
+    if scene.current:
+        z, speed = current_table(scene.current, water)
+        current = lambda s: np.interp(zero + s, z, speed)  # noqa: E731
+    if scene.wave and water:
+        sea = wave_of(scene.wave, water, gravity, np.ones(1))
+        travel = math.cos(scene.wave.heading or 0.0)
+        inertia = per_segment([a + b for a, b in zip(displaced, added, strict=True)])
+        waves = Waves(
+            lambda s: travel * _speeds(sea, zero + s), inertia, sea.frequency, sea.phase, sea.ramp
+        )
+    return Beam(
+        s=mesh.s,
+        bending_stiffness=np.stack([bending, bending], axis=1),
+        tension=np.stack([tension[:-1], tension[1:]], axis=1),
+        mass=per_segment([(s.mass or 0.0) + s.contents_mass for s in sections]),
+        added_mass=per_segment(added),
+        drag=per_segment(drag),
+        load=np.stack([load, load], axis=1).reshape(n, 2),
+        current=current,
+        bottom=End(rotation_stiffness=_spring(scene.bottom.rotation)),
+        top=_top(scene),
+        waves=waves,
+    )
+
+
+def _refuse(scene: Scene) -> None:
+    """Refuse what the beam has not."""
+    top, platform = scene.top, scene.platform
+    reasons = {
+        "riser without bending stiffness": not all(stiffness(s).bending for s in scene.riser),
+        "riser.structural_damping": any(s.structural_damping for s in scene.riser),
+        "bottom.hold: free": scene.bottom.hold == "free",
+        "a body at an end": scene.bottom.body or top.body,
+        "top.tensioners": top.tensioners,
+        "a top without tension": not (top.tension or top.held_at_tension),
+        "top.z on a platform that heaves": top.z == "platform" and platform and platform.heave,
+        "platform.pitch": platform and platform.pitch,
+        "platform.cruise": platform and platform.cruise,
+        "a time series as platform.surge": platform
+        and platform.surge
+        and not isinstance(platform.surge, Translation),
+        "current.ramp": scene.current and scene.current.ramp,
+        "a wave that acts above the mean level": scene.wave
+        and scene.wave.above_mean_level != "none",
+        "analysis.method that is not Newmark's": scene.analysis.method
+        and not isinstance(scene.analysis.method, Newmark),
+    }
+    for name, there in reasons.items():
+        if there:
+            raise SimulationError(
+                f"analysis.solver hermite has no {name}; leave it out, or use lumped masses"
+            )
+
+
+def _speeds(sea: Any, z: FloatArray) -> FloatArray:
+    """Amplitudes of the waves' horizontal velocity at elevations, (c, ...); none above the mean level."""
+    depth = sea.surface - z
+    k = sea.number.reshape(-1, *(1 for _ in z.shape))
+    speed = (sea.amplitude * sea.frequency).reshape(k.shape)
+    under = np.maximum(depth, 0.0)
+    profile = np.exp(-k * under) + np.exp(-k * (2.0 * sea.depth - under))
+    shares = profile / -np.expm1(-2.0 * k * sea.depth)
+    return np.asarray(np.where(depth >= 0.0, speed * shares, 0.0))
+
+
+def _spring(rotation: Rotation | None) -> float:
+    soft = flexibility_of(rotation)
+    if soft is None:
+        return 0.0
+    return 1.0 / soft if soft > 0.0 else math.inf
+
+
+def _top(scene: Scene) -> End:
+    top, platform = scene.top, scene.platform
+    spring = _spring(top.rotation)
+    if top.x == "free":
+        return End(held=False, rotation_stiffness=spring, force=top.lateral_force or 0.0)
+    away = top.offset or 0.0
+    if top.x == "platform" and platform and platform.position:
+        away += platform.position.surge or 0.0
+    surge = platform.surge if top.x == "platform" and platform else None
+    return End(rotation_stiffness=spring, motion=_motion(away, surge))
+
+
+def _motion(away: float, surge: Any) -> Motion:
+    def motion(times: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        x, v, a = away + 0.0 * times, 0.0 * times, 0.0 * times
+        if surge is not None:
+            w = 2.0 * math.pi / surge.period
+            p = math.pi / surge.ramp if surge.ramp else 0.0
+            early = times < (surge.ramp or 0.0)
+            grown = np.where(early, 0.5 * (1.0 - np.cos(p * times)), 1.0)
+            rate = np.where(early, 0.5 * p * np.sin(p * times), 0.0)
+            bend = np.where(early, 0.5 * p * p * np.cos(p * times), 0.0)
+            sine, cosine = (f(w * times + (surge.phase or 0.0)) for f in (np.sin, np.cos))
+            x = x + surge.amplitude * sine * grown
+            v = surge.amplitude * (w * cosine * grown + sine * rate)
+            a = surge.amplitude * (-w * w * sine * grown + 2.0 * w * cosine * rate + sine * bend)
+        return x, v, a
+
+    return motion
+
+
+def _at_rest(beam: Beam) -> Response:
+    nothing = np.zeros(len(beam.s))
+    return Response(np.empty(0), nothing, nothing, nothing, nothing, 0)
+
+
+def _moving(scene: Scene, beam: Beam, step: float) -> Response:
+    """Newmark's method with the drag of the last iterate, as the paper has it."""
+    a = scene.analysis
+    if a.duration is None or a.output is None:
+        raise TypeError("a step without a duration")  # refused by the scene
+    method = a.method if isinstance(a.method, Newmark) else AVERAGE_ACCELERATION
+    count = math.floor(a.duration / a.output.interval * (1.0 + 1e-12) + 1e-9)
+    return dynamics(
+        beam,
+        np.asarray(a.output.interval * np.arange(count + 1), np.float64),
+        step,
+        beta=method.beta,
+        gamma=method.gamma,
+        drag="picard",
+        start="straight" if a.start == "undeflected" else "equilibrium",
+    )
+
+
+def _effects(scene: Scene) -> dict[str, str]:
+    there = {
+        "bending": "riser.young_modulus or bending_stiffness",
+        "inertia": "riser.mass",
+        "constant tension": "top.tension",
+        "support": "top.x",
+        "contents": "riser.contents" if any(s.contents for s in scene.riser) else "",
+        "added mass": "riser.added_mass" if any(s.added_mass for s in scene.riser) else "",
+        "drag": "riser.drag" if any(s.drag for s in scene.riser) else "",
+        "current": "current" if scene.current else "",
+        "wave": "wave" if scene.wave else "",
+        "platform motion": "platform.surge" if scene.platform and scene.platform.surge else "",
+    }
+    return {name: why for name, why in there.items() if why}
