@@ -25,6 +25,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.sea import current_table, wave_of
 
 FloatArray = NDArray[np.float64]
+CORRECTION = 1e-8  # that ends an iteration (m); on fine elements rounding leaves 1e-10
 AVERAGE_ACCELERATION = Newmark(beta=0.25, gamma=0.5)
 
 
@@ -234,6 +235,7 @@ def _moving(scene: Scene, beam: Beam, step: float) -> Response:
         beta=method.beta,
         gamma=method.gamma,
         drag="picard",
+        tolerance=CORRECTION,
         start="straight" if a.start == "undeflected" else "equilibrium",
     )
 

@@ -39,7 +39,7 @@ class Steps(Strict):
 
 
 class Numbers(Strict):
-    """An axis of numbers put at a path of the scene, with a unit. Absent offset: as they are.
+    """An axis of numbers put at a path of the scene, with a unit ("1": none). Absent offset: as they are.
 
     ``offset`` is added on the way, where the axis counts from elsewhere than the path.
     """
@@ -66,7 +66,8 @@ class Numbers(Strict):
 
     def overrides(self, number: float) -> dict[str, Any]:
         """What a value sets."""
-        return {self.path: f"{number + (self.offset or 0.0)!r} {self.unit}"}
+        value = number + (self.offset or 0.0)
+        return {self.path: value if self.unit == "1" else f"{value!r} {self.unit}"}
 
 
 class Samples(Strict):

@@ -1,0 +1,63 @@
+"""What is measured along a riser: angles, stresses, amplitudes, and where the largest of them lies."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.scene.units import to_si
+
+
+def extreme(runs: xr.Dataset, name: str) -> xr.DataArray:
+    """Largest magnitude in the record, by its envelopes."""
+    sides = [abs(runs[f"{name}_{side}"]) for side in ("max", "min")]
+    return xr.concat(sides, "side").max("side")
+
+
+def angles(runs: xr.Dataset) -> xr.DataArray:
+    """Angle from the vertical (rad) over time and the middles of the elements, as share of the length."""
+    s = runs["s"].values
+    slope = runs["x"].diff("s") / xr.DataArray(np.diff(s), dims="s")
+    middle = 0.5 * (s[1:] + s[:-1]) / s[-1]
+    angle: xr.DataArray = xr.apply_ufunc(np.arctan, slope.rename(s="middle"))
+    return angle.assign_coords(middle=middle)
+
+
+def place(values: xr.DataArray, s: xr.DataArray, dim: str, among: xr.DataArray) -> xr.DataArray:
+    """Where the largest of some values lies."""
+    where = values.where(among, -1.0).argmax(dim)
+    return xr.DataArray(s.values[where.values], dims=where.dims)
+
+
+def amplitude_at(x: xr.DataArray, period: float) -> xr.DataArray:
+    """Amplitude at a period, by least squares beside a straight line in time."""
+    t = x["time"].values
+    w = 2.0 * np.pi / period
+    basis = np.stack([np.ones_like(t), t - t.mean(), np.cos(w * t), np.sin(w * t)], axis=1)
+    fit = xr.DataArray(np.linalg.pinv(basis)[2:], dims=("part", "time"), coords={"time": x["time"]})
+    parts = xr.dot(x, fit, dim="time")
+    amplitude: xr.DataArray = (parts**2).sum("part") ** 0.5
+    return amplitude
+
+
+def period_of(runs: xr.Dataset) -> float:
+    """Period of the wave (s)."""
+    return to_si(json.loads(runs.attrs["scene"])["wave"]["period"], "s")
+
+
+def stress_factor(runs: xr.Dataset) -> xr.DataArray:
+    """Bending stress at the outer fibre over bending moment, D / 2I (1/m3), of each sample."""
+
+    def diameter(name: str) -> Any:
+        varied = f"assumed_riser[0]_{name}"
+        if varied in runs:
+            values = [to_si(str(text), "m") for text in runs[varied].values]
+            return xr.DataArray(values, dims=runs[varied].dims)
+        return xr.DataArray(to_si(json.loads(runs.attrs["scene"])["riser"][0][name], "m"))
+
+    outer, inner = diameter("outer_diameter"), diameter("inner_diameter")
+    factor: xr.DataArray = 32.0 * outer / (np.pi * (outer**4 - inner**4))
+    return factor
