@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
 from riserstudy.effects.added_mass import AddedMass
@@ -15,38 +14,32 @@ from riserstudy.effects.axial import Axial
 from riserstudy.effects.axial_damping import AxialDamping
 from riserstudy.effects.bending import Bending
 from riserstudy.effects.bending_damping import BendingDamping
+from riserstudy.effects.bending_damping_in_space import SpatialBendingDamping
+from riserstudy.effects.bending_in_space import SpatialBending
 from riserstudy.effects.current import Current
-from riserstudy.effects.cylinder import Upright
-from riserstudy.effects.cylinder_damping import CylinderDamping
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
-from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
-from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
-from riserstudy.effects.linear_spring import LinearSpring
-from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
-from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 from riserstudy.mesh import Mesh
 from riserstudy.model import Effect, Model
-from riserstudy.response import harmonics
-from riserstudy.scene import forcing
+from riserstudy.platform import centre, motions
+from riserstudy.rig import in_space, laws, pistons, upright
 from riserstudy.scene.ends import Areas, BodyAddedMass, Rotation
 from riserstudy.scene.ends import FlexJoint as Joint
 from riserstudy.scene.models import Scene
 from riserstudy.scene.string import Section
 from riserstudy.sea import current_table, wave_of
 from riserstudy.solve.state import OTHER, OWN
-from riserstudy.tensioner_law import linear_law
 
 FloatArray = NDArray[np.float64]
-MOTION = {"surge": 0, "sway": 1, "heave": 2, "roll": 3, "pitch": 4, "yaw": 5}
-GAS_FIELDS = ("area", "pressure", "volume")
+AXES = {1: [2], 2: [0, 2], 3: [0, 1, 2]}  # which of x, y, z a model of so many directions has
 
 
 class Stiffness(NamedTuple):
@@ -69,56 +62,61 @@ def stiffness(section: Section) -> Stiffness:
 
 
 def directions(scene: Scene) -> int:
-    """Directions that the scene needs: 1 along the riser, 2 in a plane."""
+    """Directions that the scene needs: 1 along the riser, 2 in a plane, 3 in space."""
+    if scene.spatial:
+        return 3
     return 2 if scene.lateral else 1
 
 
 def build(
     scene: Scene,
     mesh: Mesh,
-    top_elevation: float | None = None,
-    planar: bool | None = None,
+    ring_elevation: float | None = None,
+    d: int | None = None,
 ) -> Model:
     """Model of a scene on a mesh.
 
     Parameters
     ----------
-    top_elevation : elevation of the top found by an earlier statics (m): where it is held, or where
-        tensioners are at mid-stroke.
-    planar : solve in a plane even if the scene needs the vertical direction only (modes, stability).
+    ring_elevation : elevation of the riser's top found by an earlier statics (m): where it is held, or
+        where tensioners are at mid-stroke.
+    d : directions, if more than the scene needs (modes, stability).
     """
-    d = 2 if planar or (planar is None and scene.lateral) else 1
-    return _Builder(scene, mesh, d, top_elevation).model()
+    return _Builder(scene, mesh, d or directions(scene), ring_elevation).model()
 
 
 class _Builder:
-    def __init__(self, scene: Scene, mesh: Mesh, d: int, top_elevation: float | None):
+    def __init__(self, scene: Scene, mesh: Mesh, d: int, ring_elevation: float | None):
         self.scene, self.mesh, self.d = scene, mesh, d
-        self.n = len(mesh.l0)
+        self.n, self.ring = len(mesh.l0), mesh.ring
         self.g = scene.gravity or 0.0
         self.rho = scene.water.density if scene.water else 0.0
         self.effects: list[Effect] = []
         self.fixed: list[tuple[int, int]] = []
         self.parts = [stiffness(section) for section in scene.riser]
-        self.m = 1 if d == 2 and all(part.bending > 0 for part in self.parts) else 0
+        bends = d > 1 and all(part.bending > 0 for part in self.parts)
+        self.m = {2: 1, 3: 3}[d] if bends else 0
         self.bottom_z = scene.bottom.elevation or 0.0
         if scene.bottom.hold == "free":
             self.bottom_z = (scene.top.elevation or 0.0) - float(mesh.l0.sum())
-        self.top_z = top_elevation
+        self.ring_z = ring_elevation
+        self.top_z = scene.top.elevation
         if self.top_z is None:
-            self.top_z = scene.top.elevation
+            self.top_z = ring_elevation
+        if self.ring_z is None and not mesh.joint:
+            self.ring_z = self.top_z
 
     def add(self, name: str, record: Any, because: str) -> None:
         self.effects.append(Effect(name, record, because))
 
-    def per_segment(self, value: Any) -> FloatArray:
-        """``value(section, k)`` of the section that each segment belongs to."""
+    def per_segment(self, value: Any, joint: float = 0.0) -> FloatArray:
+        """``value(section, k)`` of the section that each segment belongs to, ``joint`` of the joint."""
         values = [float(value(section, k)) for k, section in enumerate(self.scene.riser)]
-        return np.array(values)[self.mesh.section]
+        return np.array([*values, joint])[self.mesh.section]
 
     def model(self) -> Model:
-        self.motion()
-        self.respond()
+        if self.scene.platform:
+            self.effects += motions(self.scene.platform, self.scene.wave)
         self.supports()
         self.current()
         self.wave()
@@ -136,104 +134,60 @@ class _Builder:
             self.fixed,
             share,
             tensioners.count if tensioners else 0,
+            self.ring if self.mesh.joint else None,
         )
         model.s.r[:] = self.guess()
         return model
 
-    # what moves and holds
-
-    def motion(self) -> None:
-        platform = self.scene.platform
-        if platform is None:
-            return
-        if platform.position:
-            away = np.zeros(6)
-            away[MOTION["surge"]] = platform.position.surge or 0.0
-            away[MOTION["heave"]] = platform.position.heave or 0.0
-            self.add("platform position", Position(away), "platform.position")
-        rows = []
-        for name in ("surge", "heave", "pitch"):
-            motion = getattr(platform, name)
-            if isinstance(motion, forcing.Harmonic):
-                rows.append((name, motion))
-            elif motion is not None:
-                times = np.array([p.time for p in motion.points])
-                values = np.array([p.value for p in motion.points])
-                spline = CubicSpline(times, values)
-                series = Series(MOTION[name], times, np.ascontiguousarray(spline.c))
-                self.add("platform motion", series, f"platform.{name}")
-        if rows:
-            harmonic = Harmonic(
-                np.array([MOTION[name] for name, _ in rows]),
-                np.array([motion.amplitude for _, motion in rows]),
-                np.array([2.0 * math.pi / motion.period for _, motion in rows]),
-                np.array([motion.phase or 0.0 for _, motion in rows]),
-                np.array([motion.ramp or 0.0 for _, motion in rows]),
-            )
-            names = ", ".join(f"platform.{name}" for name, _ in rows)
-            self.add("platform motion", harmonic, names)
-        if platform.cruise:
-            cruise = platform.cruise
-            record = Cruise(MOTION["surge"], cruise.speed, cruise.ramp or 0.0)
-            self.add("platform motion", record, "platform.cruise")
-
-    def respond(self) -> None:
-        """Motion of the platform in the waves."""
-        response = self.scene.platform and self.scene.platform.response
-        if not response:
-            return
-        wave = response.wave or self.scene.wave
-        if wave is None:
-            raise TypeError("a response without wave")  # refused by the scene
-        found = harmonics(response, wave)
-        ramp = np.full(len(found.motion), response.ramp or 0.0)
-        motion = np.array([MOTION[name] for name in found.motion])
-        record = Harmonic(motion, found.amplitude, found.frequency, found.phase, ramp)
-        self.add("platform motion", record, "platform.response")
+    # what holds and flows
 
     def hold(
-        self, node: int, place: list[float], held: list[bool], follow: list[int], why: str
+        self, node: int, place: list[float], held: list[bool], follow: list[bool], why: str
     ) -> None:
-        """Hold a node in some of (x, z)."""
-        use = slice(2 - self.d, 2)
-        kept = np.array(held[use], np.int64)
-        self.add(
-            "support",
-            Support(node, np.array(place[use]), kept, np.array(follow[use], np.int64)),
-            why,
+        """Hold a node in some of (x, y, z)."""
+        axes = np.array(AXES[self.d])
+        record = Support(
+            node,
+            np.array(place),
+            axes,
+            np.array(held, np.int64)[axes],
+            np.array(follow, np.int64)[axes],
+            np.array(place) - centre(self.scene.platform),
+            np.zeros((3, 3)),
         )
-        self.fixed += [(node, self.m + k) for k in range(self.d) if kept[k]]
+        self.add("support", record, why)
+        self.fixed += [(node, self.m + k) for k in range(self.d) if record.held[k]]
 
     def supports(self) -> None:
         bottom, top = self.scene.bottom, self.scene.top
         if bottom.hold == "wellhead":
-            self.hold(0, [0.0, self.bottom_z], [True, True], [-1, -1], "bottom.hold")
-        held = [top.x not in (None, "free"), top.z != "free"]
-        if any(held[2 - self.d :]):
-            follow = [
-                MOTION["surge"] if top.x == "platform" else -1,
-                MOTION["heave"] if top.z == "platform" else -1,
-            ]
-            self.hold(self.n, [top.offset or 0.0, self.top_z or 0.0], held, follow, "top.x, top.z")
-        if self.m:
-            for node, end in ((0, bottom), (self.n, top)):
-                if flexibility_of(end.rotation) is None:
-                    self.fixed.append((node, 0))
+            self.hold(0, [0.0, 0.0, self.bottom_z], [True] * 3, [False] * 3, "bottom.hold")
+        held = [top.x not in (None, "free")] * 2 + [top.z != "free"]
+        if any(held[k] for k in AXES[self.d]):
+            follow = [top.x == "platform"] * 2 + [top.z == "platform"]
+            place = [top.offset or 0.0, 0.0, self.top_z or 0.0]
+            self.hold(self.n, place, held, follow, "top.x, top.z")
+        for node, end in ((0, bottom), (self.n, top)):
+            if flexibility_of(end.rotation) is None:
+                self.fixed += [(node, u) for u in range(self.m)]
 
     def current(self) -> None:
         current = self.scene.current
         if current is None or self.d == 1:
             return
         z, speed = current_table(current, self.scene.water)
-        self.add("current", Current(z, speed, np.array([1.0]), current.ramp or 0.0), "current")
+        along = self.along(current.heading)
+        self.add("current", Current(z, speed, along, current.ramp or 0.0), "current")
+
+    def along(self, heading: float | None) -> FloatArray:
+        """Unit vector of a heading in the horizontal directions of the model."""
+        return np.array([math.cos(heading or 0.0), math.sin(heading or 0.0)])[: self.d - 1]
 
     def wave(self) -> None:
         sea, water = self.scene.wave, self.scene.water
         if sea is None or water is None or self.d == 1:
             return
-        heading = sea.heading or 0.0
-        along = np.array([math.cos(heading), math.sin(heading)])[: self.d - 1]
-        self.add("wave", wave_of(sea, water, self.g, along), "wave")
+        self.add("wave", wave_of(sea, water, self.g, self.along(sea.heading)), "wave")
 
     # the string
 
@@ -296,40 +250,50 @@ class _Builder:
             self.add("drag", Drag(drag * l0, np.zeros((self.d, self.n + 1))), "riser.drag")
 
     def bending(self, relaxation: float) -> None:
-        flexibility = self.mesh.l0 / self.per_segment(lambda s, k: self.parts[k].bending)
-        own, other = np.full(self.n, OWN), np.full(self.n, OTHER)
+        why = "riser.young_modulus or bending_stiffness"
         bottom, top = self.scene.bottom, self.scene.top
-        for segment, end in ((0, bottom), (-1, top)):
-            if flexibility_of(end.rotation) is not None:
-                own[segment], other[segment] = 1.0 / 3.0, 1.0 / 6.0
+        joint = top.telescopic_joint
+        stiff = self.per_segment(
+            lambda s, k: self.parts[k].bending, joint.bending_stiffness if joint else 0.0
+        )
+        flexibility = self.mesh.l0 / stiff
+        own, other = np.full(self.n, OWN), np.full(self.n, OTHER)
+        linear = [0] if flexibility_of(bottom.rotation) is not None else []
+        linear += [-1] if flexibility_of(top.rotation) is not None else []
+        linear += [-1, -2] if joint else []  # the moment has a corner at the ring
+        own[linear], other[linear] = 1.0 / 3.0, 1.0 / 6.0
         flex = np.zeros(self.n + 1)
         flex[:-1] += own * flexibility
         flex[1:] += own * flexibility
-        self.add(
-            "bending",
-            Bending(flex, other * flexibility),
-            "riser.young_modulus or bending_stiffness",
-        )
+        self.bend = np.stack([own * flexibility, other * flexibility], axis=1)
+        record: Any = (Bending if self.m == 1 else SpatialBending)(flex, other * flexibility)
+        self.add("bending", record, why)
         axial = self.per_segment(lambda s, k: self.parts[k].axial)
-        slope = axial * flexibility**2 / 72.0
-        self.add(
-            "foreshortening", Foreshortening(slope), "riser.young_modulus or bending_stiffness"
-        )
+        self.add("foreshortening", Foreshortening(axial * flexibility**2 / 72.0), why)
         if relaxation:
-            record = BendingDamping(relaxation, *np.zeros((2, self.n + 1)))
+            if self.m == 1:
+                record = BendingDamping(relaxation, *np.zeros((2, self.n + 1)))
+            else:
+                record = SpatialBendingDamping(relaxation, *np.zeros((2, 3, self.n + 1)))
             self.add("bending damping", record, "riser.structural_damping")
         for node, end, name in ((0, bottom, "bottom"), (self.n, top, "top")):
             soft = flexibility_of(end.rotation)
-            if soft is not None:
-                follows = 1.0 if name == "top" and top.x == "platform" else 0.0
-                label = "flex joint" if soft > 0.0 else "clamp"
-                self.add(label, FlexJoint(node, soft, 0.0, follows), f"{name}.rotation")
+            if soft is None:
+                continue
+            follows = name == "top" and top.x == "platform"
+            if self.m == 1:
+                record = FlexJoint(node, soft, 0.0, float(follows))
+            else:
+                upwards = np.array([0.0, 0.0, 1.0])
+                held = np.stack([upwards, *np.zeros((2, 3))])
+                record = SpatialFlexJoint(node, soft, upwards, int(follows), held)
+            self.add("flex joint" if soft > 0.0 else "clamp", record, f"{name}.rotation")
 
     # what is attached
 
     def ends(self) -> None:
         bottom, top = self.scene.bottom, self.scene.top
-        for node, end, name in ((0, bottom, "bottom"), (self.n, top, "top")):
+        for node, end, name in ((0, bottom, "bottom"), (self.ring, top, "top")):
             if end.body is None:
                 continue
             body = end.body
@@ -344,63 +308,42 @@ class _Builder:
         if top.tension:
             load = np.zeros(self.d)
             load[-1] = top.tension
-            self.add("constant tension", Pull(self.n, load), "top.tension")
+            self.add("constant tension", Pull(self.ring, load), "top.tension")
         if top.lateral_force and self.d > 1:
-            self.add(
-                "lateral force",
-                Pull(self.n, np.array([top.lateral_force, 0.0])),
-                "top.lateral_force",
-            )
+            load = np.zeros(self.d)
+            load[0] = top.lateral_force
+            self.add("lateral force", Pull(self.ring, load), "top.lateral_force")
 
     def tensioners(self) -> None:
         rig = self.scene.top.tensioners
         if rig is None:
             return
-        each = np.ones(rig.count)
-        if rig.gas and not rig.linearised:
-            gas = rig.gas
-            record: Any = GasSpring(
-                gas.area * each, gas.pressure * each, gas.volume * each, gas.exponent * each
-            )
-            self.add("gas tensioner", record, "top.tensioners.gas")
-        elif rig.two_chamber_gas and not rig.linearised:
-            both = rig.two_chamber_gas
-            sides = (getattr(side, name) for side in (both.high, both.low) for name in GAS_FIELDS)
-            weight = rig.piston_mass * self.g
-            record = TwoChamberGas(*(x * each for x in (*sides, both.exponent, weight)))
-            self.add("two-chamber gas tensioner", record, "top.tensioners.two_chamber_gas")
-        else:
-            tension, slope = linear_law(rig, self.g)
-            why = "top.tensioners.linearised" if rig.any_gas else "top.tensioners.linear"
-            self.add("linear tensioner", LinearSpring(tension * each, slope * each), why)
-        if rig.piston_mass:
-            mass = np.zeros(self.d)
-            mass[-1] = rig.count * rig.piston_mass
-            pistons = EndMass(self.n, 0.0, mass, np.zeros(2))
-            self.add("piston mass", pistons, "top.tensioners.two_chamber_gas.pistons")
-        if rig.damping:
-            self.add(
-                "tensioner damping", CylinderDamping(rig.damping * each), "top.tensioners.damping"
-            )
-        if rig.stroke:
-            stop = rig.stroke
-            record = EndStop(stop.shortest * each, stop.longest * each, stop.stop_stiffness * each)
-            self.add("end stops", record, "top.tensioners.stroke")
-        zero = self.bottom_z + float(self.mesh.l0.sum())
-        if rig.mid_stroke == "riser in equilibrium" and self.top_z is not None:
-            zero = self.top_z
-        self.add("tensioner cylinders", Upright(self.n, zero * each), "top.tensioners")
+        self.effects += laws(rig, self.g)
+        self.effects += pistons(rig, self.ring, self.d)
+        elevation = self.bottom_z + self.mesh.riser_length
+        if rig.mid_stroke == "riser in equilibrium" and self.ring_z is not None:
+            elevation = self.ring_z
+        if rig.arrangement is None:
+            self.effects.append(upright(rig, self.ring, elevation))
+            return
+        bend = self.bend[[-2, -1]] if self.m and self.mesh.joint else np.zeros((2, 2))
+        self.effects.append(
+            in_space(rig, rig.arrangement, self.ring, elevation, centre(self.scene.platform), bend)
+        )
 
     def guess(self) -> FloatArray:
         """Straight from end to end, or sagging where the riser is longer than that."""
         total = float(self.mesh.l0.sum())
         offset = (self.scene.top.offset or 0.0) if self.d > 1 else 0.0
         rise = total if self.top_z is None else self.top_z - self.bottom_z
-        shape = np.stack([offset * self.mesh.s, rise * self.mesh.s]) / total
+        share = self.mesh.s / total
+        shape = np.stack([offset * share, 0.0 * share, rise * share])
+        if self.mesh.joint:  # the riser unstretched, the joint from ring to top
+            shape[2, :-1] = self.mesh.s[:-1]
         if offset and math.hypot(offset, rise) < total:
-            shape = sagging(self.mesh.s, offset, rise)
-        shape[1] += self.bottom_z
-        return shape[2 - self.d :]
+            shape[[0, 2]] = sagging(self.mesh.s, offset, rise)
+        shape[2] += self.bottom_z
+        return shape[AXES[self.d]]
 
 
 def sagging(s: FloatArray, offset: float, rise: float) -> FloatArray:

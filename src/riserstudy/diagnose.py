@@ -16,10 +16,11 @@ def suspect(model: Model, node: int) -> str:
     state = model.s
     for effect, record in zip(model.effects, model.records, strict=True):
         roles = ROLES[type(effect.record)]
-        if "string" not in roles and "device" not in roles:
+        call = roles.get("string") or roles.get("law") or roles.get("device")
+        if call is None:
             continue
-        call = roles.get("string") or roles["device"]
         shape_of(model.programs, model.state)
+        state.pull[:] = 0.0  # that of this effect alone counts, where it pulls
         force_of(assemble([(call, record)], model.state), model.state)
         size = float(np.abs(state.force[:, node]).max() + np.abs(state.pull).sum())
         if not size <= worst:

@@ -20,7 +20,7 @@ class Row(NamedTuple):
 
 def ledger(scene: Scene) -> list[Row]:
     """All effects, those that are on first."""
-    model = build(scene, even(scene, max(2, len(scene.riser))), top_elevation=0.0)
+    model = build(scene, even(scene, max(2, len(scene.riser))), ring_elevation=0.0)
     on = {effect.name: effect.because for effect in model.effects}
     if scene.lateral:
         on["lateral freedom"] = scene.lateral

@@ -15,19 +15,35 @@ COARSEST = 8  # segments over the riser before grading
 
 
 class Mesh(NamedTuple):
-    """Unstretched segment lengths (m) and the section that each segment belongs to."""
+    """Unstretched segment lengths (m) and the section that each segment belongs to.
+
+    A telescopic joint is one more segment at the top, of a section of its own, never cut.
+    """
 
     l0: NDArray[np.float64]
     section: NDArray[np.int64]
+    joint: bool = False
 
     @property
     def s(self) -> NDArray[np.float64]:
         """Unstretched arclength of the nodes from the bottom (m)."""
         return np.concatenate([[0.0], np.cumsum(self.l0)])
 
+    @property
+    def ring(self) -> int:
+        """Node of the tension ring: the riser's top, below the telescopic joint if there is one."""
+        return len(self.l0) - int(self.joint)
+
+    @property
+    def riser_length(self) -> float:
+        """Unstretched length of the riser up to the tension ring (m)."""
+        return float(self.l0[: self.ring].sum())
+
     def halved(self) -> Mesh:
-        """Every segment cut in two."""
-        return Mesh(np.repeat(0.5 * self.l0, 2), np.repeat(self.section, 2))
+        """Every segment of the riser cut in two."""
+        cuts = np.full(len(self.l0), 2)
+        cuts[self.ring :] = 1
+        return Mesh(np.repeat(self.l0 / cuts, cuts), np.repeat(self.section, cuts), self.joint)
 
 
 def even(scene: Scene, elements: int) -> Mesh:
@@ -35,16 +51,24 @@ def even(scene: Scene, elements: int) -> Mesh:
     lengths = [section.total_length for section in scene.riser]
     size = sum(lengths) / elements
     counts = [max(1, round(length / size)) for length in lengths]
-    return Mesh(
+    return _with_joint(
+        scene,
         np.concatenate([np.full(k, x / k) for k, x in zip(counts, lengths, strict=True)]),
         np.repeat(np.arange(len(lengths)), counts),
     )
 
 
+def _with_joint(scene: Scene, l0: NDArray[np.float64], section: NDArray[np.int64]) -> Mesh:
+    joint = scene.top.telescopic_joint
+    if joint is None:
+        return Mesh(l0, section)
+    return Mesh(np.append(l0, joint.length), np.append(section, len(scene.riser)), True)
+
+
 def graded(scene: Scene, layers: tuple[float, float], elements: int = COARSEST) -> Mesh:
     """Segments of about equal length, finer towards ends where bending is confined to a layer.
 
-    ``layers``: lengths sqrt(EI/T) at bottom and top (m), infinite where there is none.
+    ``layers``: lengths sqrt(EI/T) at bottom and tension ring (m), infinite where there is none.
     """
     lengths = [section.total_length for section in scene.riser]
     total = sum(lengths)
@@ -64,4 +88,4 @@ def graded(scene: Scene, layers: tuple[float, float], elements: int = COARSEST) 
         pieces.append(np.diff(cuts))
         owner.append(np.full(len(cuts) - 1, k))
         start += length
-    return Mesh(np.concatenate(pieces), np.concatenate(owner))
+    return _with_joint(scene, np.concatenate(pieces), np.concatenate(owner))

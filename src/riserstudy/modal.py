@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from riserstudy.build import stiffness
+from riserstudy.build import AXES, directions, stiffness
 from riserstudy.errors import SimulationError
 from riserstudy.mesh import even
 from riserstudy.run import massless
@@ -44,8 +44,8 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
     most = len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS
     mesh = even(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
     bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
-    planar = bool(scene.lateral) or (bends and scene.top.x is not None)
-    model, _ = settle(scene, mesh, planar=planar)
+    d = max(directions(scene), 2 if bends and scene.top.x is not None else 1)
+    model, _ = settle(scene, mesh, d)
     try:
         frequency, shape = natural_modes(model.programs, model.state, model.fixed, count)
     except np.linalg.LinAlgError:
@@ -54,16 +54,14 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
             "spring a single segment"
         ) from None
     size = np.abs(shape).max(axis=2)
-    names = ["lateral", "axial"] if planar else ["axial"]
-    motion = [names[int(row.argmax())] for row in size]
-    directions = ["x", "z"] if planar else ["z"]
+    motion = ["axial" if row.argmax() == d - 1 else "lateral" for row in size]
     data = {
         name: (
             ("mode", "s"),
             shape[:, k, :],
             {"units": "1", "long_name": f"mode shape along {name}"},
         )
-        for k, name in enumerate(directions)
+        for k, name in enumerate("xyz"[axis] for axis in AXES[d])
     }
     return xr.Dataset(
         {

@@ -32,6 +32,7 @@ class Model:
     fixed : (node, unknown) pairs that the solver leaves alone; moments count before positions.
     share : parts of a segment's mass that its own and its other node carry.
     cylinders : number of tensioner cylinders.
+    ring : node of the tension ring, above which a telescopic joint carries no tension; None without.
 
     Attributes
     ----------
@@ -49,6 +50,7 @@ class Model:
         fixed: list[tuple[int, int]],
         share: tuple[float, float],
         cylinders: int = 0,
+        ring: int | None = None,
     ):
         self.effects: list[Effect] = list(effects)
         self.fixed = np.array(sorted(fixed), np.int64).reshape(-1, 2)
@@ -58,6 +60,10 @@ class Model:
             Frozen(new_state(l0, directions, moments, cylinders, 2 * cylinders, share))
             for _ in range(2)
         )
+        for state in (self.state.value, self.spare.value):
+            state.blend[1:-1] = l0[:-1] / (l0[:-1] + l0[1:])
+            if ring is not None:
+                state.blend[ring] = 0.0
         self.records = [Frozen(effect.record) for effect in self.effects]
         self.programs = Frozen(Programs(*(self._program(role) for role in Programs._fields)))
         for state in (self.state, self.spare):

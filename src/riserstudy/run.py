@@ -111,9 +111,10 @@ def _first_mesh(scene: Scene) -> Mesh:
     probe = even(scene, COARSEST)
     model, _ = settle(scene, probe)
     layers = []
-    for end in (0, -1):
+    for end in (0, probe.ring - 1):
         rotation = (scene.bottom if end == 0 else scene.top).rotation
-        flexible = model.s.flex_up[end] > 0.0 and rotation not in (None, "free")
+        held = rotation not in (None, "free") or (end > 0 and probe.joint)
+        flexible = model.s.flex_up[end] > 0.0 and held
         tension = float(np.abs(model.s.segment[:, end] @ model.s.tangent[:, end]))
         stiff = probe.l0[end] / (6.0 * model.s.flex_up[end]) if flexible else 0.0
         layers.append(math.sqrt(stiff / tension) if flexible and tension > 0 else math.inf)

@@ -19,8 +19,8 @@ from riserstudy.solve.statics import (
 from riserstudy.tensioner_law import tension_at_mid_stroke
 
 
-def settle(scene: Scene, mesh: Mesh, planar: bool | None = None) -> tuple[Model, Equilibrium]:
-    """Model at static equilibrium.
+def settle(scene: Scene, mesh: Mesh, d: int | None = None) -> tuple[Model, Equilibrium]:
+    """Model at static equilibrium, in ``d`` directions if more than the scene needs.
 
     Raises
     ------
@@ -38,15 +38,15 @@ def settle(scene: Scene, mesh: Mesh, planar: bool | None = None) -> tuple[Model,
         each = tension_at_mid_stroke(rig, scene.gravity or 0.0)
         before = top.model_copy(update={"tensioners": None, "tension": rig.count * each})
     if before is not None:
-        first, _ = _equilibrium(scene.model_copy(update={"top": before}), mesh, None, planar)
-        elevation = float(first.s.r[-1, -1])
-    return _equilibrium(scene, mesh, elevation, planar)
+        first, _ = _equilibrium(scene.model_copy(update={"top": before}), mesh, None, d)
+        elevation = float(first.s.r[-1, mesh.ring])
+    return _equilibrium(scene, mesh, elevation, d)
 
 
 def _equilibrium(
-    scene: Scene, mesh: Mesh, elevation: float | None, planar: bool | None
+    scene: Scene, mesh: Mesh, elevation: float | None, d: int | None
 ) -> tuple[Model, Equilibrium]:
-    model = build(scene, mesh, elevation, planar)
+    model = build(scene, mesh, elevation, d)
     current = any(effect.name == "current" for effect in model.effects)
     tolerance = 1e-10 * float(mesh.l0.sum())
     try:
@@ -79,7 +79,7 @@ def _stands_sideways(scene: Scene, mesh: Mesh, model: Model, elevation: float | 
     if len(s.dim) > 1 or float(tension.min()) >= -rounding(scene):
         return True
     top = scene.top if scene.top.x else scene.top.model_copy(update={"x": "held"})
-    planar = build(scene.model_copy(update={"top": top}), mesh, elevation, planar=True)
+    planar = build(scene.model_copy(update={"top": top}), mesh, elevation, d=2)
     planar.s.r[1] = s.r[0]
     return unstable_directions(planar.programs, planar.state, planar.fixed) == 0
 

@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
-from riserstudy.build import stiffness
+from riserstudy.build import AXES, stiffness
 from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.mesh import Mesh
@@ -51,8 +52,9 @@ def single(scene: Scene, mesh: Mesh, step: float | None, stations: str = "asked 
     if scene.top.tensioners:
         arrays["tensioner_stroke_static"], arrays["tensioner_force_static"] = np.split(probe, 2)
     arrays["zero_z"] = state.r[-1].copy()
-    if "x" in names:
-        arrays["zero_x"] = np.zeros(len(mesh.s))
+    for name in "xy":
+        if name in names:
+            arrays["zero_" + name] = np.zeros(len(mesh.s))
     facts: dict[str, Any] = {
         "effects": {e.name: e.because for e in model.effects},
         "elements": len(mesh.l0),
@@ -70,16 +72,16 @@ def single(scene: Scene, mesh: Mesh, step: float | None, stations: str = "asked 
 
 def quantities(model: Model) -> list[str]:
     """Names of the quantities that a record holds, in its order."""
-    d, m = len(model.s.dim), len(model.s.dof) - len(model.s.dim)
-    moments = {0: [], 1: ["bending_moment"]}[m]
-    return [*(["x", "z"] if d == 2 else ["z"]), "effective_tension", *moments]
+    d = len(model.s.dim)
+    places = ["xyz"[axis] for axis in AXES[d]]
+    return [*places, "effective_tension", *(["bending_moment"] if len(model.s.dof) > d else [])]
 
 
 def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
     """Quantities at the nodes at rest, and what devices report."""
     state, own = model.spare.value, model.s
     state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
-    state.platform[:] = own.platform
+    state.platform[:], state.deck[:] = own.platform, own.deck
     state.v[:] = 0.0
     state.a[:] = 0.0
     record = new_record([state.clock[0]], [0], state)
@@ -101,12 +103,13 @@ def _march(
         return
     state = model.s
     reach_at_rest = state.reach.copy()
+    joint_at_rest = float(np.linalg.norm(state.r[:, -1] - state.r[:, -2]))
     top_at_rest = float(state.r[-1, -1])
     if a.start == "unstretched":
         bottom = state.r[-1, 0]
         state.r[-1] = bottom + mesh.s
     if a.start == "undeflected":
-        still, _ = settle(scene.model_copy(update={"current": None}), mesh, planar=True)
+        still, _ = settle(scene.model_copy(update={"current": None}), mesh, len(state.dim))
         state.r[:], state.moment[:] = still.s.r, still.s.moment
     move_to(model.programs, model.state, 0.0)
     count = max(1, math.ceil(a.duration / step * (1.0 - 1e-9)))
@@ -161,6 +164,8 @@ def _march(
         facts["largest_stroke"] = float(np.abs(record.probe[:, :c]).max())
     elif scene.platform and scene.top.z == "free":
         arrays["stroke"] = record.platform[:, 2] - (record.top[:, -1] - top_at_rest)
+    if mesh.joint:
+        arrays["stroke"] = record.end[:, 1, -1] - joint_at_rest
 
 
 def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:
@@ -202,19 +207,40 @@ def _angles(
     scene: Scene, model: Model, mesh: Mesh, record: Record, arrays: dict[str, FloatArray]
 ) -> None:
     """Angles of the riser's end tangents: against the lower stack, and the platform's vertical."""
-    if len(model.s.dim) == 1:
+    d = len(model.s.dim)
+    if d == 1:
         return
-    m = len(model.s.dof) - 2
-    angle = np.arctan2(record.end[:, :, 0], record.end[:, :, 1])
-    if m:  # from the middle of the end segment to its end, curvature varying linearly
-        for k, (end, sign) in enumerate(((0, -1.0), (-1, 1.0))):
-            bending = stiffness(scene.riser[mesh.section[end]]).bending
-            turned = mesh.l0[end] / bending * (record.end[:, k, 2] / 3 + record.end[:, k, 3] / 6)
-            angle[:, k] += sign * turned
+    upwards = np.array([0.0, 0.0, 1.0])
     if scene.bottom.hold == "wellhead":
-        arrays["lfj_angle"] = angle[:, 0]
+        arrays["lfj_angle"] = _lean(_end_direction(scene, model, mesh, record, 0), upwards, d)
     if scene.platform and scene.top.x == "platform":
-        arrays["ufj_angle"] = angle[:, 1] - record.platform[:, 4]
+        upright = Rotation.from_euler("xyz", record.platform[:, 3:]).apply(upwards)
+        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upright, d)
+
+
+def _end_direction(scene: Scene, model: Model, mesh: Mesh, record: Record, end: int) -> FloatArray:
+    """Direction of the riser at an end, (time, 3): the end segment's, turned by its own bending."""
+    d = len(model.s.dim)
+    m = len(model.s.dof) - d
+    t = np.zeros((len(record.time), 3))
+    t[:, AXES[d]] = record.end[:, end, :d]
+    if m == 0:
+        return t
+    # from the middle of the end segment to its end, curvature varying linearly
+    own, far = record.end[:, end, d : d + m], record.end[:, end, d + m : d + 2 * m]
+    joint = scene.top.telescopic_joint if end == -1 else None
+    stiff = joint.bending_stiffness if joint else stiffness(scene.riser[mesh.section[end]]).bending
+    softness = mesh.l0[end] / stiff
+    bend = np.zeros_like(t)
+    bend[:, [1] if m == 1 else [0, 1, 2]] = softness * (own / 3.0 + far / 6.0)
+    return np.asarray(Rotation.from_rotvec(bend if end == -1 else -bend).apply(t))
+
+
+def _lean(t: FloatArray, upright: FloatArray, d: int) -> FloatArray:
+    """Angle between directions (rad): in a plane from ``upright`` towards +x, in space its size."""
+    across = np.cross(np.broadcast_to(upright, t.shape), t)
+    size = np.arctan2(np.linalg.norm(across, axis=1), (t * upright).sum(axis=1))
+    return np.asarray(size * np.sign(across[:, 1]) if d == 2 else size)
 
 
 def _audit(facts: dict[str, Any], ledger: Any, before: float, after: float, step: float) -> None:
@@ -258,10 +284,11 @@ def _check_tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str,
     k = int(tension.argmin())
     facts["smallest_tension"] = float(tension[k])
     facts["smallest_tension_s"] = float(arrays["s_node"][k])
-    if facts["directions"] == 1 and tension[k] < -rounding(scene):
+    if facts["directions"] < 3 and tension[k] < -rounding(scene):
         facts["warnings"].append(
             f"effective tension falls to {tension[k]:.3g} N at s = {arrays['s_node'][k]:.4g} m: "
-            "a riser free to move sideways would go slack or buckle; this run has no lateral freedom"
+            "a riser may go slack or buckle there; this run has "
+            + ("no lateral freedom" if facts["directions"] == 1 else "no freedom out of its plane")
         )
 
 

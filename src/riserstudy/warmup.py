@@ -41,6 +41,12 @@ _RIG: Tree = {
     "damping": "1 kN*s/m",
     "stroke": {"shortest": "-8 m", "longest": "8 m", "stop_stiffness": "1e7 N/m"},
 }
+_PLACES: Tree = {
+    "ring_radius": "1 m",
+    "deck_radius": "2 m",
+    "deck_elevation": "110 m",
+    "first_bearing": "0 deg",
+}
 _HEAVE: Tree = {"amplitude": "1 m", "period": "10 s"}
 _ANALYSIS: Tree = {
     "duration": "1 s",
@@ -91,7 +97,20 @@ def scenes() -> list[Scene]:
         "top": axial["top"] | {"tensioners": _RIG | {"two_chamber_gas": _TWO}},
     }
     linear_axial = axial | {"top": axial["top"] | {"tensioners": _RIG | {"linear": linear}}}
-    several = [axial, planar, gas_in_plane, pistons, linear_axial]
+    spatial = planar | {
+        "title": "spatial",
+        "top": {
+            "x": "platform",
+            "z": "platform",
+            "elevation": "110 m",
+            "rotation": {"stiffness": "10 kN*m/deg"},
+            "telescopic_joint": {"length": "10 m", "bending_stiffness": "1e8 N*m^2"},
+            "tensioners": _RIG | {"linear": linear, "failed": [0], "arrangement": _PLACES},
+        },
+        "platform": {"roll": {"amplitude": "1 deg", "period": "10 s"}, "heave": _HEAVE}
+        | {"centre_of_rotation": {"elevation": "110 m"}, "cruise": {"speed": "1 m/s"}},
+    }
+    several = [axial, planar, gas_in_plane, pistons, linear_axial, spatial]
     short = _ANALYSIS | {"duration": "1 ms", "step": "0.1 ms", "method": "explicit"}
     explicit = [s | {"analysis": short} for s in several[:2]]
     return [Scene.model_validate(s) for s in several + explicit]

@@ -8,18 +8,23 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from riserstudy.build import AXES
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial import Axial
 from riserstudy.effects.axial_damping import AxialDamping
 from riserstudy.effects.bending import Bending
 from riserstudy.effects.bending_damping import BendingDamping
+from riserstudy.effects.bending_damping_in_space import SpatialBendingDamping
+from riserstudy.effects.bending_in_space import SpatialBending
 from riserstudy.effects.current import Current
 from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.cylinder_damping import CylinderDamping
+from riserstudy.effects.cylinders_in_space import CylindersInSpace
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
@@ -47,19 +52,19 @@ class Case(NamedTuple):
 
     record: Callable[[int], Any]  # by number of directions
     beside: Callable[[int], list[Any]] = lambda d: []
-    directions: tuple[int, ...] = (1, 2)
+    directions: tuple[int, ...] = (1, 2, 3)
 
 
-def bending(d: int) -> Bending:
+def bending(d: int) -> Bending | SpatialBending:
     flexibility = L0 / (2.7e8 * SEGMENTS)
     flex = np.zeros(N + 1)
     flex[:-1] += OWN * flexibility
     flex[1:] += OWN * flexibility
-    return Bending(flex, OTHER * flexibility)
+    return (Bending if d == 2 else SpatialBending)(flex, OTHER * flexibility)
 
 
 def current(d: int) -> Current:
-    heading = np.array([1.0, 0.0][: d - 1])
+    heading = np.array([1.0] if d == 2 else [0.6, 0.8][: d - 1])
     return Current(
         np.array([-50.0, 20.0, 41.0, 75.0]), np.array([0.3, 1.0, 0.5, 1.7]), heading, 8.0
     )
@@ -109,8 +114,34 @@ CASES = {
         lambda d: [bending(d)],
         (2,),
     ),
+    SpatialBending: Case(bending, directions=(3,)),
+    SpatialBendingDamping: Case(
+        lambda d: SpatialBendingDamping(0.4, *np.zeros((2, 3, N + 1))),
+        lambda d: [bending(d)],
+        (3,),
+    ),
     Foreshortening: Case(
-        lambda d: Foreshortening(8e9 * (L0 / 2.7e8) ** 2 / 72.0), lambda d: [bending(d)], (2,)
+        lambda d: Foreshortening(8e9 * (L0 / 2.7e8) ** 2 / 72.0), lambda d: [bending(d)], (2, 3)
+    ),
+    SpatialFlexJoint: Case(
+        lambda d: SpatialFlexJoint(
+            N, 1e-7, np.array([0.06, -0.08, np.sqrt(0.99)]), 1, np.zeros((3, 3))
+        ),
+        lambda d: [bending(d)],
+        (3,),
+    ),
+    CylindersInSpace: Case(
+        lambda d: CylindersInSpace(
+            node=N - 1,
+            centre=np.array([0.5, -0.2, 55.0]),
+            deck=np.array([[2.0, -2.5], [0.3, -0.4], [8.0, 9.0]]),
+            ring=np.zeros((3, 2)),  # the moment's derivative is left out, as its file says
+            length=pair(11.0, 12.0),
+            below=np.zeros(2),
+            above=np.zeros(2),
+            work=np.zeros((3, 3)),
+        ),
+        lambda d: [LinearSpring(pair(8e5, 7e5), pair(3e4, 2e4))],
     ),
     FlexJoint: Case(lambda d: FlexJoint(N, 1e-7, 0.05, 1.0), lambda d: [bending(d)], (2,)),
     Upright: Case(upright),
@@ -140,7 +171,13 @@ CASES = {
     Pull: Case(lambda d: Pull(2, np.linspace(3e5, 2e6, d))),
     Support: Case(
         lambda d: Support(
-            N, np.array([1.0, TOP])[2 - d :], np.ones(d, np.int64), np.array([0, 2])[2 - d :]
+            N,
+            np.array([1.0, -2.0, TOP]),
+            np.array(AXES[d]),
+            np.ones(d, np.int64),
+            np.ones(d, np.int64),
+            np.array([3.0, -1.0, 20.0]),
+            np.zeros((3, 3)),
         )
     ),
     Position: Case(lambda d: Position(np.linspace(0.1, 0.6, 6))),
@@ -165,9 +202,8 @@ def name(pair) -> str:
 
 
 def moments(kind: type, d: int) -> int:
-    return int(
-        d == 2 and (kind is Bending or any(type(r) is Bending for r in CASES[kind].beside(d)))
-    )
+    kinds = {kind, *(type(r) for r in CASES[kind].beside(d))}
+    return 1 if Bending in kinds else 3 if SpatialBending in kinds else 0
 
 
 class Rig:
@@ -181,8 +217,8 @@ class Rig:
             records.reverse()  # laws before the cylinder that sums them up, as a scene has them
         effects = [Effect(type(r).__name__, r, "") for r in records]
         # an end carries no moment where nothing holds its direction
-        ends = [0] if kind is FlexJoint else [0, N]
-        fixed = [(node, 0) for node in ends] if self.m else []
+        ends = [0] if kind in (FlexJoint, SpatialFlexJoint) else [0, N]
+        fixed = [(node, u) for node in ends for u in range(self.m)]
         self.model = Model(L0, d, self.m, effects, fixed, (OWN, OTHER), CYLINDERS)
         self.s: State = self.model.s
         self.record = next(e.record for e in self.model.effects if type(e.record) is kind)
@@ -215,7 +251,7 @@ class Rig:
         s.moment[:] = 0.0
         shape_of(self.model.programs, self.model.state)
         matrix = flexibility(s)[np.ix_(carried, carried)]
-        s.moment[0, carried] = np.linalg.solve(matrix, s.turn[0, carried])
+        s.moment[:, carried] = np.linalg.solve(matrix, s.turn[:, carried].T).T
         shape_of(self.model.programs, self.model.state)
 
     def potential(self) -> float:
@@ -243,7 +279,10 @@ def stir(s: State, seed: int) -> None:
         s.r[0] = place
     else:  # an arc over half a radian
         radius = place[-1] / 0.5
-        s.r[:] = radius * np.array([1.0 - np.cos(place / radius), np.sin(place / radius)])
+        arc = radius * np.array([1.0 - np.cos(place / radius), np.sin(place / radius)])
+        s.r[0], s.r[-1] = arc
+        if d == 3:
+            s.r[1] = 0.3 * arc[0]
         s.r[:] += 0.05 * random.normal(size=s.r.shape)
     s.r[-1] += TOP - s.r[-1, -1]
     s.v[:] = random.normal(size=s.v.shape)
@@ -281,15 +320,17 @@ def dense_tangent(s: State) -> np.ndarray:
                 full[*up, m + q, e + 1] += s.k_segment[e, c]
                 full[*low, m + q, e + 1] += s.k_up[e, c] - s.k_segment[e, c]
                 full[*up, m + q, e] += s.k_low[e, c] - s.k_segment[e, c]
-    if m:
-        full[0, :, 0, :] = flexibility(s)
+    for u in range(m):
+        full[u, :, u, :] = flexibility(s)
         for e in range(n):
             for p in range(d):
+                c = p * m + u
                 for node, sign in ((e, 1.0), (e + 1, -1.0)):
-                    full[m + p, node, 0, e] -= sign * s.by_low[e, p]
-                    full[m + p, node, 0, e + 1] -= sign * s.by_up[e, p]
-                    full[0, node, m + p, e + 1] -= sign * s.swing[e, p]
-                    full[0, node, m + p, e] += sign * s.swing[e, p]
+                    full[m + p, node, u, e] -= sign * s.by_low[e, c]
+                    full[m + p, node, u, e + 1] -= sign * s.by_up[e, c]
+                for node, by in ((e, s.turn_low[e, c]), (e + 1, s.turn_up[e, c])):
+                    full[u, node, m + p, e + 1] -= by
+                    full[u, node, m + p, e] += by
     size = (m + d) * (n + 1)
     return full.reshape(size, size)
 

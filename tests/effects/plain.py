@@ -8,19 +8,25 @@ from __future__ import annotations
 
 import numpy as np
 from cases import flexibility, nodes
+from scipy.spatial.transform import Rotation
 
+from riserstudy.build import AXES
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial import Axial
 from riserstudy.effects.axial_damping import AxialDamping
 from riserstudy.effects.bending import Bending
 from riserstudy.effects.bending_damping import BendingDamping
+from riserstudy.effects.bending_damping_in_space import SpatialBendingDamping
+from riserstudy.effects.bending_in_space import SpatialBending
 from riserstudy.effects.current import Current
 from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.cylinder_damping import CylinderDamping
+from riserstudy.effects.cylinders_in_space import CylindersInSpace
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
@@ -159,9 +165,10 @@ def bending_damping(record, s):
 
 
 def foreshortening(record, s):
+    low, up = s.moment[:, :-1], s.moment[:, 1:]
     _, tangent = along(s)
-    low, up = s.moment[0, :-1], s.moment[0, 1:]
-    return {"force": nodes(record.slope * (low**2 + low * up + up**2) * tangent)}
+    squares = (low**2 + low * up + up**2).sum(axis=0)
+    return {"force": nodes(record.slope * squares * tangent)}
 
 
 def flex_joint(record, s):
@@ -228,14 +235,77 @@ def pull(record, s):
     return {"force": out}
 
 
+def carried(platform, point):
+    """Position, velocity, acceleration (3, 3) of a point turned with the platform, by differences."""
+
+    def at(t):
+        angles = platform[0, 3:] + t * platform[1, 3:] + 0.5 * t * t * platform[2, 3:]
+        return Rotation.from_euler("xyz", angles).apply(point)
+
+    h = 1e-3
+    five = [at(k * h) for k in (-2, -1, 0, 1, 2)]
+    rate = (five[0] - 8 * five[1] + 8 * five[3] - five[4]) / (12 * h)
+    bend = (-five[0] + 16 * five[1] - 30 * five[2] + 16 * five[3] - five[4]) / (12 * h * h)
+    return np.array([five[2], rate, bend])
+
+
 def support(record, s):
-    out = {name: getattr(s, name).copy() for name in ("r", "v", "a")}
-    for k in range(len(s.dim)):
+    """Accelerations by differences: compared apart."""
+    moved = s.platform[:, :3] + carried(s.platform, record.arm)
+    moved[0] += record.place - record.arm
+    out = {name: getattr(s, name).copy() for name in ("r",)}
+    for k, axis in enumerate(record.axis):
         if record.held[k]:
-            here = s.platform[:, record.motion[k]] if record.motion[k] >= 0 else np.zeros(3)
-            out["r"][k, record.node] = record.place[k] + here[0]
-            out["v"][k, record.node], out["a"][k, record.node] = here[1:]
+            out["r"][k, record.node] = moved[0, axis]
     return out
+
+
+def rotations(a, b):
+    """Vectors of the rotations that take directions (3, k) into others."""
+    across = np.cross(a, b, axis=0)
+    sine = np.sqrt((across**2).sum(axis=0))
+    return across * np.arctan2(sine, (a * b).sum(axis=0)) / sine
+
+
+def spatial_bending(record, s):
+    length, t = along(s)
+    turn = np.zeros_like(s.turn)
+    turn[:, 1:-1] = rotations(t[:, :-1], t[:, 1:])
+    turn -= s.moment @ flexibility(s)
+    return {
+        "turn": turn,
+        "force": nodes(np.cross(t, np.diff(s.moment, axis=1), axis=0) / length),
+    }
+
+
+def spatial_bending_damping(record, s):
+    length, t = along(s)
+    rate = np.cross(t, np.diff(s.v, axis=1), axis=0) / length
+    return {"turn": record.time * nodes(rate)}
+
+
+def spatial_flex_joint(record, s):
+    out = np.zeros(s.turn.shape)
+    held = carried(s.platform, record.lean)[0][:, None]
+    _, t = along(s)
+    out[:, -1:] = rotations(t[:, -1:], held)
+    return {"turn": out}
+
+
+def cylinders_in_space(record, s):
+    axes = AXES[len(s.dim)]
+    ring = np.zeros((2, 3))
+    ring[0, axes], ring[1, axes] = s.r[:, record.node], s.v[:, record.node]
+    force = np.zeros_like(s.force)
+    reach, rate = [], []
+    for c in range(len(record.length)):
+        deck = s.platform[:, :3] + carried(s.platform, record.deck[:, c])
+        line = record.centre + deck[0] - ring[0]
+        distance = np.sqrt((line**2).sum())
+        reach.append(distance - record.length[c])
+        rate.append(line @ (deck[1] - ring[1]) / distance)
+        force[:, record.node] += s.pull[c] * line[axes] / distance
+    return {"force": force, "reach": np.array(reach), "reach_rate": np.array(rate)}
 
 
 def position(record, t):
@@ -279,14 +349,18 @@ VERSIONS = {
     WaveForce: [("string", wave_force)],
     Bending: [("turn string", bending)],
     BendingDamping: [("turn", bending_damping)],
+    SpatialBending: [("turn string", spatial_bending)],
+    SpatialBendingDamping: [("turn", spatial_bending_damping)],
+    SpatialFlexJoint: [("place turn", spatial_flex_joint)],
+    CylindersInSpace: [("place drive device", cylinders_in_space)],
     Foreshortening: [("string", foreshortening)],
     FlexJoint: [("turn", flex_joint)],
     Upright: [("drive device", upright)],
-    GasSpring: [("device", gas_spring)],
-    TwoChamberGas: [("device", two_chamber_gas)],
-    LinearSpring: [("device", linear_spring)],
-    CylinderDamping: [("device", cylinder_damping)],
-    EndStop: [("device", end_stop)],
+    GasSpring: [("law", gas_spring)],
+    TwoChamberGas: [("law", two_chamber_gas)],
+    LinearSpring: [("law", linear_spring)],
+    CylinderDamping: [("law", cylinder_damping)],
+    EndStop: [("law", end_stop)],
     EndMass: [("device", end_mass), ("device_inertia", end_mass_inertia)],
     Pull: [("device", pull)],
     Support: [("place", support)],

@@ -87,8 +87,10 @@ def tangent(bending, s):
     for e in range(s.l0.shape[0]):
         x, z, length = t[0, e], t[1, e], s.length[e]
         across, along = z / length, x / length
-        s.swing[e, 0] += across
-        s.swing[e, 1] -= along
+        s.turn_low[e, 0] += across
+        s.turn_low[e, 1] -= along
+        s.turn_up[e, 0] -= across
+        s.turn_up[e, 1] += along
         s.by_low[e, 0] += across
         s.by_low[e, 1] -= along
         s.by_up[e, 0] -= across

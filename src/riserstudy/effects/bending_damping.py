@@ -50,10 +50,12 @@ def tangent(damping, s):
         vx, vz = v[0, e + 1] - v[0, e], v[1, e + 1] - v[1, e]
         cross, square = -2.0 * x * z, x * x - z * z
         area = length * length
-        swing_x = s.rate[0] * z / length + (cross * vx + square * vz) / area
-        swing_z = -s.rate[0] * x / length + (square * vx - cross * vz) / area
-        s.swing[e, 0] += damping.time * swing_x
-        s.swing[e, 1] += damping.time * swing_z
+        by_x = damping.time * (s.rate[0] * z / length + (cross * vx + square * vz) / area)
+        by_z = damping.time * (-s.rate[0] * x / length + (square * vx - cross * vz) / area)
+        s.turn_low[e, 0] += by_x
+        s.turn_low[e, 1] += by_z
+        s.turn_up[e, 0] -= by_x
+        s.turn_up[e, 1] -= by_z
     return 0.0
 
 

@@ -33,4 +33,4 @@ def power(damper, s):
     return 0.0
 
 
-register(CylinderDamping, device=force, power=power)
+register(CylinderDamping, law=force, power=power)

@@ -43,4 +43,4 @@ def energy(stop, s):
     return total
 
 
-register(EndStop, device=force, potential=energy)
+register(EndStop, law=force, potential=energy)

@@ -26,8 +26,11 @@ class Foreshortening(NamedTuple):
 
 @inner
 def _tension(bent, s, e):
-    low, up = s.moment[0, e], s.moment[0, e + 1]
-    return bent.slope[e] * (low * low + low * up + up * up)
+    total = 0.0
+    for u in range(len(s.dof) - len(s.dim)):
+        low, up = s.moment[u, e], s.moment[u, e + 1]
+        total += low * low + low * up + up * up
+    return bent.slope[e] * total
 
 
 @inner
@@ -42,13 +45,16 @@ def force(bent, s):
 def tangent(bent, s):
     """Derivative by the moments, and by the direction of the segment."""
     unit = unity(s.dim)
+    d, m = len(s.dim), len(s.dof) - len(s.dim)
     for e in range(s.l0.shape[0]):
         t = at(s.dim, s.tangent, e)
-        low, up = s.moment[0, e], s.moment[0, e + 1]
         across = sub(unit, outer(t, t))
         plus_block(s.k_segment, e, mul(_tension(bent, s, e) / s.length[e], across))
-        plus_block(s.by_low, e, mul(bent.slope[e] * (2.0 * low + up), t))
-        plus_block(s.by_up, e, mul(bent.slope[e] * (2.0 * up + low), t))
+        for u in range(m):
+            low, up = s.moment[u, e], s.moment[u, e + 1]
+            for k in range(d):
+                s.by_low[e, k * m + u] += bent.slope[e] * (2.0 * low + up) * s.tangent[k, e]
+                s.by_up[e, k * m + u] += bent.slope[e] * (2.0 * up + low) * s.tangent[k, e]
     return 0.0
 
 

@@ -52,4 +52,4 @@ def energy(gas, s):
     return total
 
 
-register(GasSpring, device=force, potential=energy)
+register(GasSpring, law=force, potential=energy)

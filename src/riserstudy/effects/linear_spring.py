@@ -35,4 +35,4 @@ def energy(spring, s):
     return total
 
 
-register(LinearSpring, device=force, potential=energy)
+register(LinearSpring, law=force, potential=energy)

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from riserstudy.effects.attitude import turned
 from riserstudy.effects.roles import register
 from riserstudy.jit import inner
 
@@ -14,21 +15,28 @@ class Support(NamedTuple):
     """Held directions of one node."""
 
     node: int
-    place: np.ndarray  # (d,) position with the platform at rest (m)
+    place: np.ndarray  # (3,) position with the platform at rest (m)
+    axis: np.ndarray  # (d,) which of x, y, z each direction is
     held: np.ndarray  # (d,) 1 where held, else 0
-    motion: np.ndarray  # (d,) platform motion that a direction follows (0 ... 5), -1 for none
+    follows: np.ndarray  # (d,) 1 where it moves with the platform, else 0
+    arm: np.ndarray  # (3,) from the platform's centre of rotation (m)
+    point: np.ndarray  # (3, 3) scratch: arm turned, its velocity and acceleration
 
 
 @inner
 def place(support, s):
     """Put the node where it is held, with the velocity and acceleration it has there."""
-    i = support.node
+    i, point = support.node, support.point
+    point[0] = support.arm
+    turned(s.platform, point[0], point[1], point[2])
     for k in range(len(s.dim)):
         if support.held[k] > 0:
-            m = support.motion[k]
-            s.r[k, i] = support.place[k] + (s.platform[0, m] if m >= 0 else 0.0)
-            s.v[k, i] = s.platform[1, m] if m >= 0 else 0.0
-            s.a[k, i] = s.platform[2, m] if m >= 0 else 0.0
+            m = support.axis[k]
+            s.r[k, i], s.v[k, i], s.a[k, i] = support.place[m], 0.0, 0.0
+            if support.follows[k] > 0:
+                s.r[k, i] += s.platform[0, m] + point[0, m] - support.arm[m]
+                s.v[k, i] += s.platform[1, m] + point[1, m]
+                s.a[k, i] += s.platform[2, m] + point[2, m]
     return 0.0
 
 

@@ -64,4 +64,4 @@ def energy(gas, s):
     return total
 
 
-register(TwoChamberGas, device=force, potential=energy)
+register(TwoChamberGas, law=force, potential=energy)

@@ -77,11 +77,23 @@ class Bottom(Strict):
         return self
 
 
+class TelescopicJoint(Strict):
+    """Joint above the tension ring that slides without force, and carries shear and bending.
+
+    ``length`` is from ring to top with the platform at rest; outer and inner barrel bend as one.
+    """
+
+    length: Annotated[u.Length, POSITIVE]
+    bending_stiffness: Annotated[u.BendingStiffness, POSITIVE]
+
+
 class Top(Strict):
-    """Upper end. ``x`` and ``z`` follow the platform, are held at rest, or are free.
+    """Upper end. ``x`` (with y) and ``z`` follow the platform, are held at rest, or are free.
 
     Absent offset, elevation: straight above the bottom, where statics puts it. Absent tension, force,
     tensioners, body: none. ``held_at_tension``: z is held where the riser has this top tension at rest.
+    With a telescopic joint the top is the joint's, and tension, tensioners, lateral force and body are at
+    the tension ring below it.
     """
 
     x: Literal["platform", "held", "free"] | None = None
@@ -94,6 +106,7 @@ class Top(Strict):
     rotation: Rotation | None = None
     body: Body | None = None
     tensioners: Tensioners | None = None
+    telescopic_joint: TelescopicJoint | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -103,8 +116,23 @@ class Top(Strict):
             raise ValueError(
                 "elevation and held_at_tension need a z that is held or on the platform"
             )
-        if self.z != "free" and (self.tension is not None or self.tensioners is not None):
-            raise ValueError("tension and tensioners need 'z: free'")
-        if self.x != "free" and self.lateral_force is not None:
-            raise ValueError("lateral_force needs 'x: free'")
+        pulled = self.tension is not None or self.tensioners is not None
+        if self.telescopic_joint:
+            if self.z == "free" or self.x == "free" or self.elevation is None:
+                raise ValueError(
+                    "above a telescopic_joint x and z are held or on the platform, at an elevation"
+                )
+            if not pulled:
+                raise ValueError(
+                    "a telescopic_joint carries no tension: needs tension or tensioners"
+                )
+        elif self.z != "free" and pulled:
+            raise ValueError("tension and tensioners need 'z: free', or a telescopic_joint")
+        elif self.x != "free" and self.lateral_force is not None:
+            raise ValueError("lateral_force needs 'x: free', or a telescopic_joint")
+        place = self.tensioners and self.tensioners.arrangement
+        if place and place.ring_radius > 0.0 and not self.telescopic_joint:
+            raise ValueError(
+                "ring_radius above 0 needs a telescopic_joint to take the ring's moment"
+            )
         return self

@@ -40,21 +40,22 @@ class Harmonic(Strict):
 
 
 class Translation(Harmonic):
-    """Harmonic surge or heave."""
+    """Harmonic surge, sway or heave."""
 
     amplitude: Annotated[u.Length, NOT_NEGATIVE]
 
 
 class Tilt(Harmonic):
-    """Harmonic pitch."""
+    """Harmonic roll, pitch or yaw."""
 
     amplitude: Annotated[u.Angle, NOT_NEGATIVE]
 
 
 class Cruise(Strict):
-    """Constant speed along x, reached linearly over the ramp. Absent ramp: at once."""
+    """Constant speed, reached linearly over the ramp. Absent ramp: at once; heading: along x."""
 
     speed: u.Speed
+    heading: u.Angle | None = None
     ramp: Annotated[u.Time, POSITIVE] | None = None
 
 
@@ -66,13 +67,13 @@ class Instant(Strict):
 
 
 class Moved(Instant):
-    """Surge or heave at a time."""
+    """Surge, sway or heave at a time."""
 
     value: u.Length
 
 
 class Tilted(Instant):
-    """Pitch at a time."""
+    """Roll, pitch or yaw at a time."""
 
     value: u.Angle
 
@@ -96,18 +97,64 @@ class Position(Strict):
     """Where the platform rests, away from above the well. An absent direction: there."""
 
     surge: u.Length | None = None
+    sway: u.Length | None = None
     heave: u.Length | None = None
+    roll: u.Angle | None = None
+    pitch: u.Angle | None = None
+    yaw: u.Angle | None = None
+
+
+class Centre(Strict):
+    """The point about which the platform turns, at rest. Absent x, y: above the well."""
+
+    x: u.Length | None = None
+    y: u.Length | None = None
+    elevation: u.Length
+
+
+TRANSLATIONS = ("surge", "sway", "heave")
+TILTS = ("roll", "pitch", "yaw")
+Shift = Translation | Annotated[list[Translation], Field(min_length=1)] | TimeSeries[Moved]
+Turn = Tilt | Annotated[list[Tilt], Field(min_length=1)] | TimeSeries[Tilted]
 
 
 class Platform(Strict):
-    """Prescribed motion. An absent motion is none."""
+    """Prescribed motion: harmonic, a sum of harmonics, or a time series. An absent motion is none.
+
+    Roll about x, pitch about y (the platform's vertical leans towards +x), yaw about z.
+    """
 
     position: Position | None = None
-    surge: Translation | TimeSeries[Moved] | None = None
-    heave: Translation | TimeSeries[Moved] | None = None
-    pitch: Tilt | TimeSeries[Tilted] | None = None
+    surge: Shift | None = None
+    sway: Shift | None = None
+    heave: Shift | None = None
+    roll: Turn | None = None
+    pitch: Turn | None = None
+    yaw: Turn | None = None
+    centre_of_rotation: Centre | None = None
     cruise: Cruise | None = None
     response: Response | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        given = self.response.moving if self.response else []
+        turns = [
+            t for t in TILTS if getattr(self, t) or getattr(self.position, t, None) or t in given
+        ]
+        if turns and self.centre_of_rotation is None:
+            raise ValueError(f"{turns[0]} needs centre_of_rotation")
+        return self
+
+    @property
+    def harmonics(self) -> list[tuple[str, Harmonic]]:
+        """All harmonic motions with their names."""
+        rows = []
+        for name in (*TRANSLATIONS, *TILTS):
+            motion = getattr(self, name)
+            for one in motion if isinstance(motion, list) else [motion]:
+                if isinstance(one, Harmonic):
+                    rows.append((name, one))
+        return rows
 
 
 class Point(Strict):
@@ -153,9 +200,10 @@ class Combined(Strict):
 
 
 class Current(Strict):
-    """Steady current along x. Absent ramp: it flows from the start."""
+    """Steady current. Absent heading: it flows along x; ramp: it flows from the start."""
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined
+    heading: u.Angle | None = None
     ramp: Annotated[u.Time, POSITIVE] | None = None
 
     @property

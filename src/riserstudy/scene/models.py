@@ -16,9 +16,11 @@ from riserstudy.scene.analysis import Analysis
 from riserstudy.scene.base import POSITIVE, Strict
 from riserstudy.scene.buoyancy import Buoyancy
 from riserstudy.scene.ends import Bottom, Top
-from riserstudy.scene.forcing import Current, Harmonic, Platform, Shape, Water
+from riserstudy.scene.forcing import Current, Platform, Shape, Water
 from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.string import Section
+
+ALONG_X = 1e-12  # sine of a heading that is in the plane of x and z
 
 
 class Scene(Strict):
@@ -75,7 +77,12 @@ class Scene(Strict):
             raise ValueError("a riser that hangs needs top.elevation")
         if self.platform is None and "platform" in (self.top.x, self.top.z):
             raise ValueError("top is on the platform: needs platform")
-        length = sum(section.total_length for section in self.riser)
+        joint = self.top.telescopic_joint
+        if joint and not all(bending):
+            raise ValueError("a telescopic_joint needs bending stiffness in the riser")
+        length = sum(section.total_length for section in self.riser) + (
+            joint.length if joint else 0.0
+        )
         stations = (self.analysis.output and self.analysis.output.stations) or []
         for s in stations:
             if not 0.0 <= s <= length * (1.0 + 1e-9):
@@ -111,10 +118,6 @@ class Scene(Strict):
                 raise ValueError("wave needs gravity")
             if not any(s.drag or s.added_mass for s in self.riser):
                 raise ValueError("wave needs a riser section with drag or added mass")
-            if abs(math.sin(self.wave.heading or 0.0)) > 1e-9:
-                raise ValueError(
-                    "wave.heading: in a plane a wave travels along x, 0 deg or 180 deg"
-                )
         for part in self.current.parts if self.current else []:
             own = isinstance(part, Shape) and None not in (part.seabed, part.surface)
             if not own and not levels:
@@ -124,8 +127,7 @@ class Scene(Strict):
     def shortest_period(self) -> float | None:
         """Shortest period of platform and waves (s)."""
         platform = self.platform or Platform()
-        motions = (platform.surge, platform.heave, platform.pitch)
-        periods = [motion.period for motion in motions if isinstance(motion, Harmonic)]
+        periods = [motion.period for _, motion in platform.harmonics]
         swell = platform.response and platform.response.wave
         periods += [wave.shortest_period for wave in (self.wave, swell) if wave]
         return min(periods, default=None)
@@ -138,6 +140,7 @@ class Scene(Strict):
             "current": self.current,
             "wave": self.wave,
             "platform.position.surge": platform.position and platform.position.surge,
+            "platform.position.pitch": platform.position and platform.position.pitch,
             "platform.surge": platform.surge,
             "platform.pitch": platform.pitch,
             "platform.response": platform.response
@@ -147,4 +150,28 @@ class Scene(Strict):
             "top.lateral_force": self.top.lateral_force,
             "riser.lateral_load": [s for s in self.riser if s.lateral_load] or None,
         }
+        named = next((name for name, value in reasons.items() if value is not None), "")
+        return named or self.spatial
+
+    @property
+    def spatial(self) -> str:
+        """The line of the scene that calls for motion out of the plane of x and z, "" when none does."""
+        platform = self.platform or Platform()
+        reasons = {
+            f"platform.{where}{name}": getattr(of, name, None)
+            for where, of in (("position.", platform.position), ("", platform))
+            for name in ("sway", "roll", "yaw")
+        }
+        moving = platform.response.moving if platform.response else []
+        if {"sway", "roll", "yaw"} & set(moving):
+            reasons["platform.response"] = moving
+        if self.top.tensioners and not self.top.tensioners.even_sided:
+            reasons["top.tensioners"] = "uneven"
+        for name, what in (
+            ("platform.cruise", platform.cruise),
+            ("current", self.current),
+            ("wave", self.wave),
+        ):
+            if what and abs(math.sin(what.heading or 0.0)) > ALONG_X:
+                reasons[f"{name}.heading"] = what.heading
         return next((name for name, value in reasons.items() if value is not None), "")

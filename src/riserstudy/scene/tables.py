@@ -23,9 +23,10 @@ OPTIONAL = {"operators": [f"{name}{end}" for name in MOTIONS for end in ("", "_p
 #: where a table may stand: path of its parent, name, columns, and where its rows go
 PLACES = (
     (("current",), "profile", ("elevation", "speed"), None),
-    (("platform",), "surge", ("time", "value"), "points"),
-    (("platform",), "heave", ("time", "value"), "points"),
-    (("platform",), "pitch", ("time", "value"), "points"),
+    *(
+        (("platform",), motion, ("time", "value"), "points")
+        for motion in ("surge", "sway", "heave", "roll", "pitch", "yaw")
+    ),
     (("platform", "response"), "operators", ("period",), None),
 )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
@@ -84,8 +85,28 @@ class Stroke(Strict):
         return self
 
 
+class Arrangement(Strict):
+    """Cylinders evenly around the ring, from points of the ring to points of the deck.
+
+    ``first_bearing`` is that of the first cylinder, from +x towards +y; the deck's elevation is that of
+    the platform at rest.
+    """
+
+    ring_radius: Annotated[u.Length, NOT_NEGATIVE]
+    deck_radius: Annotated[u.Length, NOT_NEGATIVE]
+    deck_elevation: u.Length
+    first_bearing: u.Angle
+
+    def bearings(self, count: int) -> list[float]:
+        """Bearing of each cylinder (rad)."""
+        return [self.first_bearing + 2.0 * math.pi * c / count for c in range(count)]
+
+
 class Tensioners(Strict):
-    """Equal upright cylinders between ring and deck. Absent damping or stroke: none, no stops."""
+    """Equal cylinders between ring and deck. Absent damping or stroke: none, no stops.
+
+    Absent arrangement: they stay upright. ``failed`` cylinders, counted from 0, pull nothing.
+    """
 
     count: Annotated[int, Field(ge=1, le=1000)]
     mid_stroke: Literal["riser unstretched", "riser in equilibrium"]
@@ -95,9 +116,14 @@ class Tensioners(Strict):
     linear: Linear | None = None
     damping: Annotated[u.Damping, NOT_NEGATIVE] | None = None
     stroke: Stroke | None = None
+    arrangement: Arrangement | None = None
+    failed: list[Annotated[int, Field(ge=0)]] | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
+        wrong = [c for c in self.failed or [] if c >= self.count]
+        if wrong or len(set(self.failed or [])) == self.count:
+            raise ValueError(f"failed: {self.failed} of {self.count} cylinders; they count from 0")
         if [self.gas, self.two_chamber_gas, self.linear].count(None) != 2:
             raise ValueError("needs one of gas, two_chamber_gas and linear")
         if self.linearised and self.any_gas is None:
@@ -123,6 +149,23 @@ class Tensioners(Strict):
                 f"{what}.shortest {shortest:g} m closes the low-pressure volume, "
                 f"which is empty at {-pushing.volume / pushing.area:g} m"
             )
+
+    @property
+    def working(self) -> list[float]:
+        """1 for each cylinder that works, 0 for one that failed."""
+        return [0.0 if c in (self.failed or []) else 1.0 for c in range(self.count)]
+
+    @property
+    def even_sided(self) -> bool:
+        """Whether the cylinders pull alike on both sides of the plane of x and z."""
+        if self.arrangement is None:
+            return True
+        places = [
+            (round(math.cos(b), 9), round(math.sin(b), 9) + 0.0)
+            for b, works in zip(self.arrangement.bearings(self.count), self.working, strict=True)
+            if works
+        ]
+        return sorted(places) == sorted((x, -y + 0.0) for x, y in places)
 
     @property
     def piston_mass(self) -> float:

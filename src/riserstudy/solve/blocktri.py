@@ -35,7 +35,8 @@ def solve(s, out, work, fixed):
     m = nb - d
     n = s.l0.shape[0]
     k_node, k_segment, k_up, k_low = s.k_node, s.k_segment, s.k_up, s.k_low
-    by_low, by_up, swing, flex, flex_up = s.by_low, s.by_up, s.swing, s.flex, s.flex_up
+    by_low, by_up, flex, flex_up = s.by_low, s.by_up, s.flex, s.flex_up
+    turn_low, turn_up = s.turn_low, s.turn_up
     here = np.zeros((nb, 2 * nb + 1))  # diagonal block, upper block, residual
     low = np.zeros((nb, nb))
     right = s.dof
@@ -61,14 +62,14 @@ def solve(s, out, work, fixed):
                 arm, angle = 0.0, 0.0
                 if i > 0:
                     arm += by_up[i - 1, c]
-                    angle += swing[i - 1, c]
+                    angle -= turn_up[i - 1, c]
                     low[m + p, u] = by_low[i - 1, c]
-                    low[u, m + p] = -swing[i - 1, c]
+                    low[u, m + p] = turn_up[i - 1, c]
                 if i < n:
                     arm -= by_low[i, c]
-                    angle += swing[i, c]
+                    angle += turn_low[i, c]
                     here[m + p, nb + u] = -by_up[i, c]
-                    here[u, nb + m + p] = -swing[i, c]
+                    here[u, nb + m + p] = -turn_low[i, c]
                 here[m + p, u] = arm
                 here[u, m + p] = angle
             for w in range(m):

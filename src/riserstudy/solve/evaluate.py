@@ -18,6 +18,7 @@ class Programs(NamedTuple):
     motion: np.ndarray  # move the platform
     place: np.ndarray  # put held nodes in place
     drive: np.ndarray  # water velocities, cylinder reach
+    law: np.ndarray  # pulls of the cylinders by reach
     turn: np.ndarray  # turning angles against moments
     string: np.ndarray  # forces on the riser string itself
     device: np.ndarray  # forces of what is attached to it
@@ -50,6 +51,7 @@ def shape(p, s):
     s.water_rate[:] = 0.0
     measure(s)
     every(p.drive, s)
+    every(p.law, s)
     every(p.turn, s)
 
 

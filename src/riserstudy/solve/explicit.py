@@ -106,6 +106,8 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
                 s.v[c, i] = half[c, i]
         move(p, s, t + h)
         power1 = accelerate(p, s, fixed)
+        s.flow[:] = 0.0
+        every(p.power, s)
         for c in range(d):
             for i in range(n + 1):
                 v1[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
@@ -117,8 +119,6 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
             evaluate_and_note(p, so, record, k_out)
             widen(record)
             k_out += 1
-        s.flow[:] = 0.0
-        every(p.power, s)
         held_work = 0.5 * h * (power0 + power1)
         given = 0.5 * h * (s.flow[1] + flow0[1])
         lost = 0.5 * h * (s.flow[0] + flow0[0])

@@ -70,7 +70,7 @@ def _dense(s, d, n):
 
 
 def _bending(s, d, m, n):
-    """Turning angles by positions, (m (n+1), d (n+1)), and the flexibility matrix."""
+    """Slopes of the turning angles by positions, (m (n+1), d (n+1)), and the flexibility matrix."""
     turn = np.zeros((m * (n + 1), d * (n + 1)))
     flexibility = np.zeros((m * (n + 1), m * (n + 1)))
     for i in range(n + 1):
@@ -80,12 +80,11 @@ def _bending(s, d, m, n):
                 flexibility[i * m + u, (i + 1) * m + u] = s.flex_up[i]
                 flexibility[(i + 1) * m + u, i * m + u] = s.flex_up[i]
     for e in range(n):
-        lever = s.swing[e].reshape(d, m)
-        for u in range(m):
-            for c in range(d):
-                for node, sign in ((e, 1.0), (e + 1, -1.0)):
-                    turn[node * m + u, (e + 1) * d + c] += sign * lever[c, u]
-                    turn[node * m + u, e * d + c] -= sign * lever[c, u]
+        for node, by in ((e, s.turn_low[e]), (e + 1, s.turn_up[e])):
+            rows = slice(node * m, node * m + m)
+            slope = by.reshape(d, m).T
+            turn[rows, (e + 1) * d : (e + 2) * d] += slope
+            turn[rows, e * d : (e + 1) * d] -= slope
     return turn, flexibility
 
 

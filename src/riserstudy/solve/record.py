@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -13,14 +14,16 @@ from riserstudy.solve.vec import at, dot
 
 
 class Record(NamedTuple):
-    """Outputs; q = d + 1 + m quantities a node: position, effective tension, moments."""
+    """Outputs; q quantities a node: position, effective tension, bending moment (in space its size)."""
 
     time: np.ndarray  # (k,) output times (s)
     station: np.ndarray  # (j,) node indices of the histories
     history: np.ndarray  # (k, q, j)
     largest: np.ndarray  # (q, n+1) envelopes over all steps from the first output on
     smallest: np.ndarray  # (q, n+1)
-    end: np.ndarray  # (k, 2, d + 2m): tangent of end segment, moments of its end and inner node
+    end: (
+        np.ndarray
+    )  # (k, 2, d + 2m + 1): end segment's tangent, moments of its end and inner node, length
     top: np.ndarray  # (k, d) position of the top
     platform: np.ndarray  # (k, 6)
     probe: np.ndarray  # (k, probes)
@@ -30,14 +33,14 @@ class Record(NamedTuple):
 def new_record(time, station, s) -> Record:
     """Empty record for the sizes of a state."""
     d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
-    q, k = d + 1 + m, len(time)
+    q, k = d + 1 + min(m, 1), len(time)
     return Record(
         time=np.array(time, float),
         station=np.array(station, np.int64),
         history=np.zeros((k, q, len(station))),
         largest=np.full((q, n + 1), -np.inf),
         smallest=np.full((q, n + 1), np.inf),
-        end=np.zeros((k, 2, d + 2 * m)),
+        end=np.zeros((k, 2, d + 2 * m + 1)),
         top=np.zeros((k, d)),
         platform=np.zeros((k, 6)),
         probe=np.zeros((k, len(s.probe))),
@@ -49,26 +52,36 @@ def new_record(time, station, s) -> Record:
 def tabulate(s, values):
     """Positions, effective tension and moments at the nodes of an evaluated state.
 
-    Tension at a node lies between those of its segments; at the ends it is the force that holds the
-    string there, so half a node of weight, drag and inertia is not lost.
+    Tension at a node lies between those of its segments by ``s.blend``; at the ends it is the force that
+    holds the string there, so half a node of weight, drag and inertia is not lost.
     """
     d, n = len(s.dim), s.l0.shape[0]
     for c in range(d):
         for i in range(n + 1):
             values[c, i] = s.r[c, i]
     below = dot(at(s.dim, s.segment, 0), at(s.dim, s.tangent, 0))
+    before = below
     for i in range(1, n):
         above = dot(at(s.dim, s.segment, i), at(s.dim, s.tangent, i))
-        low, up = s.l0[i - 1], s.l0[i]
-        values[d, i] = (below * up + above * low) / (low + up)
-        below = above
+        if s.blend[i] > 0.0:
+            values[d, i] = below + s.blend[i] * (above - below)
+        else:  # no tension above: that below, carried on to its end
+            values[d, i] = below + (below - before) * s.l0[i - 1] / (
+                s.l0[i - 1] + s.l0[max(i - 2, 0)]
+            )
+        before, below = below, above
     values[d, 0], values[d, n] = 0.0, 0.0
     for c in range(d):
         values[d, 0] += (s.ends[0, 0, c] + s.ends[1, 0, c]) * s.tangent[c, 0]
         values[d, n] -= (s.ends[0, 1, c] + s.ends[1, 1, c]) * s.tangent[c, n - 1]
-    for u in range(len(s.dof) - d):
+    m = len(s.dof) - d
+    if m == 1:
         for i in range(n + 1):
-            values[d + 1 + u, i] = s.moment[u, i]
+            values[d + 1, i] = s.moment[0, i]
+    if m == 3:
+        for i in range(n + 1):
+            square = s.moment[0, i] ** 2 + s.moment[1, i] ** 2 + s.moment[2, i] ** 2
+            values[d + 1, i] = sqrt(square)
 
 
 @inner
@@ -97,6 +110,7 @@ def note(p, s, record, k):
     for u in range(m):
         record.end[k, 0, d + u], record.end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
         record.end[k, 1, d + u], record.end[k, 1, d + m + u] = s.moment[u, n], s.moment[u, n - 1]
+    record.end[k, 0, d + 2 * m], record.end[k, 1, d + 2 * m] = s.length[0], s.length[n - 1]
     for c in range(6):
         record.platform[k, c] = s.platform[0, c]
     for c in range(s.probe.shape[0]):

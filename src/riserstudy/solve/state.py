@@ -48,6 +48,8 @@ class State(NamedTuple):
     shear: np.ndarray  # (d, n+1) its change with elevation (1/s)
     water_rate: np.ndarray  # (d, n+1) water acceleration at the nodes (m/s2)
 
+    blend: np.ndarray  # (n+1,) share of the segment above in the tension at a node
+
     density: np.ndarray  # (d, n+1) scratch: a load per length at the nodes
     block: np.ndarray  # (n+1, d*d) scratch: minus its derivative by the node
 
@@ -62,7 +64,8 @@ class State(NamedTuple):
     k_low: np.ndarray  # (n, d*d) -d force of the upper node / d r of the lower
     by_low: np.ndarray  # (n, d*m) d segment / d moment of the lower node
     by_up: np.ndarray  # (n, d*m) d segment / d moment of the upper node
-    swing: np.ndarray  # (n, d*m) d (angle of the segment) / d (r upper - r lower)
+    turn_low: np.ndarray  # (n, d*m) d turn of the lower node / d (r upper - r lower)
+    turn_up: np.ndarray  # (n, d*m) d turn of the upper node / d (r upper - r lower)
     flex: np.ndarray  # (n+1,) flexibility of a node: angle by its own moment (rad/(N m))
     flex_up: np.ndarray  # (n,) angle by the neighbour's moment (rad/(N m))
     flex_inverse: np.ndarray  # (n+1,) factors of the flexibility matrix, 0 at hinges
@@ -70,7 +73,11 @@ class State(NamedTuple):
 
     reach: np.ndarray  # (cylinders,) extension from mid-stroke (m)
     reach_rate: np.ndarray  # (cylinders,) its rate (m/s)
-    line: np.ndarray  # (d, cylinders) unit vector from tension ring to deck
+    deck: np.ndarray  # (3, 3, cylinders) deck points, their velocities and accelerations
+    arm: np.ndarray  # (3, cylinders) ring points from the ring's centre (m)
+    line: np.ndarray  # (3, cylinders) unit vectors from ring to deck
+    distance: np.ndarray  # (cylinders,) length of the cylinders (m)
+    ring_moment: np.ndarray  # (3,) moment of the pulls about the ring's centre (N m)
     pull: np.ndarray  # (cylinders,) force on the ring towards the deck (N)
     k_pull: np.ndarray  # (cylinders,) d pull / d reach, the rate's part included (N/m)
 
@@ -103,6 +110,7 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         water=zeros(d, n + 1),
         shear=zeros(d, n + 1),
         water_rate=zeros(d, n + 1),
+        blend=zeros(n + 1),
         density=zeros(d, n + 1),
         block=zeros(n + 1, d * d),
         segment=zeros(d, n),
@@ -115,14 +123,19 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         k_low=zeros(n, d * d),
         by_low=zeros(n, d * m),
         by_up=zeros(n, d * m),
-        swing=zeros(n, d * m),
+        turn_low=zeros(n, d * m),
+        turn_up=zeros(n, d * m),
         flex=zeros(n + 1),
         flex_up=zeros(n),
         flex_inverse=zeros(n + 1),
         flex_factor=zeros(n),
         reach=zeros(c),
         reach_rate=zeros(c),
-        line=zeros(d, c),
+        deck=zeros(3, 3, c),
+        arm=zeros(3, c),
+        line=zeros(3, c),
+        distance=zeros(c),
+        ring_moment=zeros(3),
         pull=zeros(c),
         k_pull=zeros(c),
         flow=zeros(2),
@@ -187,4 +200,5 @@ def clear_tangent(s):
     s.k_low[:] = 0.0
     s.by_low[:] = 0.0
     s.by_up[:] = 0.0
-    s.swing[:] = 0.0
+    s.turn_low[:] = 0.0
+    s.turn_up[:] = 0.0

@@ -1,0 +1,39 @@
+r"""Where the points of a turned platform are.
+
+Roll about x, pitch about y (the platform's vertical leans towards +x), yaw about z, in this order:
+
+.. math:: p = R_z(\psi)\,R_y(\theta)\,R_x(\varphi)\,a
+
+for a point or direction ``a`` fixed to the platform, with velocity and acceleration.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from riserstudy.jit import inner
+
+
+@inner
+def _about(k, angle, rate, bend, p, v, a):
+    """Turn a moving vector (p, its rate v, that one's rate a) about axis k by a moving angle."""
+    i, j = (k + 1) % 3, (k + 2) % 3
+    c, s = cos(angle), sin(angle)
+    pi, pj = c * p[i] - s * p[j], s * p[i] + c * p[j]
+    vi, vj = c * v[i] - s * v[j], s * v[i] + c * v[j]
+    ai, aj = c * a[i] - s * a[j], s * a[i] + c * a[j]
+    a[i] = ai - 2.0 * rate * vj - bend * pj - rate * rate * pi
+    a[j] = aj + 2.0 * rate * vi + bend * pi - rate * rate * pj
+    v[i], v[j] = vi - rate * pj, vj + rate * pi
+    p[i], p[j] = pi, pj
+
+
+@inner
+def turned(platform, p, v, a):
+    """Turn a vector fixed to the platform, (3,) in place; its rates are written to ``v`` and ``a``."""
+    v[:] = 0.0
+    a[:] = 0.0
+    for k in range(3):
+        angle, rate, bend = platform[0, 3 + k], platform[1, 3 + k], platform[2, 3 + k]
+        if angle != 0.0 or rate != 0.0 or bend != 0.0:
+            _about(k, angle, rate, bend, p, v, a)

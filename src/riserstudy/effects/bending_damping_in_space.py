@@ -1,0 +1,107 @@
+r"""Bending structural damping in space: see `bending_damping`, with vectors for angles.
+
+.. math:: M = EI\,(\kappa + \tau\,\dot\kappa)
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+from riserstudy.solve.blocktri import flexibility_solve
+from riserstudy.solve.vec import (
+    add,
+    at,
+    cross,
+    mul,
+    outer,
+    plus,
+    plus_block,
+    skew,
+    sub,
+    transposed,
+)
+
+
+class SpatialBendingDamping(NamedTuple):
+    """Relaxation of the pipe in bending."""
+
+    time: float  # tau (s)
+    rate: np.ndarray  # (3, n+1) scratch: turning rate at the nodes (rad/s)
+    moment: np.ndarray  # (3, n+1) scratch: viscous part of the moments (N m)
+
+
+@inner
+def _segment_rate(s, e):
+    """Angular velocity of a segment (rad/s)."""
+    apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
+    return mul(1.0 / s.length[e], cross(at(s.dim, s.tangent, e), apart))
+
+
+@inner
+def turn(damping, s):
+    """Rotations grow by tau times their rates."""
+    for e in range(s.l0.shape[0]):
+        extra = mul(damping.time, _segment_rate(s, e))
+        plus(s.turn, e, extra)
+        plus(s.turn, e + 1, mul(-1.0, extra))
+    return 0.0
+
+
+@inner
+def tangent(damping, s):
+    """Derivative of the rates by velocity and by the chord of the segment."""
+    for e in range(s.l0.shape[0]):
+        t, length = at(s.dim, s.tangent, e), s.length[e]
+        apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
+        by_velocity = mul(s.rate[0] / length, skew(t))
+        turning = add(
+            mul(1.0 / (length * length), skew(apart)),
+            mul(2.0 / length, outer(_segment_rate(s, e), t)),
+        )
+        slope = mul(damping.time, transposed(sub(by_velocity, turning)))
+        plus_block(s.turn_low, e, slope)
+        plus_block(s.turn_up, e, mul(-1.0, slope))
+    return 0.0
+
+
+@inner
+def _viscous_moments(damping, s):
+    """Part of the moments that the rates cause: the flexibility matrix solved for tau times rate."""
+    rate, moment = damping.rate, damping.moment
+    rate[:] = 0.0
+    for e in range(s.l0.shape[0]):
+        swing = _segment_rate(s, e)
+        plus(rate, e, swing)
+        plus(rate, e + 1, mul(-1.0, swing))
+    moment[:] = damping.time * rate
+    for u in range(3):
+        flexibility_solve(s, moment[u])
+
+
+@inner
+def energy(damping, s):
+    """What the strain energy of the total moments holds too much: they are partly viscous (J)."""
+    _viscous_moments(damping, s)
+    total = 0.0
+    for u in range(3):
+        for i in range(s.l0.shape[0] + 1):
+            angle = damping.time * damping.rate[u, i]
+            total += angle * (0.5 * damping.moment[u, i] - s.moment[u, i])
+    return total
+
+
+@inner
+def power(damping, s):
+    """Power dissipated (W)."""
+    _viscous_moments(damping, s)
+    for u in range(3):
+        for i in range(s.l0.shape[0] + 1):
+            s.flow[0] += damping.moment[u, i] * damping.rate[u, i]
+    return 0.0
+
+
+register(SpatialBendingDamping, turn=turn, tangent=tangent, potential=energy, power=power)

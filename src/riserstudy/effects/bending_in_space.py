@@ -1,0 +1,164 @@
+r"""Bending of the pipe in space, exact for large rotations; torsion is free.
+
+The rotation that takes one segment's direction into the next, as a vector, follows from the moments,
+
+.. math:: \theta_i = \frac{\varphi}{\sin\varphi}\; t_{i-1} \times t_i = \sum_j A_{ij} M_j,
+
+with the flexibility A of `bending`, the same in all directions. Equilibrium of a segment makes its shear
+force :math:`Q_e = t_e \times (M_{e+1} - M_e) / \ell_e`. In a plane both are those of `bending`.
+"""
+
+from __future__ import annotations
+
+from math import atan, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+from riserstudy.solve.vec import (
+    add,
+    at,
+    cross,
+    dot,
+    mul,
+    outer,
+    plus,
+    plus_block,
+    skew,
+    sub,
+    times,
+    transposed,
+    unity,
+)
+
+
+class SpatialBending(NamedTuple):
+    """Flexibility of the pipe."""
+
+    flex: np.ndarray  # (n+1,) A_ii (rad/(N m))
+    flex_up: np.ndarray  # (n,) A_i,i+1 (rad/(N m))
+
+
+@inner
+def angle_over_sine(cosine):
+    """Phi / sin phi of an angle, and its derivative by the cosine."""
+    q = (1.0 - cosine) / (1.0 + cosine)  # the half angle's tangent squared
+    if q < 0.05**2:
+        ratio = 1.0 - q * (1 / 3 - q * (1 / 5 - q * (1 / 7 - q * (1 / 9 - q / 11))))
+        slope = -1 / 3 + q * (2 / 5 - q * (3 / 7 - q * (4 / 9 - q * 5 / 11)))
+    else:
+        ratio = atan(sqrt(q)) / sqrt(q)
+        slope = 0.5 * (1.0 / (1.0 + q) - ratio) / q
+    twice = 2.0 / (1.0 + cosine)
+    return twice * ratio, -0.5 * twice * twice * (twice * slope + ratio)
+
+
+@inner
+def rotation(a, b):
+    """The vector of the rotation that takes unit vector a into b."""
+    factor, _ = angle_over_sine(dot(a, b))
+    return mul(factor, cross(a, b))
+
+
+@inner
+def rotation_by_first(a, b):
+    """Derivative of `rotation` by a: block."""
+    factor, slope = angle_over_sine(dot(a, b))
+    return sub(mul(slope, outer(cross(a, b), b)), mul(factor, skew(b)))
+
+
+@inner
+def rotation_by_second(a, b):
+    """Derivative of `rotation` by b: block."""
+    factor, slope = angle_over_sine(dot(a, b))
+    return add(mul(slope, outer(cross(a, b), a)), mul(factor, skew(a)))
+
+
+@inner
+def by_chord(s, e, by_direction):
+    """A derivative by a segment's direction as one by its chord, laid out as the solver wants it."""
+    t = at(s.dim, s.tangent, e)
+    turning = mul(1.0 / s.length[e], sub(unity(s.dim), outer(t, t)))
+    return transposed(times(by_direction, turning))
+
+
+@inner
+def compliance(bending, s):
+    """Enter the flexibility of the pipe."""
+    s.flex[:] += bending.flex
+    s.flex_up[:] += bending.flex_up
+    return 0.0
+
+
+@inner
+def turn(bending, s):
+    """By how much the rotations miss the moments."""
+    n = s.l0.shape[0]
+    moment, missing = s.moment, s.turn
+    for i in range(n + 1):
+        if 0 < i < n:
+            plus(missing, i, rotation(at(s.dim, s.tangent, i - 1), at(s.dim, s.tangent, i)))
+        bent = mul(s.flex[i], at(s.dim, moment, i))
+        if i > 0:
+            bent = add(bent, mul(s.flex_up[i - 1], at(s.dim, moment, i - 1)))
+        if i < n:
+            bent = add(bent, mul(s.flex_up[i], at(s.dim, moment, i + 1)))
+        plus(missing, i, mul(-1.0, bent))
+    return 0.0
+
+
+@inner
+def force(bending, s):
+    """Shear from the moments."""
+    for e in range(s.l0.shape[0]):
+        rise = sub(at(s.dim, s.moment, e + 1), at(s.dim, s.moment, e))
+        shear = cross(at(s.dim, s.tangent, e), rise)
+        plus(s.segment, e, mul(1.0 / s.length[e], shear))
+    return 0.0
+
+
+@inner
+def tangent(bending, s):
+    """How rotations and shear follow the nodes."""
+    n = s.l0.shape[0]
+    for e in range(n):
+        t, length = at(s.dim, s.tangent, e), s.length[e]
+        arm = mul(1.0 / length, skew(t))
+        plus_block(s.by_low, e, mul(-1.0, arm))
+        plus_block(s.by_up, e, arm)
+        rise = sub(at(s.dim, s.moment, e + 1), at(s.dim, s.moment, e))
+        shear = cross(t, rise)
+        square = 1.0 / (length * length)
+        plus_block(s.k_segment, e, mul(-square, add(skew(rise), mul(2.0, outer(shear, t)))))
+        if e > 0:
+            before = at(s.dim, s.tangent, e - 1)
+            plus_block(s.turn_low, e, by_chord(s, e, rotation_by_second(before, t)))
+        if e < n - 1:
+            after = at(s.dim, s.tangent, e + 1)
+            plus_block(s.turn_up, e, by_chord(s, e, rotation_by_first(t, after)))
+    return 0.0
+
+
+@inner
+def energy(bending, s):
+    """Strain energy (J)."""
+    n = s.l0.shape[0]
+    total = 0.0
+    for i in range(n + 1):
+        here = at(s.dim, s.moment, i)
+        total += 0.5 * bending.flex[i] * dot(here, here)
+        if i < n:
+            total += bending.flex_up[i] * dot(here, at(s.dim, s.moment, i + 1))
+    return total
+
+
+register(
+    SpatialBending,
+    compliance=compliance,
+    turn=turn,
+    string=force,
+    tangent=tangent,
+    potential=energy,
+)

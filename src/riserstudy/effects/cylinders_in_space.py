@@ -1,0 +1,224 @@
+r"""Tensioner cylinders in space, between points of the deck and points of the tension ring.
+
+Reach is the distance of a cylinder's ends less its length at mid-stroke; it pulls the ring along its
+line. The ring turns with the top of the riser below it. Unequal pulls leave a moment
+:math:`m = \sum_c a_c \times F_c` about the ring's centre, so the telescopic joint above starts with
+:math:`M - m` where the riser below ends with M.
+
+The derivative of that moment is left out of the stiffness: it is small beside the riser's own.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.attitude import turned
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class CylindersInSpace(NamedTuple):
+    """Where the cylinders are; the ring is a node with one segment below and one above it."""
+
+    node: int  # tension ring
+    centre: np.ndarray  # (3,) the platform's centre of rotation, at rest (m)
+    deck: np.ndarray  # (3, c) deck points from that centre, platform upright (m)
+    ring: np.ndarray  # (3, c) ring points from the ring's centre, riser upright (m)
+    length: np.ndarray  # (c,) at mid-stroke (m)
+    below: (
+        np.ndarray
+    )  # (2,) flexibility of the segment below: upper end by its own, by the far moment
+    above: np.ndarray  # (2,) of the segment above: lower end by its own, by the far moment
+    work: np.ndarray  # (3, 3) scratch
+
+
+@inner
+def place(cylinders, s):
+    """Deck points at this time."""
+    point, w = s.deck, cylinders.work
+    for c in range(cylinders.length.shape[0]):
+        for k in range(3):
+            w[0, k] = cylinders.deck[k, c]
+        turned(s.platform, w[0], w[1], w[2])
+        for k in range(3):
+            point[0, k, c] = cylinders.centre[k] + s.platform[0, k] + w[0, k]
+            point[1, k, c] = s.platform[1, k] + w[1, k]
+            point[2, k, c] = s.platform[2, k] + w[2, k]
+    return 0.0
+
+
+@inner
+def _lay(s, source, e, into):
+    """A vector of the model as one of x, y, z."""
+    d = len(s.dim)
+    into[0] = source[0, e] if d > 1 else 0.0
+    into[1] = source[1, e] if d > 2 else 0.0
+    into[2] = source[d - 1, e]
+
+
+@inner
+def _tilt(cylinders, s, w):
+    """Direction of the ring's axis into w[0]: the riser's tangent at its top."""
+    d, i = len(s.dim), cylinders.node
+    _lay(s, s.tangent, i - 1, w[0])
+    own, far = cylinders.below[0], cylinders.below[1]
+    m = len(s.dof) - d
+    if m == 1:
+        bend = own * s.moment[0, i] + far * s.moment[0, i - 1]
+        w[0, 0], w[0, 2] = w[0, 0] + bend * w[0, 2], w[0, 2] - bend * w[0, 0]
+    if m == 3:
+        for k in range(3):
+            w[1, k] = own * s.moment[k, i] + far * s.moment[k, i - 1]
+        x, y, z = w[0, 0], w[0, 1], w[0, 2]
+        w[0, 0] += w[1, 1] * z - w[1, 2] * y
+        w[0, 1] += w[1, 2] * x - w[1, 0] * z
+        w[0, 2] += w[1, 0] * y - w[1, 1] * x
+    size = sqrt(w[0, 0] ** 2 + w[0, 1] ** 2 + w[0, 2] ** 2)
+    for k in range(3):
+        w[0, k] /= size
+
+
+@inner
+def drive(cylinders, s):
+    """Reach, its rate, and lines of the cylinders."""
+    i, w, arm, line = cylinders.node, cylinders.work, s.arm, s.line
+    d = len(s.dim)
+    _tilt(cylinders, s, w)
+    tx, ty, tz = w[0, 0], w[0, 1], w[0, 2]
+    for c in range(
+        cylinders.length.shape[0]
+    ):  # the smallest rotation that takes z into (tx, ty, tz)
+        x, y, z = cylinders.ring[0, c], cylinders.ring[1, c], cylinders.ring[2, c]
+        turn = (tx * x + ty * y) / (1.0 + tz)
+        arm[0, c] = x + tx * z - tx * turn
+        arm[1, c] = y + ty * z - ty * turn
+        arm[2, c] = tz * z - tx * x - ty * y
+    # rate of the ring: that of the segment below
+    _lay(s, s.v, i, w[1])
+    _lay(s, s.v, i - 1, w[2])
+    rx, ry, rz = 0.0, 0.0, 0.0
+    if d > 1:
+        inverse = 1.0 / s.length[i - 1]
+        vx, vy, vz = w[1, 0] - w[2, 0], w[1, 1] - w[2, 1], w[1, 2] - w[2, 2]
+        rx, ry, rz = (
+            inverse * (ty * vz - tz * vy),
+            inverse * (tz * vx - tx * vz),
+            inverse * (tx * vy - ty * vx),
+        )
+    _lay(s, s.r, i, w[2])
+    for c in range(cylinders.length.shape[0]):
+        square = 0.0
+        for k in range(3):
+            line[k, c] = s.deck[0, k, c] - w[2, k] - arm[k, c]
+            square += line[k, c] ** 2
+        s.distance[c] = sqrt(square)
+        s.reach[c] = s.distance[c] - cylinders.length[c]
+        ax, ay, az = arm[0, c], arm[1, c], arm[2, c]
+        w[0, 0], w[0, 1], w[0, 2] = ry * az - rz * ay, rz * ax - rx * az, rx * ay - ry * ax
+        s.reach_rate[c] = 0.0
+        for k in range(3):
+            line[k, c] /= s.distance[c]
+            s.reach_rate[c] += line[k, c] * (s.deck[1, k, c] - w[1, k] - w[0, k])
+    return 0.0
+
+
+@inner
+def turn(cylinders, s):
+    """The moment of the pulls about the ring's centre, and how it bends the joint above."""
+    arm, line, moment = s.arm, s.line, s.ring_moment
+    moment[:] = 0.0
+    for c in range(cylinders.length.shape[0]):
+        pull = s.pull[c]
+        moment[0] += pull * (arm[1, c] * line[2, c] - arm[2, c] * line[1, c])
+        moment[1] += pull * (arm[2, c] * line[0, c] - arm[0, c] * line[2, c])
+        moment[2] += pull * (arm[0, c] * line[1, c] - arm[1, c] * line[0, c])
+    m, i = len(s.dof) - len(s.dim), cylinders.node
+    for u in range(m):
+        about = moment[u] if m == 3 else moment[1]
+        s.turn[u, i] += cylinders.above[0] * about
+        s.turn[u, i + 1] += cylinders.above[1] * about
+    return 0.0
+
+
+@inner
+def force(cylinders, s):
+    """The pulls on the ring, and the shear that their moment adds in the joint above."""
+    d, i = len(s.dim), cylinders.node
+    for c in range(cylinders.length.shape[0]):
+        for k in range(d):
+            axis = 2 if k == d - 1 else k
+            s.force[k, i] += s.pull[c] * s.line[axis, c]
+    if len(s.dof) > d:
+        m = s.ring_moment
+        inverse = 1.0 / s.length[i]
+        tx, ty, tz = s.tangent[0, i], s.tangent[1, i] if d > 2 else 0.0, s.tangent[d - 1, i]
+        fx, fy, fz = m[1] * tz - m[2] * ty, m[2] * tx - m[0] * tz, m[0] * ty - m[1] * tx
+        for k in range(d):
+            f = inverse * (fz if k == d - 1 else (fx if k == 0 else fy))
+            s.force[k, i] -= f
+            s.force[k, i + 1] += f
+    return 0.0
+
+
+@inner
+def tangent(cylinders, s):
+    """Stiffness of all cylinders at the ring."""
+    d = len(s.dim)
+    for c in range(cylinders.length.shape[0]):
+        across = s.pull[c] / s.distance[c]
+        for p in range(d):
+            lp = s.line[2 if p == d - 1 else p, c]
+            for q in range(d):
+                lq = s.line[2 if q == d - 1 else q, c]
+                stiff = (s.k_pull[c] - across) * lp * lq
+                if p == q:
+                    stiff += across
+                s.k_node[cylinders.node, p * d + q] += stiff
+    return 0.0
+
+
+@inner
+def energy(cylinders, s):
+    """What the strain energy of the joint above holds too much: it bends under M - m (J)."""
+    total = 0.0
+    m, i = len(s.dof) - len(s.dim), cylinders.node
+    for u in range(m):
+        about = s.ring_moment[u] if m == 3 else s.ring_moment[1]
+        total += cylinders.above[0] * about * (0.5 * about - s.moment[u, i])
+        total -= cylinders.above[1] * about * s.moment[u, i + 1]
+    return total
+
+
+@inner
+def power(cylinders, s):
+    """Power that the platform supplies through the cylinders (W)."""
+    for c in range(cylinders.length.shape[0]):
+        for k in range(3):
+            s.flow[1] += s.pull[c] * s.line[k, c] * s.deck[1, k, c]
+    return 0.0
+
+
+@inner
+def probe(cylinders, s):
+    """Report reach and pull of each cylinder."""
+    count = cylinders.length.shape[0]
+    for c in range(count):
+        s.probe[c] = s.reach[c]
+        s.probe[count + c] = s.pull[c]
+    return 0.0
+
+
+register(
+    CylindersInSpace,
+    place=place,
+    drive=drive,
+    turn=turn,
+    device=force,
+    tangent=tangent,
+    potential=energy,
+    power=power,
+    probe=probe,
+)

@@ -1,0 +1,72 @@
+"""The records that move a platform, and what is fixed to it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
+from riserstudy.model import Effect
+from riserstudy.response import harmonics
+from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Platform, TimeSeries
+from riserstudy.scene.response import Response
+from riserstudy.scene.sea import Storm, Swell
+
+MOTIONS = (*TRANSLATIONS, *TILTS)
+
+
+def motions(platform: Platform, wave: Swell | Storm | None) -> Iterator[Effect]:
+    """What displaces and moves the platform, in the scene's wave if it has one."""
+    if platform.position:
+        away = np.array([getattr(platform.position, name) or 0.0 for name in MOTIONS])
+        yield Effect("platform position", Position(away), "platform.position")
+    for k, name in enumerate(MOTIONS):
+        motion = getattr(platform, name)
+        if isinstance(motion, TimeSeries):
+            times = np.array([p.time for p in motion.points])
+            spline = CubicSpline(times, np.array([p.value for p in motion.points]))
+            series = Series(k, times, np.ascontiguousarray(spline.c))
+            yield Effect("platform motion", series, f"platform.{name}")
+    rows = platform.harmonics
+    if rows:
+        harmonic = Harmonic(
+            np.array([MOTIONS.index(name) for name, _ in rows]),
+            np.array([motion.amplitude for _, motion in rows]),
+            np.array([2.0 * math.pi / motion.period for _, motion in rows]),
+            np.array([motion.phase or 0.0 for _, motion in rows]),
+            np.array([motion.ramp or 0.0 for _, motion in rows]),
+        )
+        names = ", ".join(dict.fromkeys(f"platform.{name}" for name, _ in rows))
+        yield Effect("platform motion", harmonic, names)
+    if platform.response:
+        yield _response(platform.response, platform.response.wave or wave)
+    if platform.cruise:
+        cruise = platform.cruise
+        heading = cruise.heading or 0.0
+        for k, share in ((0, math.cos(heading)), (1, math.sin(heading))):
+            if abs(share) > 1e-12:
+                record: NamedTuple = Cruise(k, share * cruise.speed, cruise.ramp or 0.0)
+                yield Effect("platform motion", record, "platform.cruise")
+
+
+def _response(response: Response, wave: Swell | Storm | None) -> Effect:
+    if wave is None:
+        raise TypeError("a response without wave")  # refused by the scene
+    found = harmonics(response, wave)
+    ramp = np.full(len(found.motion), response.ramp or 0.0)
+    index = np.array([MOTIONS.index(name) for name in found.motion])
+    record = Harmonic(index, found.amplitude, found.frequency, found.phase, ramp)
+    return Effect("platform motion", record, "platform.response")
+
+
+def centre(platform: Platform | None) -> NDArray[np.float64]:
+    """The point about which the platform turns, (3,), at rest (m); any where it does not turn."""
+    about = platform.centre_of_rotation if platform else None
+    if about is None:
+        return np.zeros(3)
+    return np.array([about.x or 0.0, about.y or 0.0, about.elevation])

@@ -1,0 +1,105 @@
+"""The records of tensioners: the law of each cylinder, and where the cylinders are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.effects.cylinder import Upright
+from riserstudy.effects.cylinder_damping import CylinderDamping
+from riserstudy.effects.cylinders_in_space import CylindersInSpace
+from riserstudy.effects.end_mass import EndMass
+from riserstudy.effects.end_stop import EndStop
+from riserstudy.effects.gas_spring import GasSpring
+from riserstudy.effects.linear_spring import LinearSpring
+from riserstudy.effects.two_chamber_gas import TwoChamberGas
+from riserstudy.model import Effect
+from riserstudy.scene.tensioners import Arrangement, Tensioners
+from riserstudy.tensioner_law import linear_law
+
+GAS_FIELDS = ("area", "pressure", "volume")
+
+
+def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
+    """How each cylinder pulls."""
+    each = np.array(rig.working)
+    record: Any
+    if rig.gas and not rig.linearised:
+        gas = rig.gas
+        ones = np.ones(rig.count)
+        record = GasSpring(
+            gas.area * each, gas.pressure * ones, gas.volume * ones, gas.exponent * ones
+        )
+        yield Effect("gas tensioner", record, "top.tensioners.gas")
+    elif rig.two_chamber_gas and not rig.linearised:
+        both = rig.two_chamber_gas
+        values = [
+            getattr(side, name) * (each if name == "area" else np.ones(rig.count))
+            for side in (both.high, both.low)
+            for name in GAS_FIELDS
+        ]
+        values += [both.exponent * np.ones(rig.count), rig.piston_mass * gravity * each]
+        record = TwoChamberGas(*values)
+        yield Effect("two-chamber gas tensioner", record, "top.tensioners.two_chamber_gas")
+    else:
+        tension, slope = linear_law(rig, gravity)
+        why = "top.tensioners.linearised" if rig.any_gas else "top.tensioners.linear"
+        yield Effect("linear tensioner", LinearSpring(tension * each, slope * each), why)
+    if rig.damping:
+        record = CylinderDamping(rig.damping * each)
+        yield Effect("tensioner damping", record, "top.tensioners.damping")
+    if rig.stroke:
+        stop = rig.stroke
+        ones = np.ones(rig.count)
+        record = EndStop(stop.shortest * ones, stop.longest * ones, stop.stop_stiffness * each)
+        yield Effect("end stops", record, "top.tensioners.stroke")
+
+
+def pistons(rig: Tensioners, ring: int, directions: int) -> Iterator[Effect]:
+    """Mass of the pistons, which move with the ring."""
+    if rig.piston_mass:
+        mass = np.zeros(directions)
+        mass[-1] = sum(rig.working) * rig.piston_mass
+        record = EndMass(ring, 0.0, mass, np.zeros(2))
+        yield Effect("piston mass", record, "top.tensioners.two_chamber_gas.pistons")
+
+
+def upright(rig: Tensioners, ring: int, elevation: float) -> Effect:
+    """Cylinders that stay upright, at mid-stroke with the ring at an elevation (m)."""
+    record = Upright(ring, np.full(rig.count, elevation))
+    return Effect("tensioner cylinders", record, "top.tensioners")
+
+
+def in_space(
+    rig: Tensioners,
+    place: Arrangement,
+    ring: int,
+    elevation: float,
+    centre: NDArray[np.float64],
+    bend: NDArray[np.float64],
+) -> Effect:
+    """Cylinders in space, at mid-stroke with the ring above the well at an elevation (m).
+
+    ``bend``: (2, 2) flexibility of the segments below and above the ring, by its own and by the far moment.
+    """
+    bearing = np.array(place.bearings(rig.count))
+    round_about = np.stack([np.cos(bearing), np.sin(bearing), np.zeros(rig.count)])
+    deck = place.deck_radius * round_about
+    deck[2] = place.deck_elevation
+    points = place.ring_radius * round_about
+    apart = deck - points
+    apart[2] -= elevation
+    record = CylindersInSpace(
+        node=ring,
+        centre=centre,
+        deck=deck - centre[:, None],
+        ring=points,
+        length=np.sqrt((apart**2).sum(axis=0)),
+        below=bend[0].copy(),
+        above=bend[1].copy(),
+        work=np.zeros((3, 3)),
+    )
+    return Effect("tensioner cylinders", record, "top.tensioners.arrangement")
