@@ -61,11 +61,12 @@ class Beam(NamedTuple):
 
 
 class Waves(NamedTuple):
-    """Components whose horizontal velocity at the pipe is speed cos(phase - frequency t)."""
+    """Components of speed cos(k x - w t + phase) along and rise sin(k x - w t + phase) up."""
 
-    speed: Callable[[Array], Array]  # s (m), any shape -> (c, ...) m/s
+    flow: Callable[[Array], tuple[Array, Array]]  # s (m), any shape -> speed, rise, (c, ...) m/s
     inertia: Array  # (n,) kg/m, (1 + C_a) rho A
     frequency: Array  # (c,) rad/s
+    number: Array  # (c,) rad/m, negative for waves against x
     phase: Array  # (c,) rad
     ramp: float = 0.0  # s
 
@@ -101,7 +102,7 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
     fixed, forced = _prescribed(beam, np.zeros(1))
     u, still = np.zeros((2, 2 * len(beam.s)))
     u[fixed] = forced[0, :, 0]
-    calm = _flows(_sea(beam, mesh), np.zeros(1))
+    calm = _flows(mesh, _sea(beam, mesh), np.zeros(1), still[None])
     force = mesh.force + _add(_on_elements(mesh, calm, still)[0]) - _dense(mesh.stiffness_band) @ u
     for dof in fixed:
         pin(mesh.stiffness_band, force, dof)
@@ -232,7 +233,9 @@ def dynamics(
             f"t = {grid[failed]:.6g} s: not converged in {iterations} iterations or not finite;"
             " reduce the step, or use drag='newton', beta 1/4, gamma 1/2"
         )
-    moment, shear = _section_forces(beam, mesh, _flows(sea, times), u, v, a, rayleigh, recovery)
+    moment, shear = _section_forces(
+        beam, mesh, _flows(mesh, sea, times, u), u, v, a, rayleigh, recovery
+    )
     return Response(times, u[:, ::2], u[:, 1::2], moment, shear, most)
 
 
@@ -269,7 +272,7 @@ def _mesh(beam: Beam) -> Mesh:
             stiffness_band[dof + 1, 0] += end.rotation_stiffness
     strength = beam.drag[:, None] * weight
     return Mesh(
-        value, mass, stiffness, loads, strength, force, mass_band, stiffness_band
+        value, slope, mass, stiffness, loads, strength, force, mass_band, stiffness_band
     )  # fmt: skip
 
 
@@ -306,23 +309,24 @@ def _sea(beam: Beam, mesh: Mesh) -> Sea:
     """Current and waves at the Gauss points."""
     s = beam.s[:-1, None] + np.diff(beam.s)[:, None] * POINT
     current = np.zeros(s.shape) if beam.current is None else np.zeros(s.shape) + beam.current(s)
+    none = np.zeros(0)
     waves = beam.waves or Waves(
-        lambda s: np.zeros((0, *s.shape)), np.zeros(len(s)), np.zeros(0), np.zeros(0)
+        lambda s: (np.zeros((0, *s.shape)),) * 2, np.zeros(len(s)), none, none, none
     )
     sea = Sea(
-        current, waves.speed(s), waves.inertia[:, None] * WEIGHT * np.diff(beam.s)[:, None],
-        waves.frequency, waves.phase, waves.ramp,
+        current, *waves.flow(s), waves.inertia[:, None] * WEIGHT * np.diff(beam.s)[:, None],
+        waves.frequency, waves.number, waves.phase, waves.ramp,
     )  # fmt: skip
     if not all(np.isfinite(part).all() for part in sea):
         raise HermiteError("current or waves: not finite at some elevation of the beam")
     return sea
 
 
-def _flows(sea: Sea, times: Array) -> tuple[Array, Array]:
-    """Velocity and push of the water at the Gauss points, each (time, n, 4)."""
+def _flows(mesh: Mesh, sea: Sea, times: Array, u: Array) -> tuple[Array, Array]:
+    """Velocity and push of the water at the Gauss points at displacements u, each (time, n, 4)."""
     water, push = np.zeros((2, len(times), *sea.current.shape))
     for k, t in enumerate(times):
-        flow(sea, t, water[k], push[k])
+        flow(mesh, sea, t, u[k], water[k], push[k])
     return water, push
 
 

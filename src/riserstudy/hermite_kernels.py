@@ -13,12 +13,14 @@ from numba import njit
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+CALM = 1e-12  # speed of water that is none (m/s)
 
 
 class Mesh(NamedTuple):
     """The discretised beam; bands hold A[i, i + k] of a symmetric matrix at [i, k]."""
 
     value: Array  # (n, 4 points, 4) shape functions at the Gauss points
+    slope: Array  # (n, 4 points, 4) their derivatives
     mass: Array  # (n, 4, 4) kg
     stiffness: Array  # (n, 4, 4) N/m
     loads: Array  # (n, 4) N, from the distributed load
@@ -33,15 +35,20 @@ class Sea(NamedTuple):
 
     current: Array  # (n, 4) m/s
     speed: Array  # (c, n, 4) m/s, amplitudes of the waves' horizontal velocity
+    rise: Array  # (c, n, 4) m/s, of their vertical velocity
     inertia: Array  # (n, 4) kg, water that accelerates the pipe, times weight
     frequency: Array  # (c,) rad/s
+    number: Array  # (c,) rad/m, negative for waves against x
     phase: Array  # (c,) rad
     ramp: float  # s, half a cosine; 0 for none
 
 
 @njit(cache=True, nogil=True)
-def flow(sea: Sea, t: float, water: Array, push: Array) -> None:
-    """Velocity of the water (m/s) and force of its acceleration (N) at the Gauss points at a time."""
+def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) -> None:
+    """Velocity of the water across the beam (m/s) and force of its acceleration (N) at the Gauss points.
+
+    The waves are met where the beam is at displacements u; across a leaning beam is speed - rise u'.
+    """
     water[:] = sea.current
     push[:] = 0.0
     if t <= 0.0:
@@ -51,10 +58,23 @@ def flow(sea: Sea, t: float, water: Array, push: Array) -> None:
         p = pi / sea.ramp
         grown, rate = 0.5 * (1.0 - cos(p * t)), 0.5 * p * sin(p * t)
     for c in range(len(sea.frequency)):
-        angle = sea.phase[c] - sea.frequency[c] * t
-        faster = grown * sea.frequency[c] * sin(angle) + rate * cos(angle)
-        water += grown * cos(angle) * sea.speed[c]
-        push += faster * sea.speed[c] * sea.inertia
+        w = sea.frequency[c]
+        for e in range(len(water)):
+            if sea.speed[c, e, 0] < CALM and sea.speed[c, e, 3] < CALM:
+                continue
+            for g in range(4):
+                x, lean = 0.0, 0.0
+                for i in range(4):
+                    x += mesh.value[e, g, i] * u[2 * e + i]
+                    lean += mesh.slope[e, g, i] * u[2 * e + i]
+                angle = sea.number[c] * x - w * t + sea.phase[c]
+                along, up = sea.speed[c, e, g], sea.rise[c, e, g] * lean
+                if sea.number[c] < 0.0:
+                    along = -along
+                here = along * cos(angle) - up * sin(angle)
+                turned = along * sin(angle) + up * cos(angle)
+                water[e, g] += grown * here
+                push[e, g] += (grown * w * turned + rate * here) * sea.inertia[e, g]
 
 
 @njit(cache=True, nogil=True)
@@ -153,9 +173,9 @@ def march(
         lag = v.copy()
         u += moving * h * (v + 0.5 * h * a)
         v += moving * h * a
-        flow(sea, step * h, water, push)
         for k in range(len(fixed)):
             u[fixed[k]], v[fixed[k]], a[fixed[k]] = forced[:, k, step]
+        flow(mesh, sea, step * h, u, water, push)  # where it is predicted to be
         for iteration in range(iterations):
             band = steady.copy() if step > 0 else mass.copy()
             residual = -mesh.force

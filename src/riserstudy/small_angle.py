@@ -1,7 +1,7 @@
 """A scene by the Hermite beam: small slopes, tension that stays that of the straight riser.
 
 The paper's own way of solving, and a second opinion on the lumped masses with which it shares no code.
-Water is met at the straight riser; a riser that stretches or draws its top down is not in it.
+Water is met at the heights at which the riser rests, stretched and leaning.
 """
 
 from __future__ import annotations
@@ -88,8 +88,8 @@ def beam_of(scene: Scene, mesh: Mesh) -> Beam:
         When the scene has what a beam of small slopes has not.
     """
     _refuse(scene)
-    gravity, water = scene.gravity or 0.0, scene.water
-    density = water.density if water else 0.0
+    gravity = scene.gravity or 0.0
+    density = scene.water.density if scene.water else 0.0
     n = len(mesh.l0)
 
     def per_segment(values: list[float]) -> FloatArray:
@@ -111,19 +111,7 @@ def beam_of(scene: Scene, mesh: Mesh) -> Beam:
             for s in sections]  # fmt: skip
     bending = per_segment([stiffness(s).bending for s in sections])
     load = per_segment([s.lateral_load or 0.0 for s in sections])
-    zero = scene.bottom.elevation or 0.0
-    current = waves = None
-    if scene.current:
-        z, speed = current_table(scene.current, water)
-        current = lambda s: np.interp(zero + s, z, speed)  # noqa: E731
-    if scene.wave and water:
-        sea = wave_of(scene.wave, water, gravity, np.ones(1))
-        travel = math.cos(scene.wave.heading or 0.0)
-        inertia = per_segment([a + b for a, b in zip(displaced, added, strict=True)])
-        waves = Waves(
-            lambda s: travel * _speeds(sea, zero + s), inertia, sea.frequency, sea.phase, sea.ramp
-        )
-    return Beam(
+    dry = Beam(
         s=mesh.s,
         bending_stiffness=np.stack([bending, bending], axis=1),
         tension=np.stack([tension[:-1], tension[1:]], axis=1),
@@ -131,11 +119,39 @@ def beam_of(scene: Scene, mesh: Mesh) -> Beam:
         added_mass=per_segment(added),
         drag=per_segment(drag),
         load=np.stack([load, load], axis=1).reshape(n, 2),
-        current=current,
         bottom=End(rotation_stiffness=_spring(scene.bottom.rotation)),
         top=_top(scene),
-        waves=waves,
     )
+    strain = dry.tension.mean(axis=1) / per_segment([stiffness(s).axial for s in sections])
+    inertia = per_segment([a + b for a, b in zip(displaced, added, strict=True)])
+    return _wet(scene, dry, strain, inertia)
+
+
+def _wet(scene: Scene, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Beam:
+    """The beam in its water, which it meets at the heights of its rest."""
+    elevation = (scene.bottom.elevation or 0.0) + np.append(
+        0.0, np.cumsum((1.0 + strain) * np.diff(dry.s))
+    )
+    beam = dry
+    if scene.current:
+        z, speed = current_table(scene.current, scene.water)
+        beam = dry._replace(current=lambda s: np.interp(np.interp(s, dry.s, elevation), z, speed))
+    if scene.wave is None or scene.water is None:
+        return beam
+    if scene.analysis.start == "undeflected":
+        x = _away(scene) * dry.s / dry.s[-1]
+    else:
+        x = statics(beam).displacement
+    slope = np.gradient(x, dry.s)
+    drop = np.append(0.0, np.cumsum(0.25 * (slope[1:] ** 2 + slope[:-1] ** 2) * np.diff(dry.s)))
+    sea = wave_of(scene.wave, scene.water, scene.gravity or 0.0, np.ones(1))
+    travel = math.copysign(1.0, math.cos(scene.wave.heading or 0.0))
+    return beam._replace(
+        waves=Waves(
+            lambda s: _speeds(sea, np.interp(s, dry.s, elevation - drop)),
+            inertia, sea.frequency, travel * sea.number, sea.phase, sea.ramp,
+        )
+    )  # fmt: skip
 
 
 def _refuse(scene: Scene) -> None:
@@ -167,15 +183,15 @@ def _refuse(scene: Scene) -> None:
             )
 
 
-def _speeds(sea: Any, z: FloatArray) -> FloatArray:
-    """Amplitudes of the waves' horizontal velocity at elevations, (c, ...); none above the mean level."""
+def _speeds(sea: Any, z: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Amplitudes of horizontal and vertical velocity at elevations, (c, ...); none above the mean level."""
     depth = sea.surface - z
     k = sea.number.reshape(-1, *(1 for _ in z.shape))
     speed = (sea.amplitude * sea.frequency).reshape(k.shape)
     under = np.maximum(depth, 0.0)
-    profile = np.exp(-k * under) + np.exp(-k * (2.0 * sea.depth - under))
-    shares = profile / -np.expm1(-2.0 * k * sea.depth)
-    return np.asarray(np.where(depth >= 0.0, speed * shares, 0.0))
+    near, far = np.exp(-k * under), np.exp(-k * (2.0 * sea.depth - under))
+    wet = np.where(depth >= 0.0, speed / -np.expm1(-2.0 * k * sea.depth), 0.0)
+    return wet * (near + far), wet * (near - far)
 
 
 def _spring(rotation: Rotation | None) -> float:
@@ -190,11 +206,17 @@ def _top(scene: Scene) -> End:
     spring = _spring(top.rotation)
     if top.x == "free":
         return End(held=False, rotation_stiffness=spring, force=top.lateral_force or 0.0)
+    surge = platform.surge if top.x == "platform" and platform else None
+    return End(rotation_stiffness=spring, motion=_motion(_away(scene), surge))
+
+
+def _away(scene: Scene) -> float:
+    """Where the top is held at rest (m)."""
+    top, platform = scene.top, scene.platform
     away = top.offset or 0.0
     if top.x == "platform" and platform and platform.position:
         away += platform.position.surge or 0.0
-    surge = platform.surge if top.x == "platform" and platform else None
-    return End(rotation_stiffness=spring, motion=_motion(away, surge))
+    return away
 
 
 def _motion(away: float, surge: Any) -> Motion:

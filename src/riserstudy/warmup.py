@@ -113,7 +113,15 @@ def scenes() -> list[Scene]:
     several = [axial, planar, gas_in_plane, pistons, linear_axial, spatial]
     short = _ANALYSIS | {"duration": "1 ms", "step": "0.1 ms", "method": "explicit"}
     explicit = [s | {"analysis": short} for s in several[:2]]
-    return [Scene.model_validate(s) for s in several + explicit]
+    wavy = planar | {
+        "bottom": {"hold": "wellhead", "elevation": "0 m"},
+        "top": {"x": "held", "z": "free", "tension": "500 kN"},
+        "riser": [{k: v for k, v in (_SECTION | _WET).items() if k != "structural_damping"}],
+        "wave": planar["wave"] | {"above_mean_level": "none"},
+        "platform": None,
+        "analysis": _ANALYSIS | {"solver": "hermite"},
+    }
+    return [Scene.model_validate(s) for s in [*several, *explicit, wavy]]
 
 
 @sound_kernels

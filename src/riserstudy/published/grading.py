@@ -13,6 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import xarray as xr
+from scipy.stats import binomtest
 
 from riserstudy.errors import SimulationError
 from riserstudy.published.deciding import deciding, listed
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from types import ModuleType
 
 Datasets = Mapping[str, xr.Dataset]
+MANY = 100  # samples from which a band is told
 
 
 class Found(NamedTuple):
@@ -166,11 +168,19 @@ def _explained(
 ) -> tuple[str, str]:
     """What decides, and the share of the samples, as text."""
     word = "met" if item.kind == "number" else "true"
-    share = f"{word} in {int(hits.sum())} of {hits.size} samples ({100 * float(hits.mean()):.0f} %)"
+    share = f"{word} in {int(hits.sum())} of {hits.size} samples ({100 * float(hits.mean()):.0f} %{_band(hits)})"
     if verdict != "depends":
         return "", f"{share[0].upper()}{share[1:]}."
     names, why = deciding(hits, about)
     return f"{listed(names) if names else 'no single input or pair'}; {share}", why
+
+
+def _band(hits: xr.DataArray) -> str:
+    """95 % confidence band of a share of many samples, by Wilson; too wide for evenly spread ones."""
+    if "sample" not in hits.dims or hits.size < MANY:
+        return ""
+    band = binomtest(int(hits.sum()), hits.size).proportion_ci(method="wilson")
+    return f", {100 * band.low:.0f} to {100 * band.high:.0f} %"
 
 
 def _calibrated(dataset: xr.Dataset) -> bool:
