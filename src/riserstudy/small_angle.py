@@ -145,13 +145,18 @@ def _wet(scene: Scene, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Be
     slope = np.gradient(x, dry.s)
     drop = np.append(0.0, np.cumsum(0.25 * (slope[1:] ** 2 + slope[:-1] ** 2) * np.diff(dry.s)))
     sea = wave_of(scene.wave, scene.water, scene.gravity or 0.0, np.ones(1))
-    travel = math.copysign(1.0, math.cos(scene.wave.heading or 0.0))
+    travel = _sign(scene.wave.heading)
     return beam._replace(
         waves=Waves(
             lambda s: _speeds(sea, np.interp(s, dry.s, elevation - drop)),
             inertia, sea.frequency, travel * sea.number, sea.phase, sea.ramp,
         )
     )  # fmt: skip
+
+
+def _sign(heading: float | None) -> float:
+    """Of a heading along or against x."""
+    return math.copysign(1.0, math.cos(heading or 0.0))
 
 
 def _refuse(scene: Scene) -> None:
@@ -165,7 +170,8 @@ def _refuse(scene: Scene) -> None:
         "top.tensioners": top.tensioners,
         "a top without tension": not (top.tension or top.held_at_tension),
         "top.z on a platform that heaves": top.z == "platform" and platform and platform.heave,
-        "platform.pitch": platform and platform.pitch,
+        "motion out of the plane": scene.spatial,
+        "platform.pitch": platform and (platform.pitch or platform.response),
         "platform.cruise": platform and platform.cruise,
         "a time series as platform.surge": platform
         and platform.surge

@@ -168,7 +168,8 @@ def _explained(
 ) -> tuple[str, str]:
     """What decides, and the share of the samples, as text."""
     word = "met" if item.kind == "number" else "true"
-    share = f"{word} in {int(hits.sum())} of {hits.size} samples ({100 * float(hits.mean()):.0f} %{_band(hits)})"
+    percent = f"{100 * float(hits.mean()):.0f} %{_band(hits)}"
+    share = f"{word} in {int(hits.sum())} of {hits.size} samples ({percent})"
     if verdict != "depends":
         return "", f"{share[0].upper()}{share[1:]}."
     names, why = deciding(hits, about)
