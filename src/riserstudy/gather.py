@@ -89,8 +89,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
         dataset[label] = xr.DataArray(grid, dims=(*study.axes, *values.dims[1:]), attrs=about)
     for axis, steps in study.axes.items():
         about = attributes(axis)
-        if all(isinstance(value, str) for value, _ in steps):
-            about["sets"] = json.dumps(dict(steps))  # what each label stands for
+        about["sets"] = json.dumps({str(value): sets for value, sets in steps})
         dataset.coords[axis] = xr.DataArray([v for v, _ in steps], dims=axis, attrs=about)
     _add_sampled(dataset, study)
     dataset.attrs = _about(study, results)
@@ -189,6 +188,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "engine": store.engine_digest(),
         "riserstudy": __version__,
         "scene": json.dumps(study.base.tree),
+        "scene_file": study.base.source,
         "origins": json.dumps({p: o.status for p, o in origins.items()}),
         "evidence": json.dumps({p: o.why for p, o in origins.items()}),
         "effects": json.dumps(effects),

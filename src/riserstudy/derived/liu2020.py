@@ -1,12 +1,49 @@
-"""Liu et al. 2020: tension in every reading, amplitudes of the axial force."""
+"""Liu et al. 2020: tension in every reading, statics beside other methods, axial force under heave."""
 
 from __future__ import annotations
 
 import numpy as np
 import xarray as xr
 
-from riserstudy.derived.methods import beamlike, by_collocation, by_hermite_elements, scenes_of
-from riserstudy.derived.shared import described, first_harmonic, half_swing, settling
+from riserstudy.derived.liu2020_motion import (
+    rao,
+    rao_table,
+    roll,
+    roll_assumed,
+    roll_readings,
+    storm,
+    surge,
+    surge_readings,
+)
+from riserstudy.derived.liu2020_statics import dat_force, dat_force_calibrated, statics_readings
+from riserstudy.derived.methods import beamlike, by_collocation, by_hermite_elements
+from riserstudy.derived.shared import (
+    described,
+    first_harmonic,
+    half_swing,
+    sampled,
+    scenes_of,
+    settling,
+)
+
+__all__ = [
+    "codes",
+    "current_profiles",
+    "dat_force",
+    "dat_force_calibrated",
+    "heave",
+    "heave_readings",
+    "rao",
+    "rao_table",
+    "roll",
+    "roll_assumed",
+    "roll_readings",
+    "statics_readings",
+    "storm",
+    "surge",
+    "surge_readings",
+    "tension_readings",
+]
 
 PAPER = "liu2020"
 INCLINATIONS = (0.0, 2.0, 5.7, 9.5, 12.8)  # deg, of cylinders between ring and deck, all alike
@@ -54,6 +91,7 @@ def codes(check_riser: xr.Dataset) -> xr.Dataset:
         found[name] = other
     names = xr.DataArray(list(found), dims="code", name="code")
     table = xr.concat(found.values(), names).to_dataset(name="displacement")
+    table = table.squeeze("surface_speed", drop=True)
     return described(table, PAPER, "displacement of the riser of Fig 10 by three methods")
 
 
@@ -67,10 +105,7 @@ def heave(heave_runs: xr.Dataset) -> xr.Dataset:
 
 def heave_readings(heave_open: xr.Dataset) -> xr.Dataset:
     """The same for every sample of what the paper leaves open."""
-    found = _axial_force(heave_open)
-    for name, values in heave_open.data_vars.items():
-        if str(name).startswith("assumed_"):
-            found[name] = values
+    found = _axial_force(heave_open).assign(sampled(heave_open))
     return described(found, PAPER, "amplitude of the axial force over what the paper leaves open")
 
 

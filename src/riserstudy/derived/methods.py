@@ -6,18 +6,14 @@ the straight riser and the current of the undeformed one.
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
 
 from riserstudy.hermite import Beam, statics
-from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.sea import current_table
 
@@ -43,19 +39,6 @@ class Beamlike(NamedTuple):
     def pull(self, s: FloatArray) -> FloatArray:
         """Tension at arclengths (N)."""
         return self.tension - self.weight * (self.length - s)
-
-
-def scenes_of(dataset: xr.Dataset) -> Iterator[tuple[dict[str, str], Scene]]:
-    """The scene of every point of a dataset whose axes are all named options."""
-    axes = [str(dim) for dim in dataset["point_key"].dims]
-    sets = {axis: json.loads(dataset[axis].attrs["sets"]) for axis in axes}
-    base = SceneFile("dataset", json.loads(dataset.attrs["scene"]))
-    for index in np.ndindex(dataset["point_key"].shape):
-        names = {axis: str(dataset[axis].values[k]) for axis, k in zip(axes, index, strict=True)}
-        values: dict[str, Any] = {}
-        for axis, name in names.items():
-            values |= sets[axis][name]
-        yield names, base.with_values(values, "dataset").scene()
 
 
 def beamlike(scene: Scene) -> Beamlike:

@@ -6,11 +6,50 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
+from riserstudy.figures.liu2020_motion import (
+    baselines,
+    fig16,
+    fig17,
+    fig18,
+    fig19,
+    fig20,
+    fig21,
+    fig22,
+    fig23,
+    fig24,
+    sea,
+)
 from riserstudy.figures.style import COLOURS, GREY, field, key_below, panels
+
+__all__ = [
+    "baselines",
+    "dat_force",
+    "fig09",
+    "fig10",
+    "fig11",
+    "fig12",
+    "fig13",
+    "fig14",
+    "fig15",
+    "fig16",
+    "fig17",
+    "fig18",
+    "fig19",
+    "fig20",
+    "fig21",
+    "fig22",
+    "fig23",
+    "fig24",
+    "heave_limit",
+    "sea",
+]
 
 MODELS = {"gas law": "-", "linear": "--"}
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
+CONSTANT = ("vertical force at the ring", "riser's top on the platform")
+#: N that the text gives at these speeds; config/published/liu2020.yaml, N2a to N2c
+PUSHED = (337.0, 3166.0, 8765.0)
 STROKE = 7.5  # m, either way
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 TENSION = "effective tension (kN)"
@@ -67,6 +106,66 @@ def fig10(codes: xr.Dataset) -> Figure:
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     key_below(figure, axes[0], 4)
+    return figure
+
+
+# statics of the system
+
+
+def fig11(statics: xr.Dataset) -> Figure:
+    """Displacement in three currents, on the tensioners and on a constant tension."""
+    return _at_rest(statics, "x_static", 1.0, "lateral displacement (m)")
+
+
+def fig12(statics: xr.Dataset) -> Figure:
+    """Bending moment in three currents, on the tensioners and on a constant tension."""
+    return _at_rest(statics, "bending_moment_static", 1e-3, "bending moment (kN m)")
+
+
+def _at_rest(statics: xr.Dataset, name: str, scale: float, label: str) -> Figure:
+    figure, axes = panels(1, 2, 4.2, sharey=True)
+    lines = ("-", "--")
+    for ax, other in zip(axes, CONSTANT, strict=True):
+        for line, model in zip(lines, ("gas law", other), strict=True):
+            for colour, speed in zip(COLOURS, SPEEDS, strict=False):
+                run = statics[name].sel(
+                    current_profile="linear", tensioner_model=model, surface_speed=speed
+                )
+                curve = scale * run.where(run["s_node"] < 533.1, drop=True)
+                name_of = "tensioners" if model == "gas law" else "232 t"
+                ax.plot(
+                    curve,
+                    533.0 - curve["s_node"],
+                    line,
+                    color=colour,
+                    label=f"{speed:g} m/s, {name_of}",
+                )
+        ax.set_xlabel(label)
+        ax.set_title(
+            f"232 t as a {other}" if "force" in other else other, loc="right", fontsize="small"
+        )
+    axes[0].set_ylabel(DEPTH)
+    axes[0].invert_yaxis()
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def dat_force(dat_force: xr.Dataset, dat_force_calibrated: xr.Dataset) -> Figure:
+    """Horizontal force of the tensioners over surface speed."""
+    figure, (ax,) = panels(height=4.2)
+    for colour, shape in zip(COLOURS, dat_force["current_profile"].values, strict=False):
+        for line, counted in (("-", "all cylinders"), (":", "one cylinder")):
+            force = dat_force["horizontal_force"].sel(current_profile=shape, counted=counted) / 1e3
+            label = shape if counted == "all cylinders" else None
+            ax.plot(force["surface_speed"], force, line, color=colour, marker=".", label=label)
+    tuned = dat_force_calibrated["horizontal_force"].sel(counted="all cylinders") / 1e3
+    ax.plot(tuned["surface_speed"], tuned, color="black", label="exponential, calibrated")
+    ax.plot(SPEEDS, [f / 1e3 for f in PUSHED], "kx", markersize=8, label="printed")
+    ax.set_yscale("log")
+    ax.set_xlabel("surface speed of the current (m/s)")
+    ax.set_ylabel("horizontal force of the tensioners (kN)")
+    ax.set_title("solid: all cylinders; dotted: one", loc="right", fontsize="small")
+    key_below(figure, ax, 4)
     return figure
 
 

@@ -1,0 +1,175 @@
+"""Liu et al. 2020, motions of the platform: surge, roll, response in waves, three hours of a sea."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import xarray as xr
+from scipy.signal import welch
+
+from riserstudy.derived.shared import (
+    described,
+    first_harmonic,
+    half_swing,
+    sampled,
+    scenes_of,
+    settling,
+)
+from riserstudy.response import operator
+from riserstudy.scene.models import Scene
+
+PAPER = "liu2020"
+SURGE_PERIOD = 15.0  # s
+DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
+PERIODS = np.arange(3.0, 40.01, 0.1)  # s, of the responses drawn
+WITHOUT = ["constant", "vertical force at the ring", "riser's top on the platform"]
+
+
+# surge
+
+
+def surge(surge_case: xr.Dataset) -> xr.Dataset:
+    """Amplitude and lag of the displacement at four depths, over (tensioner_model, depth)."""
+    depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
+    x = surge_case["x"].interp(s=533.0 - depth, method="cubic").assign_coords(depth=depth)
+    return described(_moved(x.drop_vars("s")), PAPER, "displacement under surge at four depths")
+
+
+def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of what the paper leaves open."""
+    x = surge_open["x"].assign_coords(depth=533.0 - surge_open["s"]).swap_dims(s="depth")
+    found = _moved(x.drop_vars("s").sortby("depth")).assign(sampled(surge_open))
+    return described(found, PAPER, "displacement under surge over what the paper leaves open")
+
+
+def _moved(x: xr.DataArray) -> xr.Dataset:
+    """Amplitude, and lag behind the platform in cycles of unwrapped phase down the riser."""
+    lag = -xr.apply_ufunc(np.angle, first_harmonic(x, SURGE_PERIOD))
+    unwrapped = xr.apply_ufunc(
+        np.unwrap, lag, input_core_dims=[["depth"]], output_core_dims=[["depth"]]
+    )
+    return xr.Dataset(
+        {
+            "displacement_amplitude": half_swing(x, SURGE_PERIOD),
+            "displacement_lag": unwrapped,
+            "settling": settling(x, SURGE_PERIOD),
+        }
+    )
+
+
+# roll
+
+
+def roll(roll_runs: xr.Dataset) -> xr.Dataset:
+    """Largest bending moment over (roll_amplitude, roll_period)."""
+    found = _largest(roll_runs).to_dataset(name="max_bending_moment")
+    return described(
+        found, PAPER, "largest bending moment under roll, centre of rotation calibrated"
+    )
+
+
+def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
+    """The same about an assumed centre, and the lag of the riser down its length."""
+    depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
+    x = roll_base["x"].interp(s=533.0 - depth, method="cubic").assign_coords(depth=depth)
+    lag = -xr.apply_ufunc(np.angle, first_harmonic(x.drop_vars("s"), "roll_period"))
+    unwrapped = xr.apply_ufunc(
+        np.unwrap, lag, input_core_dims=[["depth"]], output_core_dims=[["depth"]]
+    )
+    found = xr.Dataset({"max_bending_moment": _largest(roll_base), "displacement_lag": unwrapped})
+    return described(found, PAPER, "largest bending moment under roll, centre of rotation assumed")
+
+
+def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
+    """Largest bending moment for every sample of what the paper leaves open."""
+    found = _largest(roll_open).to_dataset(name="max_bending_moment").assign(sampled(roll_open))
+    return described(
+        found, PAPER, "largest bending moment under roll over what the paper leaves open"
+    )
+
+
+def _largest(runs: xr.Dataset) -> xr.DataArray:
+    high, low = runs["bending_moment_max"].max("s_node"), runs["bending_moment_min"].min("s_node")
+    return high.where(high > -low, -low)
+
+
+# response in waves
+
+
+def rao_table(rao_runs: xr.Dataset) -> xr.Dataset:
+    """Response amplitudes of the platforms over (platform_unit, wave_period), a metre of wave amplitude."""
+    period = xr.DataArray(PERIODS, dims="wave_period", name="wave_period")
+    names = {"surge": "rao_surge", "heave": "rao_heave", "pitch": "rao_pitch"}
+    one = rao_runs.isel(reference=[0], motion=[0], wave_period=[0])
+    units = {}
+    for place, scene in scenes_of(one):
+        response = scene.platform and scene.platform.response
+        if not response:
+            raise TypeError("a scene without response")
+        w = 2.0 * math.pi / PERIODS
+        units[place["platform_unit"]] = xr.Dataset(
+            {
+                variable: period.copy(data=np.abs(operator(response, name, w)))
+                for name, variable in names.items()
+            }
+        )
+    label = xr.DataArray(list(units), dims="platform_unit", name="platform_unit")
+    found = xr.concat(units.values(), label).assign_coords(wave_period=period)
+    return described(found, PAPER, "response of three generic semi-submersibles")
+
+
+def rao(rao_runs: xr.Dataset) -> xr.Dataset:
+    """Largest stress amplitude along the riser by each motion, and each motion's share of their sum.
+
+    Stress is that of either outermost fibre, T/A + M D/(2 I) and T/A - M D/(2 I).
+    """
+    _, scene = next(scenes_of(rao_runs.isel({dim: [0] for dim in rao_runs["point_key"].dims})))
+    area, modulus = section(scene)
+    axial, bending = rao_runs["effective_tension"] / area, rao_runs["bending_moment"] / modulus
+    on_riser = rao_runs["s"] < 533.0 + 1e-6
+    sides = [
+        half_swing((axial + sign * bending).isel(s=on_riser.values), "wave_period").max("s")
+        for sign in (1.0, -1.0)
+    ]
+    stress = sides[0].where(sides[0] > sides[1], sides[1])
+    found = xr.Dataset({"stress_amplitude": stress, "stress_share": stress / stress.sum("motion")})
+    return described(
+        found, PAPER, "stress amplitude by each motion of the platform in waves of 3 m"
+    )
+
+
+def section(scene: Scene) -> tuple[float, float]:
+    """Area (m2) and section modulus (m3) of the riser's pipe."""
+    pipe = scene.riser[0]
+    outer, inner = pipe.outer_diameter or 0.0, pipe.inner_diameter or 0.0
+    second = math.pi / 64.0 * (outer**4 - inner**4)
+    return 0.25 * math.pi * (outer**2 - inner**2), 2.0 * second / outer
+
+
+# three hours of a sea
+
+
+def storm(sea: xr.Dataset) -> xr.Dataset:
+    """Histories of the sea's response with extremes, standard deviations and spectra over frequency."""
+    run = sea.squeeze("tensioner_model", drop=True)
+    interval = float(run["time"][1] - run["time"][0])
+    found: dict[str, xr.DataArray] = {}
+    for name in ("x", "effective_tension", "bending_moment", "stroke", "ufj_angle", "lfj_angle"):
+        values = run[name]
+        found |= {
+            name: values,
+            f"{name}_largest": values.max("time"),
+            f"{name}_smallest": values.min("time"),
+            f"{name}_deviation": values.std("time"),
+        }
+        frequency, density = welch(
+            values - values.mean("time"),
+            1.0 / interval,
+            nperseg=1024,
+            axis=values.get_axis_num("time"),
+        )
+        dims = ["frequency" if dim == "time" else dim for dim in values.dims]
+        spectrum = xr.DataArray(density, dims=dims, coords={"frequency": frequency})
+        found[f"{name}_spectrum"] = spectrum
+    return described(xr.Dataset(found), PAPER, "three hours of an irregular sea")
