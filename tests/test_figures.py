@@ -5,6 +5,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from ruamel.yaml import YAML
@@ -35,10 +36,16 @@ PAPERS = {
             "from_rest": {"analysis.step": "0.01 s"},
         },
     ),
-    "liu2020": Small({"sample": FEW}, {}),
+    "liu2020": Small(
+        {"sample": FEW, "wave_period": [10.0, 15.0], "roll_period": [5.0, 10.0, 20.0]},
+        {
+            "sea": {"analysis.duration": "900 s"},
+            "surge_case": {"analysis.output.interval": "0.5 s"},
+        },
+    ),
 }
 FIGURES = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).figures]
-UNIT = re.compile(r"\((m|s|t|N|kN|MN|kN m|MN/m|m/s|MPa|-|%|deg)\)")
+UNIT = re.compile(r"\((m|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|MPa|-|%|deg|deg/m)\)")
 
 
 def small(paper, name, model):
@@ -58,7 +65,9 @@ def datasets_of(paper):
     file: StudyFile = read_studies(CONFIG, paper)
     made = {}
     for name, model in file.studies.items():
-        study = Study(paper, name, small(paper, name, model), CONFIG, "preview", "1 %")
+        study = Study(
+            paper, name, small(paper, name, model), CONFIG, "preview", "1 %", file.readings
+        )
         results, _ = results_of(study, 1, lambda text: None)
         made[name] = dataset_of(study, results)
     for name, sources in file.derived.items():
@@ -161,3 +170,17 @@ def test_the_heave_dataset_is_as_promised():
     assert force.attrs["units"] == "N"
     assert force.sizes == found["axial_force_amplitude_linear"].sizes
     assert float(found["settling"].max()) < 0.005
+
+
+def test_the_roll_dataset_is_as_promised():
+    found = datasets_of("liu2020")["roll"]["max_bending_moment"]
+    assert found.dims == ("roll_amplitude", "roll_period")
+    assert found.attrs["units"] == "N m"
+    # the number that the centre of rotation is tuned to, at the accuracy of a preview
+    assert float(found.sel(roll_amplitude=4, roll_period=10)) == pytest.approx(32.8e3, rel=0.02)
+
+
+def test_shares_of_stress_sum_to_one():
+    share = datasets_of("liu2020")["rao"]["stress_share"]
+    assert set(share["motion"].values) == {"surge", "heave", "pitch"}
+    assert np.allclose(share.sum("motion"), 1.0)

@@ -77,7 +77,14 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     import xarray as xr
 
     shape = tuple(len(values) for values in study.axes.values())
-    flat = xr.concat(_alike(study, results), "point", join="outer", combine_attrs="drop")
+    flat = xr.concat(
+        _alike(study, results),
+        "point",
+        join="outer",
+        combine_attrs="drop",
+        coords="minimal",
+        compat="override",
+    )
     for name, extract in FACTS.items():
         flat[name] = ("point", [extract(r.facts) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])

@@ -20,6 +20,7 @@ from riserstudy.response import operator
 from riserstudy.scene.models import Scene
 
 PAPER = "liu2020"
+RING = 533.0  # m, arclength of the riser's top
 SURGE_PERIOD = 15.0  # s
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 PERIODS = np.arange(3.0, 40.01, 0.1)  # s, of the responses drawn
@@ -32,13 +33,14 @@ WITHOUT = ["constant", "vertical force at the ring", "riser's top on the platfor
 def surge(surge_case: xr.Dataset) -> xr.Dataset:
     """Amplitude and lag of the displacement at four depths, over (tensioner_model, depth)."""
     depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
-    x = surge_case["x"].interp(s=533.0 - depth, method="cubic").assign_coords(depth=depth)
+    riser = surge_case["x"].sel(s=surge_case["s"] <= RING + 1e-6)
+    x = riser.interp(s=RING - depth, method="cubic").assign_coords(depth=depth)
     return described(_moved(x.drop_vars("s")), PAPER, "displacement under surge at four depths")
 
 
 def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
     """The same for every sample of what the paper leaves open."""
-    x = surge_open["x"].assign_coords(depth=533.0 - surge_open["s"]).swap_dims(s="depth")
+    x = surge_open["x"].assign_coords(depth=RING - surge_open["s"]).swap_dims(s="depth")
     found = _moved(x.drop_vars("s").sortby("depth")).assign(sampled(surge_open))
     return described(found, PAPER, "displacement under surge over what the paper leaves open")
 
@@ -72,7 +74,7 @@ def roll(roll_runs: xr.Dataset) -> xr.Dataset:
 def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
     """The same about an assumed centre, and the lag of the riser down its length."""
     depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
-    x = roll_base["x"].interp(s=533.0 - depth, method="cubic").assign_coords(depth=depth)
+    x = roll_base["x"].interp(s=RING - depth, method="cubic").assign_coords(depth=depth)
     lag = -xr.apply_ufunc(np.angle, first_harmonic(x.drop_vars("s"), "roll_period"))
     unwrapped = xr.apply_ufunc(
         np.unwrap, lag, input_core_dims=[["depth"]], output_core_dims=[["depth"]]
@@ -126,8 +128,9 @@ def rao(rao_runs: xr.Dataset) -> xr.Dataset:
     """
     _, scene = next(scenes_of(rao_runs.isel({dim: [0] for dim in rao_runs["point_key"].dims})))
     area, modulus = section(scene)
-    axial, bending = rao_runs["effective_tension"] / area, rao_runs["bending_moment"] / modulus
-    on_riser = rao_runs["s"] < 533.0 + 1e-6
+    axial = rao_runs["effective_tension"] / area
+    bending = rao_runs["bending_moment"].fillna(0.0) / modulus  # none under heave alone
+    on_riser = rao_runs["s"] < RING + 1e-6
     sides = [
         half_swing((axial + sign * bending).isel(s=on_riser.values), "wave_period").max("s")
         for sign in (1.0, -1.0)
@@ -164,10 +167,7 @@ def storm(sea: xr.Dataset) -> xr.Dataset:
             f"{name}_deviation": values.std("time"),
         }
         frequency, density = welch(
-            values - values.mean("time"),
-            1.0 / interval,
-            nperseg=1024,
-            axis=values.get_axis_num("time"),
+            values.values, 1.0 / interval, nperseg=1024, axis=values.dims.index("time")
         )
         dims = ["frequency" if dim == "time" else dim for dim in values.dims]
         spectrum = xr.DataArray(density, dims=dims, coords={"frequency": frequency})

@@ -22,7 +22,8 @@ def dat_force(statics: xr.Dataset) -> xr.Dataset:
 
 def dat_force_calibrated(statics_calibrated: xr.Dataset) -> xr.Dataset:
     """The same in the current that was tuned to the printed force at 1 m/s."""
-    found = _force(statics_calibrated).to_dataset(name="horizontal_force")
+    force = _force(statics_calibrated).sel(counted="all cylinders", drop=True)
+    found = force.to_dataset(name="horizontal_force")
     return described(found, PAPER, "force of the tensioners, current profile calibrated")
 
 

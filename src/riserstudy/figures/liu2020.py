@@ -158,7 +158,7 @@ def dat_force(dat_force: xr.Dataset, dat_force_calibrated: xr.Dataset) -> Figure
             force = dat_force["horizontal_force"].sel(current_profile=shape, counted=counted) / 1e3
             label = shape if counted == "all cylinders" else None
             ax.plot(force["surface_speed"], force, line, color=colour, marker=".", label=label)
-    tuned = dat_force_calibrated["horizontal_force"].sel(counted="all cylinders") / 1e3
+    tuned = dat_force_calibrated["horizontal_force"] / 1e3
     ax.plot(tuned["surface_speed"], tuned, color="black", label="exponential, calibrated")
     ax.plot(SPEEDS, [f / 1e3 for f in PUSHED], "kx", markersize=8, label="printed")
     ax.set_yscale("log")

@@ -99,7 +99,7 @@ def fig19(roll_case: xr.Dataset) -> Figure:
     field(figure, axes[0], moment, "time", "depth", "bending moment (kN m)")
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel(DEPTH)
-    largest = np.abs(moment).max("time")
+    largest = abs(moment).max("time")
     axes[1].plot(largest, largest["depth"], color=COLOURS[0])
     axes[1].axvline(MOMENT, label="printed, and calibrated to", **PRINTED)
     axes[1].set_xlabel("largest bending moment (kN m)")

@@ -9,6 +9,10 @@ import xarray as xr
 
 from riserstudy.published.grading import Found
 
+#: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
+WITHOUT = ["constant", "vertical force at the ring", "riser's top on the platform"]
+INCH, DEGREES = 0.0254, 180.0 / np.pi  # m, a radian
+
 # Table 2 and the constant tension
 
 
@@ -26,6 +30,39 @@ def codes_agree(codes: xr.Dataset, at_most: float) -> Found:
     largest = abs(moved).max(["depth", "code"])
     apart = (moved.max("code") - moved.min("code")).max("depth") / largest
     return Found(apart, apart <= at_most)
+
+
+# Figs 11 and 12: statics
+
+
+def pushed_back(force: xr.Dataset, speed: float) -> Found:
+    """Horizontal force of the tensioners at a surface speed (N)."""
+    return Found(force["horizontal_force"].sel(surface_speed=speed, drop=True))
+
+
+def opposes(readings: xr.Dataset) -> Found:
+    """The tensioners push against the current at every speed; value: least force at 1 m/s (N)."""
+    force = readings["horizontal_force"].sel(counted="all cylinders", drop=True)
+    return Found(force.sel(surface_speed=1.0, drop=True), (force > 0).all("surface_speed"))
+
+
+def moves_less(readings: xr.Dataset) -> Found:
+    """With tensioners the riser moves less in every current; value: ratio to the other at 1 m/s."""
+    moved = readings["largest_displacement"]
+    ratio = moved.sel(tensioner_model="gas law", drop=True) / moved.sel(tensioner_model=WITHOUT)
+    return Found(ratio.sel(surface_speed=1.0, drop=True), (ratio < 1.0).all("surface_speed"))
+
+
+def bends_apart_near_the_top(readings: xr.Dataset, at_most: float) -> Found:
+    """Moments differ near the ring only, where tensioners make them smaller; value: difference below.
+
+    The value is the largest difference further down over the largest moment, at 1 m/s.
+    """
+    ours, other = (readings.sel(tensioner_model=model) for model in ("gas law", WITHOUT))
+    below = other["moment_apart_below"] / ours["largest_moment"].drop_vars("tensioner_model")
+    smaller = other["moment_near_ring"] > ours["moment_near_ring"].drop_vars("tensioner_model")
+    true = ((below <= at_most) & smaller).all("surface_speed")
+    return Found(below.sel(surface_speed=1.0, drop=True), true)
 
 
 # Figs 13 to 15: heave
@@ -52,6 +89,74 @@ def amplitude_not_period(heave: xr.Dataset, at_most: float) -> Found:
     return Found(spread, grows & (spread <= at_most))
 
 
+# Figs 16 to 18: surge
+
+
+def travels_down(motion: xr.Dataset) -> Found:
+    """Each depth lags behind the one above; value: least lag from one to the next (degrees)."""
+    step = motion["displacement_lag"].sortby("depth").diff("depth").min("depth")
+    return Found(step * DEGREES, step > 0)
+
+
+def surges_less(surge: xr.Dataset) -> Found:
+    """With tensioners every depth moves less; value: largest ratio to the other model."""
+    moved = surge["displacement_amplitude"]
+    ratio = moved.sel(tensioner_model="gas law", drop=True) / moved.sel(tensioner_model=WITHOUT)
+    return Found(ratio.max("depth"), (ratio < 1.0).all("depth"))
+
+
+def lags(surge: xr.Dataset) -> Found:
+    """With tensioners every depth comes later; value: least lag behind the other model (degrees)."""
+    lag = surge["displacement_lag"]
+    behind = lag.sel(tensioner_model="gas law", drop=True) - lag.sel(tensioner_model=WITHOUT)
+    least = ((behind + np.pi) % (2.0 * np.pi) - np.pi).min("depth")
+    return Found(least * DEGREES, least > 0)
+
+
+# Figs 19 and 20: roll
+
+
+def largest_moment(roll: xr.Dataset, amplitude: float, period: float) -> Found:
+    """Largest bending moment (kN m)."""
+    moment = roll["max_bending_moment"].sel(roll_amplitude=amplitude, roll_period=period, drop=True)
+    return Found(moment / 1e3)
+
+
+def bending_stress(roll: xr.Dataset, amplitude: float, period: float) -> Found:
+    """Stress of the largest moment at the outer fibre, as amplitude and peak to peak (MPa)."""
+    outer, inner = 21.0 * INCH, 19.0 * INCH
+    modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
+    stress = 1e3 * largest_moment(roll, amplitude, period).value / modulus / 1e6
+    names = xr.DataArray(["amplitude", "peak to peak"], dims="reading", name="reading")
+    return Found(xr.concat([stress, 2.0 * stress], names))
+
+
+def grows_with_amplitude(roll: xr.Dataset) -> Found:
+    """Moment rises with roll amplitude at every period; value: least ratio of neighbours."""
+    moment = roll["max_bending_moment"]
+    ratio = moment / moment.shift(roll_amplitude=1)
+    least = ratio.min(["roll_amplitude", "roll_period"])
+    return Found(least, least > 1.0)
+
+
+def falls_with_period(roll: xr.Dataset) -> Found:
+    """Moment falls with every step of the period; value: largest ratio of a period to the one before."""
+    moment = roll["max_bending_moment"]
+    most = (moment / moment.shift(roll_period=1)).max(["roll_amplitude", "roll_period"])
+    return Found(most, most < 1.0)
+
+
+# Figs 23 and 24: response in waves
+
+
+def surge_largest(rao: xr.Dataset, at_least: float) -> Found:
+    """Surge stresses the riser most, heave and pitch less but not by nothing; value: share of surge."""
+    share = rao["stress_share"]
+    surge = share.sel(motion="surge", drop=True)
+    others = share.sel(motion=["heave", "pitch"])
+    return Found(surge, (others < surge).all("motion") & (others >= at_least).all("motion"))
+
+
 # errata
 
 
@@ -66,3 +171,39 @@ def tensions(readings: xr.Dataset) -> dict[str, Any]:
         "seven": float(tonnes.sel(cylinders="seven", pistons="6050 kg each", inclination=9.5)),
         "leaning": float(tonnes.sel(cylinders="six", pistons="massless", inclination=12.8)),
     }
+
+
+def forces(force: xr.Dataset, calibrated: xr.Dataset) -> dict[str, Any]:
+    """Horizontal forces (N) in the calibrated current, and drag coefficients that profiles would need."""
+    tuned = calibrated["horizontal_force"]
+    found = force["horizontal_force"].sel(surface_speed=1.0)
+    needed = 8765.0 / found  # of a drag coefficient of 1, to which the force is proportional
+    return {
+        "slow": float(tuned.sel(surface_speed=0.2)),
+        "middle": float(tuned.sel(surface_speed=0.6)),
+        "fast": float(tuned.sel(surface_speed=1.0)),
+        "linear_all": float(needed.sel(current_profile="linear", counted="all cylinders")),
+        "linear_one": float(needed.sel(current_profile="linear", counted="one cylinder")),
+        "surface_all": float(
+            needed.sel(current_profile="exponential 50 m", counted="all cylinders")
+        ),
+    }
+
+
+def stresses(roll: xr.Dataset) -> dict[str, Any]:
+    """Stress of the printed moment in both readings (MPa)."""
+    outer, inner = 21.0 * INCH, 19.0 * INCH
+    modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
+    return {
+        "moment": float(largest_moment(roll, 4.0, 10.0).value),
+        "amplitude": 32.8e3 / modulus / 1e6,
+        "range": 2.0 * 32.8e3 / modulus / 1e6,
+    }
+
+
+def peaks(roll: xr.Dataset) -> dict[str, Any]:
+    """Periods (s) at which the largest moment peaks, 4 degrees of roll."""
+    moment = roll["max_bending_moment"].sel(roll_amplitude=4.0)
+    values, period = moment.values, moment["roll_period"].values
+    inside = (values[1:-1] > values[:-2]) & (values[1:-1] > values[2:])
+    return {"peaks": ", ".join(f"{x:g} s" for x in period[1:-1][inside]) or "none"}
