@@ -39,13 +39,15 @@ class Steps(Strict):
 
 
 class Numbers(Strict):
-    """An axis of numbers put at a path of the scene, with a unit ("1": none). Absent offset: as they are.
+    """An axis of numbers put at a path of the scene, with a unit ("1": none).
 
-    ``offset`` is added on the way, where the axis counts from elsewhere than the path.
+    Absent factor, offset: as they are. On the way a number is multiplied by ``factor`` and ``offset`` is added, where the axis counts in
+    another direction or from elsewhere than the path.
     """
 
     path: str
     unit: str
+    factor: float | None = None
     offset: float | None = None
     values: list[float] | Steps
     preview: list[float] | None = None
@@ -66,7 +68,8 @@ class Numbers(Strict):
 
     def overrides(self, number: float) -> dict[str, Any]:
         """What a value sets."""
-        value = number + (self.offset or 0.0)
+        value = number if self.factor is None else number * self.factor
+        value += self.offset or 0.0
         return {self.path: value if self.unit == "1" else f"{value!r} {self.unit}"}
 
 

@@ -5,12 +5,22 @@ Displacements count along the track, from the upper flex joint: negative is behi
 
 from __future__ import annotations
 
-import xarray as xr
+import json
 
-from riserstudy.quantities.towed import displacement
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from riserstudy.quantities.towed import at_top, displacement
 from riserstudy.simulation import attributes
 
+FloatArray = NDArray[np.float64]
 STATED = 130.0  # s, the time of Fig 9
+JOINT = 8800.0  # N m/deg (Table 2)
+#: what a captain keeps to, all assumed: 9 deg at the joint; 4.4 m from the vertical at the keel, of a
+#: moonpool 10 m wide and a riser with lines 1.2 m wide; 0.67 of the yield of X80, 555 MPa
+LIMITS = {"joint angle": 9.0, "clearance": 4.4, "stress": 0.67 * 555e6}
+KEEL = 25.0  # m below the joint, assumed
 
 
 def base(base_runs: xr.Dataset) -> xr.Dataset:
@@ -54,12 +64,16 @@ def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
             "ufj_angle": runs["ufj_angle"],
         }
     )
+    return _described(made, name, "displacements along the track from the upper flex joint")
+
+
+def _described(made: xr.Dataset, name: str, title: str) -> xr.Dataset:
     for label in made.variables:
         made[label].attrs = attributes(str(label))
     made.attrs = {
         "Conventions": "CF-1.11",
         "paper": "mao_hangoff",
-        "title": f"mao_hangoff {name}: displacements along the track from the upper flex joint",
+        "title": f"mao_hangoff {name}: {title}",
     }
     return made
 
@@ -69,3 +83,95 @@ def rise(runs: xr.Dataset, s: float) -> xr.DataArray:
     rest = runs["z_static"].interp(s_node=s)
     risen: xr.DataArray = runs["z"].sel(s=s, method="nearest") - rest
     return risen.drop_vars(["s", "s_node"])
+
+
+# beyond the paper
+
+
+def speed_limits(steady: xr.Dataset) -> xr.Dataset:
+    """Largest speed that keeps all limits, over length, LMRP mass and current, and what governs it."""
+    pipe = json.loads(steady.attrs["scene"])["riser"][0]
+    outer, inner = (float(pipe[name].split()[0]) for name in ("outer_diameter", "inner_diameter"))
+    area = 0.25 * np.pi * (outer**2 - inner**2)
+    modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
+    moment = abs(steady["bending_moment"])
+    stress = (abs(steady["effective_tension"]) / area + moment / modulus).max("s")
+    used = {
+        "joint angle": at_top(moment) / JOINT / LIMITS["joint angle"],
+        "clearance": _at_the_keel(steady) / LIMITS["clearance"],
+        "stress": stress / LIMITS["stress"],
+    }
+    names = xr.DataArray(list(used), dims="limit", name="limit")
+    use = xr.concat(list(used.values()), names, coords="minimal", compat="override")
+    speed, governing = xr.apply_ufunc(
+        _first_reached,
+        use,
+        use["platform_speed"],
+        input_core_dims=[["limit", "platform_speed"], ["platform_speed"]],
+        output_core_dims=[[], []],
+        vectorize=True,
+    )
+    made = xr.Dataset({"use_of_limit": use, "speed_limit": speed, "governing_limit": governing})
+    return _described(made, "speed_limits", "largest steady speed within limits")
+
+
+def _at_the_keel(steady: xr.Dataset) -> xr.DataArray:
+    """Distance of the riser from below the joint, at the keel (m)."""
+    found = []
+    for length in steady["riser_length"].values:
+        x = steady["x"].sel(riser_length=length).dropna("s")
+        edge = float(x["s"][-1]) - KEEL
+        found.append(abs(x.interp(s=edge) - x.isel(s=-1, drop=True)).drop_vars("s"))
+    return xr.concat(found, steady["riser_length"])
+
+
+def _first_reached(use: FloatArray, speed: FloatArray) -> tuple[float, float]:
+    """Speed at which a limit is first used up, and which one; the highest speed and -1 for none."""
+    first, which = float(speed[-1]), -1
+    for k, row in enumerate(use):
+        over = np.flatnonzero(row > 1.0)
+        if not len(over):
+            continue
+        j = int(over[0])
+        reached = float(speed[0])
+        if j:
+            share = (1.0 - row[j - 1]) / (row[j] - row[j - 1])
+            reached = float(speed[j - 1] + share * (speed[j] - speed[j - 1]))
+        if reached < first or which < 0:
+            first, which = min(first, reached), k
+    return first, float(which)
+
+
+def tension_limits(hang_off: xr.Dataset) -> xr.Dataset:
+    """Range of tension at the top, and the heave amplitude at which tension is first lost (m).
+
+    Not a number where it is not lost in the amplitudes of the grid.
+    """
+    high, low = hang_off["effective_tension_max"], hang_off["effective_tension_min"]
+    lowest = low.min("s_node")
+    lost = xr.apply_ufunc(
+        _first_below_zero,
+        lowest,
+        lowest["heave_amplitude"],
+        input_core_dims=[["heave_amplitude"], ["heave_amplitude"]],
+        vectorize=True,
+    )
+    made = xr.Dataset(
+        {
+            "tension_range": at_top(high, "s_node") - at_top(low, "s_node"),
+            "tension_lowest": lowest,
+            "heave_that_loses_tension": lost,
+        }
+    )
+    return _described(made, "tension_limits", "tension in heave, soft and hard hang-off")
+
+
+def _first_below_zero(tension: FloatArray, amplitude: FloatArray) -> float:
+    below = np.flatnonzero(tension < 0.0)
+    if not len(below):
+        return float("nan")
+    j = int(below[0])
+    if j == 0:
+        return float(amplitude[0])
+    share = tension[j - 1] / (tension[j - 1] - tension[j])
+    return float(amplitude[j - 1] + share * (amplitude[j] - amplitude[j - 1]))

@@ -13,8 +13,8 @@ def displacement(runs: xr.Dataset) -> xr.DataArray:
     return relative
 
 
-def at_top(values: xr.DataArray) -> xr.DataArray:
-    """Values at the last node that each riser has."""
+def at_top(values: xr.DataArray, nodes: str = "s") -> xr.DataArray:
+    """Values at the last node that each riser has, over all times."""
     there = values.notnull().any([dim for dim in ("time",) if dim in values.dims])
-    last = there.cumsum("s").argmax("s")
-    return values.isel(s=last).drop_vars("s")
+    last = there.cumsum(nodes).argmax(nodes)
+    return values.isel({nodes: last}).drop_vars(nodes)

@@ -60,8 +60,8 @@ class Scene(Strict):
             self.gravity is None or self.water is None
         ):
             raise ValueError("displaced_volume needs gravity and water")
-        if self.bottom.hold == "free" and self.top.z == "free":
-            raise ValueError("both ends are free: hold one")
+        if self.bottom.hold == "free" and self.top.z == "free" and not self.top.tensioners:
+            raise ValueError("both ends are free: hold one, or hang the top on tensioners")
         if self.analysis.duration and not (
             all(s.mass for s in self.riser) or self.top.body or self.bottom.body
         ):
