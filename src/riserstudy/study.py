@@ -41,8 +41,8 @@ class Steps(Strict):
 class Numbers(Strict):
     """An axis of numbers put at a path of the scene, with a unit ("1": none).
 
-    Absent factor, offset: as they are. On the way a number is multiplied by ``factor`` and ``offset`` is added, where the axis counts in
-    another direction or from elsewhere than the path.
+    On the way a number is multiplied by ``factor`` and ``offset`` is added, where the axis counts in
+    another direction or from elsewhere than the path. Absent: as it is.
     """
 
     path: str

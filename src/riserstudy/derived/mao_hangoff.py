@@ -48,6 +48,16 @@ def riser_length(riser_length_runs: xr.Dataset) -> xr.Dataset:
     return towed(riser_length_runs, "riser_length")
 
 
+def track_angle(track_angle_runs: xr.Dataset) -> xr.Dataset:
+    """Fig 13; with ``lmrp_displacement_cross``, across the track."""
+    made = towed(track_angle_runs, "track_angle")
+    # A track along the current has no motion across it.
+    y = track_angle_runs["y"].fillna(0.0)
+    cross = y.isel(s=0, drop=True) - y.isel(s=-1, drop=True)
+    made["lmrp_displacement_cross"] = cross.assign_attrs(attributes("lmrp_displacement_cross"))
+    return made
+
+
 def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
     """Shape, moment and axial motion of runs, over their axes.
 

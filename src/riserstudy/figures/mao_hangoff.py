@@ -91,6 +91,22 @@ def fig12(platform_speed: xr.Dataset) -> Figure:
     return _three(platform_speed, "platform_speed", (2.4, 2.5, 2.6), "platform {:g} kn")
 
 
+def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
+    """The same for three angles of the track, speeds apart and in one profile."""
+    figure = _three(track_angle, "track_angle", (0.0, 45.0, 90.0), "track at {:g} deg")
+    axes = figure.axes
+    shapes = displacement(track_one_profile).sel(time=STATED)
+    moments = abs(track_one_profile["bending_moment"].sel(time=STATED)) / 1e3
+    z = track_one_profile["z"].isel(s=0)
+    for colour, track in zip(COLOURS, ("0 deg", "45 deg", "90 deg"), strict=False):
+        depth = float(shapes["s"][-1]) - shapes["s"]
+        axes[0].plot(-shapes.sel(track=track), depth, "--", color=colour)
+        axes[1].plot(moments.sel(track=track), depth, "--", color=colour)
+        risen = z.sel(track=track) - z.sel(track=track).isel(time=0)
+        axes[2].plot(risen["time"], risen, "--", color=colour, lw=1.0)
+    return figure
+
+
 def fig14(riser_length: xr.Dataset) -> Figure:
     """The same for three lengths of riser."""
     return _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")

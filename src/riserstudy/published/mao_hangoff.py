@@ -189,6 +189,32 @@ def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float) -> F
     return Found(_last_over_first(x, axis), true)
 
 
+def other_way_at_90_degrees(runs: xr.Dataset, axis: str) -> Found:
+    """At 90 deg the LMRP is on another side than at 0 and 45 deg; value: place at 90 over that at 0 deg."""
+    place = displacement(runs).sel(time=STATED, drop=True).isel(s=0, drop=True)
+    at0, at45, at90 = (_at_angle(place, axis, angle) for angle in (0, 45, 90))
+    return Found(at90 / at0, (at0 * at45 > 0) & (at0 * at90 < 0))
+
+
+def falls_with_angle(runs: xr.Dataset, axis: str, considerably: float) -> Found:
+    """Distance x falls from 0 over 45 to 90 deg, 0 deg considerably largest; value: x at 90 over 0 deg."""
+    x = _distance(runs)
+    at0, at45, at90 = (_at_angle(x, axis, angle) for angle in (0, 45, 90))
+    return Found(at90 / at0, (at0 >= considerably * at45) & (at45 > at90))
+
+
+def grows_beyond_90_degrees(runs: xr.Dataset, axis: str) -> Found:
+    """Distance x grows from 90 over 135 to 180 deg; value: x at 180 over 90 deg."""
+    x = _distance(runs)
+    at90, at135, at180 = (_at_angle(x, axis, angle) for angle in (90, 135, 180))
+    return Found(at180 / at90, (at135 > at90) & (at180 > at135))
+
+
+def _at_angle(values: xr.DataArray, axis: str, angle: float) -> xr.DataArray:
+    label = f"{angle:g} deg" if axis == "track" else angle
+    return values.sel({axis: label}, drop=True)
+
+
 def _last_over_first(values: xr.DataArray, axis: str) -> xr.DataArray:
     return values.isel({axis: -1}, drop=True) / values.isel({axis: 0}, drop=True)
 
@@ -303,6 +329,12 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
         found[f"d_{short}"] = float(moments["s"][-1] - one.idxmax("s"))
         found[f"t_{short}"] = float(top.sel(variant=name)) / 1e3
     return found
+
+
+def tracks(runs: xr.Dataset) -> dict[str, Any]:
+    """Distance x (m) at five angles of the track."""
+    x = _distance(runs)
+    return {f"x{angle}": float(_at_angle(x, "track", angle)) for angle in (0, 45, 90, 135, 180)}
 
 
 def flows(runs: xr.Dataset) -> dict[str, Any]:
