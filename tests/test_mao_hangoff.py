@@ -1,0 +1,158 @@
+"""Readings as axes and samples, risers of several lengths, and what Mao's chapter takes from runs."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.derived.mao_hangoff import speed_limits, towed
+from riserstudy.errors import InputError
+from riserstudy.gather import dataset_of, results_of
+from riserstudy.published import mao_hangoff as checks
+from riserstudy.published.models import read_published
+from riserstudy.quantities.towed import at_top, displacement
+from riserstudy.study import Numbers, Study, StudyModel, read_studies
+
+CONFIG = Path(__file__).parents[1] / "config"
+PAPER = "mao_hangoff"
+FILE = read_studies(CONFIG, PAPER)
+
+
+def planned(name, **changes):
+    model = FILE.studies[name].model_copy(update=changes)
+    return Study(PAPER, name, model, CONFIG, "preview", None, FILE.readings)
+
+
+def small(name, **settings):
+    """A dataset on a coarse mesh with few outputs."""
+    coarse = {
+        "analysis.accuracy": None,
+        "analysis.mesh": {"elements": 20},
+        "analysis.step": "0.5 s",
+        "analysis.output": {"interval": "10 s"},
+    }
+    study = planned(name, set=FILE.studies[name].set | coarse | settings)
+    return dataset_of(study, results_of(study, 1, lambda text: None)[0])
+
+
+# studies
+
+
+def test_an_axis_of_readings_takes_all_of_them():
+    study = planned("readings")
+    assert list(dict(study.axes["flow"])) == list(FILE.readings["flow"])
+
+
+def test_samples_draw_readings_by_name_and_set_what_they_mean():
+    study = planned("open_lmrp_mass")
+    axis = study.model.axes["sample"]
+    for assumed, (_, sets) in zip(study.assumed(axis), study.axes["sample"], strict=True):
+        reading = FILE.readings["riser_weight"][assumed["riser_weight"]]
+        assert reading.items() <= sets.items()
+        assert "riser_weight" not in sets
+
+
+def test_an_unknown_reading_is_refused(tmp_path):
+    text = (CONFIG / "studies" / f"{PAPER}.yaml").read_text()
+    (tmp_path / "studies").mkdir()
+    (tmp_path / "studies" / f"{PAPER}.yaml").write_text(text.replace("  flow:\n", "  stream:\n", 1))
+    with pytest.raises(InputError, match="no readings 'flow'"):
+        read_studies(tmp_path, PAPER)
+
+
+def test_numbers_are_turned_and_shifted_on_their_way():
+    axis = Numbers(path="riser[0].length", unit="m", factor=-1.0, offset=150.0, values=[100.0])
+    assert axis.overrides(100.0) == {"riser[0].length": "50.0 m"}
+
+
+def test_all_grids_hold_the_papers_points_and_eleven_of_their_own():
+    axes = {
+        "lmrp_mass": (120, 130, 140),
+        "current_speed": (1.0, 1.1, 1.2),
+        "platform_speed": (2.4, 2.5, 2.6),
+        "riser_length": (1200, 1500, 1800),
+        "track_angle": (0, 45, 90),
+    }
+    for name, points in axes.items():
+        axis = FILE.studies[f"{name}_runs"].axes[name]
+        assert set(points) <= set(axis.numbers("preview"))
+        assert set(points) <= set(axis.numbers("standard"))
+        assert len(axis.numbers("standard")) >= 11
+
+
+def test_every_study_is_sampled_at_256_points_in_the_standard_tier():
+    for name, model in FILE.studies.items():
+        if isinstance(model, StudyModel) and name.startswith("open_"):
+            assert model.axes["sample"].count["standard"] >= 256
+
+
+# datasets
+
+
+def test_the_grids_are_as_promised():
+    made = towed(small("lmrp_mass_runs"), "lmrp_mass")
+    assert made["lmrp_displacement"].dims == ("lmrp_mass", "time")
+    assert made["max_bending_moment"].dims == ("lmrp_mass", "s")
+    assert float(made["s"][0]) == 0.0
+    assert made["lmrp_mass"].attrs["units"] == "t"
+    x = made["lmrp_displacement"].isel(time=-1)
+    assert (x < 0).all()
+    assert (np.diff(x) > 0).all()  # the heavier, the less far
+
+
+def test_risers_of_several_lengths_keep_their_own_tops():
+    runs = small("riser_length_runs")
+    for length in (1200.0, 1500.0, 1800.0):
+        x = runs["x"].sel(riser_length=length).isel(time=-1)
+        assert float(x.dropna("s")["s"][-1]) == length
+        top = float(at_top(runs["x"]).sel(riser_length=length).isel(time=-1))
+        assert top == pytest.approx(120.0)  # 130 s at 1 m/s, less half the ramp of 20 s
+
+
+def test_displacement_counts_along_the_track_whichever_way_it_goes():
+    time, s = [0.0, 1.0], [0.0, 1.0]
+    x = xr.DataArray([[0.0, 0.0], [-1.0, -5.0]], {"time": time, "s": s}, ("time", "s"))
+    there = displacement(xr.Dataset({"x": x})).isel(time=-1, s=0)
+    back = displacement(xr.Dataset({"x": -x})).isel(time=-1, s=0)
+    assert float(there) == float(back) == -4.0
+
+
+def test_speed_limits_lie_where_a_limit_is_used_up():
+    made = speed_limits(small_steady())
+    use, speed = made["use_of_limit"].max("limit"), made["speed_limit"]
+    at = use.isel(riser_length=0, lmrp_mass=0, current_speed=0)
+    found = float(speed.isel(riser_length=0, lmrp_mass=0, current_speed=0))
+    assert np.interp(found, at["platform_speed"], at) == pytest.approx(1.0, rel=0.05)
+
+
+def small_steady():
+    axes = dict(FILE.studies["steady"].axes)
+    axes["riser_length"] = axes["riser_length"].model_copy(update={"preview": [1200.0]})
+    study = planned("steady", axes=axes, set={"analysis.mesh": {"elements": 40}})
+    return dataset_of(study, results_of(study, 1, lambda text: None)[0])
+
+
+# checks
+
+
+def test_the_amplitude_is_freed_of_a_drift():
+    t = np.arange(0.0, 130.5, 0.5)
+    z = 0.02 * t + 1e-4 * t**2 + 1.5 * np.sin(2 * np.pi * t / 10.0 + 0.3)
+    heave = xr.Dataset({"z": (("time", "s"), z[:, None])}, {"time": t, "s": [0.0]})
+    heave.attrs["scene"] = json.dumps({"platform": {"heave": {"period": "10 s"}}})
+    fit = checks._harmonic(heave["z"].isel(s=0), heave)
+    assert float(fit["amplitude"]) == pytest.approx(1.5, rel=1e-9)
+    assert float(fit["drift"]) == pytest.approx(0.02 + 1e-4 * 200.0, rel=1e-9)
+    assert float(fit["share"]) == pytest.approx(1.0)
+
+
+def test_all_numbers_claims_and_errata_of_the_dossier_are_there():
+    known = {*FILE.studies, *FILE.derived}
+    file = read_published(CONFIG, PAPER, known)
+    ids = {item.id for item in file.items} | {erratum.id for erratum in file.errata}
+    wanted = [("N", 3), ("C", 25), ("T", 13), ("E", 15)]
+    assert {f"{letter}{k}" for letter, most in wanted for k in range(1, most + 1)} <= ids
+    for item in file.items:
+        assert item.impossible or hasattr(checks, item.check)
