@@ -261,3 +261,40 @@ def grid_test(grid_test: xr.Dataset) -> Figure:
     axes[1].set_ylabel("time for 80 s, with its error estimate (s)")
     key_below(figure, axes[0], 5)
     return figure
+
+
+def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
+    """Envelopes of the API riser by both solvers, and over its surge; and how far the solvers are apart."""
+    figure, axes = panels(1, 3, 4.0)
+    for ax, name, scale, label in (
+        (axes[0], "x", 1.0, "displacement x (m)"),
+        (axes[1], "bending_moment", 1e-3, "bending moment (kN m)"),
+    ):
+        over = ("surge_amplitude", "surge_phase")
+        low, high = (
+            scale * api2j_surge[f"{name}_min"].min(over),
+            scale * api2j_surge[f"{name}_max"].max(over),
+        )
+        ax.fill_betweenx(
+            api2j_surge["s_node"], low, high, color="0.88", linewidth=0, label="any surge"
+        )
+        for solver, style in ((LUMPED, {"color": COLOURS[0]}), (BEAM, PRINTED)):
+            run = api2j.sel(solver=solver)
+            for side in ("min", "max"):
+                word = solver if side == "min" else None
+                ax.plot(scale * run[f"{name}_{side}"], run["s_node"], label=word, **style)
+        ax.set_xlabel(label)
+        ax.set_ylabel(HEIGHT)
+    both = api2j[["x", "bending_moment"]]
+    apart = abs(both.sel(solver=LUMPED) - both.sel(solver=BEAM)).max("s")
+    largest = abs(both.sel(solver=BEAM)).max(("time", "s"))
+    for colour, (name, label) in zip(
+        COLOURS, (("x", "displacement"), ("bending_moment", "bending moment")), strict=False
+    ):
+        axes[2].plot(apart["time"], 100.0 * apart[name] / largest[name], color=colour, label=label)
+    axes[2].set_xlabel(TIME)
+    axes[2].set_ylabel("difference over largest value (%)")
+    axes[2].set_ylim(bottom=0.0)
+    axes[2].legend(fontsize="small", loc="center right")
+    key_below(figure, axes[0], 3)
+    return figure
