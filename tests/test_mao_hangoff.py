@@ -6,11 +6,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
+from riserstudy.derived import derive
 from riserstudy.derived.mao_hangoff import speed_limits, towed
 from riserstudy.errors import InputError
+from riserstudy.figures import draw
 from riserstudy.gather import dataset_of, results_of
 from riserstudy.published import mao_hangoff as checks
+from riserstudy.published.grading import ErratumRow, errata, grade, table
 from riserstudy.published.models import read_published
 from riserstudy.quantities.towed import at_top, displacement
 from riserstudy.study import Numbers, Study, StudyModel, read_studies
@@ -156,3 +160,57 @@ def test_all_numbers_claims_and_errata_of_the_dossier_are_there():
     assert {f"{letter}{k}" for letter, most in wanted for k in range(1, most + 1)} <= ids
     for item in file.items:
         assert item.impossible or hasattr(checks, item.check)
+
+
+# figures and grading, from few and coarse runs
+
+FEW = {name: dict(list(labels.items())[:2]) for name, labels in FILE.readings.items()}
+COARSE = {"analysis.accuracy": None, "analysis.mesh": {"elements": 20}, "analysis.step": "0.5 s"}
+STATIC = ("steady", "pe_pipe")
+
+
+def little(name, model):
+    axes = dict(model.axes)
+    if "sample" in axes:
+        axes["sample"] = axes["sample"].model_copy(update={"count": {"preview": 2}})
+    if name == "variants":
+        return model
+    settings = {"analysis.mesh": {"elements": 20}} if name in STATIC else COARSE
+    return model.model_copy(update={"axes": axes, "set": model.set | settings})
+
+
+@pytest.fixture(scope="module")
+def datasets():
+    made = {}
+    for name, model in FILE.studies.items():
+        # errata tell every flow
+        readings = FEW | {"flow": FILE.readings["flow"]} if name == "readings" else FEW
+        study = Study(PAPER, name, little(name, model), CONFIG, "preview", "5 %", readings)
+        made[name] = dataset_of(study, results_of(study, 1, lambda text: None)[0])
+    for name, sources in FILE.derived.items():
+        made[name] = derive(PAPER, name, {source: made[source] for source in sources})
+    return made
+
+
+@pytest.mark.parametrize("name", FILE.figures)
+def test_every_figure_is_drawn_whole_with_units(datasets, name):
+    figure = draw(PAPER, name, {key: datasets[key] for key in FILE.figures[name].reads})
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    inside = figure.get_tightbbox(canvas.get_renderer())
+    width, height = figure.get_size_inches()
+    assert min(inside.x0, inside.y0) >= -0.01
+    assert inside.x1 <= width + 0.01
+    assert inside.y1 <= height + 0.01
+    for ax in figure.axes:
+        for label in (ax.get_xlabel(), ax.get_ylabel()):
+            assert not label or label.endswith(")"), label
+
+
+def test_everything_is_graded(datasets):
+    file = read_published(CONFIG, PAPER, datasets)
+    rows = {row.id: row for row in grade(file, datasets)}
+    assert list(rows) == [item.id for item in file.items]
+    # What must come out whatever the numbers: one heave has one frequency.
+    assert rows["C7"].verdict == "holds"
+    assert "{" not in table(errata(file, datasets), ErratumRow)

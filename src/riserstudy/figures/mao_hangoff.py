@@ -77,6 +77,7 @@ def fig10(lmrp_mass: xr.Dataset) -> Figure:
     figure = _three(lmrp_mass, "lmrp_mass", (140.0, 130.0, 120.0), "LMRP {:g} t")
     for value, colour in ((X_HEAVY, COLOURS[0]), (X_LIGHT, COLOURS[2])):
         figure.axes[0].axvline(value, **(PRINTED | {"color": colour}))
+    figure.axes[0].set_xlim(right=1.05 * X_LIGHT)
     figure.axes[0].set_title("dashed: printed", loc="right", fontsize="small")
     return figure
 
