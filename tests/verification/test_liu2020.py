@@ -1,8 +1,12 @@
 """Liu et al. 2020 by the engine and by the methods beside it."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+from riserstudy import load_scene, simulate
+from riserstudy.derived.liu2020_statics import pushed_back
 from riserstudy.derived.methods import Beamlike, by_collocation, by_hermite_elements
 
 LENGTH = 533.0
@@ -29,3 +33,64 @@ def test_methods_beside_the_engine_agree_where_tension_varies():
     s = np.linspace(0.0, LENGTH, 41)
     one, other = by_hermite_elements(heavy, s), by_collocation(heavy, s)
     np.testing.assert_allclose(one, other, atol=1e-5 * other.max())
+
+
+SYSTEM = Path(__file__).parents[2] / "config/scenes/liu2020/system.yaml"
+SHORT = {
+    "duration": "30 s",
+    "output": {"interval": "0.25 s"},
+    "mesh": {"elements": 40},
+    "step": "0.125 s",
+}
+ROLLING = {"amplitude": "4 deg", "period": "10 s", "ramp": "10 s"}
+
+
+def at(scene, **changes):
+    return simulate(load_scene(scene, **{"analysis": SHORT} | changes))
+
+
+def test_roll_out_of_the_plane_is_pitch_in_the_plane():
+    """The chapter simulates roll as pitch; the cylinders are turned with the motion."""
+    pitch = at(SYSTEM, **{"platform.pitch": ROLLING})
+    roll = at(
+        SYSTEM,
+        **{
+            "platform.roll": ROLLING,
+            "top.tensioners.arrangement.first_bearing": "90 deg",
+        },
+    )
+    largest = float(abs(pitch["x"]).max())
+    # roll about +x takes the deck towards -y, pitch about +y towards +x
+    assert float(abs(roll["y"] + pitch["x"]).max()) < 1e-6 * largest
+    assert float(abs(roll["x"]).max()) < 1e-6 * largest
+
+
+def test_the_platform_drags_the_ring_along_less_when_it_surges_than_the_riser_on_it():
+    surge = {"platform.surge": {"amplitude": "2 m", "period": "15 s", "ramp": "15 s"}}
+    with_tensioners = at(SYSTEM, **surge)
+    ring = with_tensioners["x"].sel(s=533.0, method="nearest")
+    assert float(abs(ring).max()) < 2.0
+    assert float(abs(with_tensioners["x"].isel(s=-1)).max()) == pytest.approx(2.0, rel=0.02)
+
+
+def test_one_failed_cylinder_pulls_the_ring_to_the_side():
+    run = at(SYSTEM, analysis={"mesh": {"elements": 40}}, **{"top.tensioners.failed": [0]})
+    force = run["tensioner_force"].values
+    assert force[0] == 0.0
+    assert (force[1:] > 3e5).all()
+    assert float(run["x"].sel(s=533.0, method="nearest")) < 0.0
+
+
+def test_the_horizontal_force_balances_a_ring_held_aside():
+    """Six cylinders of 24 m and a ring 0.24 m aside: one per cent of their pull."""
+    scene = load_scene(SYSTEM).scene()
+    rig = scene.top.tensioners.model_copy(
+        update={
+            "arrangement": scene.top.tensioners.arrangement.model_copy(
+                update={"ring_radius": 1e-9, "deck_radius": 1e-9}
+            )
+        }
+    )
+    scene = scene.model_copy(update={"top": scene.top.model_copy(update={"tensioners": rig})})
+    force = pushed_back(scene, np.full(6, 1e5), np.array([0.24, 0.24]), np.array([500.0, 533.0]))
+    assert force == pytest.approx(6e5 * 0.24 / np.hypot(24.0, 0.24), rel=1e-6)

@@ -168,6 +168,15 @@ class Tensioners(Strict):
         return sorted(places) == sorted((x, -y + 0.0) for x, y in places)
 
     @property
+    def pulls_aside(self) -> bool:
+        """Whether the cylinders that work, pulling alike, would move the ring along x."""
+        if self.arrangement is None:
+            return False
+        bearings = self.arrangement.bearings(self.count)
+        shares = (w * math.cos(b) for b, w in zip(bearings, self.working, strict=True))
+        return abs(sum(shares)) > 1e-9 * self.count
+
+    @property
     def piston_mass(self) -> float:
         """Mass of piston and rod that falls to one cylinder (kg)."""
         pistons = self.two_chamber_gas.pistons if self.two_chamber_gas else None
