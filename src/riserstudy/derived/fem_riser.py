@@ -69,6 +69,11 @@ def trends(
     )
 
 
+def beam_trends(**studies: xr.Dataset) -> xr.Dataset:
+    """The same by the Hermite beam alone, the paper's own model."""
+    return trends(**studies).sel(solver="Hermite beam", drop=True)
+
+
 def open_trends(
     open_500: xr.Dataset, open_1000: xr.Dataset, open_1500: xr.Dataset,
     open_ratio: xr.Dataset, open_factor: xr.Dataset,
