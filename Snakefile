@@ -11,6 +11,7 @@ container: "docker://python:3.12"
 
 include: "workflow/rules/common.smk"
 include: "workflow/rules/simulate.smk"
+include: "workflow/rules/measure.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/grade.smk"
 include: "workflow/rules/report.smk"

@@ -34,5 +34,9 @@ class SimulationError(RiserStudyError):
     exit_code = 3
 
 
+class PhysicallyUnstable(SimulationError):
+    """An equilibrium that would not stand: no finer mesh or step can cure it."""
+
+
 class StepFailed(SimulationError):
     """A time step that could not be completed, which a finer mesh and step may cure."""

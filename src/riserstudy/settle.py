@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from riserstudy.build import build, stiffness
-from riserstudy.errors import SimulationError
+from riserstudy.errors import PhysicallyUnstable, SimulationError
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.scene.ends import Top
@@ -60,12 +60,12 @@ def _equilibrium(
         ) from None
     lowest = float(model.s.r[-1].min()) - float(model.s.r[-1, 0])
     if scene.top.z == "free" and lowest < -1e-3 * float(mesh.l0.sum()):
-        raise SimulationError(
+        raise PhysicallyUnstable(
             f"the riser falls over: it would come to rest {-lowest:.4g} m below its lower end; "
             "the top tension does not carry its weight"
         )
     if found.unstable or not _stands_sideways(scene, mesh, model, elevation):
-        raise SimulationError(
+        raise PhysicallyUnstable(
             "the static equilibrium is unstable, with lateral freedom counted: "
             "the riser buckles under its own weight; raise the top tension or hold the ends"
         )

@@ -15,6 +15,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
+from riserstudy.numerics.models import Measured
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, check, read_scene, read_yaml
 from riserstudy.scene.origin import Origin
@@ -104,13 +105,20 @@ class StudyFile(Strict):
     """Studies of one paper, datasets derived from them, and the figures that read them.
 
     ``readings``: named ways to read the paper, by what each sets; studies share them as axes or samples.
+    ``measured``: datasets about the engine itself. Absent: none.
     """
 
     paper: str
     readings: dict[str, Labels] = Field(default_factory=dict)
     studies: dict[str, StudyModel]
     derived: dict[str, list[str]] = Field(default_factory=dict)
+    measured: Measured | None = None
     figures: dict[str, FigureModel]
+
+    @property
+    def datasets(self) -> list[str]:
+        """Names of all datasets: simulated, derived and measured."""
+        return [*self.studies, *self.derived, *(self.measured.names if self.measured else [])]
 
 
 class FigureModel(Strict):
@@ -261,7 +269,7 @@ def read_studies(config: Path, paper: str) -> StudyFile:
                 if reading not in file.readings:
                     where = f"studies.{name}.axes.{axis_name}"
                     raise InputError(path, where, f"no readings {reading!r}", _among(file.readings))
-    known = set(file.studies) | set(file.derived)
+    known = set(file.datasets)
     for name, needed in file.derived.items():
         for study in needed:
             if study not in file.studies:

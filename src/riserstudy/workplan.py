@@ -6,6 +6,8 @@ over everything that its output depends on and that Snakemake cannot see.
 
 from __future__ import annotations
 
+import hashlib
+import json
 import re
 from functools import cached_property
 from pathlib import Path
@@ -15,9 +17,11 @@ from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, digest, kernel_cache
+from riserstudy.numerics.scenes import scenes_of
 from riserstudy.published.models import PublishedFile, published_path, read_published
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import check, read_yaml
+from riserstudy.store import key_of
 from riserstudy.study import Study, StudyFile, Tier, read_studies, scene_file, threads_worth
 
 
@@ -48,7 +52,7 @@ class Workplan:
 
     Parameters
     ----------
-    only : a study to check instead of all, as (paper, name): enough for the job that simulates it.
+    only : studies to check instead of all, as (paper, name): enough for the job that simulates one.
 
     Raises
     ------
@@ -56,25 +60,27 @@ class Workplan:
         When any part of the configuration, a scene or a grid point cannot be meant.
     """
 
-    def __init__(self, config: Path, settings: dict[str, Any], only: tuple[str, str] | None = None):
+    def __init__(
+        self, config: Path, settings: dict[str, Any], only: list[tuple[str, str]] | None = None
+    ):
         self.config = config
         self.settings = check(Config, dict(settings), config / "config.yaml")
         self.tier: Tier = self.settings.tier
         self.papers = self.settings.papers
         self.files: dict[str, StudyFile] = {p: read_studies(config, p) for p in self.papers}
         self.published: dict[str, PublishedFile] = {
-            paper: read_published(config, paper, {*file.studies, *file.derived})
+            paper: read_published(config, paper, set(file.datasets))
             for paper, file in self.files.items()
             if published_path(config, paper).exists()
         }
-        for paper, name in [only] if only else self._studies:
+        for paper, name in self._studies if only is None else only:
             study = self.study(paper, name)
             scene_file(config / study.model.scene).scene()
             study.plan  # noqa: B018  every point is checked before any job
 
     @classmethod
     def read(
-        cls, config: Path, overrides: dict[str, Any], only: tuple[str, str] | None = None
+        cls, config: Path, overrides: dict[str, Any], only: list[tuple[str, str]] | None = None
     ) -> Self:
         """Read config.yaml, and let overrides win over what it says."""
         path = config / "config.yaml"
@@ -93,6 +99,11 @@ class Workplan:
             for paper, file in self.files.items()
             for name, model in file.studies.items()
         }
+
+    @property
+    def studies(self) -> list[Study]:
+        """All studies of all papers."""
+        return list(self._studies.values())
 
     def study(self, paper: str, name: str) -> Study:
         """One study, planned once."""
@@ -119,6 +130,17 @@ class Workplan:
     def derived_digest(self, wildcards: Any) -> str:
         """The code that derives."""
         return self._code("derived", wildcards.paper)
+
+    def measured_digest(self, wildcards: Any) -> str:
+        """Scenes and settings of a measured dataset, the engine, and the code that measures."""
+        measured = self.files[wildcards.paper].measured
+        if measured is None:
+            raise KeyError(wildcards.paper)
+        model = getattr(measured, wildcards.study)
+        scenes = scenes_of(model, self.config, self.tier, self.studies)
+        about = [self.tier, model.model_dump_json(), {n: key_of(f.scene()) for n, f in scenes}]
+        code = digest((PACKAGE / "numerics").iterdir())
+        return f"{hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]}-{code}"
 
     def figure_inputs(self, wildcards: Any) -> list[str]:
         """Datasets that a figure reads."""
@@ -174,7 +196,7 @@ class Workplan:
             f"results/{p}/{name}.nc"
             for p, file in self.files.items()
             if paper in (None, p)
-            for name in (*file.studies, *file.derived)
+            for name in file.datasets
         ]
 
     def graded_files(self, paper: str | None = None, kind: str = "reproduction") -> list[str]:
@@ -194,6 +216,13 @@ class Workplan:
     def derived_pattern(self) -> str:
         """Names of derived datasets, as a pattern."""
         return _either(name for file in self.files.values() for name in file.derived)
+
+    @property
+    def measured_pattern(self) -> str:
+        """Names of measured datasets, as a pattern."""
+        return _either(
+            n for file in self.files.values() if file.measured for n in file.measured.names
+        )
 
     @property
     def figure_pattern(self) -> str:

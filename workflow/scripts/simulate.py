@@ -15,7 +15,7 @@ from riserstudy.workplan import Workplan
 def simulate(paper: str, study: str, target: Path, tier: str, threads: int, expect: str) -> None:
     """Write the dataset of one study of a tier."""
     settings = {"tier": tier, "papers": [paper]}
-    plan = Workplan.read(Path("config"), settings, only=(paper, study))
+    plan = Workplan.read(Path("config"), settings, only=[(paper, study)])
     digest = plan.study_digest(SimpleNamespace(paper=paper, study=study))
     if digest != expect:
         sys.exit("scene, study or engine changed while the workflow was running; run it again")

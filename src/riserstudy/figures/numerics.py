@@ -1,0 +1,102 @@
+"""Figures about the engine itself: which method survives which hard case."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, Rectangle
+
+#: outcome by colour, worst last
+OUTCOMES = {
+    "accurate": "#8fc8a8",
+    "stable but inaccurate": "#f3d58a",
+    "refused: physically unstable": "#a9cbe8",
+    "refused": "#cfd4d8",
+    "refused: more steps than the study allows": "#eceff1",
+    "not run": "#ffffff",
+    "finished, but no reference": "#d9c2e2",
+    "finished, but cannot stand": "#e08a7c",
+    "finished with values beyond reason": "#c96a5b",
+}
+ROW = 0.235  # inches
+
+
+def stability(stability: xr.Dataset) -> Figure:
+    """Cases by methods, coloured by outcome, with the largest accurate and the largest stable step."""
+    cases, methods = list(stability["case"].values), list(stability["method"].values)
+    figure = Figure((11.2, 1.7 + ROW * len(cases)), dpi=150, layout="constrained")
+    ax = figure.add_subplot()
+    for row, case in enumerate(cases):
+        of = stability.sel({"case": case})
+        _written(ax, row, of)
+        for column, method in enumerate(methods):
+            one = of.sel({"method": method})
+            steps = (float(one["largest_accurate_step"]), float(one["largest_stable_step"]))
+            text = " | ".join(_number(step) for step in steps)
+            _cell(ax, row, column + 1, str(one["outcome"].values), text)
+    ax.set_xlim(-0.5, len(methods) + 0.5)
+    ax.set_ylim(len(cases) - 0.5, -0.5)
+    ax.xaxis.tick_top()
+    ax.set_xticks(range(len(methods) + 1), ["scene as written", *methods], fontsize="small")
+    ax.set_yticks(range(len(cases)), _labels(stability), fontsize="x-small")
+    for label, met in zip(ax.get_yticklabels(), stability["as_expected"].values, strict=True):
+        label.set_color("black" if met else "#94251c")
+        label.set_fontweight("normal" if met else "bold")
+    ax.tick_params(length=0)
+    for side in ax.spines.values():
+        side.set_visible(False)
+    found = [*stability["outcome"].values.flat, *stability["written_outcome"].values]
+    shown = [name for name in OUTCOMES if name in found]
+    figure.legend(
+        handles=[Patch(facecolor=OUTCOMES[n], edgecolor="0.7", label=n) for n in shown],
+        loc="outside lower center",
+        ncols=3,
+        fontsize="small",
+        title="Methods: largest step accurate to 1 % | largest that survives (s). "
+        "As written: true error / estimated. Red: not as expected.",
+        title_fontsize="small",
+    )
+    return figure
+
+
+def _labels(stability: xr.Dataset) -> list[str]:
+    return [f"{'' if met else '✗ '}{name}" for name, met in _met(stability)]
+
+
+def _met(stability: xr.Dataset) -> list[tuple[str, bool]]:
+    names = [str(name) for name in stability["case"].values]
+    return list(zip(names, map(bool, stability["as_expected"].values), strict=True))
+
+
+def _written(ax: Axes, row: int, of: xr.Dataset) -> None:
+    error, estimate = float(of["written_error"]), float(of["written_estimate"])
+    text = f"{_share(error)} / {_share(estimate)}" if not math.isnan(estimate) else ""
+    _cell(ax, row, 0, str(of["written_outcome"].values), text)
+
+
+def _cell(ax: Axes, row: int, column: int, outcome: str, text: str) -> None:
+    ax.add_patch(
+        Rectangle(
+            (column - 0.48, row - 0.45), 0.96, 0.9, facecolor=OUTCOMES[outcome], edgecolor="0.85"
+        )
+    )
+    shown = "" if set(text) <= set("– |") else text
+    ax.text(column, row, shown, ha="center", va="center", fontsize="x-small")
+
+
+def _number(value: float) -> str:
+    return (
+        "–"
+        if math.isnan(value)
+        else np.format_float_positional(value, 2, unique=False, fractional=False, trim="-")
+    )
+
+
+def _share(value: float) -> str:
+    if math.isnan(value):
+        return "–"
+    return f"{100 * value:.0f} %" if value >= 0.1 else f"{100 * value:.2g} %"

@@ -1,0 +1,1 @@
+"""Studies of the engine itself: what stays stable, and what each effect changes and costs."""

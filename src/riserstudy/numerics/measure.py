@@ -1,0 +1,32 @@
+"""Measure a dataset of the study file: the one door for the workflow."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.numerics.models import StabilityStudy
+from riserstudy.numerics.stability import stability
+from riserstudy.sound import sound_kernels
+from riserstudy.store import engine_digest
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.workplan import Workplan
+
+
+@sound_kernels
+def measure(plan: Workplan, paper: str, name: str, threads: int) -> xr.Dataset:
+    """One measured dataset of a chapter, labelled with the engine it is about."""
+    study = getattr(plan.files[paper].measured, name)
+    if isinstance(study, StabilityStudy):
+        dataset = stability(study, plan.config, plan.tier, threads)
+    else:
+        raise TypeError(f"{paper}/{name} cannot be measured")
+    dataset.attrs |= {
+        "Conventions": "CF-1.11",
+        "title": f"{paper} {name}: {study.caption}",
+        "tier": plan.tier,
+        "engine": engine_digest(),
+    }
+    return dataset

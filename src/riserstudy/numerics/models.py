@@ -1,0 +1,97 @@
+"""What the studies of the engine itself run, as data."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.scene.base import Positive, Strict
+
+Factors = Annotated[list[Positive], Field(min_length=1)]
+
+
+class Case(Strict):
+    """A hard case: a scene, what is set on top of it, and what a sound engine makes of it.
+
+    ``expect``: ``accurate`` to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
+    prescribe a bad step, mesh or scheme: refused, or with an estimate above 1 % where the error is.
+    Absent set: the scene as it is. Absent preview: not part of that tier.
+    """
+
+    scene: str
+    about: str
+    expect: Literal["accurate", "unstable", "told"]
+    because: str | None = None
+    set: dict[str, Any] = Field(default_factory=dict)
+    preview: bool | None = None
+
+
+class Method(Strict):
+    """A way to step through time: what it sets in a scene. Absent preview: not part of that tier."""
+
+    set: dict[str, Any]
+    preview: bool | None = None
+
+
+class StabilityStudy(Strict):
+    """Every case by every method over a ladder of steps, as factors on what the default chooses.
+
+    ``explicit_ladder`` counts in predicted stable steps instead. ``budget``: node-steps that a run may
+    take; more count as refused, so that nothing hangs. Explicit methods get ``explicit_budget``.
+    """
+
+    caption: str
+    methods: dict[str, Method]
+    ladder: dict[Literal["preview", "standard", "reference"], Factors]
+    explicit_ladder: Factors
+    budget: Positive
+    explicit_budget: Positive
+    cases: dict[str, Case]
+
+
+class LimitStudy(Strict):
+    """Predicted against measured stable step of explicit stepping, over variants of scenes."""
+
+    caption: str
+    duration: str
+    variants: dict[str, LimitCase]
+
+
+class LimitCase(Strict):
+    """A scene varied for the stable step. Absent set: as it is; absent preview: not part of that tier."""
+
+    scene: str
+    elements: Annotated[list[int], Field(min_length=1)]
+    set: dict[str, Any] = Field(default_factory=dict)
+    preview: bool | None = None
+
+
+class EffectsStudy(Strict):
+    """Every change of effects that fits, on every scene of the other chapters."""
+
+    caption: str
+    repeats: Annotated[int, Field(ge=1)]
+    budget: Positive
+
+
+class Measured(Strict):
+    """Datasets that are measured by running methods, not grids. Absent: not measured."""
+
+    stability: StabilityStudy | None = None
+    stable_step: LimitStudy | None = None
+    effects: EffectsStudy | None = None
+
+    @property
+    def names(self) -> list[str]:
+        """Datasets that there are."""
+        return [name for name in type(self).model_fields if getattr(self, name) is not None]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if not self.names:
+            raise ValueError("names nothing to measure")
+        return self
+
+
+LimitStudy.model_rebuild()

@@ -1,0 +1,370 @@
+"""Hard cases by every method over a ladder of steps: what survives, what is accurate, what is said.
+
+The step and the mesh that the default accuracy chooses are the middle of the ladder; methods run on that
+mesh. The reference has every segment halved, a quarter of the step and another spectral radius; how far a
+run with half the step is from it says what the reference is worth.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from riserstudy.mesh import Mesh, even
+from riserstudy.numerics.attempt import (
+    ACCURATE_TO,
+    Attempt,
+    Outcome,
+    attempt,
+    attempt_on,
+    deciding,
+    errors,
+    judged,
+    mesh_of,
+)
+from riserstudy.numerics.models import Case, StabilityStudy
+from riserstudy.numerics.scenes import case_file, in_tier
+from riserstudy.result import Result
+from riserstudy.run import massless, run
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+from riserstudy.settle import settle
+from riserstudy.solve.modes import stable_step
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.study import Tier
+
+REFERENCE = {"analysis.method": {"rho_inf": 0.6}}
+FREE = {f"analysis.{name}": None for name in ("mesh", "step", "method", "solver")}
+EXPLICIT = "explicit"
+WRITTEN = "as written"  # the scene's own method and accuracy
+
+
+@dataclass
+class Rung:
+    """One run of a ladder."""
+
+    step: float
+    outcome: Outcome
+    error: float
+    tried: Attempt
+
+    @property
+    def survived(self) -> bool:
+        """Whether the run came to its end within reason."""
+        return self.outcome in (Outcome.ACCURATE, Outcome.INACCURATE, Outcome.UNJUDGED)
+
+
+@dataclass
+class Standard:
+    """What the runs of a case are measured by."""
+
+    first: Attempt
+    mesh: Mesh | None = None
+    step: float | None = None
+    reference: Result | None = None
+    doubt: float = math.nan  # difference of the finest two runs
+    why_not: str = ""
+
+
+@dataclass
+class Told:
+    """All that is told of one case."""
+
+    written: Rung
+    estimate: float
+    warned: str
+    standard: Standard
+    rungs: dict[str, list[Rung]] = field(default_factory=dict)
+
+
+def tell(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> Told:
+    """Run one case by every method."""
+    scene = file.scene()
+    prescribed = scene.analysis.mesh is not None
+    standard = standard_of(file.with_values(FREE, "reference") if prescribed else file, study)
+    tried = attempt(lambda: run(whole(scene))) if prescribed else standard.first
+    outcome, error = judged(tried, standard.reference)
+    if tried.result and case.expect == "unstable":
+        outcome, error = Outcome.MISSED, math.nan
+    facts = tried.result.facts if tried.result else {}
+    estimate = deciding(facts.get("error_estimate", {}))
+    written = Rung(facts.get("step", math.nan), outcome, error, tried)
+    told = Told(written, estimate, "\n".join(facts.get("warnings", [])), standard)
+    if (
+        standard.mesh is None
+        or standard.step is None
+        or outcome in (Outcome.UNSTABLE, Outcome.MISSED)
+    ):
+        return told
+    for name, method in in_tier(study.methods, tier).items():
+        explicit = method.set.get("analysis.method") == EXPLICIT
+        if prescribed:
+            elements = scene.analysis.mesh.elements if scene.analysis.mesh else 1
+            mesh, steps = even(scene, elements), [scene.analysis.step or standard.step]
+        else:
+            mesh = standard.mesh
+            steps = [standard.step * factor for factor in study.ladder[tier]]
+        budget = study.explicit_budget if explicit else study.budget
+        own = stepped(file, {**method.set}, mesh, steps[0])
+        if explicit and not prescribed:
+            limit = attempt_limit(own, mesh)
+            steps = [limit * factor for factor in study.explicit_ladder] if limit else []
+        told.rungs[name] = [rung(own, mesh, h, budget, standard.reference) for h in steps]
+    return told
+
+
+def whole(scene: Scene) -> Scene:
+    """The scene with histories at all nodes."""
+    output = scene.analysis.output
+    if output is None:
+        return scene
+    everywhere = output.model_copy(update={"stations": None})
+    analysis = scene.analysis.model_copy(update={"output": everywhere})
+    return scene.model_copy(update={"analysis": analysis})
+
+
+def stepped(file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float | None) -> Scene:
+    """The scene with a method; mesh and step stand in it because some methods ask for them."""
+    fixed: dict[str, Any] = {"analysis.accuracy": None}
+    fixed["analysis.mesh"] = {"elements": len(mesh.l0)}
+    if step:
+        fixed["analysis.step"] = f"{step!r} s"
+    return file.with_values(fixed | values, "method").scene()
+
+
+def attempt_limit(scene: Scene, mesh: Mesh) -> float | None:
+    """Predicted stable step about the equilibrium."""
+    model, _ = settle(scene, mesh)
+    limit = float(stable_step(model.programs, model.state, model.fixed))
+    return limit if 0.0 < limit < math.inf else None
+
+
+def rung(scene: Scene, mesh: Mesh, step: float, budget: float, reference: Result | None) -> Rung:
+    """One run of a ladder, judged."""
+    tried = attempt_on(scene, mesh, step, budget)
+    return Rung(step, *judged(tried, reference), tried)
+
+
+def standard_of(file: SceneFile, study: StabilityStudy) -> Standard:
+    """Mesh and step of the default accuracy, and the reference made finer from there."""
+    scene = whole(file.scene())
+    first = attempt(lambda: run(scene))
+    standard = Standard(first)
+    if first.result is None:
+        standard.why_not = first.message
+        return standard
+    standard.mesh = mesh_of(scene, first.result)
+    standard.step = first.result.facts.get("step")
+    best = reference_on(scene, file, standard, study.budget)
+    if best.result is None:
+        standard.why_not = best.message
+        return standard
+    standard.doubt = deciding(errors(first.result, best.result))
+    if not standard.doubt <= ACCURATE_TO:  # is it the run or the reference that is off?
+        nearer = halfway(scene, standard)
+        if nearer.result is None:
+            standard.why_not = f"half the step: {nearer.message}"
+            return standard
+        standard.doubt = deciding(errors(nearer.result, best.result))
+        if not standard.doubt <= ACCURATE_TO:
+            standard.why_not = f"two fine runs differ by {100 * standard.doubt:.2g} %"
+            return standard
+    standard.reference = best.result
+    return standard
+
+
+def reference_on(scene: Scene, file: SceneFile, standard: Standard, budget: float) -> Attempt:
+    """The reference: as fine as the budget allows, but at least twice."""
+    mesh = standard.mesh
+    if mesh is None:
+        raise ValueError("a reference needs the mesh to refine")
+    finer = mesh if massless(scene) else mesh.halved()
+    if standard.step is None:
+        return attempt_on(scene, finer if massless(scene) else finer.halved(), None, math.inf)
+    other = stepped(file, REFERENCE, finer, standard.step)
+    quarter = attempt_on(other, finer, 0.25 * standard.step, 2.0 * budget)
+    if quarter.refused != Outcome.TOO_LONG:
+        return quarter
+    return attempt_on(other, finer, 0.5 * standard.step, 10.0 * budget)
+
+
+def halfway(scene: Scene, standard: Standard) -> Attempt:
+    """Between the default's run and the reference."""
+    mesh = standard.mesh
+    if mesh is None:
+        raise ValueError("no mesh to refine")
+    finer = mesh if massless(scene) else mesh.halved()
+    step = 0.5 * standard.step if standard.step else None
+    return attempt_on(scene, finer, step, math.inf)
+
+
+def as_expected(case: Case, told: Told) -> tuple[bool, str]:
+    """Whether a case came out as a sound engine would have it; what else, in words."""
+    outcome, error = told.written.outcome, told.written.error
+    if case.expect == "accurate":
+        if outcome == Outcome.ACCURATE:
+            return True, ""
+        why = told.written.tried.message or told.standard.why_not
+        return False, f"{outcome}: {why or f'error {100 * error:.2g} %'}"
+    if case.expect == "unstable":
+        return outcome == Outcome.UNSTABLE, "" if outcome == Outcome.UNSTABLE else str(outcome)
+    if outcome in (Outcome.REFUSED, Outcome.UNSTABLE, Outcome.ACCURATE):
+        return True, ""
+    told_so = told.estimate > ACCURATE_TO or bool(told.warned)
+    says = f"error {100 * error:.2g} %, estimated {100 * told.estimate:.2g} %"
+    return told_so, "" if told_so else f"{outcome} and not said: {says}"
+
+
+def stability(study: StabilityStudy, config: Path, tier: Tier, threads: int) -> xr.Dataset:
+    """All cases, as a dataset over case, method and rung of the ladder."""
+    cases = in_tier(study.cases, tier)
+
+    def one(item: tuple[str, Case]) -> Told:
+        return tell(study, item[1], case_file(config, *item), tier)
+
+    with ThreadPoolExecutor(max(1, threads)) as pool:
+        told = dict(zip(cases, pool.map(one, cases.items()), strict=True))
+    return tabulated(study, cases, told, tier)
+
+
+def tabulated(
+    study: StabilityStudy, cases: dict[str, Case], told: dict[str, Told], tier: Tier
+) -> xr.Dataset:
+    """What was told, labelled."""
+    import xarray as xr
+
+    methods = list(in_tier(study.methods, tier))
+    most = max(len(study.ladder[tier]), len(study.explicit_ladder))
+    shape = (len(cases), len(methods), most)
+    number = {name: np.full(shape, np.nan) for name in ("step", "error", "wall_seconds", *COUNTS)}
+    word = {name: np.full(shape, "", object) for name in ("rung_outcome", "rung_message")}
+    best: dict[str, Any] = {name: np.full(shape[:2], np.nan) for name in BEST}
+    best["outcome"] = np.full(shape[:2], str(Outcome.NOT_RUN), object)
+    best["message"] = np.full(shape[:2], "", object)
+    for i, of_case in enumerate(told.values()):
+        for j, method in enumerate(methods):
+            rungs = of_case.rungs.get(method, [])
+            for name, value in (summed_up(rungs) if rungs else unrun(of_case)).items():
+                best[name][i, j] = value
+            for k, r in enumerate(rungs):
+                at = (i, j, k)
+                number["step"][at], number["error"][at] = r.step, r.error
+                number["wall_seconds"][at] = r.tried.seconds
+                for name, value in counted(r.tried).items():
+                    number[name][at] = value
+                word["rung_outcome"][at], word["rung_message"][at] = r.outcome, r.tried.message
+    dims = ("case", "method", "rung")
+    data: dict[str, Any] = {name: (dims, values) for name, values in number.items()}
+    data |= {name: (dims, values.astype(str)) for name, values in word.items()}
+    for name, values in best.items():
+        data["best_" + name if name in COUNTS else name] = (
+            dims[:2],
+            values.astype(str) if values.dtype == object else values,
+        )
+    data |= {name: ("case", values) for name, values in by_case(cases, told).items()}
+    dataset = xr.Dataset(data, {"case": list(cases), "method": methods})
+    for name, about in ABOUT.items():
+        dataset[name].attrs = {"units": about[0], "long_name": about[1]}
+    return dataset
+
+
+def by_case(cases: dict[str, Case], told: dict[str, Told]) -> dict[str, Any]:
+    """What is told once a case: its scene's own run, what was expected of it, the reference."""
+    verdicts = [as_expected(case, told[name]) for name, case in cases.items()]
+    written = [t.written for t in told.values()]
+    results = [w.tried.result for w in written]
+    return {
+        "about": [case.about for case in cases.values()],
+        "expected": [case.expect for case in cases.values()],
+        "as_expected": [met for met, _ in verdicts],
+        "finding": [what for _, what in verdicts],
+        "written_outcome": [str(w.outcome) for w in written],
+        "written_message": [w.tried.message for w in written],
+        "written_warnings": [t.warned for t in told.values()],
+        "written_error": [w.error for w in written],
+        "written_estimate": [t.estimate for t in told.values()],
+        "written_step": [w.step for w in written],
+        "written_elements": [len(r.arrays["l0"]) if r else 0 for r in results],
+        "written_seconds": [w.tried.seconds for w in written],
+        "reference_difference": [t.standard.doubt for t in told.values()],
+        "reference_missing": [t.standard.why_not for t in told.values()],
+    }
+
+
+def summed_up(rungs: list[Rung]) -> dict[str, Any]:
+    """What a ladder says of a method: outcome, largest steps, and the audit at the step to take."""
+    survived = [r for r in rungs if r.survived]
+    accurate = [r for r in rungs if r.outcome == Outcome.ACCURATE]
+    ran = [r for r in rungs if r.outcome != Outcome.TOO_LONG]
+    shortest = min(survived or ran or rungs, key=lambda r: r.step)
+    taken = max(accurate, key=lambda r: r.step) if accurate else shortest
+    return counted(taken.tried) | {
+        "outcome": str(taken.outcome),
+        "message": taken.tried.message,
+        "largest_stable_step": max((r.step for r in survived), default=math.nan),
+        "largest_accurate_step": max((r.step for r in accurate), default=math.nan),
+        "smallest_error": min((r.error for r in rungs if r.error == r.error), default=math.nan),
+        "best_seconds": taken.tried.seconds,
+    }
+
+
+def unrun(told: Told) -> dict[str, Any]:
+    """What to say of methods that had nothing to run."""
+    if told.written.tried.refused == Outcome.UNSTABLE:
+        return {"outcome": str(Outcome.UNSTABLE), "message": told.written.tried.message}
+    return {"message": told.standard.why_not or "statics has no time steps"}
+
+
+def _audit(name: str) -> Any:
+    def share(facts: dict[str, Any]) -> float:
+        audit = facts.get("audit", {})
+        exchanged = audit.get("exchanged", 0.0)
+        return float(abs(audit[name]) / exchanged) if exchanged > 0.0 else math.nan
+
+    return share
+
+
+def counted(tried: Attempt) -> dict[str, float]:
+    """Counts and energies of a run, none where it was refused."""
+    if tried.result is None:
+        return {}
+    return {name: float(extract(tried.result.facts)) for name, extract in COUNTS.items()}
+
+
+COUNTS: dict[str, Any] = {
+    "newton_iterations": lambda f: f.get("newton_iterations", math.nan),
+    "steps": lambda f: f.get("steps", math.nan),
+    "halved_steps": lambda f: f.get("halved_steps", math.nan),
+    "unexplained_energy": _audit("unexplained"),
+    "numerical_dissipation": _audit("numerically_dissipated"),
+}
+BEST: Iterable[str] = (
+    *COUNTS,
+    "largest_stable_step",
+    "largest_accurate_step",
+    "smallest_error",
+    "best_seconds",
+)
+
+ABOUT = {
+    "step": ("s", "time step"),
+    "error": ("1", "error of moment, or of tension and displacement, beside the reference"),
+    "wall_seconds": ("s", "wall time of a run, other runs beside it"),
+    "largest_stable_step": ("s", "largest step that survives"),
+    "largest_accurate_step": ("s", "largest step accurate to 1 %"),
+    "best_seconds": ("s", "wall time at the largest accurate step"),
+    "best_unexplained_energy": ("1", "share of the energy exchanged left unexplained"),
+    "best_numerical_dissipation": ("1", "share of the energy exchanged dissipated by the method"),
+    "written_error": ("1", "error of the scene as written"),
+    "written_estimate": ("1", "error estimated by the run itself"),
+    "reference_difference": ("1", "difference of the two finest runs"),
+}

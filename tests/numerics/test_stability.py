@@ -1,0 +1,70 @@
+"""The stability study tells apart what is accurate, stable, refused, and what should have been."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy.figures import draw
+from riserstudy.numerics.attempt import Outcome
+from riserstudy.numerics.models import StabilityStudy
+from riserstudy.numerics.scenes import case_file, in_tier
+from riserstudy.numerics.stability import stability, tell
+from riserstudy.study import read_studies
+
+CONFIG = Path(__file__).parents[2] / "config"
+STUDY: StabilityStudy = read_studies(CONFIG, "numerics").measured.stability
+FEW = ("surge", "step x10", "column above Euler's load", "Newmark beta 1/6")
+
+
+@pytest.fixture(scope="module")
+def few():
+    """The study of a few cases, as in preview."""
+    cases = {name: STUDY.cases[name] for name in FEW}
+    return stability(STUDY.model_copy(update={"cases": cases}), CONFIG, "preview", 1)
+
+
+def test_a_scene_at_default_accuracy_is_accurate_and_its_estimate_bounds_the_error(few):
+    surge = few.sel(case="surge")
+    assert str(surge["written_outcome"].values) == Outcome.ACCURATE
+    assert float(surge["written_error"]) <= float(surge["written_estimate"]) <= 0.01
+
+
+def test_a_step_too_long_is_inaccurate_and_told_so(few):
+    step = few.sel(case="step x10")
+    assert str(step["written_outcome"].values) == Outcome.INACCURATE
+    assert float(step["written_estimate"]) > 0.01
+
+
+def test_a_method_that_fails_is_a_row_with_its_message(few):
+    newmark = few.sel(case="Newmark beta 1/6")
+    assert str(newmark["written_outcome"].values) == Outcome.REFUSED
+    assert "Newton's iteration did not converge" in str(newmark["written_message"].values)
+    explicit = newmark.sel({"method": "explicit"})
+    assert "above the stable step" in str(explicit["message"].values)
+
+
+def test_longer_steps_have_larger_errors_and_take_fewer_iterations(few):
+    ladder = few.sel({"case": "surge", "method": "gen.-alpha 0.8"})
+    error = ladder["error"].dropna("rung")
+    assert (np.diff(error) > 0.0).all()
+    assert (np.diff(ladder["newton_iterations"].dropna("rung")) < 0.0).all()
+
+
+def test_a_run_of_more_node_steps_than_the_budget_is_a_row_too():
+    tight = STUDY.model_copy(update={"explicit_budget": 10.0})
+    case = STUDY.cases["surge"]
+    told = tell(tight, case, case_file(CONFIG, "surge", case), "preview")
+    assert {rung.outcome for rung in told.rungs["explicit"]} == {Outcome.TOO_LONG}
+
+
+def test_every_case_of_every_tier_is_a_scene():
+    for tier in ("preview", "standard"):
+        for name, case in in_tier(STUDY.cases, tier).items():
+            case_file(CONFIG, name, case).scene()
+
+
+def test_the_figure_has_a_row_for_every_case(few):
+    figure = draw("numerics", "stability", {"stability": few})
+    labels = [text.get_text().removeprefix("✗ ") for text in figure.axes[0].get_yticklabels()]
+    assert labels == list(FEW)

@@ -1,0 +1,23 @@
+# Datasets about the engine itself. They are timed, so no other job runs beside them.
+
+
+rule measure:
+    input:
+        PLAN.compiled,
+    output:
+        "results/{paper}/{study}.nc",
+    log:
+        "logs/{paper}/{study}.log",
+    wildcard_constraints:
+        study=PLAN.measured_pattern,
+    threads: 64
+    params:
+        digest=PLAN.measured_digest,
+        tier=PLAN.tier,
+        papers=PLAN.papers,
+    message:
+        "measure {wildcards.paper}/{wildcards.study}"
+    shell:
+        "python workflow/scripts/measure.py {wildcards.paper} {wildcards.study} {output:q}"
+        " --tier {params.tier} --papers {params.papers} --threads {threads}"
+        " --expect {params.digest} > {log:q} 2>&1"
