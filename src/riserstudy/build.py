@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from riserstudy.devices import devices
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial import Axial
 from riserstudy.effects.axial_damping import AxialDamping
@@ -27,7 +28,7 @@ from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
-from riserstudy.mesh import Mesh
+from riserstudy.mesh import Mesh, blend_by_weight
 from riserstudy.model import Effect, Model
 from riserstudy.platform import centre, motions
 from riserstudy.rig import in_space, laws, pistons, upright
@@ -93,6 +94,8 @@ class _Builder:
         self.rho = scene.water.density if scene.water else 0.0
         self.effects: list[Effect] = []
         self.fixed: list[tuple[int, int]] = []
+        self.afloat: list[tuple[int, int]] = []
+        self.probes: list[str] = []
         self.parts = [stiffness(section) for section in scene.riser]
         bends = d > 1 and all(part.bending > 0 for part in self.parts)
         self.m = {2: 1, 3: 3}[d] if bends else 0
@@ -123,6 +126,7 @@ class _Builder:
         self.string()
         self.ends()
         self.tensioners()
+        self.effects += devices(self.scene, self.mesh, self.bottom_z, bool(self.m), self.probes)
         explicit = self.scene.analysis.method == "explicit"
         share = (0.5, 0.0) if explicit else (OWN, OTHER)
         tensioners = self.scene.top.tensioners
@@ -135,8 +139,12 @@ class _Builder:
             share,
             tensioners.count if tensioners else 0,
             self.ring if self.mesh.joint else None,
+            self.probes,
+            self.afloat,
         )
         model.s.r[:] = self.guess()
+        for state in (model.s, model.spare.value):
+            blend_by_weight(state.blend, self.mesh, self.weight)
         return model
 
     # what holds and flows
@@ -162,7 +170,13 @@ class _Builder:
         bottom, top = self.scene.bottom, self.scene.top
         if bottom.hold == "wellhead":
             self.hold(0, [0.0, 0.0, self.bottom_z], [True] * 3, [False] * 3, "bottom.hold")
+        if bottom.hold == "foot":
+            place = [0.0, 0.0, self.bottom_z]
+            self.hold(0, place, [False, False, True], [False] * 3, "bottom.hold")
         held = [top.x not in (None, "free")] * 2 + [top.z != "free"]
+        if top.x == "vessel":
+            held[0] = False
+            self.afloat = [(self.n, self.m)]
         if any(held[k] for k in AXES[self.d]):
             follow = [top.x == "platform"] * 2 + [top.z == "platform"]
             place = [top.offset or 0.0, 0.0, self.top_z or 0.0]
@@ -212,6 +226,7 @@ class _Builder:
                 + (s.contents.density * self.parts[k].bore * self.g if s.contents else 0.0)
             )
         )
+        self.weight = weight
         if np.any(weight):
             self.add("weight", Weight(self.d - 1, halves(-weight * l0)), "riser.submerged_weight")
         load = self.per_segment(lambda s, k: s.lateral_load or 0.0)
@@ -261,6 +276,8 @@ class _Builder:
         linear = [0] if flexibility_of(bottom.rotation) is not None else []
         linear += [-1] if flexibility_of(top.rotation) is not None else []
         linear += [-1, -2] if joint else []  # the moment has a corner at the ring
+        for k in self.jointed():
+            linear += [self.mesh.foot(k) - 1, self.mesh.foot(k)]  # and at a joint that is pulled
         own[linear], other[linear] = 1.0 / 3.0, 1.0 / 6.0
         flex = np.zeros(self.n + 1)
         flex[:-1] += own * flexibility
@@ -313,6 +330,10 @@ class _Builder:
             load = np.zeros(self.d)
             load[0] = top.lateral_force
             self.add("lateral force", Pull(self.ring, load), "top.lateral_force")
+
+    def jointed(self) -> list[int]:
+        """Sections with a flex joint below them."""
+        return [k for k, section in enumerate(self.scene.riser) if section.flex_joint_below]
 
     def tensioners(self) -> None:
         rig = self.scene.top.tensioners

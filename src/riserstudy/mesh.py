@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -39,6 +40,10 @@ class Mesh(NamedTuple):
         """Unstretched length of the riser up to the tension ring (m)."""
         return float(self.l0[: self.ring].sum())
 
+    def foot(self, section: int) -> int:
+        """Lowest segment of a section, and the node at its lower end."""
+        return int(np.searchsorted(self.section, section))
+
     def halved(self) -> Mesh:
         """Every segment of the riser cut in two."""
         cuts = np.full(len(self.l0), 2)
@@ -65,10 +70,22 @@ def _with_joint(scene: Scene, l0: NDArray[np.float64], section: NDArray[np.int64
     return Mesh(np.append(l0, joint.length), np.append(section, len(scene.riser)), True)
 
 
-def graded(scene: Scene, layers: tuple[float, float], elements: int = COARSEST) -> Mesh:
-    """Segments of about equal length, finer towards ends where bending is confined to a layer.
+class Layer(NamedTuple):
+    """Where bending is confined to a length sqrt(EI/T): at an end, or around a joint."""
 
-    ``layers``: lengths sqrt(EI/T) at bottom and tension ring (m), infinite where there is none.
+    place: float  # arclength (m)
+    length: float  # (m), infinite where nothing is confined
+
+
+def graded(
+    scene: Scene,
+    layers: list[Layer],
+    elements: int = COARSEST,
+    longest: dict[int, float] | None = None,
+) -> Mesh:
+    """Segments of about equal length, finer towards places where bending is confined to a layer.
+
+    ``longest``: length of segments (m), at most, in some sections.
     """
     lengths = [section.total_length for section in scene.riser]
     total = sum(lengths)
@@ -78,14 +95,30 @@ def graded(scene: Scene, layers: tuple[float, float], elements: int = COARSEST) 
         nodes = [0.0]
         while nodes[-1] < length - 1e-9 * total:
             below = start + nodes[-1]
-            size = min(
-                total / elements,
-                LAYER * layers[0] + (GROWTH - 1.0) * below,
-                LAYER * layers[1] + (1.0 - 1.0 / GROWTH) * max(total - below, 0.0),
-            )
+            size = min(total / elements, (longest or {}).get(k, math.inf))
+            for layer in layers:
+                away = below - layer.place
+                growth = GROWTH - 1.0 if away >= 0.0 else 1.0 / GROWTH - 1.0
+                size = min(size, LAYER * layer.length + growth * away)
             nodes.append(nodes[-1] + size)
         cuts = np.array(nodes) * (length / nodes[-1])
         pieces.append(np.diff(cuts))
         owner.append(np.full(len(cuts) - 1, k))
         start += length
     return _with_joint(scene, np.concatenate(pieces), np.concatenate(owner))
+
+
+def blend_by_weight(blend: NDArray[np.float64], mesh: Mesh, weight: NDArray[np.float64]) -> None:
+    """Share of the segment above in the tension at nodes where sections of different weight meet.
+
+    Tension has a corner there, and lies between those of its segments by their weights.
+
+    Parameters
+    ----------
+    blend : (n+1,) shares, changed where sections meet.
+    weight : (n,) weight in water per length (N/m).
+    """
+    heavy = np.abs(weight) * mesh.l0
+    for i in range(1, mesh.ring):
+        if mesh.section[i - 1] != mesh.section[i] and heavy[i - 1 : i + 1].min() > 0.0:
+            blend[i] = heavy[i - 1] / heavy[i - 1 : i + 1].sum()

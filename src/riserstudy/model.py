@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -33,6 +34,8 @@ class Model:
     share : parts of a segment's mass that its own and its other node carry.
     cylinders : number of tensioner cylinders.
     ring : node of the tension ring, above which a telescopic joint carries no tension; None without.
+    probes : names of what effects report beside the cylinders, in their order.
+    afloat : (node, unknown) pairs that are held in statics only.
 
     Attributes
     ----------
@@ -51,13 +54,19 @@ class Model:
         share: tuple[float, float],
         cylinders: int = 0,
         ring: int | None = None,
+        probes: Sequence[str] = (),
+        afloat: Sequence[tuple[int, int]] = (),
     ):
         self.effects: list[Effect] = list(effects)
         self.fixed = np.array(sorted(fixed), np.int64).reshape(-1, 2)
+        self.fixed_at_rest = np.array(sorted([*fixed, *afloat]), np.int64).reshape(-1, 2)
+        self.probes = {name: 2 * cylinders + k for k, name in enumerate(probes)}
         self.hinged = np.zeros(len(l0) + 1, bool)
         self.hinged[[node for node, unknown in fixed if unknown < moments]] = True
         self.state, self.spare = (
-            Frozen(new_state(l0, directions, moments, cylinders, 2 * cylinders, share))
+            Frozen(
+                new_state(l0, directions, moments, cylinders, 2 * cylinders + len(probes), share)
+            )
             for _ in range(2)
         )
         for state in (self.state.value, self.spare.value):

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
 
+from riserstudy.build import stiffness
+from riserstudy.devices import pile_length
 from riserstudy.errors import SimulationError, StepFailed
-from riserstudy.mesh import COARSEST, Mesh, even, graded
+from riserstudy.mesh import COARSEST, Layer, Mesh, even, graded
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.sea import depth_of_action
@@ -120,7 +122,18 @@ def _first_mesh(scene: Scene) -> Mesh:
         layers.append(math.sqrt(stiff / tension) if flexible and tension > 0 else math.inf)
     if scene.wave and scene.water:
         layers[1] = min(layers[1], depth_of_action(scene.wave, scene.water, scene.gravity or 0.0))
-    return graded(scene, (layers[0], layers[1]))
+    found = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]
+    for k, section in enumerate(scene.riser):
+        if section.flex_joint_below:
+            e = probe.foot(k)
+            tension = float(np.abs(model.s.segment[:, e] @ model.s.tangent[:, e]))
+            length = math.sqrt(stiffness(section).bending / tension) if tension else math.inf
+            found.append(Layer(float(probe.s[e]), length))
+    longest = {}
+    if scene.soil:
+        conductor = scene.riser[0]
+        longest[0] = pile_length(scene.soil, conductor, stiffness(conductor).bending)
+    return graded(scene, found, longest=longest)
 
 
 def massless(scene: Scene) -> bool:

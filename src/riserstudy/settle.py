@@ -50,7 +50,9 @@ def _equilibrium(
     current = any(effect.name == "current" for effect in model.effects)
     tolerance = 1e-10 * float(mesh.l0.sum())
     try:
-        found = find_equilibrium(model.programs, model.state, model.fixed, tolerance, current)
+        found = find_equilibrium(
+            model.programs, model.state, model.fixed_at_rest, tolerance, current
+        )
     except NoEquilibrium as failure:
         s = float(mesh.s[failure.node])
         raise SimulationError(

@@ -50,7 +50,9 @@ def single(scene: Scene, mesh: Mesh, step: float | None, stations: str = "asked 
     for k, name in enumerate(names):
         arrays[name + "_static"] = static[k]
     if scene.top.tensioners:
-        arrays["tensioner_stroke_static"], arrays["tensioner_force_static"] = np.split(probe, 2)
+        arrays["tensioner_stroke_static"], arrays["tensioner_force_static"] = np.split(
+            probe[: 2 * scene.top.tensioners.count], 2
+        )
     arrays["zero_z"] = state.r[-1].copy()
     for name in "xy":
         if name in names:
@@ -159,13 +161,17 @@ def _march(
     if scene.top.tensioners:
         c = scene.top.tensioners.count
         arrays["tensioner_stroke"] = record.probe[:, :c]
-        arrays["tensioner_force"] = record.probe[:, c:]
+        arrays["tensioner_force"] = record.probe[:, c : 2 * c]
         arrays["stroke"] = record.probe[:, 0] - reach_at_rest[0]
         facts["largest_stroke"] = float(np.abs(record.probe[:, :c]).max())
     elif scene.platform and scene.top.z == "free":
         arrays["stroke"] = record.platform[:, 2] - (record.top[:, -1] - top_at_rest)
     if mesh.joint:
         arrays["stroke"] = record.end[:, 1, -1] - joint_at_rest
+    for name, k in model.probes.items():
+        arrays[name] = record.probe[:, k]
+    if scene.vessel:
+        arrays["platform_surge"] = record.top[:, 0] - (scene.top.offset or 0.0)
 
 
 def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:
@@ -213,6 +219,8 @@ def _angles(
     upwards = np.array([0.0, 0.0, 1.0])
     if scene.bottom.hold == "wellhead":
         arrays["lfj_angle"] = _lean(_end_direction(scene, model, mesh, record, 0), upwards, d)
+    if scene.vessel and len(model.s.dof) > d:
+        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upwards, d)
     if scene.platform and scene.top.x == "platform":
         upright = Rotation.from_euler("xyz", record.platform[:, 3:]).apply(upwards)
         arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upright, d)

@@ -165,6 +165,9 @@ def _refuse(scene: Scene) -> None:
     reasons = {
         "riser without bending stiffness": not all(stiffness(s).bending for s in scene.riser),
         "riser.structural_damping": any(s.structural_damping for s in scene.riser),
+        "vessel": scene.vessel,
+        "soil": scene.soil,
+        "flex_joint_below": any(s.flex_joint_below for s in scene.riser),
         "bottom.hold: free": scene.bottom.hold == "free",
         "a body at an end": scene.bottom.body or top.body,
         "top.tensioners": top.tensioners,

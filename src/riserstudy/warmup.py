@@ -47,6 +47,14 @@ _PLACES: Tree = {
     "deck_elevation": "110 m",
     "first_bearing": "0 deg",
 }
+_CLAY: Tree = {
+    "strength_at_mudline": "3 kPa",
+    "strength_gradient": "1 kPa/m",
+    "submerged_unit_weight": "6 kN/m^3",
+    "strain_at_half_strength": 0.02,
+    "depth_factor": 0.5,
+    "straight_up_to": 0.1,
+}
 _HEAVE: Tree = {"amplitude": "1 m", "period": "10 s"}
 _ANALYSIS: Tree = {
     "duration": "1 s",
@@ -110,7 +118,29 @@ def scenes() -> list[Scene]:
         "platform": {"roll": {"amplitude": "1 deg", "period": "10 s"}, "heave": _HEAVE}
         | {"centre_of_rotation": {"elevation": "110 m"}, "cruise": {"speed": "1 m/s"}},
     }
+    afloat = planar | {
+        "title": "afloat",
+        "riser": [
+            _SECTION,
+            _SECTION | _WET | {"name": "above", "flex_joint_below": {"stiffness": "90 kN*m/deg"}},
+        ],
+        "bottom": {"hold": "foot", "elevation": "-90 m"},
+        "top": {
+            "x": "vessel",
+            "z": "held",
+            "elevation": "120 m",
+            "telescopic_joint": {"length": "10 m", "bending_stiffness": "1e8 N*m^2"}
+            | {"tension": "500 kN"},
+        },
+        "platform": None,
+        "vessel": {"mass": "1e7 kg"},
+        "soil": {"mudline": "0 m", "resistance": _CLAY},
+        "analysis": _ANALYSIS | {"output": {"interval": "0.15 s", "stress_in": "above"}},
+    }
+    linear_soil = afloat | {"soil": {"mudline": "0 m", "resistance": {"stiffness": "1 MPa"}}}
+    across = {"current": planar["current"] | {"heading": "90 deg"}}
     several = [axial, planar, gas_in_plane, pistons, linear_axial, spatial]
+    several += [afloat, linear_soil, afloat | across]
     short = _ANALYSIS | {"duration": "1 ms", "step": "0.1 ms", "method": "explicit"}
     explicit = [s | {"analysis": short} for s in several[:2]]
     wavy = planar | {

@@ -28,11 +28,16 @@ from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
+from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.pull import Pull
+from riserstudy.effects.sliding_tension import SlidingTension
+from riserstudy.effects.soil import LinearSoil, SoftClay
+from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
+from riserstudy.effects.vessel import Vessel
 from riserstudy.effects.wave import CONSTANT, STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
@@ -167,6 +172,26 @@ CASES = {
     EndMass: Case(
         lambda d: EndMass(0, 1.2e6, 1.4e5 * np.linspace(1.1, 1.0, d), pair(3e3, 7e3)),
         lambda d: [uniform(d)],
+    ),
+    InnerFlexJoint: Case(lambda d: InnerFlexJoint(3, 2e-7, 0), lambda d: [bending(d)], (2, 3)),
+    SlidingTension: Case(lambda d: SlidingTension(N - 1, 2e6, L0[-1] - 1.0, 3e6)),
+    # from the straight line over the curve to the ultimate resistance
+    SoftClay: Case(
+        lambda d: SoftClay(
+            np.arange(5), 1e6 * np.linspace(1.0, 2.0, 5), np.array([9.0, 2.0, 1.0, 0.8, 0.9]), 0.1
+        ),
+        directions=(2, 3),
+    ),
+    LinearSoil: Case(
+        lambda d: LinearSoil(np.arange(4), 1e6 * np.linspace(1.0, 2.0, 4)), directions=(2, 3)
+    ),
+    StressGauge: Case(lambda d: StressGauge(1, 4, 0.05, 120.0, 0), lambda d: [bending(d)], (2, 3)),
+    Vessel: Case(
+        lambda d: Vessel(
+            *(N, 5e7, 2.5e5, np.array([0.5, 0.3]), 2e3, np.array([-9.0, 4.0]), 1e5),
+            *(6.5e4, 1e6, 100.0, 7.0, np.inf, 0),
+        ),
+        directions=(2, 3),
     ),
     Pull: Case(lambda d: Pull(2, np.linspace(3e5, 2e6, d))),
     Support: Case(

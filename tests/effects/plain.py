@@ -30,11 +30,16 @@ from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
+from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.pull import Pull
+from riserstudy.effects.sliding_tension import SlidingTension
+from riserstudy.effects.soil import LinearSoil, SoftClay
+from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
+from riserstudy.effects.vessel import Vessel
 from riserstudy.effects.wave import CONSTANT, NONE, Wave
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
@@ -229,6 +234,74 @@ def end_mass_inertia(record, s):
     return {"force": out}
 
 
+def inner_flex_joint(record, s):
+    out = s.probe.copy()
+    moment = (
+        s.moment[0, record.node] if len(s.dim) == 2 else np.linalg.norm(s.moment[:, record.node])
+    )
+    out[record.probe] = record.flex * moment
+    return {"probe": out}
+
+
+def sliding_tension(record, s):
+    length, tangent = along(s)
+    pulls = np.zeros(len(length))
+    beyond = max(length[record.segment] - record.stop, 0.0)
+    pulls[record.segment] = record.tension + record.stiffness * beyond
+    return {"force": nodes(pulls * tangent)}
+
+
+def radial(s, node):
+    """Horizontal distance of nodes and unit vectors away from where they stood."""
+    aside = s.r[:-1, node]
+    away = np.sqrt((aside**2).sum(axis=0))
+    return away, aside / np.where(away > 0.0, away, 1.0)
+
+
+def soft_clay(record, s):
+    away, outwards = radial(s, record.node)
+    q = away / record.y50
+    line = 0.5 * np.cbrt(record.origin) * q / record.origin
+    share = np.where(q <= record.origin, line, np.minimum(0.5 * np.cbrt(q), 1.0))
+    out = np.zeros_like(s.force)
+    out[:-1, record.node] = -record.ultimate * share * outwards
+    return {"force": out}
+
+
+def linear_soil(record, s):
+    out = np.zeros_like(s.force)
+    out[:-1, record.node] = -record.stiffness * s.r[:-1, record.node]
+    return {"force": out}
+
+
+def stress_gauge(record, s):
+    out = s.probe.copy()
+    size = np.sqrt((s.moment**2).sum(axis=0))
+    ends = np.maximum(size[:-1], size[1:])
+    axial = abs((s.segment * along(s)[1]).sum(axis=0)) / record.area
+    out[record.probe] = (axial + record.fibre * ends)[record.first : record.last].max()
+    return {"probe": out}
+
+
+def vessel(record, s):
+    v = np.zeros(2)
+    v[0] = s.v[0, record.node]
+    total = record.drift
+    for coefficient, flow in ((record.hull, record.current), (record.area, record.wind)):
+        total += coefficient * np.linalg.norm(flow - v) * (flow - v)[0]
+    told = record.command * -np.expm1(-s.clock[0] / record.rise)
+    thrust = record.gain * (told - s.r[0, record.node]) - record.damping * v[0]
+    out = np.zeros_like(s.force)
+    out[0, record.node] = total + np.clip(thrust, -record.saturation, record.saturation)
+    return {"force": out}
+
+
+def vessel_inertia(record, s):
+    out = np.zeros_like(s.force)
+    out[0, record.node] = -record.mass * s.a[0, record.node]
+    return {"force": out}
+
+
 def pull(record, s):
     out = np.zeros_like(s.force)
     out[:, record.node] = record.load
@@ -362,6 +435,12 @@ VERSIONS = {
     CylinderDamping: [("law", cylinder_damping)],
     EndStop: [("law", end_stop)],
     EndMass: [("device", end_mass), ("device_inertia", end_mass_inertia)],
+    InnerFlexJoint: [("probe", inner_flex_joint)],
+    SlidingTension: [("string", sliding_tension)],
+    SoftClay: [("device", soft_clay)],
+    LinearSoil: [("device", linear_soil)],
+    StressGauge: [("probe", stress_gauge)],
+    Vessel: [("device", vessel), ("device_inertia", vessel_inertia)],
     Pull: [("device", pull)],
     Support: [("place", support)],
 }

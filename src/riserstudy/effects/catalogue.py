@@ -33,6 +33,11 @@ CALLED_BY = {
     "tensioner damping": "top.tensioners.damping",
     "end stops": "top.tensioners.stroke",
     "tensioner cylinders": "top.tensioners",
+    "inner flex joint": "riser.flex_joint_below",
+    "soil": "soil",
+    "sliding tension": "top.telescopic_joint.tension",
+    "vessel": "vessel",
+    "stress gauge": "analysis.output.stress_in",
     "lateral freedom": "a lateral load or motion",
 }
 

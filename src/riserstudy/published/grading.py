@@ -97,7 +97,9 @@ def graded(paper: str, item: Item, module: ModuleType, datasets: Datasets) -> Ro
     simulated = float(base.value)
     if not math.isfinite(simulated):
         raise SimulationError(f"{paper}/{item.id}: {item.check} finds {simulated}")
-    calibrated = any(_calibrated(datasets[name]) for name in item.datasets)
+    # a claim is judged over what is open, where a value fitted for the base case may be free
+    judging = item.datasets if item.kind == "number" or not item.over else item.over.values()
+    calibrated = any(_calibrated(datasets[name]) for name in judging)
     hits = _hits(item, space)
     share = float(hits.mean())
     if item.published is None:

@@ -34,11 +34,15 @@ class Newmark(Strict):
 
 
 class Output(Strict):
-    """Times and places of histories. Absent from: the start; absent stations: all nodes."""
+    """Times and places of histories. Absent from: the start; absent stations: all nodes.
+
+    ``stress_in`` names a section whose largest stress at the outer fibre is wanted over time.
+    """
 
     interval: Annotated[u.Time, POSITIVE]
     start: Annotated[u.Time, NOT_NEGATIVE] | None = None
     stations: Annotated[list[u.Length], Field(min_length=1)] | None = None
+    stress_in: str | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

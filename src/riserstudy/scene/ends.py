@@ -61,34 +61,54 @@ Rotation = Literal["free", "fixed"] | FlexJoint
 
 
 class Bottom(Strict):
-    """Lower end: held at the wellhead, or free."""
+    """Lower end: held at the wellhead, free, or the foot of a conductor, held in z and by soil."""
 
-    hold: Literal["wellhead", "free"]
+    hold: Literal["wellhead", "free", "foot"]
     elevation: u.Length | None = None
     rotation: Rotation | None = None
     body: Body | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if self.hold == "wellhead" and self.elevation is None:
+        if self.hold != "free" and self.elevation is None:
             raise ValueError("a held bottom needs its elevation")
         if self.hold == "free" and (self.elevation is not None or self.rotation is not None):
             raise ValueError("a free bottom has neither elevation nor rotation of its own")
         return self
 
 
+class JointStop(Strict):
+    """Stop of a telescopic joint that is drawn out: by how much beyond its length, and its stiffness."""
+
+    stroke: Annotated[u.Length, POSITIVE]
+    stiffness: Annotated[u.Stiffness, POSITIVE]
+
+
 class TelescopicJoint(Strict):
     """Joint above the tension ring that slides without force, and carries shear and bending.
 
     ``length`` is from ring to top with the platform at rest; outer and inner barrel bend as one.
+    ``tension``: tensioners pull with it along the joint, whatever its length. Absent stop: none.
     """
 
     length: Annotated[u.Length, POSITIVE]
     bending_stiffness: Annotated[u.BendingStiffness, POSITIVE]
+    tension: Annotated[u.Force, POSITIVE] | None = None
+    stop: JointStop | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.stop and self.tension is None:
+            raise ValueError(
+                "a stop of the joint needs its tension; tensioners have their own stroke"
+            )
+        return self
 
 
 class Top(Strict):
     """Upper end. ``x`` (with y) and ``z`` follow the platform, are held at rest, or are free.
+
+    ``x: vessel``: the top surges with a vessel that is free to, and does not sway.
 
     Absent offset, elevation: straight above the bottom, where statics puts it. Absent tension, force,
     tensioners, body: none. ``held_at_tension``: z is held where the riser has this top tension at rest.
@@ -96,7 +116,7 @@ class Top(Strict):
     the tension ring below it.
     """
 
-    x: Literal["platform", "held", "free"] | None = None
+    x: Literal["platform", "held", "free", "vessel"] | None = None
     z: Literal["platform", "held", "free"]
     offset: u.Length | None = None
     elevation: u.Length | None = None
@@ -122,7 +142,7 @@ class Top(Strict):
                 raise ValueError(
                     "above a telescopic_joint x and z are held or on the platform, at an elevation"
                 )
-            if not pulled:
+            if not pulled and self.telescopic_joint.tension is None:
                 raise ValueError(
                     "a telescopic_joint carries no tension: needs tension or tensioners"
                 )

@@ -19,6 +19,7 @@ from riserstudy.scene.ends import Bottom, Top
 from riserstudy.scene.forcing import Current, Platform, Shape, Water
 from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.string import Section
+from riserstudy.scene.vessel import Soil, Vessel
 
 ALONG_X = 1e-12  # sine of a heading that is in the plane of x and z
 
@@ -36,6 +37,8 @@ class Scene(Strict):
     bottom: Bottom
     top: Top
     platform: Platform | None = None
+    vessel: Vessel | None = None
+    soil: Soil | None = None
     current: Current | None = None
     wave: RegularWave | IrregularSea | None = None
     analysis: Analysis
@@ -47,8 +50,9 @@ class Scene(Strict):
             raise ValueError(f"riser section {wet[0].name!r} has drag or added mass: needs water")
         if self.current and self.water is None:
             raise ValueError("current needs water")
-        if self.current and not any(s.drag for s in self.riser):
-            raise ValueError("current needs a riser section with drag")
+        in_water = any(s.drag for s in self.riser) or (self.vessel and self.vessel.hull_drag)
+        if self.current and not in_water:
+            raise ValueError("current needs a riser section with drag, or a vessel with hull_drag")
         self._fits_the_sea()
         if any(s.contents for s in self.riser) and self.gravity is None:
             raise ValueError("contents need gravity")
@@ -80,6 +84,7 @@ class Scene(Strict):
         joint = self.top.telescopic_joint
         if joint and not all(bending):
             raise ValueError("a telescopic_joint needs bending stiffness in the riser")
+        self._fits_vessel_and_soil(all(bending))
         length = sum(section.total_length for section in self.riser) + (
             joint.length if joint else 0.0
         )
@@ -105,6 +110,30 @@ class Scene(Strict):
         riser, tension = self.buoyancy.loads(self.riser, self.gravity)
         top = self.top.model_copy(update={"tension": tension})
         return self.model_copy(update={"riser": riser, "top": top})
+
+    def _fits_vessel_and_soil(self, bends: bool) -> None:
+        if (self.vessel is None) != (self.top.x != "vessel"):
+            raise ValueError("vessel and 'top.x: vessel' go together")
+        if self.vessel and self.platform:
+            raise ValueError(
+                "give platform, which moves as told, or vessel, which is free; not both"
+            )
+        if self.vessel and self.vessel.hull_drag and self.water is None:
+            raise ValueError("vessel.hull_drag needs water")
+        if (self.bottom.hold == "foot") != (self.soil is not None):
+            raise ValueError("soil and 'bottom.hold: foot' go together")
+        if self.soil and self.riser[0].outer_diameter is None:
+            raise ValueError("soil needs the outer_diameter of the lowest section")
+        joints = [s for s in self.riser if s.flex_joint_below]
+        if joints and (not bends or len(joints) > 1 or self.riser[0].flex_joint_below):
+            raise ValueError(
+                "flex_joint_below: one, between sections that bend; the lower end has bottom.rotation"
+            )
+        gauged = self.analysis.output and self.analysis.output.stress_in
+        if gauged and gauged not in [s.name for s in self.riser if s.young_modulus]:
+            raise ValueError(
+                f"analysis.output.stress_in: no section {gauged!r} with young_modulus and diameters"
+            )
 
     def _fits_the_sea(self) -> None:
         response = self.platform and self.platform.response
@@ -142,6 +171,8 @@ class Scene(Strict):
             "platform.position.surge": platform.position and platform.position.surge,
             "platform.position.pitch": platform.position and platform.position.pitch,
             "platform.surge": platform.surge,
+            "vessel": self.vessel,
+            "soil": self.soil,
             "platform.pitch": platform.pitch,
             "platform.response": platform.response
             and ({"surge", "pitch"} & set(platform.response.moving) or None),

@@ -45,12 +45,18 @@ class StructuralDamping(Strict):
     at_period: Annotated[u.Time, POSITIVE]
 
 
+class InnerJoint(Strict):
+    """Rotational spring between a section and the one below it."""
+
+    stiffness: Annotated[u.RotationalStiffness, POSITIVE]
+
+
 class Section(Strict):
     """A length of riser with uniform properties, from the bottom up.
 
     Stiffness comes from modulus and diameters, or is given; without bending stiffness the section is a
     string. Mass is given, or that of a wall of some density. Absent mass, weight, drag, added mass,
-    contents, damping or load: none.
+    contents, damping, load or joint: none.
     """
 
     name: str
@@ -69,6 +75,7 @@ class Section(Strict):
     added_mass: AddedMass | None = None
     contents: Contents | None = None
     structural_damping: StructuralDamping | None = None
+    flex_joint_below: InnerJoint | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

@@ -1,0 +1,54 @@
+r"""A flex joint between two sections of the riser.
+
+.. math:: \alpha_{above} - \alpha_{below} = M / K
+
+Moments are unknowns, so the joint is one more flexibility, 1/K, of its node.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class InnerFlexJoint(NamedTuple):
+    """One joint within the riser."""
+
+    node: int
+    flex: float  # 1/K (rad/(N m))
+    probe: int
+
+
+@inner
+def _square(joint, s):
+    total = 0.0
+    for u in range(len(s.dof) - len(s.dim)):
+        total += s.moment[u, joint.node] ** 2
+    return total
+
+
+@inner
+def compliance(joint, s):
+    """Enter the flexibility of the joint."""
+    s.flex[joint.node] += joint.flex
+    return 0.0
+
+
+@inner
+def energy(joint, s):
+    """Energy in the joint's spring (J)."""
+    return 0.5 * joint.flex * _square(joint, s)
+
+
+@inner
+def probe(joint, s):
+    """Report the angle, in a plane towards +x, in space its size (rad)."""
+    moment = s.moment[0, joint.node] if len(s.dim) == 2 else sqrt(_square(joint, s))
+    s.probe[joint.probe] = joint.flex * moment
+    return 0.0
+
+
+register(InnerFlexJoint, compliance=compliance, potential=energy, probe=probe)

@@ -1,0 +1,138 @@
+r"""Soil around a conductor: springs at its nodes against lateral displacement y.
+
+Linear, :math:`p = k\,y`, or Matlock's soft clay under static load,
+
+.. math:: p = \tfrac12\,p_u\,(y/y_{50})^{1/3},\qquad p \le p_u,
+
+whose stiffness at the origin has no limit: up to a small :math:`y_0` a straight line takes its place.
+
+References
+----------
+Matlock (1970), OTC 1204; API RP 2A-WSD, section 6.8.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+YIELD = 8.0  # y / y50 at which p reaches p_u
+
+
+class LinearSoil(NamedTuple):
+    """Springs of constant stiffness."""
+
+    node: np.ndarray  # (k,)
+    stiffness: np.ndarray  # (k,) times the length of conductor they stand for (N/m)
+
+
+class SoftClay(NamedTuple):
+    """Matlock's springs."""
+
+    node: np.ndarray  # (k,)
+    ultimate: np.ndarray  # (k,) p_u times length (N)
+    y50: np.ndarray  # (k,) displacement at half of p_u (m)
+    origin: float  # y_0 / y50
+
+
+@inner
+def _clay(soil, k, y):
+    """Resistance, its slope by y and its energy."""
+    q, q0 = y / soil.y50[k], soil.origin
+    p, y50 = soil.ultimate[k], soil.y50[k]
+    first = 0.5 * q0 ** (1.0 / 3.0)
+    if q <= q0:
+        return p * first * q / q0, p * first / (q0 * y50), 0.5 * p * y50 * first * q * q / q0
+    q = min(q, YIELD)
+    root = q ** (1.0 / 3.0)
+    # integral of the line up to q0, of the cube root from there
+    stored = 0.5 * first * q0 + 0.375 * (q * root - q0 * q0 ** (1.0 / 3.0))
+    if y >= YIELD * y50:
+        return p, 0.0, p * y50 * (stored + y / y50 - YIELD)
+    return 0.5 * p * root, p * root / (6.0 * q * y50), p * y50 * stored
+
+
+@inner
+def _away(s, i):
+    """Distance of a node from where the conductor stood."""
+    square = 0.0
+    for c in range(len(s.dim) - 1):
+        square += s.r[c, i] ** 2
+    return sqrt(square)
+
+
+@inner
+def clay_force(soil, s):
+    """Resistance against the displacement."""
+    for k in range(soil.node.shape[0]):
+        i = soil.node[k]
+        y = _away(s, i)
+        if y > 0.0:
+            p, _, _ = _clay(soil, k, y)
+            for c in range(len(s.dim) - 1):
+                s.force[c, i] -= p * s.r[c, i] / y
+    return 0.0
+
+
+@inner
+def clay_tangent(soil, s):
+    """Slope along the displacement, p / y across it."""
+    d = len(s.dim)
+    for k in range(soil.node.shape[0]):
+        i = soil.node[k]
+        y = _away(s, i)
+        p, slope, _ = _clay(soil, k, y)
+        across = p / y if y > 0.0 else slope
+        for a in range(d - 1):
+            s.k_node[i, a * d + a] += across
+            if y > 0.0:
+                for b in range(d - 1):
+                    s.k_node[i, a * d + b] += (slope - across) * s.r[a, i] * s.r[b, i] / (y * y)
+    return 0.0
+
+
+@inner
+def clay_energy(soil, s):
+    """Work done on the springs (J)."""
+    total = 0.0
+    for k in range(soil.node.shape[0]):
+        _, _, stored = _clay(soil, k, _away(s, soil.node[k]))
+        total += stored
+    return total
+
+
+@inner
+def linear_force(soil, s):
+    """Resistance against the displacement."""
+    for k in range(soil.node.shape[0]):
+        for c in range(len(s.dim) - 1):
+            s.force[c, soil.node[k]] -= soil.stiffness[k] * s.r[c, soil.node[k]]
+    return 0.0
+
+
+@inner
+def linear_tangent(soil, s):
+    """Stiffness of the springs."""
+    d = len(s.dim)
+    for k in range(soil.node.shape[0]):
+        for c in range(d - 1):
+            s.k_node[soil.node[k], c * d + c] += soil.stiffness[k]
+    return 0.0
+
+
+@inner
+def linear_energy(soil, s):
+    """Energy of the springs (J)."""
+    total = 0.0
+    for k in range(soil.node.shape[0]):
+        total += 0.5 * soil.stiffness[k] * _away(s, soil.node[k]) ** 2
+    return total
+
+
+register(LinearSoil, device=linear_force, tangent=linear_tangent, potential=linear_energy)
+register(SoftClay, device=clay_force, tangent=clay_tangent, potential=clay_energy)

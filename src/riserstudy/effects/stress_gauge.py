@@ -1,0 +1,43 @@
+r"""A gauge that reads the largest stress along a section; it does nothing to the riser.
+
+.. math:: \sigma = |T_e| / A + |M|\,D / 2I
+
+at the outer fibre, with the effective tension in place of the wall's: pressures are not counted.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+from riserstudy.solve.vec import at, dot
+
+
+class StressGauge(NamedTuple):
+    """Gauge over the segments first ... last - 1."""
+
+    first: int
+    last: int
+    area: float  # A (m2)
+    fibre: float  # D / 2I (1/m3)
+    probe: int
+
+
+@inner
+def probe(gauge, s):
+    """Report the largest stress (Pa)."""
+    largest = 0.0
+    for e in range(gauge.first, gauge.last):
+        axial = abs(dot(at(s.dim, s.segment, e), at(s.dim, s.tangent, e))) / gauge.area
+        for i in (e, e + 1):
+            square = 0.0
+            for u in range(len(s.dof) - len(s.dim)):
+                square += s.moment[u, i] ** 2
+            largest = max(largest, axial + gauge.fibre * sqrt(square))
+    s.probe[gauge.probe] = largest
+    return 0.0
+
+
+register(StressGauge, probe=probe)

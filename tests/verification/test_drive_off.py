@@ -1,0 +1,160 @@
+"""A platform that floats, soil around a conductor, a joint within the riser: closed forms and balances."""
+
+import json
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from riserstudy import load_scene, simulate
+
+CONFIG = Path(__file__).parents[2] / "config"
+REF = CONFIG / "scenes" / "liu2017" / "ref_0.yaml"
+QUICK = {"analysis.accuracy": "1 %"}
+
+
+@cache
+def drive_off(name="ref_0", **overrides):
+    path = REF.with_name(f"{name}.yaml")
+    return simulate(load_scene(path, **QUICK, **overrides))
+
+
+STRING = """\
+title: platform on a string
+riser: [{name: string, length: 1000 m, axial_stiffness: 1e10 N, mass: 500 kg/m}]
+bottom: {hold: wellhead, elevation: 0 m}
+top: {x: vessel, z: free, tension: 3 MN}
+vessel:
+  mass: 1e6 kg
+  thrusters: {gain: 1e9 N/m, command: 1e6 m, saturation: 10 kN}
+analysis: {duration: 20 s, output: {interval: 0.1 s}, mesh: {elements: 800}, step: 0.01 s}
+"""
+
+
+def test_a_platform_on_a_string_feels_its_impedance_until_the_wave_is_back(tmp_path):
+    """M v' + sqrt(T m) v = F, and the string follows at depth L - s by (L - s) / c later."""
+    file = tmp_path / "string.yaml"
+    file.write_text(STRING)
+    run = simulate(file)
+    force, mass, speed = 1e4, 1e6, np.sqrt(3e6 / 500.0)
+    slowness = mass / np.sqrt(3e6 * 500.0)
+
+    def top(t):
+        t = np.maximum(t, 0.0)
+        return force * slowness / mass * (t - slowness * -np.expm1(-t / slowness))
+
+    largest = float(run["x"].max())
+    for s in (1000.0, 750.0, 500.0, 0.0):
+        found = run["x"].sel(s=s, method="nearest")
+        until = run["time"] < 1000.0 / speed + s / speed  # before the wave is back there
+        expected = top(run["time"] - (1000.0 - s) / speed)
+        expected = expected.where(s > 0.0, 0.0)
+        np.testing.assert_allclose(
+            found.where(until, 0.0), expected.where(until, 0.0), atol=2e-4 * largest
+        )
+
+
+PILE = """\
+title: a long conductor pushed at the mudline
+riser:
+  - name: conductor
+    length: 80 m
+    outer_diameter: 36 in
+    axial_stiffness: 2e10 N
+    bending_stiffness: 2e9 N*m^2
+bottom: {hold: foot, elevation: -80 m}
+top: {x: free, z: free, lateral_force: 10 kN}
+soil: {mudline: 0 m, resistance: {stiffness: 1 MPa}}
+analysis: {mesh: {elements: 160}}
+"""
+CLAY = """{strength_at_mudline: 3 kPa, strength_gradient: 1.5 kPa/m, submerged_unit_weight: 6 kN/m^3,
+  strain_at_half_strength: 0.02, depth_factor: 0.5, straight_up_to: 0.1}"""
+
+
+def pile(tmp_path, text=PILE):
+    file = tmp_path / "pile.yaml"
+    file.write_text(text)
+    return simulate(file)
+
+
+def test_a_conductor_in_linear_soil_is_a_beam_on_elastic_foundation(tmp_path):
+    """Hetényi: y = 2 P b / k exp(-b u) cos(b u), M = P / b exp(-b u) sin(b u), u below the mudline."""
+    run = pile(tmp_path)
+    b, load, k = (1e6 / (4.0 * 2e9)) ** 0.25, 1e4, 1e6
+    u = 80.0 - run["s"]
+    shape = 2.0 * load * b / k * np.exp(-b * u) * np.cos(b * u)
+    moment = load / b * np.exp(-b * u) * np.sin(b * u)
+    # exp(-b 80 m) is 2e-4: the foot is that far away
+    np.testing.assert_allclose(run["x"], shape, atol=1e-3 * float(shape.max()))
+    np.testing.assert_allclose(
+        abs(run["bending_moment"]), abs(moment), atol=1e-3 * float(moment.max())
+    )
+
+
+@pytest.mark.parametrize("load", ["1 kN", "100 kN", "200 kN"])
+def test_soft_clay_needs_few_newton_iterations(tmp_path, load):
+    """From rest; 3 MN of tension at a lower joint of 4 degrees push with 200 kN. 1 MN takes 11."""
+    text = PILE.replace("{stiffness: 1 MPa}", CLAY).replace(
+        "lateral_force: 10 kN", f"lateral_force: {load}"
+    )
+    run = pile(tmp_path, text)
+    assert run.attrs["statics_iterations"] <= 6
+
+
+def test_the_platform_alone_follows_its_own_equation():
+    below = {
+        "riser": [
+            {"name": "thread", "length": "1000 m", "axial_stiffness": "1 N", "mass": "0.001 kg/m"}
+        ],
+        "bottom": {"hold": "wellhead", "elevation": "0 m"},
+        "top": {"x": "vessel", "z": "held", "elevation": "1500 m"},
+        "soil": None,
+        "analysis.output": {"interval": "1 s"},
+    }
+    run = simulate(load_scene(REF.with_name("sat_0.yaml"), **below))
+
+    def rates(t, state):
+        x, v = state
+        water, wind = 0.5 - v, 13.8 - v
+        thrust = np.clip(1.01e5 * (100.0 - x), -4.5e6, 4.5e6)
+        force = 2.5e5 * abs(water) * water + 2e3 * abs(wind) * wind + 1e5 + thrust
+        return v, force / 5.26e7
+
+    exact = solve_ivp(rates, (0.0, 150.0), (0.0, 0.0), t_eval=run["time"], rtol=1e-10, atol=1e-10)
+    np.testing.assert_allclose(run["platform_surge"], exact.y[0], atol=2e-3 * exact.y[0].max())
+
+
+def test_energy_balances_with_the_platform():
+    audit = json.loads(drive_off().attrs["audit"])
+    assert audit["unexplained_share"] < 1e-4
+    assert audit["work_of_supports"] == 0.0
+
+
+def test_the_other_way_round_is_the_mirror_image():
+    turned = {f"vessel.{name}.heading": "180 deg" for name in ("wind", "wave_drift")}
+    turned |= {"current.heading": "180 deg", "vessel.thrusters.command": "-100 m"}
+    one, other = drive_off(), drive_off(**turned)
+    for name in ("platform_surge", "ufj_angle", "lfj_angle", "riser_reaction_x", "x"):
+        largest = float(abs(one[name]).max())
+        np.testing.assert_allclose(one[name], -other[name], atol=1e-9 * largest)
+    np.testing.assert_allclose(one["stroke"], other["stroke"], atol=1e-9)
+
+
+def test_the_riser_pulls_with_tension_and_the_shear_of_the_joint():
+    run = drive_off()
+    ends = run.isel(s=[-2, -1])
+    across, up = ends["x"].diff("s").squeeze("s"), ends["z"].diff("s").squeeze("s")
+    length = np.hypot(across, up)
+    shear = -ends["bending_moment"].diff("s").squeeze("s") / length
+    expected = -3.02e6 * across / length - shear * up / length
+    np.testing.assert_allclose(run["riser_reaction_x"], expected, atol=10.0)
+    # what the paper's formula leaves out
+    assert float(abs(run["riser_reaction_x"] + 3.02e6 * np.sin(run["ufj_angle"])).max()) < 3e4
+
+
+def test_the_lower_joint_takes_the_moment_over_its_stiffness():
+    run = drive_off()
+    moment = run["bending_moment"].sel(s=87.0, method="nearest")
+    np.testing.assert_allclose(run["lfj_angle"], moment / (90e3 * 180.0 / np.pi), rtol=1e-9)
