@@ -28,10 +28,12 @@ from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.implicit import DONE, Method, generalised_alpha, march, new_ledger
 from riserstudy.solve.modes import stable_step
 from riserstudy.solve.record import Record, evaluate_once, new_record
+from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 
 FloatArray = NDArray[np.float64]
 RHO_INF = 0.8  # default spectral radius
 NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
+ITERATIONS, HALVINGS = 12, 6  # of a step, at most
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
 EVERYWHERE = "everywhere"  # histories at all nodes
 UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
@@ -141,6 +143,12 @@ def _march(
             ledger,
         )
         facts["stable_step"] = limit
+    elif isinstance(a.method, str):
+        weights = TABLEAUS[a.method]
+        stages = Stages(weights, step, count, _tolerance(scene, mesh), ITERATIONS, HALVINGS)
+        outcome = march_in_stages(
+            model.programs, model.state, model.spare, stages, model.fixed, record, ledger
+        )
     else:
         method = _method(scene, mesh, step, count)
         outcome = march(
@@ -176,13 +184,16 @@ def _march(
 
 def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:
     a = scene.analysis
-    tolerance = (a.newton_tolerance or NEWTON) * float(mesh.l0.sum())
     if isinstance(a.method, Newmark):
         parameters = (0.0, 0.0, a.method.beta, a.method.gamma)
     else:
         rho = a.method.rho_inf if isinstance(a.method, GeneralisedAlpha) else RHO_INF
         parameters = generalised_alpha(rho)
-    return Method(*parameters, step, count, tolerance, iterations=12, halvings=6)
+    return Method(*parameters, step, count, _tolerance(scene, mesh), ITERATIONS, HALVINGS)
+
+
+def _tolerance(scene: Scene, mesh: Mesh) -> float:
+    return (scene.analysis.newton_tolerance or NEWTON) * float(mesh.l0.sum())
 
 
 def _times(start: float, end: float, interval: float) -> FloatArray:

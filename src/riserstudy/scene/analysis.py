@@ -66,7 +66,7 @@ class Analysis(Strict):
     mesh: Mesh | None = None
     step: Annotated[u.Time, POSITIVE] | None = None
     accuracy: Annotated[u.Percent, Field(gt=0, lt=1)] | None = None
-    method: Literal["explicit"] | GeneralisedAlpha | Newmark | None = None
+    method: Literal["explicit", "TR-BDF2", "ESDIRK4"] | GeneralisedAlpha | Newmark | None = None
     newton_tolerance: Annotated[float, Field(gt=0, le=1e-3)] | None = None
 
     @model_validator(mode="after")

@@ -9,29 +9,21 @@ Newmark's formulas run on an auxiliary one that follows it (Arnold and Brüls 20
 
 Where mass is constant this is the method of Chung and Hulbert (1993); where it turns with the pipe, as
 added mass does, this form stays second order. alpha_m = alpha_f = 0 is Newmark's method.
-
-A practical step needs one correction: the next would be about C d^2, with d the correction just made and
-C from the last step that made two, so a second is made only where that estimate calls for it (half the
-run time of always confirming).
 """
 
 from __future__ import annotations
 
-from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.jit import inner, kernel
-from riserstudy.solve.blocktri import solve
-from riserstudy.solve.evaluate import forces, inertia, move, tangent
+from riserstudy.jit import kernel
+from riserstudy.solve.evaluate import forces, inertia, move
+from riserstudy.solve.newton import NODE, SIZE, balance, correct, new_memory, supplied
 from riserstudy.solve.program import every
-from riserstudy.solve.record import evaluate_and_note, interpolate, note, tabulate, widen
-from riserstudy.solve.state import clear_tangent
+from riserstudy.solve.record import between, note, tabulate, widen
 
 DONE, NOT_CONVERGED = 0, 1
-CONFIRM_EVERY = 32  # steps after which C is measured anew
-SAFETY = 4.0  # on the estimate C d^2
 
 
 class Method(NamedTuple):
@@ -69,38 +61,6 @@ def new_ledger() -> Ledger:
     return Ledger(np.zeros(5), np.zeros(4, np.int64), np.zeros(3))
 
 
-@inner
-def balance(p, s, out, work, fixed):
-    """Accelerations of the free directions from the forces as they are."""
-    d = len(s.dim)
-    m = len(s.dof) - d
-    n = s.l0.shape[0]
-    forces(p, s)
-    for c in range(d):
-        for i in range(n + 1):
-            out[i, m + c] = s.force[c, i]
-    inertia(p, s)
-    for i in range(n + 1):
-        for u in range(m):
-            out[i, u] = 0.0
-        for c in range(d):
-            out[i, m + c] += s.force[c, i]
-    for f in range(fixed.shape[0]):
-        out[fixed[f, 0], fixed[f, 1]] = 0.0
-    clear_tangent(s)
-    s.rate[0], s.rate[1] = 0.0, 1.0
-    every(p.mass, s)
-    for i in range(n + 1):
-        for c in range(d):
-            if s.k_node[i, c * d + c] == 0.0:  # no mass: stays as it is
-                s.k_node[i, c * d + c] = 1.0
-                out[i, m + c] = 0.0
-    solve(s, out, work, fixed)
-    for c in range(d):
-        for i in range(n + 1):
-            s.a[c, i] += out[i, m + c]
-
-
 @kernel
 def march(p, s, so, method, fixed, record, ledger):
     """March from the state ``s`` at time ``s.clock[0]``; outputs go to ``record``.
@@ -121,8 +81,8 @@ def march(p, s, so, method, fixed, record, ledger):
     inert0, inert1 = np.zeros((d, n + 1)), np.zeros((d, n + 1))
     flow0 = np.zeros(2)
 
-    curvature = np.inf  # C of the header
-    level, left, since = 0, 1, 0
+    memory = new_memory()
+    level, left = 0, 1
     h = method.step
     k_out = 0
     step = 0
@@ -159,59 +119,16 @@ def march(p, s, so, method, fixed, record, ledger):
                 s.a[c, i] = (follower[c, i] - af * a0[c, i]) / (1.0 - af)
         move(p, s, t + h)
 
-        converged = False
-        last = 0.0
-        worst, where = 0.0, 0
-        for iteration in range(method.iterations):
-            forces(p, s)
-            force1[:] = s.force
-            inertia(p, s)
-            for i in range(n + 1):
-                for u in range(m):
-                    out[i, u] = s.turn[u, i]
-                for c in range(d):
-                    out[i, m + c] = force1[c, i] + s.force[c, i]
-            tangent(p, s)
-            solve(s, out, work, fixed)
-            square, worst = 0.0, 0.0
-            for c in range(d):
-                for i in range(n + 1):
-                    delta = out[i, m + c]
-                    s.r[c, i] += delta
-                    s.v[c, i] += s.rate[0] * delta
-                    s.a[c, i] += s.rate[1] * delta
-                    square += delta * delta
-                    if not abs(delta) <= worst:
-                        worst, where = abs(delta), i
-            for u in range(m):
-                for i in range(n + 1):
-                    s.moment[u, i] += out[i, u]
-            ledger.count[1] += 1
-            correction = sqrt(square / (n + 1))
-            if not correction < 1e12 * method.tolerance:
-                break  # diverged, or not a number
-            if iteration > 0 and last > 0.0:
-                curvature = correction / (last * last)
-            confirmed = since < CONFIRM_EVERY or iteration > 0
-            if correction < 1e-3 * method.tolerance or (
-                confirmed and SAFETY * curvature * correction * correction < method.tolerance
-            ):
-                converged = True
-                since = 0 if iteration > 0 else since + 1
-                break
-            last = correction
-
-        if not converged:
+        if not correct(p, s, method.tolerance, method.iterations, memory, out, work, fixed, ledger):
             s.r[:], s.v[:], s.a[:], s.moment[:] = r0, v0, a0, moment0
             s.clock[0] = t
             if level == method.halvings:
                 move(p, s, t)
                 ledger.failure[0] = t
-                ledger.failure[1] = where
-                ledger.failure[2] = worst
+                ledger.failure[1] = memory[NODE]
+                ledger.failure[2] = memory[SIZE]
                 return NOT_CONVERGED
             level, left, h = level + 1, 2 * left, 0.5 * h
-            curvature = np.inf
             ledger.count[2] += 1
             continue
 
@@ -244,15 +161,7 @@ def march(p, s, so, method, fixed, record, ledger):
         kinetic0, held0 = kinetic1, held
         ledger.count[0] += 1
 
-        # outputs between the steps, then at the new step
-        while k_out < record.time.shape[0] and record.time[k_out] < t + h * (1.0 - 1e-9):
-            x = (record.time[k_out] - t) / h
-            interpolate(so, r0, v0, a0, t, s.r, s.v, s.a, t + h, record.time[k_out])
-            for u in range(m):
-                for i in range(n + 1):
-                    so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
-            evaluate_and_note(p, so, record, k_out)
-            k_out += 1
+        k_out = between(p, s, so, r0, v0, a0, moment0, t, h, record, k_out)
         if t + h >= first:
             tabulate(s, record.values)
             widen(record)
@@ -264,19 +173,7 @@ def march(p, s, so, method, fixed, record, ledger):
         if left == 0:
             step += 1
             if level > 0:
-                level, h, curvature = 0, method.step, np.inf
+                level, h = 0, method.step
             left = 1
             s.clock[0] = start + step * method.step
     return DONE
-
-
-@inner
-def supplied(s, force, inert, fixed):
-    """Power that supports supply through the directions they hold (W)."""
-    m = len(s.dof) - len(s.dim)
-    power = 0.0
-    for f in range(fixed.shape[0]):
-        i, c = fixed[f, 0], fixed[f, 1] - m
-        if c >= 0:
-            power -= (force[c, i] + inert[c, i]) * s.v[c, i]
-    return power

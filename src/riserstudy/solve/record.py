@@ -155,3 +155,20 @@ def evaluate_once(p, s, record):
     """Tabulate and note a state as it stands, for callers in Python."""
     evaluate(p, s, record)
     note(p, s, record, 0)
+
+
+@inner
+def between(p, s, so, r0, v0, a0, moment0, t, h, record, k_out):
+    """Write down the outputs due within a step from t to t + h, where ``s`` is; returns the next one.
+
+    ``so`` is a second state of the same model, which takes the interpolated positions.
+    """
+    while k_out < record.time.shape[0] and record.time[k_out] < t + h * (1.0 - 1e-9):
+        x = (record.time[k_out] - t) / h
+        interpolate(so, r0, v0, a0, t, s.r, s.v, s.a, t + h, record.time[k_out])
+        for u in range(len(s.dof) - len(s.dim)):
+            for i in range(s.l0.shape[0] + 1):
+                so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
+        evaluate_and_note(p, so, record, k_out)
+        k_out += 1
+    return k_out

@@ -1,0 +1,127 @@
+r"""Newton's iteration of one implicit step or stage: forces balance at the end of it.
+
+A practical step needs one correction: the next would be about C d^2, with d the correction just made and
+C from the last step that made two, so a second is made only where that estimate calls for it (half the
+run time of always confirming).
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+
+from riserstudy.jit import inner
+from riserstudy.solve.blocktri import solve
+from riserstudy.solve.evaluate import forces, inertia, tangent
+from riserstudy.solve.program import every
+from riserstudy.solve.state import clear_tangent
+
+CONFIRM_EVERY = 32  # steps after which C is measured anew
+SAFETY = 4.0  # on the estimate C d^2
+CURVATURE, SINCE, NODE, SIZE = 0, 1, 2, 3  # what the memory holds
+
+
+@inner
+def new_memory():
+    """C, steps since it was measured, node and size of the last correction."""
+    memory = np.zeros(4)
+    memory[CURVATURE] = np.inf
+    return memory
+
+
+@inner
+def correct(p, s, tolerance, iterations, memory, out, work, fixed, ledger):
+    """Correct positions until forces balance; velocity and acceleration follow at the rates ``s.rate``.
+
+    Returns whether it converged; the memory then tells the size of the last correction, and where.
+    """
+    d = len(s.dim)
+    m = len(s.dof) - d
+    n = s.l0.shape[0]
+    last = 0.0
+    for iteration in range(iterations):
+        forces(p, s)
+        for c in range(d):
+            for i in range(n + 1):
+                out[i, m + c] = s.force[c, i]
+        inertia(p, s)
+        for i in range(n + 1):
+            for u in range(m):
+                out[i, u] = s.turn[u, i]
+            for c in range(d):
+                out[i, m + c] += s.force[c, i]
+        tangent(p, s)
+        solve(s, out, work, fixed)
+        square, worst, where = 0.0, 0.0, 0
+        for c in range(d):
+            for i in range(n + 1):
+                delta = out[i, m + c]
+                s.r[c, i] += delta
+                s.v[c, i] += s.rate[0] * delta
+                s.a[c, i] += s.rate[1] * delta
+                square += delta * delta
+                if not abs(delta) <= worst:
+                    worst, where = abs(delta), i
+        for u in range(m):
+            for i in range(n + 1):
+                s.moment[u, i] += out[i, u]
+        ledger.count[1] += 1
+        memory[NODE], memory[SIZE] = where, worst
+        correction = sqrt(square / (n + 1))
+        if not correction < 1e12 * tolerance:
+            break  # diverged, or not a number
+        if iteration > 0 and last > 0.0:
+            memory[CURVATURE] = correction / (last * last)
+        confirmed = memory[SINCE] < CONFIRM_EVERY or iteration > 0
+        next_one = SAFETY * memory[CURVATURE] * correction * correction
+        if correction < 1e-3 * tolerance or (confirmed and next_one < tolerance):
+            memory[SINCE] = 0.0 if iteration > 0 else memory[SINCE] + 1.0
+            return True
+        last = correction
+    memory[CURVATURE] = np.inf
+    return False
+
+
+@inner
+def balance(p, s, out, work, fixed):
+    """Accelerations of the free directions from the forces as they are."""
+    d = len(s.dim)
+    m = len(s.dof) - d
+    n = s.l0.shape[0]
+    forces(p, s)
+    for c in range(d):
+        for i in range(n + 1):
+            out[i, m + c] = s.force[c, i]
+    inertia(p, s)
+    for i in range(n + 1):
+        for u in range(m):
+            out[i, u] = 0.0
+        for c in range(d):
+            out[i, m + c] += s.force[c, i]
+    for f in range(fixed.shape[0]):
+        out[fixed[f, 0], fixed[f, 1]] = 0.0
+    clear_tangent(s)
+    s.rate[0], s.rate[1] = 0.0, 1.0
+    every(p.mass, s)
+    for i in range(n + 1):
+        for c in range(d):
+            if s.k_node[i, c * d + c] == 0.0:  # no mass: stays as it is
+                s.k_node[i, c * d + c] = 1.0
+                out[i, m + c] = 0.0
+    solve(s, out, work, fixed)
+    for c in range(d):
+        for i in range(n + 1):
+            s.a[c, i] += out[i, m + c]
+
+
+@inner
+def supplied(s, force, inert, fixed):
+    """Power that supports supply through the directions they hold (W)."""
+    m = len(s.dof) - len(s.dim)
+    power = 0.0
+    for f in range(fixed.shape[0]):
+        i, c = fixed[f, 0], fixed[f, 1] - m
+        if c >= 0:
+            power -= (force[c, i] + inert[c, i]) * s.v[c, i]
+    return power

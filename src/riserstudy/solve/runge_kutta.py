@@ -1,0 +1,190 @@
+r"""Diagonally implicit Runge-Kutta stepping with an explicit first stage, stiffly accurate.
+
+Stage i balances all forces at the time :math:`t + c_i h`,
+
+.. math::
+
+   I(r_i, a_i) + F(r_i, v_i) = 0,\qquad r_i = r_0 + h \sum_{j \le i} A_{ij} v_j,\qquad
+   v_i = v_0 + h \sum_{j \le i} A_{ij} a_j,
+
+and the last stage is the step. All implicit stages share their diagonal element, so a stage is solved like
+a step of Newmark's method. TR-BDF2 (Bank et al. 1985) is of second order; ESDIRK4 (Kennedy and Carpenter
+2003, the implicit half of ARK4(3)6L[2]SA) of fourth. Both damp what the step does not resolve entirely.
+"""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.jit import kernel
+from riserstudy.solve.evaluate import forces, inertia, move
+from riserstudy.solve.implicit import DONE, NOT_CONVERGED
+from riserstudy.solve.newton import NODE, SIZE, balance, correct, new_memory, supplied
+from riserstudy.solve.program import every
+from riserstudy.solve.record import between, note, tabulate, widen
+
+_G = 1.0 - sqrt(0.5)
+TABLEAUS = {
+    "TR-BDF2": np.array([[0.0, 0.0, 0.0], [_G, _G, 0.0], [sqrt(0.125), sqrt(0.125), _G]]),
+    "ESDIRK4": np.array(
+        [
+            [0.0] * 6,
+            [1 / 4, 1 / 4, 0.0, 0.0, 0.0, 0.0],
+            [8611 / 62500, -1743 / 31250, 1 / 4, 0.0, 0.0, 0.0],
+            [5012029 / 34652500, -654441 / 2922500, 174375 / 388108, 1 / 4, 0.0, 0.0],
+            [
+                15267082809 / 155376265600,
+                -71443401 / 120774400,
+                730878875 / 902184768,
+                2285395 / 8070912,
+                1 / 4,
+                0.0,
+            ],
+            [82889 / 524892, 0.0, 15625 / 83664, 69875 / 102672, -2260 / 8211, 1 / 4],
+        ]
+    ),
+}
+
+
+class Stages(NamedTuple):
+    """Parameters of one run."""
+
+    weights: np.ndarray  # (stages, stages) A of the header, its last row the step
+    step: float  # (s)
+    steps: int
+    tolerance: float  # of a position correction, root mean square over nodes (m)
+    iterations: int  # Newton iterations a stage, at most
+    halvings: int  # of a step that fails, at most
+
+
+@kernel
+def march_in_stages(p, s, so, method, fixed, record, ledger):
+    """March from the state ``s`` at time ``s.clock[0]``; arguments and outcome are those of `march`."""
+    d = len(s.dim)
+    nb = len(s.dof)
+    m = nb - d
+    n = s.l0.shape[0]
+    weights = method.weights
+    stages = weights.shape[0]
+    last = stages - 1
+    diagonal = weights[last, last]
+
+    out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
+    r0, moment0 = np.zeros((d, n + 1)), np.zeros((m, n + 1))
+    v, a = np.zeros((stages, d, n + 1)), np.zeros((stages, d, n + 1))
+    force = np.zeros((d, n + 1))
+    # by stage: dissipated, supplied by water and devices, by supports, by inertia
+    power = np.zeros((stages, 4))
+
+    memory = new_memory()
+    level, left = 0, 1
+    h = method.step
+    k_out, step = 0, 0
+    start = t = s.clock[0]
+
+    balance(p, s, out, work, fixed)
+    forces(p, s)
+    force[:] = s.force
+    inertia(p, s)
+    s.flow[:] = 0.0
+    every(p.power, s)
+    power[last, :2] = s.flow
+    power[last, 2] = supplied(s, force, s.force, fixed)
+    power[last, 3] = (s.force * s.v).sum()
+    kinetic0 = every(p.kinetic, s)
+    first = record.time[0] - 1e-9 * h  # envelopes start with the outputs
+    if first <= t:
+        tabulate(s, record.values)
+        widen(record)
+        note(p, s, record, 0)
+        k_out = 1
+
+    while step < method.steps:
+        t = s.clock[0]
+        r0[:], v[0], a[0], moment0[:] = s.r, s.v, s.a, s.moment
+        power[0] = power[last]
+        s.rate[0] = 1.0 / (diagonal * h)
+        s.rate[1] = s.rate[0] * s.rate[0]
+        failed = False
+        for i in range(1, stages):
+            fraction = 0.0
+            for j in range(i + 1):
+                fraction += weights[i, j]
+            for c in range(d):
+                for k in range(n + 1):
+                    place, speed = r0[c, k], v[0, c, k]
+                    for j in range(i):
+                        place += h * weights[i, j] * v[j, c, k]
+                        speed += h * weights[i, j] * a[j, c, k]
+                    guess = a[i - 1, c, k]
+                    s.a[c, k] = guess
+                    s.v[c, k] = speed + h * diagonal * guess
+                    s.r[c, k] = place + h * diagonal * s.v[c, k]
+            move(p, s, t + fraction * h)
+            if not correct(
+                p, s, method.tolerance, method.iterations, memory, out, work, fixed, ledger
+            ):
+                failed = True
+                break
+            v[i], a[i] = s.v, s.a
+            forces(p, s)
+            force[:] = s.force
+            inertia(p, s)
+            s.flow[:] = 0.0
+            every(p.power, s)
+            power[i, :2] = s.flow
+            power[i, 2] = supplied(s, force, s.force, fixed)
+            power[i, 3] = 0.0
+            for c in range(d):
+                for k in range(n + 1):
+                    power[i, 3] += s.force[c, k] * s.v[c, k]
+        if failed:
+            s.r[:], s.v[:], s.a[:], s.moment[:] = r0, v[0], a[0], moment0
+            power[last] = power[0]
+            s.clock[0] = t
+            if level == method.halvings:
+                move(p, s, t)
+                ledger.failure[0] = t
+                ledger.failure[1] = memory[NODE]
+                ledger.failure[2] = memory[SIZE]
+                return NOT_CONVERGED
+            level, left, h = level + 1, 2 * left, 0.5 * h
+            ledger.count[2] += 1
+            continue
+
+        kinetic1 = every(p.kinetic, s)
+        numerical = kinetic0 - kinetic1
+        lost, given, held = 0.0, 0.0, 0.0
+        for i in range(stages):
+            weight = h * weights[last, i]
+            lost += weight * power[i, 0]
+            given += weight * power[i, 1]
+            held += weight * power[i, 2]
+            numerical -= weight * power[i, 3]
+        ledger.work[0] += held
+        ledger.work[1] += given
+        ledger.work[2] += lost
+        ledger.work[3] += numerical
+        ledger.work[4] += abs(held) + abs(given) + abs(lost)
+        kinetic0 = kinetic1
+        ledger.count[0] += 1
+
+        k_out = between(p, s, so, r0, v[0], a[0], moment0, t, h, record, k_out)
+        if t + h >= first:
+            tabulate(s, record.values)
+            widen(record)
+        if k_out < record.time.shape[0] and record.time[k_out] <= t + h * (1.0 + 1e-9):
+            note(p, s, record, k_out)
+            k_out += 1
+
+        left -= 1
+        if left == 0:
+            step += 1
+            if level > 0:
+                level, h = 0, method.step
+            left = 1
+            s.clock[0] = start + step * method.step
+    return DONE
