@@ -7,23 +7,29 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.integrate import cumulative_trapezoid
 
 from riserstudy.scene.models import Scene
 
-GROWTH = 1.7  # ratio of neighbouring segments in a graded layer
-LAYER = 0.7  # first segment of a layer, in layer lengths sqrt(EI/T)
-COARSEST = 8  # segments over the riser before grading
+GROWTH = 0.15  # by which segments grow away from a held end, metre by metre
+LAYER = 0.5  # first segment of a layer, in layer lengths sqrt(EI/T), on the coarsest mesh
+COARSEST = 8  # segments over the riser
+GRADED = 16  # before grading
+FINE = 4000  # points of the mapping that a graded mesh follows
 
 
 class Mesh(NamedTuple):
     """Unstretched segment lengths (m) and the section that each segment belongs to.
 
-    A telescopic joint is one more segment at the top, of a section of its own, never cut.
+    A telescopic joint is one more segment at the top, of a section of its own, never cut. A graded mesh
+    keeps the mapping that it follows, one array of positions over a section's nodes: finer meshes then
+    grade as smoothly.
     """
 
     l0: NDArray[np.float64]
     section: NDArray[np.int64]
     joint: bool = False
+    mapping: tuple[NDArray[np.float64], ...] = ()
 
     @property
     def s(self) -> NDArray[np.float64]:
@@ -45,10 +51,31 @@ class Mesh(NamedTuple):
         return int(np.searchsorted(self.section, section))
 
     def halved(self) -> Mesh:
-        """Every segment of the riser cut in two."""
-        cuts = np.full(len(self.l0), 2)
-        cuts[self.ring :] = 1
-        return Mesh(np.repeat(self.l0 / cuts, cuts), np.repeat(self.section, cuts), self.joint)
+        """Twice as many segments in the riser."""
+        if not self.mapping:
+            cuts = np.full(len(self.l0), 2)
+            cuts[self.ring :] = 1
+            return self._replace(
+                l0=np.repeat(self.l0 / cuts, cuts), section=np.repeat(self.section, cuts)
+            )
+        counts = 2 * np.bincount(self.section[: self.ring])
+        l0, section = _laid(self.mapping, list(counts))
+        return self._replace(
+            l0=np.append(l0, self.l0[self.ring :]),
+            section=np.append(section, self.section[self.ring :]),
+        )
+
+
+def _laid(
+    mapping: tuple[NDArray[np.float64], ...], counts: list[int]
+) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Segments and their sections, so many a section, by the mappings of the sections."""
+    share = np.linspace(0.0, 1.0, FINE + 1)
+    pieces = [
+        np.diff(np.interp(np.linspace(0.0, 1.0, k + 1), share, place))
+        for k, place in zip(counts, mapping, strict=True)
+    ]
+    return np.concatenate(pieces), np.repeat(np.arange(len(counts)), counts)
 
 
 def even(scene: Scene, elements: int) -> Mesh:
@@ -80,7 +107,7 @@ class Layer(NamedTuple):
 def graded(
     scene: Scene,
     layers: list[Layer],
-    elements: int = COARSEST,
+    elements: int = GRADED,
     longest: dict[int, float] | None = None,
 ) -> Mesh:
     """Segments of about equal length, finer towards places where bending is confined to a layer.
@@ -89,23 +116,20 @@ def graded(
     """
     lengths = [section.total_length for section in scene.riser]
     total = sum(lengths)
-    pieces, owner = [], []
+    mapping, counts = [], []
     start = 0.0
     for k, length in enumerate(lengths):
-        nodes = [0.0]
-        while nodes[-1] < length - 1e-9 * total:
-            below = start + nodes[-1]
-            size = min(total / elements, (longest or {}).get(k, math.inf))
-            for layer in layers:
-                away = below - layer.place
-                growth = GROWTH - 1.0 if away >= 0.0 else 1.0 / GROWTH - 1.0
-                size = min(size, LAYER * layer.length + growth * away)
-            nodes.append(nodes[-1] + size)
-        cuts = np.array(nodes) * (length / nodes[-1])
-        pieces.append(np.diff(cuts))
-        owner.append(np.full(len(cuts) - 1, k))
+        s = np.linspace(0.0, length, FINE + 1)
+        size = np.full(FINE + 1, min(total / elements, (longest or {}).get(k, math.inf)))
+        for layer in layers:
+            away = np.abs(start + s - layer.place)
+            size = np.minimum(size, LAYER * layer.length + GROWTH * away)
+        count = np.concatenate([[0.0], cumulative_trapezoid(1.0 / size, s)])
+        counts.append(max(1, round(count[-1])))
+        mapping.append(np.interp(np.linspace(0.0, count[-1], FINE + 1), count, s))
         start += length
-    return _with_joint(scene, np.concatenate(pieces), np.concatenate(owner))
+    l0, section = _laid(tuple(mapping), counts)
+    return _with_joint(scene, l0, section)._replace(mapping=tuple(mapping))
 
 
 def blend_by_weight(blend: NDArray[np.float64], mesh: Mesh, weight: NDArray[np.float64]) -> None:

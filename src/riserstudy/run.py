@@ -24,7 +24,8 @@ Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
-REFINEMENTS = 7  # halvings of mesh and step, at most
+RUNS = 16  # halvings of mesh or step, at most
+MOST_FALL = 8.0  # of successive differences that an estimate trusts
 STEPS_A_PERIOD = 24  # of the coarsest step
 
 
@@ -71,39 +72,56 @@ def _as_asked(scene: Scene) -> Result:
 
 
 def _refined(scene: Scene) -> Result:
+    """Refine mesh or step, whichever errs more, until both errors together are below what is asked for.
+
+    Every run is compared with the one before, which differs in mesh or in step alone.
+    """
     a = scene.analysis
     target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
     target["tension"] = target["moment"]
-    mesh = _first_mesh(scene)
-    step = _first_step(scene)
-    cost = 0.0
-    coarse, before, error = None, None, {}
-    for left in range(REFINEMENTS, -1, -1):
+    mesh, step = _first_mesh(scene), _first_step(scene)
+    ways = [] if massless(scene) else ["mesh"]
+    ways += ["step"] if step else []
+    if not ways:  # a massless spring at rest is exact
+        return single(scene, mesh, step)
+    before: dict[str, dict[str, float]] = {}
+    error: dict[str, dict[str, float]] = {}
+    cost, way = 0.0, ways[0]
+    result: Result | None = None
+    for left in range(RUNS, -1, -1):
         try:
-            fine = single(scene, mesh, step, EVERYWHERE)
+            finer = single(scene, mesh, step, EVERYWHERE)
         except StepFailed:
-            if left == 0:
+            if left == 0 or step is None:
                 raise
-            coarse, before = None, None
-        else:
-            cost += fine.facts["solve_seconds"]
-            if coarse is not None:
-                now = difference(coarse, fine)
-                error = fine.facts["error_estimate"] = estimate(now, before)
-                before = now
-                if all(error.get(name, 0.0) <= limit for name, limit in target.items()):
-                    break
-            coarse = fine
-        mesh = mesh if massless(scene) else mesh.halved()
-        step = 0.5 * step if step else None
+            step, result = 0.5 * step, None
+            continue
+        cost += finer.facts["solve_seconds"]
+        if result is not None:
+            now = difference(result, finer)
+            error[way] = estimate(now, before.get(way))
+            before[way] = now
+        result = finer
+        total = {name: sum(e.get(name, 0.0) for e in error.values()) for name in target}
+        finer.facts["error_estimate"] = {k: v for k, v in total.items() if k in before.get(way, {})}
+        unknown = [w for w in ways if w not in error]
+        if not unknown and all(total[name] <= limit for name, limit in target.items()):
+            break
+        way = unknown[0] if unknown else max(ways, key=lambda w: _excess(error[w], target))
+        mesh = mesh.halved() if way == "mesh" else mesh
+        step = 0.5 * step if step and way == "step" else step
     else:
-        worst = ", ".join(f"{name} {100 * value:.2g} %" for name, value in error.items())
-        fine.facts["warnings"].append(
-            f"accuracy not reached after {REFINEMENTS} refinements: {worst or 'nothing'} estimated"
+        worst = ", ".join(f"{name} {100 * value:.2g} %" for name, value in total.items())
+        finer.facts["warnings"].append(
+            f"accuracy not reached after {RUNS} refinements: {worst} estimated"
         )
-    fine.facts["solve_seconds"] = cost
-    keep_stations(fine, a.output.stations if a.output else None)
-    return fine
+    finer.facts["solve_seconds"] = cost
+    keep_stations(finer, a.output.stations if a.output else None)
+    return finer
+
+
+def _excess(error: dict[str, float], target: dict[str, float]) -> float:
+    return max(error.get(name, 0.0) / limit for name, limit in target.items())
 
 
 def _first_mesh(scene: Scene) -> Mesh:
@@ -133,7 +151,8 @@ def _first_mesh(scene: Scene) -> Mesh:
     if scene.soil:
         conductor = scene.riser[0]
         longest[0] = pile_length(scene.soil, conductor, stiffness(conductor).bending)
-    return graded(scene, found, longest=longest)
+    confined = longest or any(layer.length < math.inf for layer in found)
+    return graded(scene, found, longest=longest) if confined else probe
 
 
 def massless(scene: Scene) -> bool:
@@ -155,12 +174,12 @@ def estimate(now: dict[str, float], before: dict[str, float] | None) -> dict[str
     """Error of the finest of three runs, each twice as fine as the last, from their differences.
 
     Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as at most
-    4 (second order), and as 2 where it is smaller or unknown.
+    8 (third order), and as 2 where it is smaller or unknown.
     """
     error = {}
     for name, value in now.items():
-        fall = (before or {}).get(name, 0.0) / value if value > 0.0 else 4.0
-        error[name] = value / (min(max(fall, 2.0), 4.0) - 1.0)
+        fall = (before or {}).get(name, 0.0) / value if value > 0.0 else MOST_FALL
+        error[name] = value / (min(max(fall, 2.0), MOST_FALL) - 1.0)
     return error
 
 

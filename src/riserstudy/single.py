@@ -34,6 +34,7 @@ FloatArray = NDArray[np.float64]
 RHO_INF = 0.8  # default spectral radius
 NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
 ITERATIONS, HALVINGS = 12, 6  # of a step, at most
+GRADED = 4  # steps that a graded start replaces
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
 EVERYWHERE = "everywhere"  # histories at all nodes
 UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
@@ -145,7 +146,7 @@ def _march(
         facts["stable_step"] = limit
     elif isinstance(a.method, str):
         weights = TABLEAUS[a.method]
-        stages = Stages(weights, step, count, _tolerance(scene, mesh), ITERATIONS, HALVINGS)
+        stages = Stages(weights, *_stepping(scene, mesh, step, count))
         outcome = march_in_stages(
             model.programs, model.state, model.spare, stages, model.fixed, record, ledger
         )
@@ -189,7 +190,19 @@ def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:
     else:
         rho = a.method.rho_inf if isinstance(a.method, GeneralisedAlpha) else RHO_INF
         parameters = generalised_alpha(rho)
-    return Method(*parameters, step, count, _tolerance(scene, mesh), ITERATIONS, HALVINGS)
+    return Method(*parameters, *_stepping(scene, mesh, step, count))
+
+
+def _stepping(scene: Scene, mesh: Mesh, step: float, count: int) -> tuple[Any, ...]:
+    """Step, number, Newton's tolerance and limits, graded start."""
+    return step, count, _tolerance(scene, mesh), ITERATIONS, HALVINGS, _graded_start(scene)
+
+
+def _graded_start(scene: Scene) -> int:
+    """Steps of a graded start: where statics do not hold what acts at once, unless the step is given."""
+    a = scene.analysis
+    jolt = a.start not in (None, "equilibrium")
+    return GRADED if jolt and a.step is None else 0
 
 
 def _tolerance(scene: Scene, mesh: Mesh) -> float:

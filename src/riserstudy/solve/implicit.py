@@ -19,7 +19,7 @@ import numpy as np
 
 from riserstudy.jit import kernel
 from riserstudy.solve.evaluate import forces, inertia, move
-from riserstudy.solve.newton import NODE, SIZE, balance, correct, new_memory, supplied
+from riserstudy.solve.newton import NODE, SIZE, balance, correct, elapsed, new_memory, supplied
 from riserstudy.solve.program import every
 from riserstudy.solve.record import between, note, tabulate, widen
 
@@ -38,6 +38,7 @@ class Method(NamedTuple):
     tolerance: float  # of a position correction, root mean square over nodes (m)
     iterations: int  # Newton iterations a step, at most
     halvings: int  # of a step that fails, at most
+    start: int  # steps that a graded start replaces by three times as many, 0 for none
 
 
 def generalised_alpha(rho_inf) -> tuple[float, float, float, float]:
@@ -83,9 +84,8 @@ def march(p, s, so, method, fixed, record, ledger):
 
     memory = new_memory()
     level, left = 0, 1
-    h = method.step
-    k_out = 0
-    step = 0
+    h = method.step * (elapsed(1, method.start) - elapsed(0, method.start))
+    k_out, step = 0, 0
 
     balance(p, s, out, work, fixed)
     follower = s.a.copy()  # the auxiliary acceleration
@@ -106,7 +106,7 @@ def march(p, s, so, method, fixed, record, ledger):
         note(p, s, record, 0)
         k_out = 1
 
-    while step < method.steps:
+    while step < method.steps + 2 * method.start:
         t = s.clock[0]
         r0[:], v0[:], a0[:], moment0[:] = s.r, s.v, s.a, s.moment
         inert0[:] = inert1
@@ -172,8 +172,8 @@ def march(p, s, so, method, fixed, record, ledger):
         left -= 1
         if left == 0:
             step += 1
-            if level > 0:
-                level, h = 0, method.step
-            left = 1
-            s.clock[0] = start + step * method.step
+            level, left = 0, 1
+            done = elapsed(step, method.start)
+            h = method.step * (elapsed(step + 1, method.start) - done)
+            s.clock[0] = start + done * method.step
     return DONE

@@ -23,6 +23,19 @@ CURVATURE, SINCE, NODE, SIZE = 0, 1, 2, 3  # what the memory holds
 
 
 @inner
+def elapsed(step, start):
+    """Time after so many steps, in steps.
+
+    A graded start takes ``3 start`` steps over ``start``, ever longer ones: a motion that begins with
+    a jolt has moments that grow like a root of time.
+    """
+    if step >= 3 * start:
+        return float(step - 2 * start)
+    share = step / (3.0 * start)
+    return start * share * share * share
+
+
+@inner
 def new_memory():
     """C, steps since it was measured, node and size of the last correction."""
     memory = np.zeros(4)

@@ -19,7 +19,7 @@ class Record(NamedTuple):
     time: np.ndarray  # (k,) output times (s)
     station: np.ndarray  # (j,) node indices of the histories
     history: np.ndarray  # (k, q, j)
-    largest: np.ndarray  # (q, n+1) envelopes over all steps from the first output on
+    largest: np.ndarray  # (q, n+1) envelopes from the first output on
     smallest: np.ndarray  # (q, n+1)
     end: (
         np.ndarray
@@ -28,6 +28,8 @@ class Record(NamedTuple):
     platform: np.ndarray  # (k, 6)
     probe: np.ndarray  # (k, probes)
     values: np.ndarray  # (q, n+1) scratch
+    past: np.ndarray  # (2, q, n+1) scratch: the two steps before
+    seen: np.ndarray  # (1,) steps that the envelopes have seen
 
 
 def new_record(time, station, s) -> Record:
@@ -45,6 +47,8 @@ def new_record(time, station, s) -> Record:
         platform=np.zeros((k, 6)),
         probe=np.zeros((k, len(s.probe))),
         values=np.zeros((q, n + 1)),
+        past=np.zeros((2, q, n + 1)),
+        seen=np.zeros(1, np.int64),
     )
 
 
@@ -86,12 +90,28 @@ def tabulate(s, values):
 
 @inner
 def widen(record):
-    """Take the tabulated values into the envelopes."""
+    """Take the tabulated values into the envelopes.
+
+    Between steps a parabola through the last three tells the extremum, so that envelopes lose no more to
+    long steps than histories do.
+    """
     values, largest, smallest = record.values, record.largest, record.smallest
+    two_ago, last = record.past[0], record.past[1]
+    turning = record.seen[0] >= 2
     for c in range(values.shape[0]):
         for i in range(values.shape[1]):
-            largest[c, i] = max(largest[c, i], values[c, i])
-            smallest[c, i] = min(smallest[c, i], values[c, i])
+            here = values[c, i]
+            largest[c, i] = max(largest[c, i], here)
+            smallest[c, i] = min(smallest[c, i], here)
+            middle = last[c, i]
+            rise, fall = middle - two_ago[c, i], middle - here
+            if turning and rise * fall > 0.0:
+                peak = middle + (rise - fall) ** 2 / (8.0 * (rise + fall))
+                largest[c, i] = max(largest[c, i], peak)
+                smallest[c, i] = min(smallest[c, i], peak)
+            two_ago[c, i] = middle
+            last[c, i] = here
+    record.seen[0] += 1
 
 
 @inner

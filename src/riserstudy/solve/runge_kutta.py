@@ -22,7 +22,7 @@ import numpy as np
 from riserstudy.jit import kernel
 from riserstudy.solve.evaluate import forces, inertia, move
 from riserstudy.solve.implicit import DONE, NOT_CONVERGED
-from riserstudy.solve.newton import NODE, SIZE, balance, correct, new_memory, supplied
+from riserstudy.solve.newton import NODE, SIZE, balance, correct, elapsed, new_memory, supplied
 from riserstudy.solve.program import every
 from riserstudy.solve.record import between, note, tabulate, widen
 
@@ -58,6 +58,7 @@ class Stages(NamedTuple):
     tolerance: float  # of a position correction, root mean square over nodes (m)
     iterations: int  # Newton iterations a stage, at most
     halvings: int  # of a step that fails, at most
+    start: int  # steps that a graded start replaces by three times as many, 0 for none
 
 
 @kernel
@@ -81,7 +82,7 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
 
     memory = new_memory()
     level, left = 0, 1
-    h = method.step
+    h = method.step * (elapsed(1, method.start) - elapsed(0, method.start))
     k_out, step = 0, 0
     start = t = s.clock[0]
 
@@ -102,7 +103,7 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
         note(p, s, record, 0)
         k_out = 1
 
-    while step < method.steps:
+    while step < method.steps + 2 * method.start:
         t = s.clock[0]
         r0[:], v[0], a[0], moment0[:] = s.r, s.v, s.a, s.moment
         power[0] = power[last]
@@ -183,8 +184,8 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
         left -= 1
         if left == 0:
             step += 1
-            if level > 0:
-                level, h = 0, method.step
-            left = 1
-            s.clock[0] = start + step * method.step
+            level, left = 0, 1
+            done = elapsed(step, method.start)
+            h = method.step * (elapsed(step + 1, method.start) - done)
+            s.clock[0] = start + done * method.step
     return DONE
