@@ -36,6 +36,10 @@ PAPERS = {
             "from_rest": {"analysis.step": "0.01 s"},
         },
     ),
+    "liu2017": Small(
+        {"sample": FEW, "offset": [0.0, 100.0, 400.0], "surface_speed": [-1.0, 1.0]},
+        {"headings": {"analysis.accuracy": "5 %"}},
+    ),
     "liu2020": Small(
         {"sample": FEW, "wave_period": [10.0, 15.0], "roll_period": [5.0, 10.0, 20.0]},
         {

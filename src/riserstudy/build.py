@@ -97,6 +97,7 @@ class _Builder:
         self.afloat: list[tuple[int, int]] = []
         self.probes: list[str] = []
         self.parts = [stiffness(section) for section in scene.riser]
+        self.axial = self.per_segment(lambda s, k: self.parts[k].axial)
         bends = d > 1 and all(part.bending > 0 for part in self.parts)
         self.m = {2: 1, 3: 3}[d] if bends else 0
         self.bottom_z = scene.bottom.elevation or 0.0
@@ -208,15 +209,13 @@ class _Builder:
     def string(self) -> None:
         l0, rho = self.mesh.l0, self.rho
         sections = self.scene.riser
-        self.add(
-            "axial elasticity", Axial(self.per_segment(lambda s, k: self.parts[k].axial)), "riser"
-        )
+        self.add("axial elasticity", Axial(self.axial), "riser")
         relaxation = [
             d.ratio * d.at_period / math.pi if (d := s.structural_damping) else 0.0
             for s in sections
         ]
         if any(relaxation):
-            damping = self.per_segment(lambda s, k: self.parts[k].axial * relaxation[k]) / l0
+            damping = self.axial * self.per_segment(lambda s, k: relaxation[k]) / l0
             self.add("axial damping", AxialDamping(damping), "riser.structural_damping")
         if self.m:
             self.bending(relaxation[0])
@@ -285,8 +284,7 @@ class _Builder:
         self.bend = np.stack([own * flexibility, other * flexibility], axis=1)
         record: Any = (Bending if self.m == 1 else SpatialBending)(flex, other * flexibility)
         self.add("bending", record, why)
-        axial = self.per_segment(lambda s, k: self.parts[k].axial)
-        self.add("foreshortening", Foreshortening(axial * flexibility**2 / 72.0), why)
+        self.add("foreshortening", Foreshortening(self.axial * flexibility**2 / 72.0), why)
         if relaxation:
             if self.m == 1:
                 record = BendingDamping(relaxation, *np.zeros((2, self.n + 1)))
@@ -359,9 +357,20 @@ class _Builder:
         rise = total if self.top_z is None else self.top_z - self.bottom_z
         share = self.mesh.s / total
         shape = np.stack([offset * share, 0.0 * share, rise * share])
-        if self.mesh.joint:  # the riser unstretched, the joint from ring to top
-            shape[2, :-1] = self.mesh.s[:-1]
-        if offset and math.hypot(offset, rise) < total:
+        if (
+            self.mesh.joint
+        ):  # the riser leans above its lower joint, the rest is in the telescopic one
+            k = max(self.jointed(), default=int(self.scene.soil is not None))
+            foot = min(self.mesh.foot(k), self.n - 1)
+            strain = (getattr(self.scene.top.telescopic_joint, "tension", 0.0) or 0.0) / self.axial[
+                :-1
+            ]
+            s = np.concatenate([[0.0], np.cumsum(self.mesh.l0[:-1] * (1.0 + strain))])
+            above = np.maximum(s - s[foot], 0.0)
+            lean = math.asin(min(1.0, offset / (total - s[foot])))
+            shape[0, :-1] = above * math.sin(lean)
+            shape[2, :-1] = s - above * (1.0 - math.cos(lean))
+        elif offset and math.hypot(offset, rise) < total:
             shape[[0, 2]] = sagging(self.mesh.s, offset, rise)
         shape[2] += self.bottom_z
         return shape[AXES[self.d]]

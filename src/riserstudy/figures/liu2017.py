@@ -7,14 +7,18 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+from riserstudy.quantities.limits import LIMITS, TOO_LATE, shares
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
 HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
+TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
 TIME, SURGE = "time (s)", "surge of the platform (m)"
 SHOWN = 100.0  # s
+DEGREES = 180.0 / np.pi
 DEADLINE, UFJ_LIMIT = 50.0, 12.0  # s and degrees; config/published/liu2017.yaml, N1
 FORCE_AT_LIMIT = -3.02 * np.sin(np.deg2rad(UFJ_LIMIT))  # MN, which Fig 6 implies
 
@@ -41,6 +45,24 @@ def fig04(driveoff: xr.Dataset) -> Figure:
     return figure
 
 
+def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
+    """Shapes of the riser; against the environment mirrored, so that x is the same in both panels."""
+    figure, axes = panels(1, 2, 4.2, sharey=True)
+    for ax, run, sign, label in zip(
+        axes, (ref_0, ref_180), (1.0, -1.0), HEADINGS.values(), strict=True
+    ):
+        rest = run.isel(time=0)
+        ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="at rest")
+        for colour, time in zip(COLOURS, TIMES, strict=False):
+            shape = run.sel(time=time)
+            ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
+        ax.set_xlabel("lateral displacement (m)")
+        ax.set_title(label, loc="right", fontsize="small")
+    axes[0].set_ylabel("elevation above the wellhead (m)")
+    axes[1].legend(fontsize="small", loc="lower left")
+    return figure
+
+
 def fig06(driveoff: xr.Dataset) -> Figure:
     """Force of the riser on the platform."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
@@ -56,4 +78,119 @@ def fig06(driveoff: xr.Dataset) -> Figure:
         ax.set_title(title, loc="right", fontsize="small")
     axes[0].set_ylabel("force of the riser on the platform (MN)")
     key_below(figure, axes[0], 3)
+    return figure
+
+
+def fig07(driveoff: xr.Dataset) -> Figure:
+    """Shares of the limits that are used, along the environment."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    shown = driveoff.sel(time=slice(0.0, SHOWN))
+    for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
+        used = shares(shown.sel(case=f"{kind}_0"))
+        _limits(ax, used)
+        ax.plot([DEADLINE], [1.0], "o", color="black", label="printed: 12° at 50 s")
+        ax.set_title(title, loc="right", fontsize="small")
+    axes[0].set_ylabel("share of the limit that is used (-)")
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+# beyond the paper
+
+
+def losses(losses: xr.Dataset) -> Figure:
+    """Shares of the limits in a drive-off and in a drift-off."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    for ax, loss in zip(axes, ("drive-off", "drift-off"), strict=True):
+        run = losses["limit_share"].sel(loss=loss).dropna("time", how="all")
+        _limits(ax, run.sel(time=slice(0.0, 150.0 if loss == "drive-off" else 400.0)))
+        ax.set_title(loss, loc="right", fontsize="small")
+    axes[0].set_ylabel("share of the limit that is used (-)")
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def _limits(ax: Axes, used: xr.DataArray) -> None:
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        ax.plot(used["time"], used.sel(limit=name), color=colour, label=name)
+    ax.axhline(1.0, **PRINTED)
+    ax.set_xlabel(TIME)
+
+
+def disconnect(disconnect: xr.Dataset) -> Figure:
+    """When limits are reached, and where the alarm must be, by angle to the environment."""
+    figure, axes = panels(2, 2, 3.4, sharex=True)
+    for column, scenario in enumerate(disconnect["scenario"].values):
+        run = disconnect.sel(scenario=scenario)
+        heading = run["environment_heading"]
+        for colour, name in zip(COLOURS, LIMITS, strict=False):
+            times = run["limit_time"].sel(limit=name)
+            axes[column].plot(
+                heading, times.where(np.isfinite(times)), ".-", color=colour, label=name
+            )
+        for colour, eds in zip(COLOURS, run["eds_time"].values, strict=False):
+            circle = run.sel(eds_time=eds)
+            radius = circle["red_circle_radius"]
+            late = circle["red_circle_outcome"] == TOO_LATE
+            ax = axes[2 + column]
+            ax.plot(
+                heading, radius.where(~late), ".-", color=colour, label=f"{eds:g} s to disconnect"
+            )
+            ax.plot(heading, radius.where(late), "x", color=colour)
+        axes[column].set_title(scenario, loc="right", fontsize="small")
+        axes[2 + column].set_title(
+            "cross: too late even at the start", loc="right", fontsize="small"
+        )
+        axes[2 + column].set_xlabel("environment from the drive-off direction (deg)")
+    axes[0].set_ylabel("limit reached after (s)")
+    axes[2].set_ylabel("red watch circle (m)")
+    for ax, word in ((axes[1], "limits; without a line: not reached"), (axes[3], None)):
+        ax.set_ylim(top=ax.get_ylim()[1] + 0.6 * (ax.get_ylim()[1] - ax.get_ylim()[0]))
+        ax.legend(fontsize="small", loc="upper right", title=word, title_fontsize="small", ncols=2)
+    return figure
+
+
+def envelope(envelope: xr.Dataset) -> Figure:
+    """Static offsets at which limits are reached, over the current."""
+    figure, (ax,) = panels(height=3.8)
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        offset = envelope["limit_offset"].sel(limit=name)
+        ax.plot(
+            offset["surface_speed"],
+            offset.where(np.isfinite(offset)),
+            ".-",
+            color=colour,
+            label=name,
+        )
+    ax.set_xlabel("current at the surface, + away from the well (m/s)")
+    ax.set_ylabel("offset at rest (m)")
+    ax.set_ylim(bottom=0.0)
+    key_below(figure, ax, 3)
+    return figure
+
+
+def open_choices(open_drive_off: xr.Dataset) -> Figure:
+    """Upper flex joint over what is open, and when the first limits are reached."""
+    figure, axes = panels(1, 2, 3.6)
+    angle = abs(open_drive_off["ufj_angle"]).sel(time=slice(0.0, SHOWN)) * DEGREES
+    bins = list(range(20, 151, 5))
+    for colour, (heading, label) in zip(
+        COLOURS, (("along", "0°"), ("against", "180°")), strict=False
+    ):
+        run = angle.sel(heading=heading)
+        low, middle, high = (run.quantile(q, "sample") for q in (0.05, 0.5, 0.95))
+        axes[0].fill_between(run["time"], low, high, color=colour, alpha=0.2, linewidth=0.0)
+        axes[0].plot(run["time"], middle, color=colour, label=f"{label}, median and 90 %")
+        times = open_drive_off["limit_time"].sel(heading=heading, limit="upper flex joint")
+        reached = times.values[np.isfinite(times.values)]
+        text = f"{label}, reached in {100 * len(reached) / times.size:.0f} %"
+        axes[1].hist(reached, bins, color=colour, alpha=0.5, label=text)
+    axes[0].plot([DEADLINE], [UFJ_LIMIT], "o", color="black", label="printed")
+    axes[1].axvline(DEADLINE, label="printed", **PRINTED)
+    axes[0].set_xlabel(TIME)
+    axes[0].set_ylabel("upper flex joint (deg)")
+    axes[1].set_xlabel("upper flex joint at 12° after (s)")
+    axes[1].set_ylabel("samples (-)")
+    for ax in axes:
+        ax.legend(fontsize="small")
     return figure

@@ -1,4 +1,4 @@
-"""When a history first reaches a level."""
+"""Where a curve first reaches a level."""
 
 from __future__ import annotations
 
@@ -7,25 +7,21 @@ import xarray as xr
 from numpy.typing import NDArray
 
 
-def first_crossing(history: xr.DataArray, level: float | xr.DataArray) -> xr.DataArray:
-    """Time (s) at which a history first reaches a level, straight between outputs; infinite if never."""
-    time = history["time"].values
+def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr.DataArray:
+    """Coordinate at which a curve first reaches a level, straight between points; infinite if never."""
+    place = curve[along].values
     found: xr.DataArray = xr.apply_ufunc(
-        lambda h, x: _first(h, x, time),
-        history,
-        level,
-        input_core_dims=[["time"], []],
-        vectorize=True,
+        lambda c: _first(c, level, place), curve, input_core_dims=[[along]], vectorize=True
     )
     return found
 
 
-def _first(history: NDArray[np.float64], level: float, time: NDArray[np.float64]) -> float:
-    over = np.flatnonzero(history >= level)
+def _first(curve: NDArray[np.float64], level: float, place: NDArray[np.float64]) -> float:
+    over = np.flatnonzero(curve >= level)
     if len(over) == 0:
         return np.inf
     k = int(over[0])
     if k == 0:
-        return float(time[0])
-    share = (level - history[k - 1]) / (history[k] - history[k - 1])
-    return float(time[k - 1] + share * (time[k] - time[k - 1]))
+        return float(place[0])
+    share = (level - curve[k - 1]) / (curve[k] - curve[k - 1])
+    return float(place[k - 1] + share * (place[k] - place[k - 1]))
