@@ -150,7 +150,7 @@ def _first_mesh(scene: Scene) -> Mesh:
     longest = {}
     if scene.soil:
         conductor = scene.riser[0]
-        longest[0] = pile_length(scene.soil, conductor, stiffness(conductor).bending)
+        longest[0] = 0.5 * pile_length(scene.soil, conductor, stiffness(conductor).bending)
     confined = longest or any(layer.length < math.inf for layer in found)
     return graded(scene, found, longest=longest) if confined else probe
 
