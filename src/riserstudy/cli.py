@@ -1,4 +1,4 @@
-"""The command line: ``riserstudy run | effects | modes | schema | results``."""
+"""The command line: ``riserstudy run | effects | advise | modes | schema | results``."""
 
 from __future__ import annotations
 
@@ -117,19 +117,46 @@ def _summary(dataset: Any) -> str:
 
 @app.command()
 def effects(scene: SceneArgument, settings: SetOption = None) -> None:
-    """Say which effects a scene has, and because of which line."""
+    """Say which effects a scene has, because of which line, and what each costs."""
     from rich.console import Console
     from rich.table import Table
 
     from riserstudy.ledger import ledger
+    from riserstudy.numerics.ledger import priced
 
     file = _scene(scene, settings)
-    table = Table("effect", "", "because of", title=str(file.tree["title"]))
-    for row in ledger(file.scene()):
-        table.add_row(
-            row.name, "on" if row.on else "off", row.because, style=None if row.on else "dim"
-        )
-    Console().print(table)
+    rows = ledger(file.scene())
+    price = priced(file)
+    table = Table("effect", "", "because of", "time", title=str(file.tree["title"]))
+    for row in rows:
+        share = price.share.get(row.name)
+        spent = f"{100 * share:.1f} %" if share is not None else ""
+        style = None if row.on else "dim"
+        table.add_row(row.name, "on" if row.on else "off", row.because, spent, style=style)
+    console = Console()
+    console.print(table)
+    for line in price.said:
+        console.print(line, highlight=False)
+
+
+@app.command()
+def advise(scene: SceneArgument, settings: SetOption = None) -> None:
+    """Say which effects a scene could do without at its accuracy, and which missing one would matter."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from riserstudy.numerics.advice import advice
+
+    file = _scene(scene, settings)
+    found = advice(file)
+    columns = ("displacement", "moment", "tension", "run time")
+    table = Table("change", *columns, "verdict", title=str(file.tree["title"]))
+    for row in found.rows:
+        table.add_row(row.label, *row.changes, row.verdict, style=None if row.counts else "dim")
+    console = Console()
+    console.print(table)
+    for line in found.said:
+        console.print(line, highlight=False)
 
 
 @app.command()

@@ -7,7 +7,9 @@ import math
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
 from matplotlib.patches import Patch, Rectangle
 
 #: outcome by colour, worst last
@@ -23,6 +25,7 @@ OUTCOMES = {
     "finished with values beyond reason": "#c96a5b",
 }
 ROW = 0.235  # inches
+ROUNDING = 1e-9  # relative change that is none
 
 
 def stability(stability: xr.Dataset) -> Figure:
@@ -100,3 +103,58 @@ def _share(value: float) -> str:
     if math.isnan(value):
         return "–"
     return f"{100 * value:.0f} %" if value >= 0.1 else f"{100 * value:.2g} %"
+
+
+def effects(effects: xr.Dataset) -> Figure:
+    """Consequence of each change, and cost of each effect, in every kind of scene."""
+    names = ("displacement_change", "moment_change", "tension_change")
+    size = xr.concat([abs(effects[name]) for name in names], "quantity").max("quantity")
+    tried = (size.notnull() | (effects["message"] != "")).any("scene")
+    size, said = size.isel(change=tried.values), effects["message"].isel(change=tried.values)
+    scenes = [str(name) for name in effects["scene"].values]
+    share = effects["time_share"].isel(effect=_ordered(effects))
+    figure = Figure((13.2, 2.6 + 0.25 * len(scenes)), dpi=150, layout="constrained")
+    ratio = [size.sizes["change"], share.sizes["effect"]]
+    left, right = figure.subplots(1, 2, width_ratios=ratio, sharey=True)
+    consequence = _table(left, size, "change", LogNorm(1e-4, 1.0), "viridis_r")
+    for row, column in np.argwhere(said.values != ""):
+        left.text(column, row, "×", ha="center", va="center", fontsize="small", color="#94251c")
+    left.set_yticks(range(len(scenes)), scenes, fontsize="x-small")
+    left.set_title("(a) × cannot be done without", loc="left", fontsize="small")
+    cost = _table(right, share, "effect", Normalize(0.0, 0.3), "Oranges")
+    right.set_title("(b)", loc="left", fontsize="small")
+    for bar, ax, label in (
+        (consequence, left, "largest relative change of displacement, moment or tension (-)"),
+        (cost, right, "share of run time (-)"),
+    ):
+        figure.colorbar(
+            bar, ax=ax, location="bottom", label=label, extend="both", shrink=0.8, aspect=40
+        )
+    return figure
+
+
+def _ordered(effects: xr.Dataset) -> list[int]:
+    """Effects by their largest share, the solver first."""
+    return list(np.argsort(-effects["time_share"].max("scene").values))
+
+
+def _table(ax: Axes, values: xr.DataArray, across: str, norm: Normalize, colours: str) -> AxesImage:
+    """Values of scenes as coloured squares, with the numbers of those that are not small."""
+    shown = values.transpose("scene", across)
+    image = ax.imshow(shown, norm=norm, cmap=colours, aspect="auto", interpolation="none")
+    ax.set_xticks(range(shown.sizes[across]), shown[across].values, rotation=90, fontsize="x-small")
+    ax.tick_params(length=0)
+    for row, column in np.argwhere(shown.values < ROUNDING):
+        ax.text(column, row, "0", ha="center", va="center", fontsize=5, color="0.6")
+    for row, column in np.argwhere(shown.values >= 0.005):
+        value = float(shown[row, column])
+        ax.text(
+            column,
+            row,
+            f"{100 * value:.0f}" if value < 9.995 else ">999",
+            ha="center",
+            va="center",
+            fontsize=5,
+            color="white" if norm(value) > 0.6 else "black",
+        )
+    return image

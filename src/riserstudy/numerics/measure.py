@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from riserstudy.numerics.models import StabilityStudy
+from riserstudy.numerics.effects import effects
+from riserstudy.numerics.models import EffectsStudy, StabilityStudy
 from riserstudy.numerics.stability import stability
 from riserstudy.sound import sound_kernels
 from riserstudy.store import engine_digest
@@ -21,6 +23,8 @@ def measure(plan: Workplan, paper: str, name: str, threads: int) -> xr.Dataset:
     study = getattr(plan.files[paper].measured, name)
     if isinstance(study, StabilityStudy):
         dataset = stability(study, plan.config, plan.tier, threads)
+    elif isinstance(study, EffectsStudy):
+        dataset = effects(study, plan.studies, plan.tier, Path(plan.compiled))
     else:
         raise TypeError(f"{paper}/{name} cannot be measured")
     dataset.attrs |= {

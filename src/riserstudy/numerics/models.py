@@ -8,6 +8,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.scene.base import Positive, Strict
 
+Tiers = Literal["preview", "standard", "reference"]
 Factors = Annotated[list[Positive], Field(min_length=1)]
 
 
@@ -43,7 +44,7 @@ class StabilityStudy(Strict):
 
     caption: str
     methods: dict[str, Method]
-    ladder: dict[Literal["preview", "standard", "reference"], Factors]
+    ladder: dict[Tiers, Factors]
     explicit_ladder: Factors
     budget: Positive
     explicit_budget: Positive
@@ -68,10 +69,14 @@ class LimitCase(Strict):
 
 
 class EffectsStudy(Strict):
-    """Every change of effects that fits, on every scene of the other chapters."""
+    """Every change of effects that fits, on every kind of scene of the other chapters.
+
+    ``repeats``: rounds of runs, of which the shortest time counts. ``budget``: node-steps that a scene may
+    take; longer ones are cut short.
+    """
 
     caption: str
-    repeats: Annotated[int, Field(ge=1)]
+    repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
     budget: Positive
 
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from riserstudy.numerics.models import Case, EffectsStudy, LimitCase, LimitStudy, StabilityStudy
 from riserstudy.scene.load import SceneFile, read_scene
-from riserstudy.store import canonical
 
 if TYPE_CHECKING:
     from riserstudy.study import Study
@@ -31,7 +30,7 @@ def scenes_of(
         When a scene cannot be meant.
     """
     if isinstance(study, EffectsStudy):
-        yield from bases(others)
+        yield from bases(others, tier)
         return
     cases = study.cases if isinstance(study, StabilityStudy) else study.variants
     for name, case in in_tier(cases, tier).items():
@@ -48,11 +47,27 @@ def case_file(config: Path, name: str, case: Case | LimitCase) -> SceneFile:
     return read_scene(config / case.scene).with_values(case.set, f"{_WHERE}: {name}.set")
 
 
-def bases(studies: list[Study]) -> Scenes:
-    """The scenes that studies vary, each once, with what the first study that has it sets."""
+def bases(studies: list[Study], tier: str) -> Scenes:
+    """The scenes that studies vary, each kind once: a kind is what is in a scene, whatever its values.
+
+    In preview a scene file stands for all that studies set on it, the first with motion before statics.
+    """
+    ordered = sorted(studies, key=lambda study: "duration" not in study.base.tree["analysis"])
     seen = set()
-    for study in studies:
-        alone = str(canonical(study.base.tree))
-        if study.model.scene not in seen and alone not in seen:
-            seen |= {study.model.scene, alone}
-            yield f"{study.paper}/{Path(study.model.scene).stem}", study.base
+    for study in ordered:
+        kind = study.model.scene if tier == "preview" else ",".join(places(study.base.tree))
+        if kind not in seen:
+            seen.add(kind)
+            yield f"{study.paper}/{study.name}", study.base
+
+
+def places(tree: Any, path: str = "") -> Iterator[str]:
+    """Every path of a scene at which something stands, values and analysis apart."""
+    if isinstance(tree, list):
+        tree = {f"[{k}]": part for k, part in enumerate(tree)}
+    if not isinstance(tree, dict):
+        yield path
+        return
+    for name, part in tree.items():
+        if name not in ("title", "note", "paper", "output", "mesh", "step", "accuracy", "points"):
+            yield from places(part, f"{path}.{name}")

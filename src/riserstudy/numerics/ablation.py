@@ -1,0 +1,147 @@
+"""What each effect changes and costs: a scene with and without it, on one mesh, with one step.
+
+Times are of runs in turn, the whole round repeated, and the shortest of each is taken: what else the
+machine does falls on all of them alike.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import RiserStudyError
+from riserstudy.mesh import Mesh, even
+from riserstudy.numerics.changes import Change, fitting
+from riserstudy.result import Result
+from riserstudy.run import massless
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+from riserstudy.single import single
+
+Array = NDArray[np.float64]
+SEGMENTS = 100  # where a scene has no mesh of its own
+STEPS_A_PERIOD = 48  # where it has no step
+ROUNDING = 1e-9  # share of the riser's length below which nothing has moved
+
+
+class Peaks(NamedTuple):
+    """Largest values of a run: what the change of an effect is measured in."""
+
+    displacement: float  # m, sideways, or along the riser where it cannot move sideways
+    moment: float  # N m, not a number in a string
+    tension: float  # N, at the top
+
+    def change_to(self, other: Peaks) -> tuple[float, float, float]:
+        """Relative change of each, not a number where there was nothing."""
+        pairs = zip(self, other, strict=True)
+        return tuple(b / a - 1.0 if a > 0.0 else math.nan for a, b in pairs)  # type: ignore[return-value]
+
+
+def peaks(result: Result) -> Peaks:
+    """Largest values of a run."""
+    arrays = result.arrays
+
+    ends = ("_max", "_min") if "time" in arrays else ("_static",)
+
+    def largest(name: str, rest: Array | float = 0.0) -> float:
+        found = [arrays[name + end] for end in ends if name + end in arrays]
+        return max((float(np.abs(values - rest).max()) for values in found), default=0.0)
+
+    sideways = math.hypot(*(largest(name) for name in "xy"))
+    length = float(arrays["s_node"][-1])
+    moved = sideways if sideways > ROUNDING * length else largest("z", straight(result))
+    top = float(np.abs(arrays["effective_tension" + ends[0]][-2:]).max())
+    moment = largest("bending_moment") if "bending_moment_static" in arrays else math.nan
+    return Peaks(moved, moment, top)
+
+
+def straight(result: Result) -> Array:
+    """Elevations that axial motion is counted from: at rest, or unstretched where nothing moves."""
+    arrays = result.arrays
+    return arrays["z_static"] if "time" in arrays else arrays["z_static"][0] + arrays["s_node"]
+
+
+@dataclass
+class Changed:
+    """A scene with one effect changed, and what that made of it."""
+
+    change: Change
+    because: str = ""
+    peaks: Peaks | None = None
+    seconds: float = math.inf
+    message: str = ""
+
+
+@dataclass
+class Ablation:
+    """A scene, its mesh and step, and all changes of it."""
+
+    file: SceneFile
+    mesh: Mesh
+    step: float | None
+    peaks: Peaks | None = None
+    seconds: float = math.inf
+    changed: list[Changed] = field(default_factory=list)
+
+
+def ablate(file: SceneFile, repeats: int, budget: float) -> Ablation:
+    """Every fitting change of a scene, on one mesh with one step.
+
+    Raises
+    ------
+    RiserStudyError
+        When the scene itself cannot be run.
+    """
+    file, mesh = fixed(file, budget)
+    scene = file.scene()
+    step = scene.analysis.step
+    base = Ablation(file, mesh, step)
+    runs: list[tuple[Ablation | Changed, Scene]] = [(base, scene)]
+    for change, other in fitting(file):
+        changed = Changed(change, change.because or "")
+        base.changed.append(changed)
+        try:
+            runs.append((changed, other.scene()))
+            measure(*runs[-1], mesh, step)
+        except RiserStudyError as error:
+            changed.message = str(error)
+            runs = [pair for pair in runs if pair[0] is not changed]
+    for _ in range(repeats):
+        for of, which in runs:
+            measure(of, which, mesh, step)
+    return base
+
+
+def measure(of: Ablation | Changed, scene: Scene, mesh: Mesh, step: float | None) -> None:
+    """One run, its peaks, and its time if it is the shortest so far."""
+    result = single(scene, mesh, step)
+    of.peaks = peaks(result)
+    of.seconds = min(of.seconds, float(result.facts["solve_seconds"]))
+
+
+def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:
+    """The scene with its mesh and step, short enough for a budget of node-steps.
+
+    Without mesh and step of its own it gets plain ones, fine enough to see what an effect changes: that is
+    the difference of two runs which share their errors.
+    """
+    scene = file.scene()
+    a = scene.analysis
+    segments = len(scene.riser) if massless(scene) else SEGMENTS
+    mesh = even(scene, a.mesh.elements if a.mesh else segments)
+    values: dict[str, Any] = {"analysis.accuracy": None}
+    values["analysis.mesh"] = {"elements": len(mesh.l0) - int(mesh.joint)}
+    if a.duration:
+        period = scene.shortest_period or min(20.0, a.duration / 4.0)
+        step = a.step or period / STEPS_A_PERIOD
+        values["analysis.step"] = f"{step!r} s"
+        most = budget * step / len(mesh.s)
+        if a.duration > most:
+            values["analysis.duration"] = f"{most!r} s"
+            if a.output and a.output.start:
+                values["analysis.output.start"] = None
+    return file.with_values(values, "fixed mesh and step"), mesh

@@ -1,0 +1,100 @@
+"""Advice on a scene: what could go at the accuracy asked for, and what is missing."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from riserstudy.numerics.ablation import Ablation, Changed, ablate
+from riserstudy.run import DISPLACEMENT, MOMENT
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+from riserstudy.sound import sound_kernels
+
+REPEATS = 2  # rounds of timed runs
+BUDGET = 5e5  # node-steps a run; longer scenes are cut short
+COULD_GO, NEEDED = "could go", "needed"
+MISSING, NOT_MISSED = "would change the answer", "not missed"
+
+
+class Row(NamedTuple):
+    """One change of the scene: what it does to the peaks and the run time, and what follows."""
+
+    label: str
+    changes: list[str]
+    verdict: str
+    counts: bool
+
+
+class Advice(NamedTuple):
+    """All changes, those to act on first, and the advice in words."""
+
+    rows: list[Row]
+    said: list[str]
+
+
+@sound_kernels
+def advice(file: SceneFile) -> Advice:
+    """Change every effect of a scene in turn.
+
+    Raises
+    ------
+    SimulationError
+        When the scene itself cannot be run.
+    """
+    limits = asked(file.scene())
+    base = ablate(file, REPEATS, BUDGET)
+    rows = [row(base, changed, limits) for changed in base.changed]
+    order = (COULD_GO, MISSING, NEEDED, NOT_MISSED)
+    rows.sort(key=lambda r: order.index(r.verdict) if r.verdict in order else len(order))
+    go = [f"{r.label} ({r.changes[-1]} run time)" for r in rows if r.verdict == COULD_GO]
+    missing = [r.label.removeprefix("with ") for r in rows if r.verdict == MISSING]
+    limit = f"{100 * limits[0]:g} % of displacement, {100 * limits[1]:g} % of moment and tension"
+    before, after = (f.scene().analysis.duration for f in (file, base.file))
+    cut = [f"Judged over the first {after:.4g} s of {before:.4g} s."] if before != after else []
+    return Advice(
+        rows,
+        [
+            *cut,
+            f"Accuracy asked for: {limit}.",
+            f"Could go, one at a time: {', '.join(go) or 'nothing'}.",
+            f"Missing, and would change the answer: {', '.join(missing) or 'nothing'}.",
+        ],
+    )
+
+
+def asked(scene: Scene) -> tuple[float, float, float]:
+    """Accuracy asked for, of displacement, moment and tension."""
+    accuracy = scene.analysis.accuracy
+    return (accuracy or DISPLACEMENT, accuracy or MOMENT, accuracy or MOMENT)
+
+
+def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) -> Row:
+    """What a change does, in words."""
+    label = changed.change.label
+    if changed.because:
+        label += f" ({changed.because})"
+    if changed.peaks is None or base.peaks is None or changed.message:
+        return Row(label, ["", "", "", ""], f"cannot be run: {changed.message}", False)
+    sizes = base.peaks.change_to(changed.peaks)
+    lost = math.isnan(changed.peaks.moment) and base.peaks.moment > 0.0
+    small = not lost and all(
+        math.isnan(size) or abs(size) <= limit for size, limit in zip(sizes, limits, strict=True)
+    )
+    if changed.change.kind == "removed":
+        verdict = COULD_GO if small else NEEDED
+    else:
+        verdict = NOT_MISSED if small else MISSING
+    time = changed.seconds / base.seconds - 1.0
+    shown = [percent(value) for value in (*sizes, time)]
+    return Row(label, shown, verdict, verdict in (COULD_GO, MISSING))
+
+
+def percent(value: float) -> str:
+    """A relative change as a signed percentage to two digits."""
+    if math.isnan(value):
+        return ""
+    size = 100.0 * value
+    if abs(size) < 0.005:
+        return "0 %"
+    return f"{size:+.0f} %" if abs(size) >= 10.0 else f"{size:+.2g} %"

@@ -1,0 +1,135 @@
+"""Changes of a scene by one effect: taken out where it is, put in where it is not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field
+
+from riserstudy.build import stiffness
+from riserstudy.scene.base import Strict
+from riserstudy.scene.load import SceneFile, check, read_yaml
+from riserstudy.scene.models import Scene
+
+SEA_WATER = "1025 kg/m^3"
+SECTIONS = "riser[*]"
+
+
+Need = Literal["dynamics", "lateral", "levels", "drag"]
+
+
+class Change(Strict):
+    """One effect removed or added: ``where`` names what a scene has, or lacks.
+
+    ``needs``: what a scene must be for the effect to matter. Absent: nothing; absent because: plain.
+    """
+
+    name: str
+    kind: Literal["removed", "added"]
+    needs: list[Need] = Field(default_factory=list)
+    where: str
+    because: str | None = None
+    set: dict[str, Any]
+
+    @property
+    def label(self) -> str:
+        """How figures and tables name it."""
+        return f"{'without' if self.kind == 'removed' else 'with'} {self.name}"
+
+
+@cache
+def changes() -> list[Change]:
+    """All changes that are known."""
+    path = Path(__file__).with_name("changes.yaml")
+    return [check(Change, tree, path) for tree in read_yaml(path)]
+
+
+def fitting(file: SceneFile) -> Iterator[tuple[Change, SceneFile]]:
+    """The changes that a scene can be asked for, with the scene changed; not yet checked."""
+    scene = file.scene()
+    for change in changes():
+        if scene.analysis.solver and change.kind == "added":
+            continue  # what the other solver cannot do is not of interest here
+        if not all(suits(scene, need) for need in change.needs):
+            continue
+        if has(file.tree, scene, change.where) != (change.kind == "removed"):
+            continue
+        values = dict(_expanded(change, file.tree, scene))
+        if values:
+            yield change, file.with_values(values, change.label)
+
+
+def suits(scene: Scene, need: Need) -> bool:
+    """Whether a scene is such that an effect can matter."""
+    water = scene.water
+    return {
+        "dynamics": scene.analysis.duration is not None,
+        "lateral": bool(scene.lateral),
+        "levels": water is not None and None not in (water.surface, water.seabed),
+        "drag": any(section.drag for section in scene.riser),
+    }[need]
+
+
+def has(tree: dict[str, Any], scene: Scene, where: str) -> bool:
+    """Whether a scene has what a path, or one of a few words, names."""
+    special = {
+        "riser[*].bending": all(stiffness(section).bending > 0.0 for section in scene.riser)
+        and bool(scene.lateral),
+        "lateral": not scene.spatial and scene.analysis.solver is None and bool(scene.lateral),
+        "spatial": bool(scene.spatial),
+    }
+    if where in special:
+        return special[where]
+    if where.startswith(SECTIONS):
+        return any(_at(section, where[len(SECTIONS) + 1 :]) for section in tree["riser"])
+    return bool(_at(tree, where))
+
+
+def _at(tree: Any, path: str) -> Any:
+    """What stands at a dotted path, None where nothing does."""
+    for step in path.split("."):
+        tree = tree.get(step) if isinstance(tree, dict) else None
+    return tree
+
+
+def _expanded(change: Change, tree: dict[str, Any], scene: Scene) -> Iterator[tuple[str, Any]]:
+    """Path and value of everything that a change sets on a scene."""
+    for path, value in change.set.items():
+        if not path.startswith(SECTIONS):
+            parent = path.rpartition(".")[0]
+            if parent and parent != "water" and not _at(tree, parent):
+                continue
+            if value is not None or _at(tree, path) is not None:
+                yield path, _filled(value, scene, 0)
+            continue
+        field = path[len(SECTIONS) + 1 :]
+        for k in range(len(scene.riser)):
+            if value is None or change.kind == "removed" or not _at(tree["riser"][k], field):
+                yield f"riser[{k}].{field}", _filled(value, scene, k)
+
+
+def _filled(value: Any, scene: Scene, k: int) -> Any:
+    """A value with what follows from the scene put in."""
+    if isinstance(value, dict):
+        return {name: _filled(part, scene, k) for name, part in value.items()}
+    if not isinstance(value, str) or not value.startswith("="):
+        return value
+    section, body = scene.riser[k], scene.bottom.body
+    length = sum(part.total_length for part in scene.riser)
+    highest = scene.top.elevation
+    lowest = scene.bottom.elevation
+    if highest is None:
+        highest = (lowest or 0.0) + length
+    if lowest is None:
+        lowest = highest - length
+    return {
+        "axial stiffness": f"{stiffness(section).axial!r} N",
+        "outer diameter": f"{section.outer_diameter or 0.5334!r} m",
+        "water": f"{scene.water.density!r} kg/m^3" if scene.water else SEA_WATER,
+        "half the body": f"{0.5 * body.mass if body else 0.0!r} kg",
+        "lowest": f"{lowest!r} m",
+        "highest": f"{highest!r} m",
+    }[value.removeprefix("=")]

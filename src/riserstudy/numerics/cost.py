@@ -1,0 +1,122 @@
+"""What each effect of a scene costs: the time of its own calls, times how often a run makes them.
+
+A program is a list of calls, and an effect that is absent has no entry in it. An effect's entries alone,
+repeated a thousand times, make a program whose time is that of the effect and nothing else.
+"""
+
+from __future__ import annotations
+
+import time as clock
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.effects.roles import ROLES
+from riserstudy.mesh import Mesh
+from riserstudy.model import Model
+from riserstudy.scene.models import Scene
+from riserstudy.settle import settle
+from riserstudy.single import single
+from riserstudy.solve.evaluate import one_call, shape_of
+from riserstudy.solve.program import assemble
+
+REPEATED = 200  # calls in a timed program
+TIMES = 5  # of which the shortest counts
+FORCES = ("drive", "law", "turn", "string", "device", "string_inertia", "device_inertia")
+#: how often a run calls a role: per force evaluation, tangent, step, output
+PER = dict.fromkeys(FORCES, "evaluations") | {
+    "tangent": "iterations",
+    "mass": "iterations",
+    "motion": "moves",
+    "place": "moves",
+    "power": "steps",
+    "kinetic": "steps",
+    "probe": "outputs",
+}
+REST = "solver and bookkeeping"
+
+
+class Cost(NamedTuple):
+    """One effect: calls that a run makes to it, and its share of the run's time."""
+
+    name: str
+    calls: int
+    share: float
+
+
+def costs(scene: Scene, mesh: Mesh, step: float | None) -> list[Cost]:
+    """Share of run time by effect, the largest first; what is left is the solver's."""
+    best, counts = _timed(scene, mesh, step)
+    model, _ = settle(scene, mesh)
+    h = step or 1.0
+    model.s.rate[:] = (2.0 / h, 4.0 / h**2) if step else (0.0, 0.0)
+    seconds: dict[str, float] = {}
+    calls: dict[str, int] = {}
+    for effect, record in zip(model.effects, model.records, strict=True):
+        for role, function in ROLES[type(effect.record)].items():
+            many = counts.get(PER.get(role, ""), 0)
+            if not many:
+                continue
+            program = np.tile(assemble([(function, record)], model.state), (REPEATED, 1))
+            seconds[effect.name] = seconds.get(effect.name, 0.0) + many * _time_of(model, program)
+            calls[effect.name] = calls.get(effect.name, 0) + many
+    found = [Cost(name, calls[name], spent / best) for name, spent in seconds.items()]
+    found.append(Cost(REST, 0, max(0.0, 1.0 - sum(cost.share for cost in found))))
+    return sorted(found, key=lambda cost: -cost.share)
+
+
+def _timed(scene: Scene, mesh: Mesh, step: float | None) -> tuple[float, dict[str, int]]:
+    """Shortest time of a run (s), and how often it evaluates what."""
+    results = [single(scene, mesh, step) for _ in range(TIMES)]
+    facts: dict[str, Any] = results[-1].facts
+    best = min(float(result.facts["solve_seconds"]) for result in results)
+    iterations, steps = facts.get("newton_iterations", 0), facts.get("steps", 0)
+    if not steps:
+        iterations = facts["statics_iterations"]
+        return best, {"evaluations": iterations, "iterations": iterations}
+    outputs = len(results[-1].arrays["time"])
+    tangents = iterations or steps  # explicit stepping makes the mass at every step
+    return best, {
+        "evaluations": iterations + steps + outputs,
+        "iterations": tangents,
+        "moves": steps + outputs,
+        "steps": steps,
+        "outputs": outputs,
+    }
+
+
+def _time_of(model: Model, program: NDArray[np.int64]) -> float:
+    """Shortest time of one entry of a program (s); the state is put back afterwards."""
+    state = model.s
+    kept = [state.r.copy(), state.v.copy(), state.a.copy(), state.platform.copy()]
+    shape_of(model.programs, model.state)
+    shortest = np.inf
+    for _ in range(TIMES):
+        started = clock.perf_counter()
+        one_call(program, model.state)
+        shortest = min(shortest, clock.perf_counter() - started)
+    for array, values in zip((state.r, state.v, state.a, state.platform), kept, strict=True):
+        array[:] = values
+    return shortest / len(program)
+
+
+class Freedom(NamedTuple):
+    """Unknowns that are solved for, and why."""
+
+    unknowns: int
+    because: str
+
+
+def freedom(scene: Scene, model: Model) -> Freedom:
+    """How many degrees of freedom a model solves, in which directions, because of what."""
+    d, m, n = len(model.s.dim), len(model.s.dof) - len(model.s.dim), len(model.s.l0)
+    directions = {1: "along the riser only", 2: "in the plane of x and z", 3: "in space"}[d]
+    reason = scene.spatial if d == 3 else scene.lateral if d == 2 else "nothing moves it sideways"
+    held = len(model.fixed)
+    moments = f" and {m} moment{'s' if m > 1 else ''}" if m else ""
+    return Freedom(
+        (d + m) * (n + 1) - held,
+        f"{directions}, because of {reason}: {d} position{'s' if d > 1 else ''}{moments} at each of "
+        f"{n + 1} nodes, less {held} that are held",
+    )

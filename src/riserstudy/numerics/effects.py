@@ -1,0 +1,124 @@
+"""The dataset of effects: what each changes and costs in every kind of scene, and compiling them."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from riserstudy.errors import RiserStudyError
+from riserstudy.folders import kernel_cache
+from riserstudy.numerics.ablation import Ablation, ablate
+from riserstudy.numerics.changes import changes
+from riserstudy.numerics.cost import Cost, Freedom, costs, freedom
+from riserstudy.numerics.models import EffectsStudy
+from riserstudy.numerics.scenes import bases
+from riserstudy.settle import settle
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.study import Study, Tier
+
+QUANTITIES = ("displacement", "moment", "tension")
+
+
+def effects(study: EffectsStudy, studies: list[Study], tier: Tier, compiled: Path) -> xr.Dataset:
+    """Every fitting change of every kind of scene, one after another: they are timed."""
+    import xarray as xr
+
+    repeats = study.repeats[tier]
+    found: dict[str, Ablation] = {}
+    refused: dict[str, str] = {}
+    spent: dict[str, list[Cost]] = {}
+    free: dict[str, Freedom] = {}
+    for name, file in bases(studies, tier):
+        try:
+            one = found[name] = ablate(file, repeats, study.budget)
+            scene = one.file.scene()
+            if scene.analysis.solver is None:
+                free[name] = freedom(scene, settle(scene, one.mesh)[0])
+                spent[name] = costs(scene, one.mesh, one.step)
+        except RiserStudyError as error:
+            refused[name] = str(error)
+    dataset = xr.Dataset(_changed(found) | _cost(found, spent))
+    dataset = dataset.assign_coords(scene=list(found), change=_labels())
+    for key in ("base_seconds", "elements", "unknowns"):
+        values = {
+            "base_seconds": lambda n: found[n].seconds,
+            "elements": lambda n: len(found[n].mesh.l0),
+            "unknowns": lambda n: free[n].unknowns if n in free else 0,
+        }[key]
+        dataset[key] = ("scene", [values(name) for name in found])
+    dataset["freedom"] = ("scene", [free[n].because if n in free else "" for n in found])
+    for name, about in ABOUT.items():
+        dataset[name].attrs = {"units": about[0], "long_name": about[1]}
+    dataset.attrs = {"refused": json.dumps(refused)} | compiling(compiled)
+    return dataset
+
+
+def _labels() -> list[str]:
+    return [change.label for change in changes()]
+
+
+def _changed(found: dict[str, Ablation]) -> dict[str, Any]:
+    """What each change made of peaks and run time."""
+    labels = _labels()
+    shape = (len(found), len(labels))
+    change = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "time")}
+    said = np.full(shape, "", object)
+    for i, one in enumerate(found.values()):
+        for changed in one.changed:
+            at = (i, labels.index(changed.change.label))
+            said[at] = changed.message
+            if changed.peaks is None or one.peaks is None or changed.message:
+                continue
+            values = one.peaks.change_to(changed.peaks)
+            for name, value in zip(QUANTITIES, values, strict=True):
+                change[name][at] = value
+            change["time"][at] = changed.seconds / one.seconds - 1.0
+    dims = ("scene", "change")
+    return {f"{name}_change": (dims, values) for name, values in change.items()} | {
+        "message": (dims, said.astype(str))
+    }
+
+
+def _cost(found: dict[str, Ablation], spent: dict[str, list[Cost]]) -> dict[str, Any]:
+    """Share of run time and calls by effect."""
+    names = sorted({cost.name for of in spent.values() for cost in of})
+    share = np.full((len(found), len(names)), np.nan)
+    calls = np.zeros(share.shape, np.int64)
+    for i, name in enumerate(found):
+        for cost in spent.get(name, []):
+            at = (i, names.index(cost.name))
+            share[at], calls[at] = cost.share, cost.calls
+    dims = ("scene", "effect")
+    return {"time_share": (dims, share), "calls": (dims, calls), "effect": ("effect", names)}
+
+
+def compiling(marker: Path) -> dict[str, Any]:
+    """Time of compiling from nothing as the workflow noted it, and what was compiled."""
+    cold = json.loads(marker.read_text() or "{}").get("cold_seconds") if marker.exists() else None
+    indices = [path.name for path in kernel_cache().rglob("*.nbi")]
+    entries = sum(".entry_" in name for name in indices)
+    return {
+        "cold_compile_seconds": float(cold) if cold else math.nan,
+        "compiled_entries": entries,
+        "compiled_functions": len(indices) - entries,
+    }
+
+
+ABOUT = {
+    "displacement_change": ("1", "relative change of the peak displacement"),
+    "moment_change": ("1", "relative change of the peak bending moment"),
+    "tension_change": ("1", "relative change of the peak top tension"),
+    "time_change": ("1", "relative change of the run time"),
+    "time_share": ("1", "share of the run time spent in an effect's own calls"),
+    "calls": ("1", "calls of an effect that a run makes"),
+    "base_seconds": ("s", "run time of the scene as it is"),
+    "elements": ("1", "segments of the riser"),
+    "unknowns": ("1", "degrees of freedom solved"),
+}

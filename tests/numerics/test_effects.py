@@ -1,0 +1,88 @@
+"""What effects change and cost: told for every scene, and no more than is true."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy.figures import draw
+from riserstudy.numerics.ablation import ablate
+from riserstudy.numerics.advice import COULD_GO, MISSING, NEEDED, advice
+from riserstudy.numerics.changes import changes, fitting
+from riserstudy.numerics.effects import effects
+from riserstudy.numerics.ledger import priced
+from riserstudy.scene.load import read_scene
+from riserstudy.study import read_studies, study
+
+CONFIG = Path(__file__).parents[2] / "config"
+SURGE = read_scene(CONFIG / "scenes/hard/surge.yaml")
+SHORT = SURGE.with_values(
+    {"analysis.duration": "20 s", "analysis.step": "0.2 s", "analysis.mesh.elements": 20}, ""
+)
+
+
+def test_changes_have_names_of_their_own():
+    labels = [change.label for change in changes()]
+    assert len(set(labels)) == len(labels)
+
+
+@pytest.mark.parametrize("path", sorted((CONFIG / "scenes").glob("*/*.yaml")), ids=lambda p: p.stem)
+def test_some_effect_can_be_taken_out_of_every_scene(path):
+    assert any(
+        change.kind == "removed" for change, _ in fitting(read_scene(path))
+    ) or path.stem in ("s4a", "s4c", "s4d", "column")
+
+
+def test_only_what_is_there_is_taken_out_and_only_what_is_missing_is_put_in():
+    labels = {change.label for change, _ in fitting(SURGE)}
+    assert {"without drag", "without surge", "with structural damping"} <= labels
+    assert not {"without wave", "with drag", "with surge", "with wave"} & labels
+
+
+def test_without_what_moves_it_the_riser_rests():
+    base = ablate(SHORT, 1, 1e6)
+    found = {one.change.label: one for one in base.changed}
+    assert found["without surge"].peaks.displacement < 1e-9
+    assert found["without drag"].peaks.moment > 1.05 * base.peaks.moment  # which drag damps
+
+
+def test_freedom_across_that_nothing_calls_for_changes_nothing():
+    base = ablate(SHORT, 1, 1e6)
+    found = {one.change.label: one for one in base.changed}
+    change = base.peaks.change_to(found["with motion out of the plane"].peaks)
+    assert np.abs(change).max() < 1e-8
+
+
+def test_shares_of_time_are_shares_and_absent_effects_have_none():
+    prices = priced(SHORT)
+    assert {"drag", "added mass", "bending"} <= set(prices.share)
+    assert "wave" not in prices.share
+    assert all(share >= 0.0 for share in prices.share.values())
+    assert sum(prices.share.values()) < 1.1
+    assert "because of platform.surge" in prices.said[1]
+
+
+def test_advice_keeps_what_decides_and_lets_go_what_does_not():
+    light = SHORT.with_values({"riser[0].submerged_weight": "0.1 N/m"}, "")
+    verdicts = {row.label: row.verdict for row in advice(light).rows}
+    assert verdicts["without weight"] == COULD_GO
+    assert verdicts["without drag"] == NEEDED
+    assert verdicts["with current (0.25 m/s from bottom to top)"] == MISSING
+
+
+def test_a_scene_that_cannot_run_has_a_ledger_without_times():
+    falling = SHORT.with_values({"top.tension": "1 kN"}, "")
+    prices = priced(falling)
+    assert prices.share == {}
+    assert prices.said[0].startswith("no times: ")
+
+
+def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
+    model = read_studies(CONFIG, "numerics").measured.effects
+    studies = [study(CONFIG, "bench", name, "preview", "1 %") for name in ("s1", "s3")]
+    found = effects(model, studies, "preview", tmp_path / "no marker")
+    assert list(found["scene"].values) == ["bench/s3", "bench/s1"]
+    assert np.isnan(found.attrs["cold_compile_seconds"])
+    assert found.attrs["compiled_entries"] > 0
+    figure = draw("numerics", "effects", {"effects": found})
+    assert [t.get_text() for t in figure.axes[0].get_yticklabels()] == ["bench/s3", "bench/s1"]
