@@ -15,6 +15,7 @@ SURGE, HEAVE, CHANG = (
     SCENES / "chang2020/heave.yaml",
 )
 LIU = SCENES / "liu2020/heave.yaml"
+DRIVE_OFF = SCENES / "liu2017/ref_0.yaml"
 
 STROKE = {"shortest": "-7 m", "longest": "20 m", "stop_stiffness": "1e9 N/m"}
 POINTS = [{"time": f"{t} s", "value": "0 m"} for t in (0, 1, 1, 2)]
@@ -126,6 +127,21 @@ REFUSED = {
     ),
     "a motion that goes back in time": (
         SURGE, "platform.surge", {"points": POINTS}, "platform.surge", "times must rise",
+    ),
+    # a platform that floats, and the ground
+    "a top on no vessel": (DRIVE_OFF, "vessel", None, "", "go together"),
+    "a vessel that moves as told": (DRIVE_OFF, "platform", {}, "", "not both"),
+    "a conductor's foot in no soil": (DRIVE_OFF, "soil", None, "", "go together"),
+    "a joint below the lowest section": (
+        DRIVE_OFF, "riser[0].flex_joint_below", {"stiffness": "1 kN*m/deg"}, "", "flex_joint_below: one",
+    ),
+    "a stress wanted nowhere": (
+        DRIVE_OFF, "analysis.output.stress_in", "casing", "", "no section 'casing'",
+    ),
+    "a stop of a joint without tension": (
+        DRIVE_OFF, "top.telescopic_joint",
+        {"length": "15 m", "bending_stiffness": "1 N*m^2", "stop": {"stroke": "9 m", "stiffness": "1 N/m"}},
+        "top.telescopic_joint", "needs its tension",
     ),
     # analysis
     "an accuracy of nothing": (SURGE, "analysis.accuracy", "0 %", "analysis.accuracy", "greater than 0"),

@@ -9,6 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from riserstudy import load_scene, simulate
+from riserstudy.errors import SimulationError
 
 CONFIG = Path(__file__).parents[2] / "config"
 REF = CONFIG / "scenes" / "liu2017" / "ref_0.yaml"
@@ -158,3 +159,29 @@ def test_the_lower_joint_takes_the_moment_over_its_stiffness():
     run = drive_off()
     moment = run["bending_moment"].sel(s=87.0, method="nearest")
     np.testing.assert_allclose(run["lfj_angle"], moment / (90e3 * 180.0 / np.pi), rtol=1e-9)
+
+
+def test_a_joint_drawn_out_to_its_stop_pulls_harder_and_loses_no_energy():
+    stop = {"stroke": "9.905 m", "stiffness": "5.57 MN/m"}
+    grid = {"analysis.mesh": {"elements": 200}, "analysis.step": "0.02 s"}
+    run = simulate(load_scene(REF, **{"top.telescopic_joint.stop": stop}, **grid))
+    beyond = float(run["stroke"].max()) - 9.905
+    assert 0.0 < beyond < 1.0
+    tension = float(run["effective_tension"].isel(s=-1).max())
+    # at rest the joint differs from its own length by what the riser is stretched
+    rest = float(np.hypot(*(np.diff(run[f"{c}_static"].values[-2:])[0] for c in "xz"))) - 15.0
+    assert tension == pytest.approx(3.02e6 + 5.57e6 * (beyond + rest), rel=0.02)
+    assert json.loads(run.attrs["audit"])["unexplained_share"] < 1e-4
+
+
+def test_a_platform_lighter_than_the_riser_is_no_harder():
+    light = {"vessel.mass": "50 t", "vessel.added_mass": "0 t", "vessel.thrusters.gain": "1 kN/m"}
+    grid = {"analysis.mesh": {"elements": 200}, "analysis.step": "0.5 s"}
+    run = simulate(load_scene(REF, **light, **grid))
+    assert run.attrs["halved_steps"] == 0
+    assert json.loads(run.attrs["audit"])["unexplained_share"] < 1e-3
+
+
+def test_a_tension_that_does_not_carry_the_riser_is_refused():
+    with pytest.raises(SimulationError, match="buckles under its own weight"):
+        drive_off(**{"top.telescopic_joint.tension": "0.5 MN"})
