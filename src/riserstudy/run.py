@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
+LONG = 80.0  # risers, in layer lengths, whose even mesh would be too coarse at ends
 RUNS = 16  # halvings of mesh or step, at most
 MOST_FALL = 8.0  # of successive differences that an estimate trusts
 STEPS_A_PERIOD = 24  # of the coarsest step
@@ -134,10 +135,13 @@ def _first_mesh(scene: Scene) -> Mesh:
     for end in (0, probe.ring - 1):
         rotation = (scene.bottom if end == 0 else scene.top).rotation
         held = rotation not in (None, "free") or (end > 0 and probe.joint)
-        flexible = model.s.flex_up[end] > 0.0 and held
+        flexible = model.s.flex_up[end] > 0.0
         tension = float(np.abs(model.s.segment[:, end] @ model.s.tangent[:, end]))
-        stiff = probe.l0[end] / (6.0 * model.s.flex_up[end]) if flexible else 0.0
-        layers.append(math.sqrt(stiff / tension) if flexible and tension > 0 else math.inf)
+        share = 6.0 if held else 12.0  # of a segment's flexibility, see `bending`
+        stiff = probe.l0[end] / (share * model.s.flex_up[end]) if flexible else 0.0
+        layer = math.sqrt(stiff / tension) if flexible and tension > 0 else math.inf
+        # a short riser's even mesh is fine enough for an end that turns freely, and of higher order
+        layers.append(layer if held or probe.riser_length > LONG * layer else math.inf)
     if scene.wave and scene.water:
         layers[1] = min(layers[1], depth_of_action(scene.wave, scene.water, scene.gravity or 0.0))
     found = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]

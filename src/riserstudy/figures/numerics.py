@@ -12,6 +12,10 @@ from matplotlib.figure import Figure
 from matplotlib.image import AxesImage
 from matplotlib.patches import Patch, Rectangle
 
+from riserstudy.figures.numerics_accuracy import accuracy, asked
+
+__all__ = ["accuracy", "asked", "stability"]
+
 #: outcome by colour, worst last
 OUTCOMES = {
     "accurate": "#8fc8a8",

@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from riserstudy.numerics.accuracy import accuracy
 from riserstudy.numerics.effects import effects
-from riserstudy.numerics.models import EffectsStudy, StabilityStudy
+from riserstudy.numerics.models import AccuracyStudy, EffectsStudy, StabilityStudy
 from riserstudy.numerics.stability import stability
 from riserstudy.sound import sound_kernels
 from riserstudy.store import engine_digest
@@ -25,6 +26,8 @@ def measure(plan: Workplan, paper: str, name: str, threads: int) -> xr.Dataset:
         dataset = stability(study, plan.config, plan.tier, threads)
     elif isinstance(study, EffectsStudy):
         dataset = effects(study, plan.studies, plan.tier, Path(plan.compiled))
+    elif isinstance(study, AccuracyStudy):
+        dataset = accuracy(study, plan.config, plan.tier)
     else:
         raise TypeError(f"{paper}/{name} cannot be measured")
     dataset.attrs |= {

@@ -80,12 +80,37 @@ class EffectsStudy(Strict):
     budget: Positive
 
 
+class Ladder(Strict):
+    """A scene with its meshes and steps, from coarse to fine. Absent preview: not part of that tier."""
+
+    scene: str
+    set: dict[str, Any] = Field(default_factory=dict)
+    elements: Annotated[list[int], Field(min_length=1)]
+    steps: Factors
+    preview: bool | None = None
+
+
+class AccuracyStudy(Strict):
+    """Error against time, every method on every rung of a scene's ladder, and accuracy asked for.
+
+    ``budget``: node-steps that a run may take; more are left out.
+    """
+
+    caption: str
+    repeats: Annotated[int, Field(ge=1)]
+    budget: Positive
+    asked: dict[Literal["preview", "standard", "reference"], list[float]]
+    methods: dict[str, Method]
+    scenes: dict[str, Ladder]
+
+
 class Measured(Strict):
     """Datasets that are measured by running methods, not grids. Absent: not measured."""
 
     stability: StabilityStudy | None = None
     stable_step: LimitStudy | None = None
     effects: EffectsStudy | None = None
+    accuracy: AccuracyStudy | None = None
 
     @property
     def names(self) -> list[str]:

@@ -6,7 +6,15 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.numerics.models import Case, EffectsStudy, LimitCase, LimitStudy, StabilityStudy
+from riserstudy.numerics.models import (
+    AccuracyStudy,
+    Case,
+    EffectsStudy,
+    Ladder,
+    LimitCase,
+    LimitStudy,
+    StabilityStudy,
+)
 from riserstudy.scene.load import SceneFile, read_scene
 
 if TYPE_CHECKING:
@@ -17,7 +25,7 @@ _WHERE = "config/studies/numerics.yaml: measured"
 
 
 def scenes_of(
-    study: StabilityStudy | LimitStudy | EffectsStudy,
+    study: StabilityStudy | LimitStudy | EffectsStudy | AccuracyStudy,
     config: Path,
     tier: str,
     others: list[Study],
@@ -32,7 +40,10 @@ def scenes_of(
     if isinstance(study, EffectsStudy):
         yield from bases(others, tier)
         return
-    cases = study.cases if isinstance(study, StabilityStudy) else study.variants
+    if isinstance(study, AccuracyStudy):
+        cases: dict[str, Any] = study.scenes
+    else:
+        cases = study.cases if isinstance(study, StabilityStudy) else study.variants
     for name, case in in_tier(cases, tier).items():
         yield name, case_file(config, name, case)
 
@@ -42,7 +53,7 @@ def in_tier(things: dict[str, Any], tier: str) -> dict[str, Any]:
     return {name: x for name, x in things.items() if tier != "preview" or x.preview}
 
 
-def case_file(config: Path, name: str, case: Case | LimitCase) -> SceneFile:
+def case_file(config: Path, name: str, case: Case | LimitCase | Ladder) -> SceneFile:
     """The scene of a case."""
     return read_scene(config / case.scene).with_values(case.set, f"{_WHERE}: {name}.set")
 
