@@ -49,7 +49,7 @@ PAPERS = {
     ),
 }
 FIGURES = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).figures]
-UNIT = re.compile(r"\((m|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|MPa|-|%|deg|deg/m)\)")
+UNIT = re.compile(r"\((m|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|kN/m|kN s²/m²|MPa|-|%|deg|deg/m)\)")
 
 
 def small(paper, name, model):

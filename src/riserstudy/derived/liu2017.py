@@ -15,6 +15,7 @@ import xarray as xr
 from riserstudy.derived.shared import described
 from riserstudy.quantities.crossing import first_crossing
 from riserstudy.quantities.limits import (
+    LIMITS,
     MEANINGS,
     at_time,
     first_limit,
@@ -30,6 +31,7 @@ WELLHEAD = 73.0  # m above the conductor's foot
 OF_THE_PLATFORM = ("platform_surge", "platform_speed_x", "thrust_x", "environment_force_x")
 OF_THE_RISER = ("riser_reaction_x", "ufj_angle", "lfj_angle", "stroke")
 EDS_TIMES = (15.0, 30.0, 45.0, 60.0, 90.0)  # s, from ships that disconnect fast to slow ones
+DEADLINE = 50.0  # s, the printed number
 PREPARING = 90.0  # s, from the yellow alarm to the red one
 
 
@@ -88,6 +90,18 @@ def measured(run: xr.Dataset) -> xr.Dataset:
     moment = run["bending_moment"]
     found["wellhead_moment"] = moment.sel(s=WELLHEAD, method="nearest", drop=True)
     return found
+
+
+def calibration(fits: xr.Dataset) -> xr.Dataset:
+    """Upper flex joint at the printed time, and when it reaches its limit, over what can be fitted."""
+    angle = abs(fits["ufj_angle"])
+    found = xr.Dataset(
+        {
+            "ufj_angle": angle.interp(time=DEADLINE).drop_vars("time"),
+            "ufj_limit_time": first_crossing(angle, LIMITS["upper flex joint"].most),
+        }
+    )
+    return described(found, PAPER, "fits to the one printed number")
 
 
 # limits

@@ -169,6 +169,23 @@ def envelope(envelope: xr.Dataset) -> Figure:
     return figure
 
 
+def calibration(calibration: xr.Dataset) -> Figure:
+    """Gains and hull drags that meet the printed number, for three weights of the riser."""
+    figure, (ax,) = panels(height=3.8)
+    handles = []
+    for colour, weight in zip(COLOURS, calibration["riser_weight"].values, strict=False):
+        angle = calibration["ufj_angle"].sel(riser_weight=weight) * DEGREES
+        shown = angle.transpose("hull_drag", "gain")
+        ax.contour(shown["gain"], shown["hull_drag"], shown, levels=[UFJ_LIMIT], colors=[colour])
+        handles += ax.plot([], [], color=colour, label=f"riser's weight in water: {weight}")
+    handles += ax.plot([65.1], [250.0], "o", color="black", label="fit that is used")
+    ax.set_xlabel("thrusters' gain (kN/m)")
+    ax.set_ylabel("hull drag (kN s²/m²)")
+    ax.set_title("lines: 12° at 50 s", loc="right", fontsize="small")
+    ax.legend(handles=handles, fontsize="small", loc="upper left")
+    return figure
+
+
 def open_choices(open_drive_off: xr.Dataset) -> Figure:
     """Upper flex joint over what is open, and when the first limits are reached."""
     figure, axes = panels(1, 2, 3.6)
