@@ -185,3 +185,30 @@ def test_a_platform_lighter_than_the_riser_is_no_harder():
 def test_a_tension_that_does_not_carry_the_riser_is_refused():
     with pytest.raises(SimulationError, match="buckles under its own weight"):
         drive_off(**{"top.telescopic_joint.tension": "0.5 MN"})
+
+
+def test_in_space_it_is_the_same_drive_off():
+    grid = {"analysis.mesh": {"elements": 150}, "analysis.step": "0.2 s"}
+    plane = simulate(load_scene(REF, **grid))
+    space = simulate(load_scene(REF, **grid, **{"current.heading": "1e-6 deg"}))
+    assert "y" in space
+    assert "y" not in plane
+    assert float(abs(space["y"]).max()) < 1e-6
+    for name in ("platform_surge", "riser_reaction_x", "stroke", "largest_stress"):
+        largest = float(abs(plane[name]).max())
+        np.testing.assert_allclose(space[name], plane[name], atol=1e-5 * largest)
+    for name in ("ufj_angle", "lfj_angle"):  # in space their sizes
+        np.testing.assert_allclose(space[name], abs(plane[name]), atol=1e-5)
+
+
+def test_a_current_from_the_side_bends_the_riser_aside_and_not_the_platform():
+    grid = {"analysis.mesh": {"elements": 150}, "analysis.step": "0.2 s"}
+    across = {
+        f"{name}.heading": "90 deg" for name in ("current", "vessel.wind", "vessel.wave_drift")
+    }
+    one = simulate(load_scene(REF, **grid, **across))
+    other = simulate(load_scene(REF, **grid, **dict.fromkeys(across, "-90 deg")))
+    assert float(abs(one["y"].isel(s=-1)).max()) == 0.0
+    assert float(one["y"].isel(time=0).max()) > 1.0
+    np.testing.assert_allclose(one["y"], -other["y"], atol=1e-8)
+    np.testing.assert_allclose(one["platform_surge"], other["platform_surge"], atol=1e-6)
