@@ -10,6 +10,8 @@ from riserstudy.numerics.attempt import Outcome
 from riserstudy.numerics.models import StabilityStudy
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.numerics.stability import stability, tell
+from riserstudy.numerics.stable_step import stable_steps
+from riserstudy.report.engine import engine
 from riserstudy.study import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -68,3 +70,18 @@ def test_the_figure_has_a_row_for_every_case(few):
     figure = draw("numerics", "stability", {"stability": few})
     labels = [text.get_text().removeprefix("✗ ") for text in figure.axes[0].get_yticklabels()]
     assert labels == list(FEW)
+
+
+def test_the_report_tells_what_is_not_as_it_should_be(few):
+    chapter = engine({"stability": few})
+    assert chapter.said[0].startswith("4 hard cases as written: ")
+    assert [row.case for row in chapter.findings] == list(few["case"].values[~few["as_expected"]])
+
+
+def test_the_stable_step_of_a_linear_riser_is_predicted_to_a_hundredth():
+    model = read_studies(CONFIG, "numerics").measured.stable_step
+    coarse = model.variants["surge"].model_copy(update={"elements": [10]})
+    short = model.model_copy(update={"variants": {"surge": coarse}, "duration": "10 s"})
+    found = stable_steps(short, CONFIG, "preview")
+    ratio = found["measured"] / found["predicted"]
+    assert ratio.values.ravel() == pytest.approx([1.0], abs=0.01)

@@ -13,8 +13,9 @@ from matplotlib.image import AxesImage
 from matplotlib.patches import Patch, Rectangle
 
 from riserstudy.figures.numerics_accuracy import accuracy, asked
+from riserstudy.figures.style import COLOURS, key_below, panels
 
-__all__ = ["accuracy", "asked", "stability"]
+__all__ = ["accuracy", "asked", "effects", "stability", "stable_step"]
 
 #: outcome by colour, worst last
 OUTCOMES = {
@@ -162,3 +163,29 @@ def _table(ax: Axes, values: xr.DataArray, across: str, norm: Normalize, colours
             color="white" if norm(value) > 0.6 else "black",
         )
     return image
+
+
+def stable_step(stable_step: xr.Dataset) -> Figure:
+    """Measured beside predicted stable step, by variant and mesh."""
+    figure, axes = panels(1, 1, height=4.6)
+    ax = axes[0]
+    ends = np.array([stable_step["predicted"].min() / 1.5, stable_step["predicted"].max() * 1.5])
+    ax.fill_between(ends, ends, 1.1 * ends, color="0.9", linewidth=0.0)
+    ax.plot(ends, ends, color="0.4", linewidth=0.8)
+    for row, variant in enumerate(stable_step["variant"].values):
+        of = stable_step.sel(variant=variant)
+        ax.plot(
+            of["predicted"],
+            of["measured"],
+            "osD^v<>pPX*h"[row % 12],
+            markersize=9 - 0.5 * row,
+            markerfacecolor="none",
+            color=COLOURS[row % len(COLOURS)],
+            label=str(variant),
+        )
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlabel("predicted stable step (s)")
+    ax.set_ylabel("measured stable step (s)")
+    key_below(figure, ax, 4)
+    return figure

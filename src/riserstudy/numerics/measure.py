@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from riserstudy.numerics.accuracy import accuracy
 from riserstudy.numerics.effects import effects
-from riserstudy.numerics.models import AccuracyStudy, EffectsStudy, StabilityStudy
+from riserstudy.numerics.models import AccuracyStudy, EffectsStudy, LimitStudy, StabilityStudy
 from riserstudy.numerics.stability import stability
+from riserstudy.numerics.stable_step import stable_steps
 from riserstudy.sound import sound_kernels
 from riserstudy.store import engine_digest
 
@@ -28,6 +29,8 @@ def measure(plan: Workplan, paper: str, name: str, threads: int) -> xr.Dataset:
         dataset = effects(study, plan.studies, plan.tier, Path(plan.compiled))
     elif isinstance(study, AccuracyStudy):
         dataset = accuracy(study, plan.config, plan.tier)
+    elif isinstance(study, LimitStudy):
+        dataset = stable_steps(study, plan.config, plan.tier)
     else:
         raise TypeError(f"{paper}/{name} cannot be measured")
     dataset.attrs |= {

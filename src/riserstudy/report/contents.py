@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from riserstudy.report.engine import engine
 from riserstudy.report.scenes import SceneTable, scene_tables
 from riserstudy.report.wording import counted, grouped, listed, seconds, share
 from riserstudy.study import StudyFile, read_studies
@@ -24,6 +25,7 @@ VERDICTS = {
     "fails": "a number missed, or a claim true in at most 5 % of the samples",
     "not reproducible": "the paper does not say enough",
 }
+ENGINE = "numerics"  # the chapter about the engine itself
 ERRORS = ("displacement", "moment", "tension")
 
 
@@ -106,8 +108,9 @@ def contents(sources: Sources) -> dict[str, Any]:
         "errata": table(sources.tables, "errata"),
         "figures": figures,
         "anchors": {f"{figure.paper}-{figure.name}" for figure in figures},
+        "engine": engine({name: ds for (paper, name), ds in datasets.items() if paper == ENGINE}),
         "rows": rows,
-        "derived": [key for key in datasets if key not in simulated],
+        "derived": [key for key in datasets if key not in simulated and key[0] != ENGINE],
         "wall": wall,
         "jobs": jobs,
         "cold": cold,
