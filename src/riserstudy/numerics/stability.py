@@ -45,6 +45,7 @@ if TYPE_CHECKING:
 REFERENCE = {"analysis.method": {"rho_inf": 0.6}}
 FREE = {f"analysis.{name}": None for name in ("mesh", "step", "method", "solver")}
 EXPLICIT = "explicit"
+MOST_ELEMENTS = 20_000  # that a scene may name; meshes made by refining may have more
 WRITTEN = "as written"  # the scene's own method and accuracy
 
 
@@ -114,7 +115,7 @@ def tell(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> Told
             mesh = standard.mesh
             steps = [standard.step * factor for factor in study.ladder[tier]]
         budget = study.explicit_budget if explicit else study.budget
-        own = stepped(file, method.set, steps[0])
+        own = stepped(file, method.set, mesh, steps[0])
         if explicit and not prescribed:
             limit = attempt_limit(own, mesh)
             steps = [limit * factor for factor in study.explicit_ladder] if limit else []
@@ -132,9 +133,10 @@ def whole(scene: Scene) -> Scene:
     return scene.model_copy(update={"analysis": analysis})
 
 
-def stepped(file: SceneFile, values: dict[str, Any], step: float | None) -> Scene:
-    """The scene with a method; some ask for a mesh and a step in the scene, though others are run."""
-    fixed: dict[str, Any] = {"analysis.accuracy": None, "analysis.mesh": {"elements": 1}}
+def stepped(file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float | None) -> Scene:
+    """The scene with a method; mesh and step stand in it because some methods ask for them."""
+    fixed: dict[str, Any] = {"analysis.accuracy": None}
+    fixed["analysis.mesh"] = {"elements": min(len(mesh.l0), MOST_ELEMENTS)}
     if step:
         fixed["analysis.step"] = f"{step!r} s"
     return file.with_values(fixed | values, "method").scene()
@@ -189,7 +191,7 @@ def reference_on(scene: Scene, file: SceneFile, standard: Standard, budget: floa
     finer = mesh if massless(scene) else mesh.halved()
     if standard.step is None:
         return attempt_on(scene, finer if massless(scene) else finer.halved(), None, math.inf)
-    other = stepped(file, REFERENCE, standard.step)
+    other = stepped(file, REFERENCE, finer, standard.step)
     quarter = attempt_on(other, finer, 0.25 * standard.step, 2.0 * budget)
     if quarter.refused != Outcome.TOO_LONG:
         return quarter
