@@ -107,6 +107,19 @@ def test_a_simulation_that_cannot_be_completed_ends_with_three(command, tmp_path
     assert list(tmp_path.iterdir()) == []
 
 
+def test_cost_tells_what_accuracy_takes(command, tmp_path):
+    picture = tmp_path / "cost.png"
+    code, said, complaint = command(
+        "cost", SURGE, "--set", "analysis.duration=10 s", "--plot", picture
+    )
+    assert code == 0, complaint
+    lines = said.splitlines()
+    assert [line.split()[0] for line in lines[1:]] == ["5", "1", "0.2", "0.05"]
+    segments = [int(line.split()[4]) for line in lines[1:]]
+    assert segments == sorted(segments)
+    assert picture.stat().st_size > 1000
+
+
 def test_effects_tells_what_is_on_and_why(command):
     code, out, _ = command("effects", SURGE)
     assert code == 0

@@ -12,7 +12,7 @@ from scipy.interpolate import make_interp_spline
 
 from riserstudy.build import stiffness
 from riserstudy.devices import pile_length
-from riserstudy.errors import SimulationError, StepFailed
+from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed
 from riserstudy.mesh import COARSEST, Layer, Mesh, even, graded
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
@@ -130,7 +130,16 @@ def _first_mesh(scene: Scene) -> Mesh:
     if not scene.lateral:
         return even(scene, len(scene.riser) if massless(scene) else COARSEST)
     probe = even(scene, COARSEST)
-    model, _ = settle(scene, probe)
+    for left in (2, 1, 0):
+        try:
+            model, _ = settle(scene, probe)
+            break
+        except PhysicallyUnstable:
+            raise
+        except SimulationError:  # so coarse a mesh may have no equilibrium
+            if left == 0:
+                raise
+            probe = probe.halved()
     layers = []
     for end in (0, probe.ring - 1):
         rotation = (scene.bottom if end == 0 else scene.top).rotation

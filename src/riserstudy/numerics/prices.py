@@ -1,0 +1,73 @@
+"""What accuracy costs for one scene: mesh, step, error and time at several requests."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from riserstudy.numerics.attempt import deciding
+from riserstudy.run import run
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation import at_accuracy
+from riserstudy.sound import sound_kernels
+
+REQUESTS = (0.05, 0.01, 0.002, 0.0005)
+SLOWEST = 60.0  # seconds: a request that took longer is the last
+
+
+class Price(NamedTuple):
+    """What one request came to."""
+
+    requested: float
+    estimated: float  # largest of moment, or of tension and displacement
+    elements: int
+    step: float | None  # (s)
+    seconds: float  # of all refinements, kernels compiled
+
+
+@sound_kernels
+def prices(file: SceneFile) -> Iterator[Price]:
+    """Run a scene at ever finer requests; the first run, which may compile, is not timed.
+
+    Raises
+    ------
+    SimulationError
+        When a run cannot be completed.
+    """
+    run(at_accuracy(file, f"{100 * REQUESTS[0]!r} %").scene())
+    for share in REQUESTS:
+        scene = at_accuracy(file, f"{100 * share!r} %").scene()
+        started = clock.perf_counter()
+        facts = run(scene).facts
+        seconds = clock.perf_counter() - started
+        estimated = deciding(facts.get("error_estimate", {}))
+        yield Price(share, estimated, facts["elements"], facts.get("step"), seconds)
+        if seconds > SLOWEST:
+            return
+
+
+def plot(found: list[Price], title: str, target: Path) -> None:
+    """Draw error and time over what was asked for."""
+    from matplotlib.figure import Figure
+    from matplotlib.ticker import NullFormatter
+
+    from riserstudy.figures import save
+
+    figure = Figure((6.0, 3.8), dpi=150, layout="constrained")
+    ax = figure.add_subplot()
+    ax.loglog([p.seconds for p in found], [p.estimated for p in found], "o-", ms=5)
+    for p in found:
+        ax.annotate(
+            f"  {100 * p.requested:g} %: {p.elements} segments",
+            (p.seconds, p.estimated),
+            fontsize=8,
+        )
+    ax.set_xlabel("wall time of a run, all refinements (s)")
+    ax.set_ylabel("estimated error (-)")
+    ax.set_title(title, fontsize="medium")
+    ax.margins(x=0.4)
+    ax.xaxis.set_minor_formatter(NullFormatter())
+    ax.grid(alpha=0.3)
+    save(figure, target)
