@@ -17,11 +17,13 @@ class Case(Strict):
 
     ``expect``: ``accurate`` to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
     prescribe a bad step, mesh or scheme: refused, or with an estimate above 1 % where the error is.
-    Absent set: the scene as it is. Absent preview: not part of that tier.
+    Absent set: the scene as it is. Absent preview: not part of that tier. ``too_long``: not run, and what
+    was seen of how long it takes; absent: run.
     """
 
     scene: str
     about: str
+    too_long: str | None = None
     expect: Literal["accurate", "unstable", "told"]
     because: str | None = None
     set: dict[str, Any] = Field(default_factory=dict)

@@ -89,6 +89,10 @@ class Told:
 
 def tell(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> Told:
     """Run one case by every method."""
+    if case.too_long:
+        left = Attempt(None, Outcome.TOO_LONG, case.too_long, 0.0)
+        rung_left = Rung(math.nan, Outcome.TOO_LONG, math.nan, left)
+        return Told(rung_left, math.nan, "", Standard(left, why_not=case.too_long))
     scene = file.scene()
     prescribed = scene.analysis.mesh is not None
     standard = standard_of(file.with_values(FREE, "reference") if prescribed else file, study)
