@@ -302,19 +302,23 @@ def test_drag_never_drives_the_pipe_through_still_water(seed, d):
 
 
 @pytest.fixture
-def uncompiled(monkeypatch):
-    """Compiled helpers replaced by the Python functions they were made from."""
-    for module in [*modules, blocktri, spread]:
-        for key, value in list(vars(module).items()):
-            if isinstance(value, CPUDispatcher):
-                monkeypatch.setattr(module, key, value.py_func)
+def uncompile(monkeypatch):
+    """Replace compiled helpers by the Python functions they were made from, once all is compiled."""
+
+    def replace():
+        for module in [*modules, blocktri, spread]:
+            for key, value in list(vars(module).items()):
+                if isinstance(value, CPUDispatcher):
+                    monkeypatch.setattr(module, key, value.py_func)
+
+    return replace
 
 
 PIECES = [(kind, d, role) for kind, d in PAIRS for role in ROLES[kind]]
 
 
 @pytest.mark.parametrize("piece", PIECES, ids=lambda p: f"{p[0].__name__}-{p[1]}d-{p[2]}")
-def test_compiled_and_interpreted_effects_agree(piece, uncompiled):
+def test_compiled_and_interpreted_effects_agree(piece, uncompile):
     kind, d, role = piece
     rig = Rig(kind, d)
     rig.s.rate[:] = 3.0, 10.0
@@ -323,6 +327,7 @@ def test_compiled_and_interpreted_effects_agree(piece, uncompiled):
     function = ROLES[kind][role]
     frozen = rig.frozen_record()
     compiled = one_call(assemble([(function, frozen)], rig.model.state), rig.model.state)
+    uncompile()
     interpreted = function.py_func(record, state)
     assert compiled == pytest.approx(interpreted, rel=1e-10)
     for field in state._fields:
