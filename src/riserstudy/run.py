@@ -87,7 +87,7 @@ def _refined(scene: Scene) -> Result:
         return single(scene, mesh, step)
     before: dict[str, dict[str, float]] = {}
     error: dict[str, dict[str, float]] = {}
-    cost, way = 0.0, ways[0]
+    cost, way, astray = 0.0, ways[0], 0
     result: Result | None = None
     for left in range(RUNS, -1, -1):
         try:
@@ -96,6 +96,14 @@ def _refined(scene: Scene) -> Result:
             if left == 0 or step is None:
                 raise
             step, result = 0.5 * step, None
+            continue
+        except PhysicallyUnstable:
+            raise
+        except SimulationError:  # no equilibrium found on this mesh
+            astray += 1
+            if astray > 2 or "mesh" not in ways:
+                raise
+            mesh, result = mesh.halved(), None
             continue
         cost += finer.facts["solve_seconds"]
         if result is not None:

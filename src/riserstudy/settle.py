@@ -6,7 +6,7 @@ import numpy as np
 
 from riserstudy.build import build, stiffness
 from riserstudy.errors import PhysicallyUnstable, SimulationError
-from riserstudy.mesh import Mesh
+from riserstudy.mesh import Mesh, even
 from riserstudy.model import Model
 from riserstudy.scene.ends import Top
 from riserstudy.scene.models import Scene
@@ -17,6 +17,9 @@ from riserstudy.solve.statics import (
     unstable_directions,
 )
 from riserstudy.tensioner_law import tension_at_mid_stroke
+
+
+BUCKLING = 20  # segments, at least, on which buckling is looked for
 
 
 def settle(scene: Scene, mesh: Mesh, d: int | None = None) -> tuple[Model, Equilibrium]:
@@ -81,8 +84,9 @@ def _stands_sideways(scene: Scene, mesh: Mesh, model: Model, elevation: float | 
     if len(s.dim) > 1 or float(tension.min()) >= -rounding(scene):
         return True
     top = scene.top if scene.top.x else scene.top.model_copy(update={"x": "held"})
-    planar = build(scene.model_copy(update={"top": top}), mesh, elevation, d=2)
-    planar.s.r[1] = s.r[0]
+    fine = mesh if len(mesh.l0) >= BUCKLING else even(scene, BUCKLING)  # one segment cannot buckle
+    planar = build(scene.model_copy(update={"top": top}), fine, elevation, d=2)
+    planar.s.r[1] = np.interp(fine.s, mesh.s, s.r[0])
     return unstable_directions(planar.programs, planar.state, planar.fixed) == 0
 
 

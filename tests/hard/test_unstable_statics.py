@@ -31,6 +31,13 @@ def test_a_column_stands_below_euler_s_load_and_buckles_above(ends, critical, la
         simulate(changed(COLUMN, **values, **weight(critical * (1.0 + NEAR))))
 
 
+def test_a_massless_column_of_one_segment_buckles_too():
+    values = {"analysis": {}, "riser[0].lateral_load": None}
+    simulate(changed(COLUMN, **values, **weight(1.0 - NEAR)))
+    with pytest.raises(SimulationError, match="unstable"):
+        simulate(changed(COLUMN, **values, **weight(1.0 + NEAR)))
+
+
 def test_an_axial_run_in_compression_says_that_it_has_no_lateral_freedom():
     standing = simulate(changed(COLUMN, **weight(0.5)))
     assert "no lateral freedom" in standing.attrs["warnings"]
