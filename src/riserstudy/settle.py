@@ -18,7 +18,6 @@ from riserstudy.solve.statics import (
 )
 from riserstudy.tensioner_law import tension_at_mid_stroke
 
-
 BUCKLING = 20  # segments, at least, on which buckling is looked for
 
 
