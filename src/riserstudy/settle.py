@@ -83,7 +83,9 @@ def _stands_sideways(scene: Scene, mesh: Mesh, model: Model, elevation: float | 
     if len(s.dim) > 1 or float(tension.min()) >= -rounding(scene):
         return True
     top = scene.top if scene.top.x else scene.top.model_copy(update={"x": "held"})
-    fine = mesh if len(mesh.l0) >= BUCKLING else even(scene, BUCKLING)  # one segment cannot buckle
+    # one segment cannot buckle; a spring without bending stiffness is meant to carry either sign
+    bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
+    fine = even(scene, BUCKLING) if bends and len(mesh.l0) < BUCKLING else mesh
     planar = build(scene.model_copy(update={"top": top}), fine, elevation, d=2)
     planar.s.r[1] = np.interp(fine.s, mesh.s, s.r[0])
     return unstable_directions(planar.programs, planar.state, planar.fixed) == 0
