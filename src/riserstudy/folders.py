@@ -21,6 +21,12 @@ def cache_folder() -> Path:
     return (checkout if (checkout / "pyproject.toml").exists() else Path.cwd()) / ".cache"
 
 
+def workflow_folder() -> Path:
+    """Folder of Snakefile and rules: within the package that a wheel installs, else the checkout."""
+    shipped = PACKAGE / "shipped"
+    return shipped if shipped.exists() else PACKAGE.parents[1]
+
+
 def digest(files: Iterable[Path]) -> str:
     """Hash of the names and contents of source files, 16 hexadecimal digits."""
     total = hashlib.sha256()

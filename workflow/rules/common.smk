@@ -1,7 +1,9 @@
 # What there is to do: read once from config/, checked before any job. `--config tier=preview` and its
 # like win over config/config.yaml.
 
+import sys
 from pathlib import Path
+from shlex import quote
 
 from snakemake.exceptions import WorkflowError
 
@@ -12,6 +14,9 @@ try:
     PLAN = Workplan.read(Path("config"), config)
 except InputError as error:
     raise WorkflowError(f"riserstudy: {error}")
+
+# Jobs use the Python that runs Snakemake, whether or not its environment was activated.
+shell.prefix(f"PATH={quote(str(Path(sys.executable).parent))}:$PATH; ")
 
 DATASETS = PLAN.dataset_files()
 FIGURES = PLAN.figure_files()

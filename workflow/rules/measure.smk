@@ -18,6 +18,6 @@ rule measure:
     message:
         "measure {wildcards.paper}/{wildcards.study}"
     shell:
-        "python workflow/scripts/measure.py {wildcards.paper} {wildcards.study} {output:q}"
+        "python -m riserstudy.jobs.measure {wildcards.paper} {wildcards.study} {output:q}"
         " --tier {params.tier} --papers {params.papers} --threads {threads}"
         " --expect {params.digest} > {log:q} 2>&1"

@@ -9,7 +9,7 @@ rule compile:
     message:
         "compile the kernels"
     shell:
-        "python workflow/scripts/compile_kernels.py {output:q} > {log:q} 2>&1"
+        "python -m riserstudy.jobs.compile_kernels {output:q} > {log:q} 2>&1"
 
 
 rule simulate:
@@ -28,7 +28,7 @@ rule simulate:
     message:
         "simulate {wildcards.paper}/{wildcards.study}"
     shell:
-        "python workflow/scripts/simulate.py {wildcards.paper} {wildcards.study} {output:q}"
+        "python -m riserstudy.jobs.simulate {wildcards.paper} {wildcards.study} {output:q}"
         " --tier {params.tier} --threads {threads} --expect {params.digest} > {log:q} 2>&1"
 
 
@@ -46,5 +46,5 @@ rule derive:
     message:
         "derive {wildcards.paper}/{wildcards.study}"
     shell:
-        "python workflow/scripts/derive.py {wildcards.paper} {wildcards.study} {output:q} {input:q}"
+        "python -m riserstudy.jobs.derive {wildcards.paper} {wildcards.study} {output:q} {input:q}"
         " > {log:q} 2>&1"
