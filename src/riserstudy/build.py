@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from riserstudy.devices import devices
 from riserstudy.effects.added_mass import AddedMass
@@ -28,6 +27,7 @@ from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
+from riserstudy.guess import between_ends, under_a_joint
 from riserstudy.mesh import Mesh, blend_by_weight
 from riserstudy.model import Effect, Model
 from riserstudy.platform import centre, motions
@@ -351,43 +351,20 @@ class _Builder:
         )
 
     def guess(self) -> FloatArray:
-        """Straight from end to end, or sagging where the riser is longer than that."""
+        """The shape that statics start from, (d, n+1)."""
         total = float(self.mesh.l0.sum())
         offset = (self.scene.top.offset or 0.0) if self.d > 1 else 0.0
         rise = total if self.top_z is None else self.top_z - self.bottom_z
-        share = self.mesh.s / total
-        shape = np.stack([offset * share, 0.0 * share, rise * share])
-        if (
-            self.mesh.joint
-        ):  # the riser leans above its lower joint, the rest is in the telescopic one
+        joint = self.scene.top.telescopic_joint
+        if joint:
             k = max(self.jointed(), default=int(self.scene.soil is not None))
             foot = min(self.mesh.foot(k), self.n - 1)
-            strain = (getattr(self.scene.top.telescopic_joint, "tension", 0.0) or 0.0) / self.axial[
-                :-1
-            ]
-            s = np.concatenate([[0.0], np.cumsum(self.mesh.l0[:-1] * (1.0 + strain))])
-            above = np.maximum(s - s[foot], 0.0)
-            lean = math.asin(min(1.0, offset / (total - s[foot])))
-            shape[0, :-1] = above * math.sin(lean)
-            shape[2, :-1] = s - above * (1.0 - math.cos(lean))
-        elif offset and math.hypot(offset, rise) < total:
-            shape[[0, 2]] = sagging(self.mesh.s, offset, rise)
+            strain = (joint.tension or 0.0) / self.axial[:-1]
+            shape = under_a_joint(self.mesh, foot, strain, offset, rise)
+        else:
+            shape = between_ends(self.mesh, offset, rise)
         shape[2] += self.bottom_z
         return shape[AXES[self.d]]
-
-
-def sagging(s: FloatArray, offset: float, rise: float) -> FloatArray:
-    """Points at arclengths ``s`` of the parabola as long as the riser, (2, n+1)."""
-    u = np.linspace(0.0, 1.0, 2001)
-
-    def curve(sag: float) -> FloatArray:
-        return np.stack([offset * u, rise * u - 4.0 * sag * u * (1.0 - u)])
-
-    def arclength(sag: float) -> FloatArray:
-        return np.append(0.0, np.hypot(*np.diff(curve(sag))).cumsum())
-
-    sag = brentq(lambda h: arclength(h)[-1] - s[-1], 0.0, s[-1])
-    return np.stack([np.interp(s, arclength(sag), row) for row in curve(sag)])
 
 
 def flexibility_of(rotation: Rotation | None) -> float | None:

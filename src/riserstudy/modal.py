@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from riserstudy.build import AXES, directions, stiffness
+from riserstudy.coarsest import massless
 from riserstudy.errors import SimulationError
 from riserstudy.mesh import even
-from riserstudy.run import massless
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
 from riserstudy.solve.modes import natural_modes

@@ -2,40 +2,27 @@
 
 from __future__ import annotations
 
-import math
 import time as clock
-from collections.abc import Iterator
 
-import numpy as np
-from numpy.typing import NDArray
-from scipy.interpolate import make_interp_spline
-
-from riserstudy.build import stiffness
-from riserstudy.devices import pile_length
+from riserstudy.coarsest import coarsest_mesh, massless, period
+from riserstudy.comparison import difference, estimate
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed
-from riserstudy.mesh import COARSEST, Layer, Mesh, even, graded
+from riserstudy.mesh import even
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
-from riserstudy.sea import depth_of_action
-from riserstudy.settle import settle
 from riserstudy.single import EVERYWHERE, keep_stations, single
 
-Array = NDArray[np.float64]
-Arrays = dict[str, Array]
-
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
-LONG = 80.0  # risers, in layer lengths, whose even mesh would be too coarse at ends
 RUNS = 16  # halvings of mesh or step, at most
-MOST_FALL = 8.0  # of successive differences that an estimate trusts
 STEPS_A_PERIOD = 24  # of the coarsest step
 
 
 def run(scene: Scene) -> Result:
     """Simulate a scene.
 
-    With mesh and step in the scene they are used, and a run on half as many segments and twice the step
-    tells the error. Otherwise mesh and step are halved until the estimated error of displacement and
-    moment is below the accuracy asked for.
+    With mesh and step in the scene they are used, and runs on half and a quarter of the segments, with
+    twice and four times the step, tell the error. Otherwise mesh or step, whichever errs more, is halved
+    until the estimated error of displacement, tension and moment is below the accuracy asked for.
 
     Raises
     ------
@@ -80,7 +67,8 @@ def _refined(scene: Scene) -> Result:
     a = scene.analysis
     target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
     target["tension"] = target["moment"]
-    mesh, step = _first_mesh(scene), _first_step(scene)
+    mesh = coarsest_mesh(scene)
+    step = period(scene) / STEPS_A_PERIOD if a.duration else None
     ways = [] if massless(scene) else ["mesh"]
     ways += ["step"] if step else []
     if not ways:  # a massless spring at rest is exact
@@ -131,117 +119,3 @@ def _refined(scene: Scene) -> Result:
 
 def _excess(error: dict[str, float], target: dict[str, float]) -> float:
     return max(error.get(name, 0.0) / limit for name, limit in target.items())
-
-
-def _first_mesh(scene: Scene) -> Mesh:
-    """Coarse mesh, graded where held ends confine bending to a layer sqrt(EI/T), and under waves."""
-    if not scene.lateral:
-        return even(scene, len(scene.riser) if massless(scene) else COARSEST)
-    probe = even(scene, COARSEST)
-    for left in (2, 1, 0):
-        try:
-            model, _ = settle(scene, probe)
-            break
-        except PhysicallyUnstable:
-            raise
-        except SimulationError:  # so coarse a mesh may have no equilibrium
-            if left == 0:
-                raise
-            probe = probe.halved()
-    layers = []
-    for end in (0, probe.ring - 1):
-        rotation = (scene.bottom if end == 0 else scene.top).rotation
-        held = rotation not in (None, "free") or (end > 0 and probe.joint)
-        flexible = model.s.flex_up[end] > 0.0
-        tension = float(np.abs(model.s.segment[:, end] @ model.s.tangent[:, end]))
-        share = 6.0 if held else 12.0  # of a segment's flexibility, see `bending`
-        stiff = probe.l0[end] / (share * model.s.flex_up[end]) if flexible else 0.0
-        layer = math.sqrt(stiff / tension) if flexible and tension > 0 else math.inf
-        # a short riser's even mesh is fine enough for an end that turns freely, and of higher order
-        layers.append(layer if held or probe.riser_length > LONG * layer else math.inf)
-    if scene.wave and scene.water:
-        layers[1] = min(layers[1], depth_of_action(scene.wave, scene.water, scene.gravity or 0.0))
-    found = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]
-    for k, section in enumerate(scene.riser):
-        if section.flex_joint_below:
-            e = probe.foot(k)
-            tension = float(np.abs(model.s.segment[:, e] @ model.s.tangent[:, e]))
-            length = math.sqrt(stiffness(section).bending / tension) if tension else math.inf
-            found.append(Layer(float(probe.s[e]), length))
-    longest = {}
-    if scene.soil:
-        conductor = scene.riser[0]
-        longest[0] = 0.5 * pile_length(scene.soil, conductor, stiffness(conductor).bending)
-    confined = longest or any(layer.length < math.inf for layer in found)
-    return graded(scene, found, longest=longest) if confined else probe
-
-
-def massless(scene: Scene) -> bool:
-    """Whether the string is a mere spring, which one segment represents exactly."""
-    bare = all(s.mass is None and s.submerged_weight is None for s in scene.riser)
-    return bare and not scene.lateral
-
-
-def _first_step(scene: Scene) -> float | None:
-    if scene.analysis.duration is None:
-        return None
-    period = scene.shortest_period
-    if period is None:
-        period = min(20.0, scene.analysis.duration / 4.0)
-    return period / STEPS_A_PERIOD
-
-
-def estimate(now: dict[str, float], before: dict[str, float] | None) -> dict[str, float]:
-    """Error of the finest of three runs, each twice as fine as the last, from their differences.
-
-    Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as at most
-    8 (third order), and as 2 where it is smaller or unknown.
-    """
-    error = {}
-    for name, value in now.items():
-        fall = (before or {}).get(name, 0.0) / value if value > 0.0 else MOST_FALL
-        error[name] = value / (min(max(fall, 2.0), MOST_FALL) - 1.0)
-    return error
-
-
-def difference(coarse: Result, fine: Result) -> dict[str, float]:
-    """Relative difference of two runs, by quantity.
-
-    Envelopes and the static state are compared at all nodes, histories at the stations, so that an
-    error in phase counts too. The scale is the largest value anywhere.
-    """
-    found = {}
-    for name, fields in (
-        ("displacement", ("x", "y", "z")),
-        ("tension", ("effective_tension",)),
-        ("moment", ("bending_moment",)),
-    ):
-        scale, off = 0.0, 0.0
-        for field in fields:
-            for low, up in _pairs(coarse.arrays, fine.arrays, field):
-                scale = max(scale, float(np.abs(up).max()))
-                off = max(off, float(np.abs(up - low).max()))
-        rounding = 1e-9 * float(fine.arrays["s_node"][-1]) if name == "displacement" else 0.0
-        if scale > rounding:
-            found[name] = off / scale
-    return found
-
-
-def _pairs(coarse: Arrays, fine: Arrays, field: str) -> Iterator[tuple[Array, Array]]:
-    """The same values of both runs: envelopes, static state, histories; displacements from straight."""
-    s0, s1 = coarse["s_node"], fine["s_node"]
-    zero0, zero1 = (a.get("zero_" + field, np.zeros_like(a["s_node"])) for a in (coarse, fine))
-    for end in ("_max", "_min", "_static"):
-        if field + end in fine:
-            yield coarse[field + end] - zero0, np.interp(s0, s1, fine[field + end] - zero1)
-    if field in fine and "time" in coarse:
-        mine, yours = coarse["s"], fine["s"]
-        _, here, there = np.intersect1d(
-            np.round(mine, 6), np.round(yours, 6), assume_unique=False, return_indices=True
-        )
-        if len(here):
-            low = coarse[field][:, here] - np.interp(mine[here], s0, zero0)
-            yield low, fine[field][:, there] - np.interp(yours[there], s1, zero1)
-        else:  # no station on a node of the coarse mesh
-            low = make_interp_spline(mine, coarse[field] - zero0, k=min(3, len(mine) - 1), axis=1)
-            yield low(yours), fine[field] - np.interp(yours, s1, zero1)

@@ -25,7 +25,8 @@ from riserstudy.settle import rounding, settle
 from riserstudy.small_angle import solve_small_angle
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
-from riserstudy.solve.implicit import DONE, Method, generalised_alpha, march, new_ledger
+from riserstudy.solve.implicit import Method, generalised_alpha, march
+from riserstudy.solve.ledger import DONE, new_ledger
 from riserstudy.solve.modes import stable_step
 from riserstudy.solve.record import Record, evaluate_once, new_record
 from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages

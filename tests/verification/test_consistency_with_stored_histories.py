@@ -11,6 +11,8 @@ from scipy.interpolate import CubicSpline
 
 ELEMENTS = np.array([20, 40, 80, 160])
 SURGE = ("s2", "s2c")
+JUDGED = [(name, quantity) for name in SURGE for quantity in ("displacement", "moment")]
+JUDGED += [("s3", "displacement"), ("s3", "tension")]
 
 
 @cache
@@ -98,33 +100,13 @@ def errors_by_default(name):
     }
 
 
-@pytest.mark.parametrize(
-    "name, quantity",
-    [
-        ("s2", "displacement"),
-        ("s2", "moment"),
-        ("s2c", "displacement"),
-        ("s2c", "moment"),
-        ("s3", "displacement"),
-        ("s3", "tension"),
-    ],
-)
+@pytest.mark.parametrize("name, quantity", JUDGED)
 def test_the_default_accuracy_is_kept(name, quantity):
     limit = {"displacement": 0.002, "moment": 0.01, "tension": 0.01}[quantity]
     assert errors_by_default(name)[quantity] <= limit
 
 
-@pytest.mark.parametrize(
-    "name, quantity",
-    [
-        ("s2", "displacement"),
-        ("s2", "moment"),
-        ("s2c", "displacement"),
-        ("s2c", "moment"),
-        ("s3", "displacement"),
-        ("s3", "tension"),
-    ],
-)
+@pytest.mark.parametrize("name, quantity", JUDGED)
 def test_the_error_estimate_is_of_the_size_of_the_error(name, quantity):
     true = errors_by_default(name)[quantity]
     estimate = json.loads(by_default(name).attrs["error_estimate"])[quantity]

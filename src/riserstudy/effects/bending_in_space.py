@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from riserstudy.effects.bending import compliance
 from riserstudy.effects.roles import register
 from riserstudy.jit import inner
 from riserstudy.solve.vec import (
@@ -82,14 +83,6 @@ def by_chord(s, e, by_direction):
     t = at(s.dim, s.tangent, e)
     turning = mul(1.0 / s.length[e], sub(unity(s.dim), outer(t, t)))
     return transposed(times(by_direction, turning))
-
-
-@inner
-def compliance(bending, s):
-    """Enter the flexibility of the pipe."""
-    s.flex[:] += bending.flex
-    s.flex_up[:] += bending.flex_up
-    return 0.0
 
 
 @inner

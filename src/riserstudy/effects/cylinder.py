@@ -61,7 +61,7 @@ def power(cylinders, s):
 @inner
 def probe(cylinders, s):
     """Report reach and pull of each cylinder."""
-    count = cylinders.zero.shape[0]
+    count = s.reach.shape[0]
     for c in range(count):
         s.probe[c] = s.reach[c]
         s.probe[count + c] = s.pull[c]

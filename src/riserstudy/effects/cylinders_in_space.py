@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.effects.attitude import turned
+from riserstudy.effects.cylinder import probe
 from riserstudy.effects.roles import register
 from riserstudy.jit import inner
 
@@ -198,16 +199,6 @@ def power(cylinders, s):
     for c in range(cylinders.length.shape[0]):
         for k in range(3):
             s.flow[1] += s.pull[c] * s.line[k, c] * s.deck[1, k, c]
-    return 0.0
-
-
-@inner
-def probe(cylinders, s):
-    """Report reach and pull of each cylinder."""
-    count = cylinders.length.shape[0]
-    for c in range(count):
-        s.probe[c] = s.reach[c]
-        s.probe[count + c] = s.pull[c]
     return 0.0
 
 

@@ -19,6 +19,7 @@ from riserstudy.effects.bending_in_space import (
     rotation_by_first,
     rotation_by_second,
 )
+from riserstudy.effects.flex_joint import compliance
 from riserstudy.effects.roles import register
 from riserstudy.jit import inner
 from riserstudy.solve.vec import at, cross, dot, plus, plus_block
@@ -32,13 +33,6 @@ class SpatialFlexJoint(NamedTuple):
     lean: np.ndarray  # (3,) held direction, unit vector
     follows: int  # 1 when it turns with the platform, else 0
     held: np.ndarray  # (3, 3) scratch: held direction now, its first and second rate
-
-
-@inner
-def compliance(joint, s):
-    """Enter the flexibility of the joint."""
-    s.flex[joint.node] += joint.flex
-    return 0.0
 
 
 @inner

@@ -13,11 +13,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.coarsest import massless, period
 from riserstudy.errors import RiserStudyError
 from riserstudy.mesh import Mesh, even
 from riserstudy.numerics.changes import Change, fitting
 from riserstudy.result import Result
-from riserstudy.run import massless
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.single import single
@@ -136,8 +136,7 @@ def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:
     values: dict[str, Any] = {"analysis.accuracy": None}
     values["analysis.mesh"] = {"elements": len(mesh.l0) - int(mesh.joint)}
     if a.duration:
-        period = scene.shortest_period or min(20.0, a.duration / 4.0)
-        step = a.step or period / STEPS_A_PERIOD
+        step = a.step or period(scene) / STEPS_A_PERIOD
         values["analysis.step"] = f"{step!r} s"
         most = budget * step / len(mesh.s)
         if a.duration > most:

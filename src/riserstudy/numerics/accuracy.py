@@ -15,13 +15,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from riserstudy.coarsest import massless
 from riserstudy.mesh import even
 from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors
 from riserstudy.numerics.models import AccuracyStudy, Ladder
 from riserstudy.numerics.scenes import in_tier
 from riserstudy.numerics.stability import FREE, attempt_limit, stepped, whole
 from riserstudy.result import Result
-from riserstudy.run import massless, run
+from riserstudy.run import run
 from riserstudy.scene.load import SceneFile, read_scene
 
 if TYPE_CHECKING:

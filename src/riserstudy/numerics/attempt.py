@@ -11,10 +11,10 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.comparison import difference
 from riserstudy.errors import PhysicallyUnstable, RiserStudyError
 from riserstudy.mesh import Mesh
 from riserstudy.result import Result
-from riserstudy.run import difference
 from riserstudy.scene.models import Scene
 from riserstudy.single import EVERYWHERE, single
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from riserstudy.coarsest import massless
 from riserstudy.mesh import Mesh, even
 from riserstudy.numerics.attempt import (
     ACCURATE_TO,
@@ -31,7 +32,7 @@ from riserstudy.numerics.attempt import (
 from riserstudy.numerics.models import Case, StabilityStudy
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.result import Result
-from riserstudy.run import massless, run
+from riserstudy.run import run
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle

@@ -21,7 +21,7 @@ from riserstudy.settle import settle
 from riserstudy.single import EXPLICIT_BOUND
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.explicit import leapfrog
-from riserstudy.solve.implicit import DONE, new_ledger
+from riserstudy.solve.ledger import DONE, new_ledger
 from riserstudy.solve.modes import stable_step
 from riserstudy.solve.record import new_record
 

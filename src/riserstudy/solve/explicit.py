@@ -12,7 +12,7 @@ import numpy as np
 
 from riserstudy.jit import inner, kernel
 from riserstudy.solve.evaluate import load, move, shape, true_moments
-from riserstudy.solve.implicit import DONE, NOT_CONVERGED
+from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.program import every
 from riserstudy.solve.record import evaluate_and_note, interpolate, widen
 
@@ -111,7 +111,6 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
         for c in range(d):
             for i in range(n + 1):
                 v1[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
-        ledger.count[0] += 1
         ledger.count[3] += 1
         while k_out < record.time.shape[0] and record.time[k_out] < t + h * (1.0 - 1e-9):
             interpolate(so, r0, v0, a0, t, s.r, v1, s.a, t + h, record.time[k_out])
@@ -119,13 +118,9 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
             evaluate_and_note(p, so, record, k_out)
             widen(record)
             k_out += 1
-        held_work = 0.5 * h * (power0 + power1)
         given = 0.5 * h * (s.flow[1] + flow0[1])
         lost = 0.5 * h * (s.flow[0] + flow0[0])
-        ledger.work[0] += held_work
-        ledger.work[1] += given
-        ledger.work[2] += lost
-        ledger.work[4] += abs(held_work) + abs(given) + lost
+        enter(ledger, 0.5 * h * (power0 + power1), given, lost, 0.0)
         power0 = power1
         flow0[:] = s.flow
     s.clock[0] = start + steps * h

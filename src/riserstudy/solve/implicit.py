@@ -18,12 +18,12 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.jit import kernel
-from riserstudy.solve.evaluate import forces, inertia, move
-from riserstudy.solve.newton import NODE, SIZE, balance, correct, elapsed, new_memory, supplied
+from riserstudy.solve.evaluate import move
+from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
+from riserstudy.solve.newton import account, balance, correct, new_memory
+from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
-from riserstudy.solve.record import between, note, tabulate, widen
-
-DONE, NOT_CONVERGED = 0, 1
+from riserstudy.solve.record import note_start, note_step
 
 
 class Method(NamedTuple):
@@ -49,19 +49,6 @@ def generalised_alpha(rho_inf) -> tuple[float, float, float, float]:
     return alpha_m, alpha_f, 0.25 * (gamma + 0.5) ** 2, gamma
 
 
-class Ledger(NamedTuple):
-    """What a run adds up."""
-
-    work: np.ndarray  # (5,) J: by supports, by water and devices, dissipated, numerical, exchanged
-    count: np.ndarray  # (4,) steps, Newton iterations, halved steps, explicit evaluations
-    failure: np.ndarray  # (3,) time (s), node, size of its last correction (m)
-
-
-def new_ledger() -> Ledger:
-    """All zero."""
-    return Ledger(np.zeros(5), np.zeros(4, np.int64), np.zeros(3))
-
-
 @kernel
 def march(p, s, so, method, fixed, record, ledger):
     """March from the state ``s`` at time ``s.clock[0]``; outputs go to ``record``.
@@ -78,36 +65,22 @@ def march(p, s, so, method, fixed, record, ledger):
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
     r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
     moment0 = np.zeros((m, n + 1))
-    force1 = np.zeros((d, n + 1))
+    force = np.zeros((d, n + 1))
     inert0, inert1 = np.zeros((d, n + 1)), np.zeros((d, n + 1))
     flow0 = np.zeros(2)
 
-    memory = new_memory()
-    level, left = 0, 1
-    h = method.step * (elapsed(1, method.start) - elapsed(0, method.start))
-    k_out, step = 0, 0
-
+    memory, pace = new_memory(), new_pace(method)
     balance(p, s, out, work, fixed)
     follower = s.a.copy()  # the auxiliary acceleration
-    forces(p, s)
-    force1[:] = s.force
-    inertia(p, s)
+    held0 = account(p, s, force, fixed)
     inert1[:] = s.force
-    s.flow[:] = 0.0
-    every(p.power, s)
     flow0[:] = s.flow
     kinetic0 = every(p.kinetic, s)
-    held0 = supplied(s, force1, inert1, fixed)
-    start = t = s.clock[0]
-    first = record.time[0] - 1e-9 * h  # envelopes start with the outputs
-    if first <= t:
-        tabulate(s, record.values)
-        widen(record)
-        note(p, s, record, 0)
-        k_out = 1
+    begin = s.clock[0]
+    k_out = note_start(p, s, record, begin)
 
-    while step < method.steps + 2 * method.start:
-        t = s.clock[0]
+    while under_way(pace, method):
+        t, h = s.clock[0], pace[LENGTH]
         r0[:], v0[:], a0[:], moment0[:] = s.r, s.v, s.a, s.moment
         inert0[:] = inert1
         s.rate[0] = gamma / (beta * h)
@@ -121,23 +94,12 @@ def march(p, s, so, method, fixed, record, ledger):
 
         if not correct(p, s, method.tolerance, method.iterations, memory, out, work, fixed, ledger):
             s.r[:], s.v[:], s.a[:], s.moment[:] = r0, v0, a0, moment0
-            s.clock[0] = t
-            if level == method.halvings:
-                move(p, s, t)
-                ledger.failure[0] = t
-                ledger.failure[1] = memory[NODE]
-                ledger.failure[2] = memory[SIZE]
+            if not halve(p, s, t, pace, method, memory, ledger):
                 return NOT_CONVERGED
-            level, left, h = level + 1, 2 * left, 0.5 * h
-            ledger.count[2] += 1
             continue
 
-        forces(p, s)
-        force1[:] = s.force
-        inertia(p, s)
+        held = account(p, s, force, fixed)
         inert1[:] = s.force
-        s.flow[:] = 0.0
-        every(p.power, s)
         kinetic1 = every(p.kinetic, s)
         # Numerical dissipation: work of the inertial forces by the trapezoidal rule that does not
         # come from kinetic energy.
@@ -148,32 +110,11 @@ def march(p, s, so, method, fixed, record, ledger):
                     1.0 - am
                 )
                 numerical -= 0.5 * (inert0[c, i] + inert1[c, i]) * (s.r[c, i] - r0[c, i])
-        held = supplied(s, force1, inert1, fixed)
-        held_work = 0.5 * h * (held + held0)
         given = 0.5 * h * (s.flow[1] + flow0[1])
         lost = 0.5 * h * (s.flow[0] + flow0[0])
-        ledger.work[0] += held_work
-        ledger.work[1] += given
-        ledger.work[2] += lost
-        ledger.work[3] += numerical
-        ledger.work[4] += abs(held_work) + abs(given) + lost
+        enter(ledger, 0.5 * h * (held + held0), given, lost, numerical)
         flow0[:] = s.flow
         kinetic0, held0 = kinetic1, held
-        ledger.count[0] += 1
-
-        k_out = between(p, s, so, r0, v0, a0, moment0, t, h, record, k_out)
-        if t + h >= first:
-            tabulate(s, record.values)
-            widen(record)
-        if k_out < record.time.shape[0] and record.time[k_out] <= t + h * (1.0 + 1e-9):
-            note(p, s, record, k_out)
-            k_out += 1
-
-        left -= 1
-        if left == 0:
-            step += 1
-            level, left = 0, 1
-            done = elapsed(step, method.start)
-            h = method.step * (elapsed(step + 1, method.start) - done)
-            s.clock[0] = start + done * method.step
+        k_out = note_step(p, s, so, r0, v0, a0, moment0, t, h, record, k_out)
+        advance(s, pace, method, begin)
     return DONE

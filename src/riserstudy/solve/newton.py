@@ -23,24 +23,28 @@ CURVATURE, SINCE, NODE, SIZE = 0, 1, 2, 3  # what the memory holds
 
 
 @inner
-def elapsed(step, start):
-    """Time after so many steps, in steps.
-
-    A graded start takes ``3 start`` steps over ``start``, ever longer ones: a motion that begins with
-    a jolt has moments that grow like a root of time.
-    """
-    if step >= 3 * start:
-        return float(step - 2 * start)
-    share = step / (3.0 * start)
-    return start * share * share * share
-
-
-@inner
 def new_memory():
     """C, steps since it was measured, node and size of the last correction."""
     memory = np.zeros(4)
     memory[CURVATURE] = np.inf
     return memory
+
+
+@inner
+def imbalance(p, s, out):
+    """What does not balance at each node: turns of the moments' equations, forces with inertia."""
+    d = len(s.dim)
+    m = len(s.dof) - d
+    forces(p, s)
+    for i in range(s.l0.shape[0] + 1):
+        for u in range(m):
+            out[i, u] = s.turn[u, i]
+        for c in range(d):
+            out[i, m + c] = s.force[c, i]
+    inertia(p, s)
+    for i in range(s.l0.shape[0] + 1):
+        for c in range(d):
+            out[i, m + c] += s.force[c, i]
 
 
 @inner
@@ -54,16 +58,7 @@ def correct(p, s, tolerance, iterations, memory, out, work, fixed, ledger):
     n = s.l0.shape[0]
     last = 0.0
     for iteration in range(iterations):
-        forces(p, s)
-        for c in range(d):
-            for i in range(n + 1):
-                out[i, m + c] = s.force[c, i]
-        inertia(p, s)
-        for i in range(n + 1):
-            for u in range(m):
-                out[i, u] = s.turn[u, i]
-            for c in range(d):
-                out[i, m + c] += s.force[c, i]
+        imbalance(p, s, out)
         tangent(p, s)
         solve(s, out, work, fixed)
         square, worst, where = 0.0, 0.0, 0
@@ -102,16 +97,8 @@ def balance(p, s, out, work, fixed):
     d = len(s.dim)
     m = len(s.dof) - d
     n = s.l0.shape[0]
-    forces(p, s)
-    for c in range(d):
-        for i in range(n + 1):
-            out[i, m + c] = s.force[c, i]
-    inertia(p, s)
-    for i in range(n + 1):
-        for u in range(m):
-            out[i, u] = 0.0
-        for c in range(d):
-            out[i, m + c] += s.force[c, i]
+    imbalance(p, s, out)
+    out[:, :m] = 0.0  # moments stay as they are
     for f in range(fixed.shape[0]):
         out[fixed[f, 0], fixed[f, 1]] = 0.0
     clear_tangent(s)
@@ -129,12 +116,20 @@ def balance(p, s, out, work, fixed):
 
 
 @inner
-def supplied(s, force, inert, fixed):
-    """Power that supports supply through the directions they hold (W)."""
+def account(p, s, force, fixed):
+    """Forces into ``force``, inertia into ``s.force``, powers of effects into ``s.flow``.
+
+    Returns the power that supports supply through the directions they hold (W).
+    """
     m = len(s.dof) - len(s.dim)
+    forces(p, s)
+    force[:] = s.force
+    inertia(p, s)
+    s.flow[:] = 0.0
+    every(p.power, s)
     power = 0.0
     for f in range(fixed.shape[0]):
         i, c = fixed[f, 0], fixed[f, 1] - m
         if c >= 0:
-            power -= (force[c, i] + inert[c, i]) * s.v[c, i]
+            power -= (force[c, i] + s.force[c, i]) * s.v[c, i]
     return power

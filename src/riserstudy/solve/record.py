@@ -12,6 +12,8 @@ from riserstudy.solve.evaluate import inertia, load, move, shape, true_moments
 from riserstudy.solve.program import every
 from riserstudy.solve.vec import at, dot
 
+ROUNDING = 1e-10  # of a time (s)
+
 
 class Record(NamedTuple):
     """Outputs; q quantities a node: position, effective tension, bending moment (in space its size)."""
@@ -21,9 +23,8 @@ class Record(NamedTuple):
     history: np.ndarray  # (k, q, j)
     largest: np.ndarray  # (q, n+1) envelopes from the first output on
     smallest: np.ndarray  # (q, n+1)
-    end: (
-        np.ndarray
-    )  # (k, 2, d + 2m + 1): end segment's tangent, moments of its end and inner node, length
+    # end segment's tangent, moments of its end and inner node, length
+    end: np.ndarray  # (k, 2, d + 2m + 1)
     top: np.ndarray  # (k, d) position of the top
     platform: np.ndarray  # (k, 6)
     probe: np.ndarray  # (k, probes)
@@ -190,5 +191,29 @@ def between(p, s, so, r0, v0, a0, moment0, t, h, record, k_out):
             for i in range(s.l0.shape[0] + 1):
                 so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
         evaluate_and_note(p, so, record, k_out)
+        k_out += 1
+    return k_out
+
+
+@inner
+def note_start(p, s, record, t):
+    """Write down the state that a march begins with, where the outputs begin there."""
+    if record.time[0] > t + ROUNDING:
+        return 0
+    tabulate(s, record.values)
+    widen(record)
+    note(p, s, record, 0)
+    return 1
+
+
+@inner
+def note_step(p, s, so, r0, v0, a0, moment0, t, h, record, k_out):
+    """Write down a step from t to t + h, where ``s`` is evaluated; returns the next output."""
+    k_out = between(p, s, so, r0, v0, a0, moment0, t, h, record, k_out)
+    if t + h >= record.time[0] - ROUNDING:  # envelopes start with the outputs
+        tabulate(s, record.values)
+        widen(record)
+    if k_out < record.time.shape[0] and record.time[k_out] <= t + h * (1.0 + 1e-9):
+        note(p, s, record, k_out)
         k_out += 1
     return k_out

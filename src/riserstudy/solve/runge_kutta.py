@@ -20,11 +20,12 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.jit import kernel
-from riserstudy.solve.evaluate import forces, inertia, move
-from riserstudy.solve.implicit import DONE, NOT_CONVERGED
-from riserstudy.solve.newton import NODE, SIZE, balance, correct, elapsed, new_memory, supplied
+from riserstudy.solve.evaluate import move
+from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
+from riserstudy.solve.newton import account, balance, correct, new_memory
+from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
-from riserstudy.solve.record import between, note, tabulate, widen
+from riserstudy.solve.record import note_start, note_step
 
 _G = 1.0 - sqrt(0.5)
 TABLEAUS = {
@@ -80,31 +81,17 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
     # by stage: dissipated, supplied by water and devices, by supports, by inertia
     power = np.zeros((stages, 4))
 
-    memory = new_memory()
-    level, left = 0, 1
-    h = method.step * (elapsed(1, method.start) - elapsed(0, method.start))
-    k_out, step = 0, 0
-    start = t = s.clock[0]
-
+    memory, pace = new_memory(), new_pace(method)
     balance(p, s, out, work, fixed)
-    forces(p, s)
-    force[:] = s.force
-    inertia(p, s)
-    s.flow[:] = 0.0
-    every(p.power, s)
+    power[last, 2] = account(p, s, force, fixed)
     power[last, :2] = s.flow
-    power[last, 2] = supplied(s, force, s.force, fixed)
     power[last, 3] = (s.force * s.v).sum()
     kinetic0 = every(p.kinetic, s)
-    first = record.time[0] - 1e-9 * h  # envelopes start with the outputs
-    if first <= t:
-        tabulate(s, record.values)
-        widen(record)
-        note(p, s, record, 0)
-        k_out = 1
+    begin = s.clock[0]
+    k_out = note_start(p, s, record, begin)
 
-    while step < method.steps + 2 * method.start:
-        t = s.clock[0]
+    while under_way(pace, method):
+        t, h = s.clock[0], pace[LENGTH]
         r0[:], v[0], a[0], moment0[:] = s.r, s.v, s.a, s.moment
         power[0] = power[last]
         s.rate[0] = 1.0 / (diagonal * h)
@@ -131,13 +118,8 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
                 failed = True
                 break
             v[i], a[i] = s.v, s.a
-            forces(p, s)
-            force[:] = s.force
-            inertia(p, s)
-            s.flow[:] = 0.0
-            every(p.power, s)
+            power[i, 2] = account(p, s, force, fixed)
             power[i, :2] = s.flow
-            power[i, 2] = supplied(s, force, s.force, fixed)
             power[i, 3] = 0.0
             for c in range(d):
                 for k in range(n + 1):
@@ -145,15 +127,8 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
         if failed:
             s.r[:], s.v[:], s.a[:], s.moment[:] = r0, v[0], a[0], moment0
             power[last] = power[0]
-            s.clock[0] = t
-            if level == method.halvings:
-                move(p, s, t)
-                ledger.failure[0] = t
-                ledger.failure[1] = memory[NODE]
-                ledger.failure[2] = memory[SIZE]
+            if not halve(p, s, t, pace, method, memory, ledger):
                 return NOT_CONVERGED
-            level, left, h = level + 1, 2 * left, 0.5 * h
-            ledger.count[2] += 1
             continue
 
         kinetic1 = every(p.kinetic, s)
@@ -165,27 +140,8 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
             given += weight * power[i, 1]
             held += weight * power[i, 2]
             numerical -= weight * power[i, 3]
-        ledger.work[0] += held
-        ledger.work[1] += given
-        ledger.work[2] += lost
-        ledger.work[3] += numerical
-        ledger.work[4] += abs(held) + abs(given) + abs(lost)
+        enter(ledger, held, given, lost, numerical)
         kinetic0 = kinetic1
-        ledger.count[0] += 1
-
-        k_out = between(p, s, so, r0, v[0], a[0], moment0, t, h, record, k_out)
-        if t + h >= first:
-            tabulate(s, record.values)
-            widen(record)
-        if k_out < record.time.shape[0] and record.time[k_out] <= t + h * (1.0 + 1e-9):
-            note(p, s, record, k_out)
-            k_out += 1
-
-        left -= 1
-        if left == 0:
-            step += 1
-            level, left = 0, 1
-            done = elapsed(step, method.start)
-            h = method.step * (elapsed(step + 1, method.start) - done)
-            s.clock[0] = start + done * method.step
+        k_out = note_step(p, s, so, r0, v[0], a[0], moment0, t, h, record, k_out)
+        advance(s, pace, method, begin)
     return DONE

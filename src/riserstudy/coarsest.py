@@ -1,0 +1,84 @@
+"""The mesh and step that a refinement starts from, and what of them a scene without its own gets."""
+
+from __future__ import annotations
+
+import math
+
+from riserstudy.build import stiffness
+from riserstudy.devices import pile_length
+from riserstudy.errors import PhysicallyUnstable, SimulationError
+from riserstudy.mesh import COARSEST, Layer, Mesh, even, graded
+from riserstudy.model import Model
+from riserstudy.scene.models import Scene
+from riserstudy.sea import depth_of_action
+from riserstudy.settle import settle
+
+LONG = 80.0  # risers, in layer lengths, whose even mesh would be too coarse at ends
+QUIET = 20.0  # step is chosen as for this period where nothing in the scene has one (s)
+
+
+def coarsest_mesh(scene: Scene) -> Mesh:
+    """Coarse mesh, graded where held ends confine bending to a layer sqrt(EI/T), and under waves."""
+    if not scene.lateral:
+        return even(scene, len(scene.riser) if massless(scene) else COARSEST)
+    model, probe = _at_rest(scene)
+    layers = [_end_layer(scene, model, probe, end) for end in (0, probe.ring - 1)]
+    if scene.wave and scene.water:
+        layers[1] = min(layers[1], depth_of_action(scene.wave, scene.water, scene.gravity or 0.0))
+    found = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]
+    for k, section in enumerate(scene.riser):
+        if section.flex_joint_below:
+            e = probe.foot(k)
+            layer = _layer(stiffness(section).bending, _tension(model, e))
+            found.append(Layer(float(probe.s[e]), layer))
+    longest = {}
+    if scene.soil:
+        conductor = scene.riser[0]
+        longest[0] = 0.5 * pile_length(scene.soil, conductor, stiffness(conductor).bending)
+    confined = longest or any(layer.length < math.inf for layer in found)
+    return graded(scene, found, longest=longest) if confined else probe
+
+
+def _at_rest(scene: Scene) -> tuple[Model, Mesh]:
+    """The scene in equilibrium on few even segments; so coarse a mesh may have none."""
+    probe = even(scene, COARSEST)
+    for _ in range(2):
+        try:
+            return settle(scene, probe)[0], probe
+        except PhysicallyUnstable:
+            raise
+        except SimulationError:
+            probe = probe.halved()
+    return settle(scene, probe)[0], probe
+
+
+def _end_layer(scene: Scene, model: Model, probe: Mesh, end: int) -> float:
+    """Layer of bending at an end, in the segment there; infinite where an even mesh will do."""
+    rotation = (scene.bottom if end == 0 else scene.top).rotation
+    held = rotation not in (None, "free") or (end > 0 and probe.joint)
+    flex = model.s.flex_up[end]
+    share = 6.0 if held else 12.0  # of a segment's flexibility, see `bending`
+    layer = _layer(probe.l0[end] / (share * flex) if flex > 0.0 else 0.0, _tension(model, end))
+    # a short riser's even mesh is fine enough for an end that turns freely, and of higher order
+    return layer if held or probe.riser_length > LONG * layer else math.inf
+
+
+def _tension(model: Model, segment: int) -> float:
+    """Size of a segment's force along itself (N)."""
+    return abs(float(model.s.segment[:, segment] @ model.s.tangent[:, segment]))
+
+
+def _layer(bending: float, tension: float) -> float:
+    """Length over which a bent end straightens (m), infinite in a string."""
+    return math.sqrt(bending / tension) if bending > 0.0 and tension > 0.0 else math.inf
+
+
+def massless(scene: Scene) -> bool:
+    """Whether the string is a mere spring, which one segment represents exactly."""
+    bare = all(s.mass is None and s.submerged_weight is None for s in scene.riser)
+    return bare and not scene.lateral
+
+
+def period(scene: Scene) -> float:
+    """What a step must resolve (s): the shortest period of the scene, a fraction of the run without one."""
+    return scene.shortest_period or min(QUIET, 0.25 * (scene.analysis.duration or math.inf))
