@@ -9,7 +9,7 @@ import pytest
 from riserstudy.errors import InputError
 from riserstudy.response import harmonics, operator
 from riserstudy.scene.response import Operator, Response
-from riserstudy.scene.sea import Storm, Swell
+from riserstudy.scene.sea import RegularWave, Storm, Swell
 from riserstudy.semisubmersible import DENSITY, GRAVITY, heave, read_units, response
 
 UNITS = read_units(Path(__file__).parents[1] / "config/platforms/semisubmersibles.yaml")
@@ -119,6 +119,43 @@ def test_a_sea_gives_the_variance_of_spectrum_times_operator():
     assert 4.0 * math.sqrt(0.5 * (found.amplitude**2).sum()) == pytest.approx(0.8 * 4.0)
 
 
+def towards(degrees, factor):
+    return [
+        row | {"heading": f"{degrees} deg", "heave": f"{factor * float(row['heave'][:3])} m/m"}
+        for row in ROWS
+    ]
+
+
+HEADED = [*towards(0, 1.0), *towards(90, 2.0), *towards(180, 3.0), *towards(-90, 2.0)]
+
+
+@pytest.mark.parametrize(
+    "degrees, factor",
+    [(0, 1.0), (45, 1.5), (90, 2.0), (135, 2.5), (180, 3.0), (-180, 3.0), (225, 2.5), (330, 4 / 3)],
+)
+def test_between_headings_the_response_is_linear_all_around(degrees, factor):
+    frequency = np.array([2.0 * math.pi / 10.0])
+    found = operator(made(operators=HEADED), "heave", frequency, math.radians(degrees))
+    plain = operator(made(), "heave", frequency)
+    np.testing.assert_allclose(found, factor * plain, rtol=1e-12)
+
+
+def test_the_wave_says_where_it_goes():
+    swell = {"amplitude": "1 m", "period": "10 s"}
+    of_the_response = made(operators=HEADED, wave=swell, heading="90 deg")
+    assert harmonics(of_the_response, of_the_response.wave).amplitude[0] == pytest.approx(1.0)
+    of_the_scene = RegularWave.model_validate(
+        swell | {"heading": "180 deg", "above_mean_level": "none"}
+    )
+    assert harmonics(made(operators=HEADED), of_the_scene).amplitude[0] == pytest.approx(1.5)
+
+
+def test_a_heading_that_the_operators_do_not_reach_is_refused():
+    half = made(operators=[*towards(0, 1.0), *towards(90, 2.0)])
+    with pytest.raises(InputError, match="go to -45 deg"):
+        operator(half, "heave", np.array([0.6]), math.radians(-45.0))
+
+
 def test_waves_beyond_the_operators_are_refused():
     wave = Swell.model_validate({"amplitude": "1 m", "period": "25 s"})
     with pytest.raises(InputError, match="from 5 s to 20 s"):
@@ -133,6 +170,9 @@ def test_waves_beyond_the_operators_are_refused():
         ({"operators": [{"period": "5 s", "heave": "1 m/m"}, ROWS[1]]}, "go together"),
         ({"operators": [{"period": "5 s", "pitch": "1 m/m", "pitch_phase": "0 deg"}, ROWS[1]]}, "rad/m"),
         ({"motions": ["surge"]}, "no surge"),
+        ({"operators": [*towards(0, 1.0), *ROWS]}, "in every line or in none"),
+        ({"operators": [*towards(0, 1.0), *towards(90, 1.0)[1:]]}, "same periods"),
+        ({"heading": "90 deg"}, "has its own"),
         ({"phases": "upwards"}, "lead"),
     ],
 )  # fmt: skip

@@ -4,7 +4,7 @@ r"""Platform motion in a wave or sea: every component times the response amplitu
 
 for a surface :math:`\sum_j a_j \cos(\omega_j t - \varepsilon_j)` at the platform (Liu et al. 2020, Eq. 12;
 its constant offset is the platform's position). Between the lines of the table R is linear over
-frequency in its real and imaginary parts, so that phases cross 180 degrees without harm.
+frequency and heading in its real and imaginary parts, so that phases cross 180 degrees without harm.
 """
 
 from __future__ import annotations
@@ -16,11 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
-from riserstudy.scene.response import Response
-from riserstudy.scene.sea import Storm, Swell
+from riserstudy.scene.response import Operator, Response
+from riserstudy.scene.sea import Storm, Swell, Wave
 from riserstudy.sea import components_of
 
 FloatArray = NDArray[np.float64]
+
+CLOSE = 1e-9  # headings that are one (rad)
+WIDEST = 0.5 * math.pi  # gap between headings that is filled (rad)
 
 
 class Harmonics(NamedTuple):
@@ -32,10 +35,46 @@ class Harmonics(NamedTuple):
     phase: FloatArray  # rad
 
 
-def operator(response: Response, motion: str, frequency: FloatArray) -> NDArray[np.complex128]:
-    """R of one motion at frequencies (rad/s), leading phases positive."""
+def operator(
+    response: Response, motion: str, frequency: FloatArray, heading: float = 0.0
+) -> NDArray[np.complex128]:
+    """R of one motion at frequencies (rad/s) in waves that go to a heading (rad), leading phases positive.
+
+    Raises
+    ------
+    InputError
+        When the operators do not reach the heading.
+    """
+    tables = response.by_heading
+    if None in tables:
+        return _over_frequency(response, tables[None], motion, frequency)
+    turns = {
+        known + turn: rows
+        for known, rows in tables.items()
+        if known is not None
+        for turn in (-2.0 * math.pi, 0.0, 2.0 * math.pi)
+    }
+    heading = math.remainder(heading, 2.0 * math.pi)
+    below = max((known for known in turns if known <= heading + CLOSE), default=math.nan)
+    above = min((known for known in turns if known >= heading - CLOSE), default=math.nan)
+    if not above - below <= WIDEST + CLOSE:
+        listed = ", ".join(f"{math.degrees(known or 0.0):g}" for known in tables)
+        raise InputError(
+            "scene",
+            "platform.response.operators",
+            f"waves that go to {math.degrees(heading):.4g} deg lie between no two headings",
+            f"allowed are headings up to a quarter turn apart; the operators have {listed} deg",
+        )
+    share = (heading - below) / (above - below) if above - below > CLOSE else 0.0
+    ends = [_over_frequency(response, turns[known], motion, frequency) for known in (below, above)]
+    return np.asarray((1.0 - share) * ends[0] + share * ends[1])
+
+
+def _over_frequency(
+    response: Response, rows: list[Operator], motion: str, frequency: FloatArray
+) -> NDArray[np.complex128]:
     sign = 1.0 if response.phases == "lead" else -1.0
-    rows = response.operators[::-1]  # frequencies rise
+    rows = rows[::-1]  # frequencies rise
     at = np.array([2.0 * math.pi / row.period for row in rows])
     values = np.array(
         [getattr(row, motion) * np.exp(1j * sign * getattr(row, f"{motion}_phase")) for row in rows]
@@ -50,7 +89,7 @@ def harmonics(response: Response, wave: Swell | Storm) -> Harmonics:
     Raises
     ------
     InputError
-        When the operators do not reach a period of the wave.
+        When the operators do not reach a period or the heading of the wave.
     """
     amplitude, frequency, phase = components_of(wave)
     low, high = response.operators[0].period, response.operators[-1].period
@@ -63,7 +102,8 @@ def harmonics(response: Response, wave: Swell | Storm) -> Harmonics:
             f"a wave of {beyond[0]:.4g} s lies outside the operators",
             f"allowed is from {low:g} s to {high:g} s",
         )
-    found = {name: operator(response, name, frequency) for name in response.moving}
+    heading = (wave.heading if isinstance(wave, Wave) else response.heading) or 0.0
+    found = {name: operator(response, name, frequency, heading) for name in response.moving}
     # cos(w t - e + phi) as a sine
     return Harmonics(
         [name for name in found for _ in frequency],

@@ -56,7 +56,7 @@ def scene_reference() -> str:
     """The page as Markdown."""
     tables = [
         f"`{'.'.join((*way, name))}` ({', '.join(f'`{c}`' for c in columns)}"
-        f"{', and any motion such as `heave` with `heave_phase`' if name in OPTIONAL else ''})"
+        f"{', and `heading` or any motion such as `heave` with `heave_phase`' if name in OPTIONAL else ''})"
         for way, name, columns, _ in PLACES
     ]
     parts = [HEAD % "; ".join(tables)]

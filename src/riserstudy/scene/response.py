@@ -21,9 +21,11 @@ Tilt = Annotated[u.AnglePerLength, NOT_NEGATIVE] | None
 class Operator(Strict):
     """Response to waves of one period: a metre of wave amplitude gives so much, at a phase.
 
-    An absent motion is none.
+    An absent motion is none. Heading: where these waves go, from x towards y; absent: the same response
+    in waves from everywhere.
     """
 
+    heading: u.Angle | None = None
     period: Annotated[u.Time, POSITIVE]
     surge: Shift = None
     surge_phase: u.Angle | None = None
@@ -55,19 +57,28 @@ class Response(Strict):
     """Platform motion from response amplitude operators, as points or a CSV table ``{file: name.csv}``.
 
     Phases lead or lag the crest of the wave at the platform, whose surface is amplitude cos(w t - phase)
-    there. Absent wave: that of the scene; motions: all of the table; ramp: all at once.
+    there. Absent wave: that of the scene; motions: all of the table; ramp: all at once. Operators for
+    several headings are linear between them; heading: where the response's own wave goes, absent along x.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]
     phases: Literal["lead", "lag"]
     motions: Annotated[list[Motion], Field(min_length=1)] | None = None
     wave: Swell | Storm | None = None
+    heading: u.Angle | None = None
     ramp: Annotated[u.Time, POSITIVE] | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if any(a.period >= b.period for a, b in pairwise(self.operators)):
+        tables = list(self.by_heading.values())
+        if any(a.period >= b.period for rows in tables for a, b in pairwise(rows)):
             raise ValueError("operators: periods must rise from line to line")
+        if len(tables[0]) < 2 or any(_periods(rows) != _periods(tables[0]) for rows in tables):
+            raise ValueError("operators: every heading must have the same periods, at least two")
+        if len(tables) > 1 and None in self.by_heading:
+            raise ValueError("operators: heading must stand in every line or in none")
+        if self.heading is not None and self.wave is None:
+            raise ValueError("heading: the wave of the scene has its own")
         if any(a.motions != b.motions for a, b in pairwise(self.operators)):
             raise ValueError("operators: every line must have the same motions")
         missing = set(self.motions or []) - self.operators[0].motions
@@ -76,7 +87,19 @@ class Response(Strict):
         return self
 
     @property
+    def by_heading(self) -> dict[float | None, list[Operator]]:
+        """Operators of each heading (rad), None where they hold for all, in order of the table."""
+        tables: dict[float | None, list[Operator]] = {}
+        for row in self.operators:
+            tables.setdefault(row.heading, []).append(row)
+        return tables
+
+    @property
     def moving(self) -> list[str]:
         """Names of the motions that it gives, in order."""
         wanted = set(self.motions) if self.motions else self.operators[0].motions
         return [name for name in MOTIONS if name in wanted]
+
+
+def _periods(rows: list[Operator]) -> list[float]:
+    return [row.period for row in rows]

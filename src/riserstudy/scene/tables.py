@@ -18,7 +18,9 @@ MOST_ROWS = 100_000
 _HEADING = re.compile(r"\s*(\w+)\s*\(([^)]+)\)\s*")
 
 #: columns that a table may have besides, in any order
-OPTIONAL = {"operators": [f"{name}{end}" for name in MOTIONS for end in ("", "_phase")]}
+OPTIONAL = {
+    "operators": ["heading", *(f"{name}{end}" for name in MOTIONS for end in ("", "_phase"))]
+}
 
 #: where a table may stand: path of its parent, name, columns, and where its rows go
 PLACES = (
