@@ -1,10 +1,11 @@
-"""Where caches live, and digests of sources."""
+"""Where caches live, digests of sources, files that are whole or not there."""
 
 from __future__ import annotations
 
 import hashlib
 import os
 import platform
+import tempfile
 from collections.abc import Iterable
 from functools import cache
 from importlib.metadata import version
@@ -46,3 +47,15 @@ def kernel_cache() -> Path:
     """Folder of the kernels compiled from the present sources by the present versions."""
     versions = f"py{platform.python_version()}-numba{version('numba')}"
     return cache_folder() / "numba" / f"{kernel_digest()}-{versions}"
+
+
+def write_whole(target: Path, content: bytes) -> None:
+    """Write a file under another name in the same folder, then rename it."""
+    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(content)
+        Path(name).replace(target)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from riserstudy import store
 from riserstudy.errors import RiserStudyError, SimulationError
+from riserstudy.grid import Point
 from riserstudy.simulation import attributes, labelled
 from riserstudy.sound import sound_kernels
-from riserstudy.study import Point, Samples, Study
+from riserstudy.study import Samples, Study
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -41,10 +42,11 @@ def results_of(study: Study, threads: int, tell: Callable[[str], None]) -> tuple
         from riserstudy.run import run
 
         try:
-            result = run(point.file.scene())
+            file = study.grid.file(point.index)
+            result = run(file.scene())
         except SimulationError as error:
             return error
-        store.put(point.key, result, point.file)
+        store.put(point.key, result, file)
         return result
 
     with ThreadPoolExecutor(max(1, threads)) as pool:

@@ -9,8 +9,6 @@ from __future__ import annotations
 import hashlib
 import io
 import json
-import os
-import tempfile
 import zipfile
 from collections.abc import Iterator
 from functools import cache
@@ -19,7 +17,8 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import BaseModel
 
-from riserstudy.folders import PACKAGE, cache_folder, digest
+from riserstudy.folders import PACKAGE, cache_folder, digest, write_whole
+from riserstudy.scene.models import Scene
 
 if TYPE_CHECKING:
     from riserstudy.result import Result
@@ -49,22 +48,38 @@ def engine_digest() -> str:
 
 def canonical(value: Any) -> Any:
     """Plain data with floats in hexadecimal: equal numbers give equal text, and only they."""
-    if isinstance(value, BaseModel):
-        return {name: canonical(getattr(value, name)) for name in type(value).model_fields}
+    if isinstance(value, float):
+        return value.hex()
     if isinstance(value, dict):
         return {str(key): canonical(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [canonical(item) for item in value]
-    return value.hex() if isinstance(value, float) else value
+    if isinstance(value, BaseModel):
+        return {name: canonical(getattr(value, name)) for name in type(value).__pydantic_fields__}
+    return value
 
 
-def key_of(scene: BaseModel) -> str:
-    """Hash of a checked scene and the engine; titles and notes do not count."""
-    plain = canonical(scene)
-    for name in ("title", "note", "paper"):
-        plain.pop(name, None)
-    text = json.dumps([engine_digest(), plain], sort_keys=True)
+_to_json = json.JSONEncoder(sort_keys=True).encode
+
+#: parts of a scene that a simulation depends on, as keys order them
+COUNTS = tuple(sorted(set(Scene.model_fields) - {"title", "note", "paper"}))
+
+
+def text_of(part: Any) -> str:
+    """Canonical text of a part of a scene."""
+    return _to_json(canonical(part))
+
+
+def key_of_texts(texts: dict[str, str]) -> str:
+    """Hash of the canonical texts of a scene's parts, and of the engine."""
+    parts = ", ".join([f'"{name}": {texts[name]}' for name in COUNTS])
+    text = f'["{engine_digest()}", {{{parts}}}]'
     return hashlib.sha256(text.encode()).hexdigest()[:32]
+
+
+def key_of(scene: Scene) -> str:
+    """Hash of a checked scene and the engine; titles and notes do not count."""
+    return key_of_texts({name: text_of(getattr(scene, name)) for name in COUNTS})
 
 
 def _file(key: str) -> Path:
@@ -87,18 +102,6 @@ def put(key: str, result: Result, file: SceneFile) -> None:
     content = io.BytesIO()
     np.savez(content, allow_pickle=False, about=np.array(json.dumps(about)), **result.arrays)
     write_whole(target, content.getvalue())
-
-
-def write_whole(target: Path, content: bytes) -> None:
-    """Write a file under another name in the same folder, then rename it."""
-    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(content)
-        Path(name).replace(target)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
 
 
 def get(key: str) -> Result | None:

@@ -5,21 +5,20 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache, cached_property
-from itertools import product
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
+from riserstudy.grid import Grid, Point
 from riserstudy.numerics.models import Measured
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, check, read_scene, read_yaml
 from riserstudy.scene.origin import Origin
-from riserstudy.store import canonical, key_of
+from riserstudy.store import canonical
 
 TIERS = ("preview", "standard", "reference")
 Tier = Literal["preview", "standard", "reference"]
@@ -146,15 +145,6 @@ def _scene_file(path: Path, stamp: int) -> SceneFile:
 
 
 @dataclass(frozen=True)
-class Point:
-    """One point of a study: where it lies on the axes, and its scene."""
-
-    index: tuple[int, ...]
-    file: SceneFile
-    key: str
-
-
-@dataclass(frozen=True)
 class Study:
     """A study of a tier, ready to be planned."""
 
@@ -225,25 +215,16 @@ class Study:
             if origin.status == "assumed" and (origin.range or origin.options)
         }
 
-    def points(self) -> Iterator[Point]:
-        """All points of the grid, the last axis fastest.
-
-        Raises
-        ------
-        InputError
-            When a point's scene cannot be meant.
-        """
-        for index in product(*(range(len(values)) for values in self.axes.values())):
-            overrides: dict[str, Any] = {}
-            for (_, values), k in zip(self.axes.items(), index, strict=True):
-                overrides |= values[k][1]
-            file = self.base.with_values(overrides, self.where)
-            yield Point(index, file, key_of(file.scene()))
+    @cached_property
+    def grid(self) -> Grid:
+        """The scenes of all points."""
+        axes = [[sets for _, sets in steps] for steps in self.axes.values()]
+        return Grid(self.base, axes, self.where)
 
     @cached_property
     def plan(self) -> list[Point]:
-        """All points, checked."""
-        return list(self.points())
+        """All points, checked; InputError when one cannot be meant."""
+        return list(self.grid.points())
 
     @cached_property
     def digest(self) -> str:

@@ -68,11 +68,8 @@ class Workplan:
         self.tier: Tier = self.settings.tier
         self.papers = self.settings.papers
         self.files: dict[str, StudyFile] = {p: read_studies(config, p) for p in self.papers}
-        self.published: dict[str, PublishedFile] = {
-            paper: read_published(config, paper, set(file.datasets))
-            for paper, file in self.files.items()
-            if published_path(config, paper).exists()
-        }
+        if only is None:
+            self.published  # noqa: B018  what is printed is checked before any job, too
         for paper, name in self._studies if only is None else only:
             study = self.study(paper, name)
             scene_file(config / study.model.scene).scene()
@@ -88,6 +85,15 @@ class Workplan:
         if not isinstance(settings, dict):
             raise InputError(path, "", "no mapping", "it starts with names such as 'papers:'")
         return cls(config, settings | overrides, only)
+
+    @cached_property
+    def published(self) -> dict[str, PublishedFile]:
+        """What papers printed."""
+        return {
+            paper: read_published(self.config, paper, set(file.datasets))
+            for paper, file in self.files.items()
+            if published_path(self.config, paper).exists()
+        }
 
     @cached_property
     def _studies(self) -> dict[tuple[str, str], Study]:

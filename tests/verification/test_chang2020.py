@@ -18,10 +18,10 @@ def point(name, **place):
     """A point of a configured study, simulated."""
     planned = study(CONFIG, "chang2020", name, "standard", None)
     axes = list(planned.axes)
-    for candidate in planned.points():
+    for candidate in planned.plan:
         at = {axis: planned.axes[axis][k][0] for axis, k in zip(axes, candidate.index, strict=True)}
         if all(at[axis] == value for axis, value in place.items()):
-            return simulate(candidate.file)
+            return simulate(planned.grid.file(candidate.index))
     raise LookupError(place)
 
 
@@ -115,7 +115,7 @@ def test_over_a_settled_period_the_platform_supplies_what_the_cylinders_dissipat
 
 def test_halving_the_error_asked_for_changes_settled_extremes_by_less_than_a_tenth_of_a_percent():
     planned = study(CONFIG, "chang2020", "steady", "preview", None)
-    file = next(p for p in planned.points() if p.index == (0, 4)).file
+    file = planned.grid.file((0, 4))
     half = file.with_values({"analysis.accuracy": "0.0005 %"}, "test")
     coarse, fine = extremes(simulate(file)), extremes(simulate(half))
     assert np.abs(np.subtract(coarse, fine)).max() < 1e-3 * 0.5 * (fine[0] - fine[1])

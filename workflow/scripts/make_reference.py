@@ -1,4 +1,7 @@
-"""Write what is made from the models: reference page and JSON schema of scene files, platforms' tables."""
+"""Write what is made from models and libraries.
+
+Reference page and JSON schema of scene files, tables of platforms, factors of usual units.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from pathlib import Path
 
 from riserstudy.scene.reference import scene_reference
 from riserstudy.scene.schema import scene_schema
+from riserstudy.scene.units import USUAL, factor
 from riserstudy.semisubmersible import read_units, table
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -16,7 +20,10 @@ def made() -> dict[Path, str]:
     """Content of every file."""
     platforms = ROOT / "config/platforms"
     units = read_units(platforms / "semisubmersibles.yaml")
+    usual = json.loads(USUAL.read_text("utf-8"))
+    factors = {unit: {name: factor(name, unit) for name in usual[unit]} for unit in usual}
     return {
+        USUAL: json.dumps(factors, indent=2) + "\n",
         **{platforms / f"{name}.csv": table(unit) for name, unit in units.items()},
         ROOT / "docs/scene.md": scene_reference(),
         ROOT / "workflow/schemas/scene.schema.json": json.dumps(scene_schema(), indent=2) + "\n",

@@ -7,8 +7,7 @@ import json
 import time
 from pathlib import Path
 
-from riserstudy.folders import kernel_cache
-from riserstudy.store import write_whole
+from riserstudy.folders import kernel_cache, write_whole
 from riserstudy.warmup import warm_up
 
 

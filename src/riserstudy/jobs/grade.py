@@ -9,9 +9,9 @@ from pathlib import Path
 import xarray as xr
 
 from riserstudy.errors import RiserStudyError
+from riserstudy.folders import write_whole
 from riserstudy.published.grading import ErratumRow, Row, errata, grade, table
 from riserstudy.published.models import read_published
-from riserstudy.store import write_whole
 
 
 def main(paper: str, graded: Path, errors: Path, sources: list[Path]) -> None:

@@ -45,6 +45,10 @@ class Scene(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
+        return self.fitted()
+
+    def fitted(self) -> Self:
+        """The scene, once its checked parts are seen to fit together; ValueError where they do not."""
         wet = [s for s in self.riser if s.drag or s.added_mass]
         if wet and self.water is None:
             raise ValueError(f"riser section {wet[0].name!r} has drag or added mass: needs water")

@@ -43,6 +43,8 @@ def fill_in_tables(tree: dict[str, Any], folder: Path) -> dict[str, Any]:
     """
     filled = dict(tree)
     for way, name, columns, key in PLACES:
+        if way[0] not in filled:
+            continue
         parent: Any = filled
         for step in way:
             parent = parent.get(step) if isinstance(parent, dict) else None

@@ -2,32 +2,29 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from dataclasses import dataclass
-from functools import cache
-from typing import Annotated, Any
+from functools import cache, lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
-import pint
 from pydantic import BeforeValidator, GetCoreSchemaHandler, GetJsonSchemaHandler, WithJsonSchema
 from pydantic_core import CoreSchema, core_schema
 
+if TYPE_CHECKING:
+    import pint
+
 ATMOSPHERE = 101325.0  # Pa, what a gauge pressure leaves out
+#: factors of usual units, by SI unit and name, as pint has them: pint takes 0.4 s to start, more than
+#: the rest of planning a study. Written by workflow/scripts/make_reference.py.
+USUAL = Path(__file__).with_name("usual_units.json")
 
 _NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
-@cache
-def _registry() -> pint.UnitRegistry[float]:
-    return pint.UnitRegistry()
-
-
-def _angle_power(units: Any) -> int:
-    """Power of plane angle in a unit, which pint itself counts as dimensionless."""
-    return int(sum(units.get(name, 0) for name in ("degree", "radian")))
-
-
-@cache
+@lru_cache(4096)
 def to_si(text: str, unit: str) -> float:
     """Value of ``text`` in the SI unit ``unit``.
 
@@ -55,20 +52,61 @@ def to_si(text: str, unit: str) -> float:
     if not name:
         raise ValueError(f"{text!r} has no unit; {allowed}")
     try:
-        given = _registry().parse_units(name)
-        wanted = _registry().parse_units(unit)
-        same = _angle_power(given._units) == _angle_power(wanted._units)
-        value = _registry().Quantity(float(number.group()), given).to(wanted).magnitude + offset
-    except pint.DimensionalityError:
-        hint = " (for a force write tf)" if name == "t" and unit == "N" else ""
-        raise ValueError(f"{text!r} has another dimension{hint}; {allowed}") from None
-    except Exception:
-        raise ValueError(f"{text!r} has a unit that is not known; {allowed}") from None
-    if not same:
-        raise ValueError(f"{text!r} must say '/deg' or '/rad', deg or rad; {allowed}")
+        value = float(number.group()) * _factor(name, unit) + offset
+    except ValueError as error:
+        raise ValueError(f"{text!r} {error}; {allowed}") from None
     if not math.isfinite(value):
         raise ValueError(f"{text!r} is not finite; {allowed}")
+    return value
+
+
+def _factor(name: str, unit: str) -> float:
+    """SI units in one of a unit."""
+    known = _usual().get(unit, {}).get(name)
+    return factor(name, unit) if known is None else known
+
+
+@cache
+def _usual() -> dict[str, dict[str, float]]:
+    table: dict[str, dict[str, float]] = json.loads(USUAL.read_text("utf-8"))
+    return table
+
+
+@cache
+def factor(name: str, unit: str) -> float:
+    """SI units in one of a unit, from pint.
+
+    Raises
+    ------
+    ValueError
+        When pint does not know it, or it has another dimension.
+    """
+    import pint
+
+    try:
+        given, wanted = _registry().parse_units(name), _registry().parse_units(unit)
+        same = _angle_power(given._units) == _angle_power(wanted._units)
+        value = _registry().Quantity(1.0, given).to(wanted).magnitude
+    except pint.DimensionalityError:
+        hint = " (for a force write tf)" if name == "t" and unit == "N" else ""
+        raise ValueError(f"has another dimension{hint}") from None
+    except Exception:
+        raise ValueError("has a unit that is not known") from None
+    if not same:
+        raise ValueError("must say '/deg' or '/rad', deg or rad")
     return float(value)
+
+
+@cache
+def _registry() -> pint.UnitRegistry[float]:
+    import pint
+
+    return pint.UnitRegistry()
+
+
+def _angle_power(units: Any) -> int:
+    """Power of plane angle in a unit, which pint itself counts as dimensionless."""
+    return int(sum(units.get(name, 0) for name in ("degree", "radian")))
 
 
 @dataclass(frozen=True)

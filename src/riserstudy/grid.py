@@ -1,0 +1,127 @@
+"""The scenes of a grid, each with the key it is stored under.
+
+A part of a scene is checked and written out once for all points that share it, so that a point costs a
+look at how its parts fit together, and a hash.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import product
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from pydantic import create_model
+
+from riserstudy.errors import InputError
+from riserstudy.scene.base import Strict
+from riserstudy.scene.load import SceneFile, first_step
+from riserstudy.scene.models import Scene
+from riserstudy.scene.tables import fill_in_tables
+from riserstudy.store import COUNTS, key_of, key_of_texts, text_of
+
+Index = tuple[int, ...]
+#: what one value of an axis sets, by path
+Sets = dict[str, Any]
+
+REMEMBERED = 10_000  # parts, about 5 kB each
+
+_FIELDS = Scene.model_fields
+# for each part of a scene a model that has this part alone
+_FIELD: dict[str, Any] = {name: (about.annotation, about) for name, about in _FIELDS.items()}
+_ALONE = {name: create_model(name, __base__=Strict, **{name: _FIELD[name]}) for name in _FIELD}
+_NOTHING: dict[str, Any] = dict.fromkeys(_FIELDS)
+_EMPTY = Scene.model_construct(None, **_NOTHING)
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """One point of a grid: where it lies on the axes, and the key of its scene."""
+
+    index: Index
+    key: str
+
+
+class Part(NamedTuple):
+    """A checked part of a scene and its canonical text; None and "null" when it is absent."""
+
+    value: Any
+    text: str
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A scene varied along axes, of which a later one wins; ``layer`` names the grid in errors."""
+
+    base: SceneFile
+    axes: list[list[Sets]]
+    layer: str
+
+    def file(self, index: Index) -> SceneFile:
+        """The scene at a point."""
+        merged: Sets = {}
+        for axis, k in zip(self.axes, index, strict=True):
+            merged |= axis[k]
+        return self.base.with_values(merged, self.layer)
+
+    def points(self) -> Iterator[Point]:
+        """All points, the last axis fastest.
+
+        Raises
+        ------
+        InputError
+            When a point's scene cannot be meant.
+        """
+        part = lru_cache(REMEMBERED)(self._part)
+        axes_of = {
+            name: [number for number, axis in enumerate(self._sets) if any(name in v for v in axis)]
+            for name in {*_FIELDS, *self.base.tree, *(n for a in self._sets for v in a for n in v)}
+        }
+        for index in product(*(range(len(axis)) for axis in self.axes)):
+            try:
+                parts = {
+                    name: part(name, tuple([(axis, index[axis]) for axis in axes]))
+                    for name, axes in axes_of.items()
+                }
+                key = _key(parts)
+            except (ValueError, KeyError, InputError):  # the whole scene tells best what is wrong
+                key = key_of(self.file(index).scene())
+            yield Point(index, key)
+
+    @cached_property
+    def _sets(self) -> list[list[dict[str, Sets]]]:
+        """What each value of each axis sets, by part of the scene."""
+        return [[self._by_part(sets) for sets in axis] for axis in self.axes]
+
+    def _by_part(self, sets: Sets) -> dict[str, Sets]:
+        by_part: dict[str, Sets] = {}
+        for path, value in sets.items():
+            by_part.setdefault(first_step(path, self.layer), {})[path] = value
+        return by_part
+
+    @cached_property
+    def _folder(self) -> Path:
+        return Path(self.base.source).parent
+
+    def _part(self, name: str, place: tuple[tuple[int, int], ...]) -> Part:
+        """A part of the scene, checked by itself, where some axes have these values."""
+        sets: Sets = {}
+        for axis, k in place:
+            sets |= self._sets[axis][k].get(name, {})
+        alone = {name: self.base.tree[name]} if name in self.base.tree else {}
+        tree = SceneFile(self.base.source, alone).with_values(sets, self.layer).tree
+        if name not in tree and not _FIELDS[name].is_required():
+            return Part(None, "null")
+        value = getattr(_ALONE[name].model_validate(fill_in_tables(tree, self._folder)), name)
+        return Part(value, text_of(value))
+
+
+def _key(parts: dict[str, Part]) -> str:
+    """Key of a scene of checked parts; ValueError when they do not fit together."""
+    scene = _EMPTY.model_copy(update={name: part.value for name, part in parts.items()})
+    loaded = scene.fitted()  # which may replace parts by what they stand for
+    replaced = [name for name in COUNTS if getattr(loaded, name) is not parts[name].value]
+    texts = {name: parts[name].text for name in COUNTS}
+    return key_of_texts(texts | {name: text_of(getattr(loaded, name)) for name in replaced})
