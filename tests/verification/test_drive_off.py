@@ -22,6 +22,12 @@ def drive_off(name="ref_0", **overrides):
     return simulate(load_scene(path, **QUICK, **overrides))
 
 
+def test_a_stack_that_stands_below_the_riser_is_no_slack_riser():
+    run = drive_off()
+    assert float(run.attrs["smallest_tension"]) < 0.0
+    assert "slack" not in run.attrs["warnings"]
+
+
 STRING = """\
 title: platform on a string
 riser: [{name: string, length: 1000 m, axial_stiffness: 1e10 N, mass: 500 kg/m}]
