@@ -1,4 +1,4 @@
-"""The command line: ``riserstudy run | cost | effects | advise | modes | schema | results``."""
+"""The command line: ``riserstudy new | run | cost | effects | advise | modes | schema | results``."""
 
 from __future__ import annotations
 
@@ -216,11 +216,24 @@ def modes(
 
 
 @app.command()
-def schema() -> None:
-    """Print the JSON schema of scene files, for editors."""
-    from riserstudy.scene.schema import scene_schema
+def new(folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER")]) -> None:
+    """Make a folder for a study of one's own: Snakefile, configuration, an example to change."""
+    from riserstudy.new import new_study
 
-    print(json.dumps(scene_schema(), indent=2))
+    new_study(folder)
+    print(f"{folder} is ready: `cd {folder}`, then `snakemake`; README.md there goes on from here.")
+
+
+@app.command()
+def schema(
+    kind: Annotated[str, typer.Argument(help="scene, study or config", metavar="[KIND]")] = "scene",
+) -> None:
+    """Print the JSON schema of scene, study or configuration files, for editors."""
+    from riserstudy.schemas import schemas
+
+    if kind not in (known := schemas()):
+        raise InputError("schema", kind, "no kind of file", f"allowed are {', '.join(known)}")
+    print(json.dumps(known[kind], indent=2))
 
 
 @app.command()

@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Any, Literal
 from riserstudy import store
 from riserstudy.errors import RiserStudyError, SimulationError
 from riserstudy.grid import Point
-from riserstudy.simulation import attributes, labelled
+from riserstudy.names import attributes, cf_unit
+from riserstudy.simulation import labelled
 from riserstudy.sound import sound_kernels
-from riserstudy.study import Samples, Study
+from riserstudy.study import Numbers, Samples, Study
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -91,18 +92,26 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
         flat[name] = ("point", [extract(r.facts) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])
     dataset = xr.Dataset(coords={n: flat[n] for n in SHARED if n in flat.coords})
+    for name in dataset.coords:
+        dataset[name].attrs = attributes(str(name))
     for label, values in flat.data_vars.items():
         values = values.transpose("point", ...)
         grid = values.values.reshape(shape + values.shape[1:])
         about = attributes(str(label)) or FACT_ATTRIBUTES.get(str(label), {})
         dataset[label] = xr.DataArray(grid, dims=(*study.axes, *values.dims[1:]), attrs=about)
     for axis, steps in study.axes.items():
-        about = attributes(axis)
+        about = _named(axis, study.model.axes[axis])
         about["sets"] = json.dumps({str(value): sets for value, sets in steps})
         dataset.coords[axis] = xr.DataArray([v for v, _ in steps], dims=axis, attrs=about)
     _add_sampled(dataset, study)
     dataset.attrs = _about(study, results)
     return dataset
+
+
+def _named(name: str, axis: Any) -> dict[str, Any]:
+    """Attributes of an axis, which counts in the unit that the study gives it."""
+    about = {"long_name": name.replace("_", " ")} | attributes(name)
+    return about | ({"units": cf_unit(axis.unit)} if isinstance(axis, Numbers) else {})
 
 
 def _alike(study: Study, results: list[Result]) -> list[xr.Dataset]:

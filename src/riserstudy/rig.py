@@ -15,10 +15,11 @@ from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.linear_spring import LinearSpring
+from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.model import Effect
 from riserstudy.scene.tensioners import Arrangement, Tensioners
-from riserstudy.tensioner_law import linear_law
+from riserstudy.tensioner_law import linear_law, table_law
 
 GAS_FIELDS = ("area", "pressure", "volume")
 
@@ -44,6 +45,12 @@ def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
         values += [both.exponent * np.ones(rig.count), rig.piston_mass * gravity * each]
         record = TwoChamberGas(*values)
         yield Effect("two-chamber gas tensioner", record, "top.tensioners.two_chamber_gas")
+    elif rig.table:
+        law = table_law(rig.table)
+        work = law.antiderivative()
+        work.c[-1] -= float(work(0.0))
+        record = TabulatedLaw(law.x, law.c, work.c, each)
+        yield Effect("tabulated tensioner", record, "top.tensioners.table")
     else:
         tension, slope = linear_law(rig, gravity)
         why = "top.tensioners.linearised" if rig.any_gas else "top.tensioners.linear"

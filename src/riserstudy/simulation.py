@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import json
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.effects.catalogue import absent
-from riserstudy.scene.load import SceneFile, read_yaml
+from riserstudy.names import ENDINGS, attributes
+from riserstudy.scene.load import SceneFile
 from riserstudy.sound import sound_kernels
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from riserstudy.result import Result
-
-ENDINGS = {"_max": "largest ", "_min": "smallest ", "_static": "static "}
 
 
 @sound_kernels
@@ -124,21 +122,3 @@ def provenance(file: SceneFile) -> dict[str, Any]:
 
 def _text(value: Any) -> Any:
     return value if isinstance(value, int | float | str) else json.dumps(value)
-
-
-@cache
-def variables() -> dict[str, dict[str, str]]:
-    """Names, units and labels of all variables."""
-    table: dict[str, dict[str, str]] = read_yaml(Path(__file__).with_name("variables.yaml"))
-    return table
-
-
-def attributes(name: str) -> dict[str, str]:
-    """CF attributes of a variable."""
-    for ending, word in ENDINGS.items():
-        base = name.removesuffix(ending)
-        if base != name and base in variables():
-            of = variables()[base]
-            return {"units": of["units"], "long_name": word + of["long_name"]}
-    of = variables().get(name, {})
-    return {key: value for key, value in of.items() if key != "label"}

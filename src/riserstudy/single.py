@@ -30,6 +30,7 @@ from riserstudy.solve.ledger import DONE, new_ledger
 from riserstudy.solve.modes import stable_step
 from riserstudy.solve.record import Record, evaluate_once, new_record
 from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
+from riserstudy.tensioner_law import leaves_table
 
 FloatArray = NDArray[np.float64]
 RHO_INF = 0.8  # default spectral radius
@@ -72,8 +73,16 @@ def single(scene: Scene, mesh: Mesh, step: float | None, stations: str = "asked 
         _march(scene, model, mesh, step, stations, arrays, facts)
     _check_finite(arrays)
     _check_tension(scene, arrays, facts)
+    if scene.top.tensioners:
+        facts["warnings"] += leaves_table(scene.top.tensioners, _reaches(arrays))
     facts["solve_seconds"] = clock.perf_counter() - started
     return Result(arrays, facts)
+
+
+def _reaches(arrays: dict[str, FloatArray]) -> FloatArray:
+    """Reach of all cylinders, at rest and whenever it was recorded."""
+    names = ("tensioner_stroke_static", "tensioner_stroke")
+    return np.concatenate([arrays[name].ravel() for name in names if name in arrays])
 
 
 def quantities(model: Model) -> list[str]:

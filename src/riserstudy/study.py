@@ -13,8 +13,10 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
+from riserstudy.folders import PACKAGE
 from riserstudy.grid import Grid, Point
 from riserstudy.numerics.models import Measured
+from riserstudy.plots import NEEDS, FigureModel, default_figures
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, check, read_scene, read_yaml
 from riserstudy.scene.origin import Origin
@@ -104,7 +106,7 @@ class StudyFile(Strict):
     """Studies of one paper, datasets derived from them, and the figures that read them.
 
     ``readings``: named ways to read the paper, by what each sets; studies share them as axes or samples.
-    ``measured``: datasets about the engine itself. Absent: none.
+    ``measured``: datasets about the engine itself. Absent: none. Absent figures: every plot that fits.
     """
 
     paper: str
@@ -112,22 +114,12 @@ class StudyFile(Strict):
     studies: dict[str, StudyModel]
     derived: dict[str, list[str]] = Field(default_factory=dict)
     measured: Measured | None = None
-    figures: dict[str, FigureModel]
+    figures: dict[str, FigureModel] = Field(default_factory=dict)
 
     @property
     def datasets(self) -> list[str]:
         """Names of all datasets: simulated, derived and measured."""
         return [*self.studies, *self.derived, *(self.measured.names if self.measured else [])]
-
-
-class FigureModel(Strict):
-    """A figure: its caption and the datasets it reads."""
-
-    caption: str
-    reads: list[str]
-
-
-StudyFile.model_rebuild()
 
 
 def scene_file(path: Path) -> SceneFile:
@@ -251,6 +243,8 @@ def read_studies(config: Path, paper: str) -> StudyFile:
                     where = f"studies.{name}.axes.{axis_name}"
                     raise InputError(path, where, f"no readings {reading!r}", _among(file.readings))
     known = set(file.datasets)
+    if file.derived and not has_module("derived", paper):
+        raise InputError(path, "derived", f"no module derived/{paper}.py", "leave it out")
     for name, needed in file.derived.items():
         for study in needed:
             if study not in file.studies:
@@ -258,12 +252,34 @@ def read_studies(config: Path, paper: str) -> StudyFile:
                     path, f"derived.{name}", f"no study {study!r}", _among(file.studies)
                 )
     for name, figure in file.figures.items():
+        if not figure.plot and not has_module("figures", paper):
+            allowed = "allowed are plot: " + ", ".join(NEEDS)
+            raise InputError(path, f"figures.{name}", "nothing says how to draw it", allowed)
         for study in figure.reads:
+            axes = file.studies[study].axes if study in file.studies else None
+            if figure.plot and axes is not None and len(axes) < (least := NEEDS[figure.plot]):
+                has = f"{study!r} has {len(axes)} axes"
+                raise InputError(path, f"figures.{name}.plot", has, f"allowed are {least} or more")
             if study not in known:
                 raise InputError(
                     path, f"figures.{name}.reads", f"no dataset {study!r}", _among(known)
                 )
+    if not file.figures:
+        moving = {name: _moves(config, model) for name, model in file.studies.items()}
+        file = file.model_copy(update={"figures": default_figures(file.studies, moving)})
     return file
+
+
+def has_module(stage: str, paper: str) -> bool:
+    """Whether a stage of the package has code of its own for a paper."""
+    return (PACKAGE / stage / f"{paper}.py").exists()
+
+
+def _moves(config: Path, model: StudyModel) -> bool:
+    """Whether the runs of a study have a time."""
+    file = scene_file(config / model.scene).with_values(model.set, "set")
+    analysis = file.tree.get("analysis")
+    return isinstance(analysis, dict) and analysis.get("duration") is not None
 
 
 def _among(names: Any) -> str:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import PchipInterpolator, PPoly
 
-from riserstudy.scene.tensioners import Gas, Tensioners, TwoChamberGas
+from riserstudy.scene.tensioners import Gas, TableRow, Tensioners, TwoChamberGas
 
 FloatArray = NDArray[np.float64]
 
@@ -21,6 +22,32 @@ def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray) -> FloatArray:
     ratio = gas.volume / (gas.volume - gas.area * reach)
     force: FloatArray = gas.area * gas.pressure * ratio**gas.exponent
     return force
+
+
+def table_law(table: list[TableRow]) -> PPoly:
+    """Force of one cylinder (N) over its reach (m): the table joined, and straight pieces at its ends."""
+    reach = np.array([row.reach for row in table])
+    inner = PchipInterpolator(reach, [row.force for row in table])
+    slope = inner.derivative()(reach[[0, -1]])
+    room = reach[-1] - reach[0]
+    straight = np.zeros((4, 2))
+    straight[2] = slope
+    straight[3] = float(inner(reach[0])) - slope[0] * room, float(inner(reach[-1]))
+    pieces = np.hstack([straight[:, :1], inner.c, straight[:, 1:]])
+    return PPoly(pieces, np.concatenate([[reach[0] - room], reach, [reach[-1] + room]]))
+
+
+def leaves_table(rig: Tensioners, reach: FloatArray) -> list[str]:
+    """A warning when cylinders leave their table."""
+    if rig.table is None:
+        return []
+    first, last = rig.table[0].reach, rig.table[-1].reach
+    if first <= reach.min() and reach.max() <= last:
+        return []
+    return [
+        f"tensioners reach from {reach.min():.4g} m to {reach.max():.4g} m, their table from "
+        f"{first:g} m to {last:g} m: beyond it the law goes on straight; extend the table or give stops"
+    ]
 
 
 def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:
@@ -45,6 +72,8 @@ def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:
 
 def tension_at_mid_stroke(rig: Tensioners, gravity: float = 0.0) -> float:
     """Pull of one cylinder at mid-stroke (N)."""
+    if rig.table:
+        return float(table_law(rig.table)(0.0))
     if rig.any_gas and not rig.linearised:
         return float(gas_force(rig.any_gas, np.zeros(1))[0]) - rig.piston_mass * gravity
     return linear_law(rig, gravity)[0]

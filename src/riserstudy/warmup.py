@@ -104,6 +104,8 @@ def scenes() -> list[Scene]:
         "gravity": "9.81 m/s^2",
         "top": axial["top"] | {"tensioners": _RIG | {"two_chamber_gas": _TWO}},
     }
+    rows = [{"reach": f"{x} m", "force": f"{500 + 9 * x} kN"} for x in (-9, 0, 9)]
+    tabulated = axial | {"top": axial["top"] | {"tensioners": _RIG | {"table": rows}}}
     linear_axial = axial | {"top": axial["top"] | {"tensioners": _RIG | {"linear": linear}}}
     spatial = planar | {
         "title": "spatial",
@@ -139,7 +141,7 @@ def scenes() -> list[Scene]:
     }
     linear_soil = afloat | {"soil": {"mudline": "0 m", "resistance": {"stiffness": "1 MPa"}}}
     across = {"current": planar["current"] | {"heading": "90 deg"}}
-    several = [axial, planar, gas_in_plane, pistons, linear_axial, spatial]
+    several = [axial, planar, gas_in_plane, pistons, linear_axial, tabulated, spatial]
     several += [afloat, linear_soil, afloat | across]
     short = _ANALYSIS | {"duration": "1 ms", "step": "0.1 ms", "method": "explicit"}
     explicit = [s | {"analysis": short} for s in several[:2]]

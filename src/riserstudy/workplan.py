@@ -119,9 +119,8 @@ class Workplan:
 
     def study_digest(self, wildcards: Any) -> str:
         """Axes, point keys and the code that joins points into a dataset."""
-        joining = digest(
-            [PACKAGE / name for name in ("gather.py", "simulation.py", "variables.yaml")]
-        )
+        names = ("gather.py", "names.py", "simulation.py", "variables.yaml")
+        joining = digest(PACKAGE / name for name in names)
         return f"{self.study(wildcards.paper, wildcards.study).digest}-{joining}"
 
     def threads(self, wildcards: Any) -> int:
@@ -154,8 +153,12 @@ class Workplan:
         return [f"results/{wildcards.paper}/{name}.nc" for name in names]
 
     def figure_digest(self, wildcards: Any) -> str:
-        """The code that draws."""
-        return self._code("figures", wildcards.paper)
+        """The code that draws, and what a plot for any grid is to show."""
+        figure = self.files[wildcards.paper].figures[wildcards.figure]
+        if not figure.plot:
+            return self._code("figures", wildcards.paper)
+        code = digest([*(PACKAGE / "figures/generic").glob("*.py"), PACKAGE / "figures/style.py"])
+        return " ".join((figure.plot, *(figure.of or []), code))
 
     def grade_inputs(self, wildcards: Any) -> list[str]:
         """Datasets that a paper's numbers and claims are graded with."""

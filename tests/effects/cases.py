@@ -36,14 +36,17 @@ from riserstudy.effects.sliding_tension import SlidingTension
 from riserstudy.effects.soil import LinearSoil, SoftClay
 from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
+from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.effects.vessel import Vessel
 from riserstudy.effects.wave import CONSTANT, STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 from riserstudy.model import Effect, Model
+from riserstudy.scene.tensioners import TableRow
 from riserstudy.solve.evaluate import energies, forces_and_tangent, one_call, shape_of
 from riserstudy.solve.state import OTHER, OWN, State
+from riserstudy.tensioner_law import table_law
 
 L0 = np.array([12.0, 9.0, 15.0, 11.0, 8.0, 14.0])
 N = len(L0)
@@ -94,6 +97,12 @@ def upright(d: int) -> Upright:
 
 def pair(a: float, b: float) -> np.ndarray:
     return np.array([a, b])
+
+
+def tabulated(d: int) -> TabulatedLaw:
+    table = [(-9.0, 6e5), (-4.0, 7e5), (-1.5, 7e5), (0.5, 7.4e5), (3.0, 9e5), (9.0, 9.3e5)]
+    law = table_law([TableRow.model_construct(reach=x, force=f) for x, f in table])
+    return TabulatedLaw(law.x, law.c, law.antiderivative().c, pair(1.0, 0.5))
 
 
 def series(d: int) -> Series:
@@ -162,6 +171,7 @@ CASES = {
         ),
         lambda d: [upright(d)],
     ),
+    TabulatedLaw: Case(tabulated, lambda d: [upright(d)]),
     LinearSpring: Case(
         lambda d: LinearSpring(pair(8e5, 7e5), pair(3e4, 2e4)), lambda d: [upright(d)]
     ),
@@ -238,7 +248,7 @@ class Rig:
         case = CASES[kind]
         self.kind, self.d, self.m = kind, d, moments(kind, d)
         records = [*case.beside(d), case.record(d)]
-        if kind in (GasSpring, TwoChamberGas, LinearSpring, CylinderDamping, EndStop):
+        if kind in (GasSpring, TwoChamberGas, LinearSpring, TabulatedLaw, CylinderDamping, EndStop):
             records.reverse()  # laws before the cylinder that sums them up, as a scene has them
         effects = [Effect(type(r).__name__, r, "") for r in records]
         # an end carries no moment where nothing holds its direction

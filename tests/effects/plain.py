@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 from cases import flexibility, nodes
+from scipy.interpolate import PPoly
 from scipy.spatial.transform import Rotation
 
 from riserstudy.build import AXES
@@ -38,6 +39,7 @@ from riserstudy.effects.sliding_tension import SlidingTension
 from riserstudy.effects.soil import LinearSoil, SoftClay
 from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
+from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.effects.vessel import Vessel
 from riserstudy.effects.wave import CONSTANT, NONE, Wave
@@ -203,6 +205,10 @@ def two_chamber_gas(record, s):
     up = record.high_area * record.high_pressure * high**-record.exponent
     down = record.low_area * record.low_pressure * low**-record.exponent
     return {"pull": up - down - record.weight}
+
+
+def tabulated_law(record, s):
+    return {"pull": record.working * PPoly(record.force, record.reach)(s.reach)}
 
 
 def linear_spring(record, s):
@@ -431,6 +437,7 @@ VERSIONS = {
     Upright: [("drive device", upright)],
     GasSpring: [("law", gas_spring)],
     TwoChamberGas: [("law", two_chamber_gas)],
+    TabulatedLaw: [("law", tabulated_law)],
     LinearSpring: [("law", linear_spring)],
     CylinderDamping: [("law", cylinder_damping)],
     EndStop: [("law", end_stop)],

@@ -1,6 +1,6 @@
 """Write what is made from models and libraries.
 
-Reference page and JSON schema of scene files, tables of platforms, factors of usual units.
+Reference page and JSON schemas, tables of platforms, factors of usual units.
 """
 
 from __future__ import annotations
@@ -9,8 +9,8 @@ import json
 from pathlib import Path
 
 from riserstudy.scene.reference import scene_reference
-from riserstudy.scene.schema import scene_schema
 from riserstudy.scene.units import USUAL, factor
+from riserstudy.schemas import schema_files
 from riserstudy.semisubmersible import read_units, table
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -26,7 +26,7 @@ def made() -> dict[Path, str]:
         USUAL: json.dumps(factors, indent=2) + "\n",
         **{platforms / f"{name}.csv": table(unit) for name, unit in units.items()},
         ROOT / "docs/scene.md": scene_reference(),
-        ROOT / "workflow/schemas/scene.schema.json": json.dumps(scene_schema(), indent=2) + "\n",
+        **{ROOT / "workflow/schemas" / name: text for name, text in schema_files().items()},
     }
 
 

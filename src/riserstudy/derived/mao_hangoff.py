@@ -11,8 +11,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from riserstudy.names import attributes
 from riserstudy.quantities.towed import at_top, displacement
-from riserstudy.simulation import attributes
 
 FloatArray = NDArray[np.float64]
 STATED = 130.0  # s, the time of Fig 9

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from riserstudy.names import attributes
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
-from riserstudy.simulation import attributes
 
 
 def described(dataset: xr.Dataset, paper: str, title: str) -> xr.Dataset:

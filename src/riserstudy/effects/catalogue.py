@@ -30,6 +30,7 @@ CALLED_BY = {
     "two-chamber gas tensioner": "top.tensioners.two_chamber_gas",
     "piston mass": "top.tensioners.two_chamber_gas.pistons",
     "linear tensioner": "top.tensioners.linear or linearised",
+    "tabulated tensioner": "top.tensioners.table",
     "tensioner damping": "top.tensioners.damping",
     "end stops": "top.tensioners.stroke",
     "tensioner cylinders": "top.tensioners",

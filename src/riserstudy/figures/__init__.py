@@ -1,4 +1,4 @@
-"""Figures: functions from datasets to matplotlib figures, one module a paper."""
+"""Figures: functions from datasets to matplotlib figures, one module a paper; and plots for any grid."""
 
 from __future__ import annotations
 
@@ -10,10 +10,20 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
+    from riserstudy.plots import FigureModel
+
 
 def draw(paper: str, name: str, datasets: dict[str, xr.Dataset]) -> Figure:
     """Figure ``name`` of a paper, by the function of that name in the paper's module."""
     figure: Figure = getattr(import_module(f"riserstudy.figures.{paper}"), name)(**datasets)
+    return figure
+
+
+def draw_plot(model: FigureModel, dataset: xr.Dataset) -> Figure:
+    """A figure that names a plot for any grid."""
+    kind = str(model.plot).replace(" ", "_")
+    module = import_module(f"riserstudy.figures.generic.{kind}")
+    figure: Figure = getattr(module, kind)(dataset, model.of)
     return figure
 
 

@@ -1,4 +1,4 @@
-"""Tables beside a scene: a CSV file of a current or a motion takes the place of points written out.
+"""Tables beside a scene: a CSV file of a current, motion or tensioner in place of points written out.
 
 The first line names the columns with their units, as in ``elevation (m), speed (knot)``.
 """
@@ -30,6 +30,7 @@ PLACES = (
         for motion in ("surge", "sway", "heave", "roll", "pitch", "yaw")
     ),
     (("platform", "response"), "operators", ("period",), None),
+    (("top", "tensioners"), "table", ("reach", "force"), None),
 )
 
 

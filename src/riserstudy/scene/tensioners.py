@@ -54,6 +54,13 @@ class Linear(Strict):
     stiffness: Annotated[u.Stiffness, NOT_NEGATIVE]
 
 
+class TableRow(Strict):
+    """One row of a tensioner's table: reach from mid-stroke, + longer, and the pull of one cylinder."""
+
+    reach: u.Length
+    force: Annotated[u.Force, NOT_NEGATIVE]
+
+
 class Linearised(Strict):
     """The gas law replaced by a straight line: its tangent, or least squares over a stroke range."""
 
@@ -105,6 +112,9 @@ class Arrangement(Strict):
 class Tensioners(Strict):
     """Equal cylinders between ring and deck. Absent damping or stroke: none, no stops.
 
+    ``table``: any other law, pull over reach of one cylinder, joined smoothly and monotonically; beyond
+    its ends it goes on straight, with a warning.
+
     Absent arrangement: they stay upright. ``failed`` cylinders, counted from 0, pull nothing.
     """
 
@@ -114,6 +124,7 @@ class Tensioners(Strict):
     two_chamber_gas: TwoChamberGas | None = None
     linearised: Linearised | None = None
     linear: Linear | None = None
+    table: Annotated[list[TableRow], Field(min_length=2)] | None = None
     damping: Annotated[u.Damping, NOT_NEGATIVE] | None = None
     stroke: Stroke | None = None
     arrangement: Arrangement | None = None
@@ -124,14 +135,42 @@ class Tensioners(Strict):
         wrong = [c for c in self.failed or [] if c >= self.count]
         if wrong or len(set(self.failed or [])) == self.count:
             raise ValueError(f"failed: {self.failed} of {self.count} cylinders; they count from 0")
-        if [self.gas, self.two_chamber_gas, self.linear].count(None) != 2:
-            raise ValueError("needs one of gas, two_chamber_gas and linear")
+        if [self.gas, self.two_chamber_gas, self.linear, self.table].count(None) != 3:
+            raise ValueError("needs one of gas, two_chamber_gas, linear and table")
+        if self.table:
+            self._serves(self.table)
         if self.linearised and self.any_gas is None:
             raise ValueError("linearised needs gas or two_chamber_gas")
         for what, limit in (("stroke", self.stroke), ("linearised", self.linearised)):
             if limit is not None:
                 self._stays_open(what, limit.shortest, limit.longest)
         return self
+
+    def _serves(self, table: list[TableRow]) -> None:
+        """Refuse a table that is no law, or ends before the cylinders do."""
+        reach, force = [row.reach for row in table], [row.force for row in table]
+        for k in range(1, len(table)):
+            if reach[k] <= reach[k - 1]:
+                raise ValueError(
+                    f"table: reach {reach[k]:g} m in row {k + 1}; must grow by the row"
+                )
+            if force[k] < force[k - 1]:
+                raise ValueError(
+                    f"table: force falls to {force[k]:g} N in row {k + 1}; "
+                    "a cylinder pulls no less the longer it is"
+                )
+        first, last = reach[0], reach[-1]
+        if self.stroke:
+            first, last = max(first, self.stroke.shortest), min(last, self.stroke.longest)
+            if (first, last) != (self.stroke.shortest, self.stroke.longest):
+                raise ValueError(
+                    f"table: from {reach[0]:g} m to {reach[-1]:g} m; must cover the stroke, "
+                    f"{self.stroke.shortest:g} m to {self.stroke.longest:g} m"
+                )
+        if not first < 0 < last:
+            raise ValueError(
+                f"table: from {first:g} m to {last:g} m; must have mid-stroke, 0 m, within it"
+            )
 
     def _stays_open(self, what: str, shortest: float | None, longest: float | None) -> None:
         """Refuse a range of reach in which a gas volume closes."""

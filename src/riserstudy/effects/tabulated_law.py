@@ -1,0 +1,68 @@
+r"""A tensioner whose pull over its reach is a table, joined by monotone cubics.
+
+.. math:: F(x) = a_k t^3 + b_k t^2 + c_k t + d_k, \qquad t = x - x_k
+
+with x the extension of the cylinder. The cubics of Fritsch and Butland (1984) have a continuous slope
+and rise wherever the table rises; the first and the last piece are straight, and go on beyond the table.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class TabulatedLaw(NamedTuple):
+    """One table for all cylinders."""
+
+    reach: np.ndarray  # (p+1,) where pieces begin and end (m)
+    force: np.ndarray  # (4, p) a, b, c, d of each piece (N, m)
+    energy: np.ndarray  # (5, p) the same for the integral of the force, zero at mid-stroke (J, m)
+    working: np.ndarray  # (c,) 1 for a cylinder that works, 0 for one that failed
+
+
+@inner
+def _piece(law, x):
+    """Index of the piece at a reach; the outer ones serve beyond the table too."""
+    low, high = 0, law.force.shape[1] - 1
+    while low < high:
+        middle = (low + high + 1) // 2
+        if x >= law.reach[middle]:
+            low = middle
+        else:
+            high = middle - 1
+    return low
+
+
+@inner
+def force(law, s):
+    """The cubic, and its slope."""
+    for c in range(law.working.shape[0]):
+        k = _piece(law, s.reach[c])
+        t = s.reach[c] - law.reach[k]
+        pull = ((law.force[0, k] * t + law.force[1, k]) * t + law.force[2, k]) * t + law.force[3, k]
+        slope = (3.0 * law.force[0, k] * t + 2.0 * law.force[1, k]) * t + law.force[2, k]
+        s.pull[c] += law.working[c] * pull
+        s.k_pull[c] += law.working[c] * slope
+    return 0.0
+
+
+@inner
+def energy(law, s):
+    """Work stored since mid-stroke (J)."""
+    total = 0.0
+    for c in range(law.working.shape[0]):
+        k = _piece(law, s.reach[c])
+        t = s.reach[c] - law.reach[k]
+        stored = 0.0
+        for row in range(5):
+            stored = stored * t + law.energy[row, k]
+        total += law.working[c] * stored
+    return total
+
+
+register(TabulatedLaw, law=force, potential=energy)

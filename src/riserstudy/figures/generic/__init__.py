@@ -1,0 +1,1 @@
+"""Plots that fit any grid of simulations: dataset in, figure out."""

@@ -1,0 +1,144 @@
+"""What all plots that fit any grid ask of a dataset: its axes, a few of its points, values with labels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import product
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.errors import InputError
+from riserstudy.figures.style import key_below, panels
+from riserstudy.names import attributes
+
+WITHIN_A_RUN = ("time", "s", "s_node", "cylinder")  # dimensions that are no axes of the grid
+MOST = 7  # curves or panels that a figure shows apart
+ENDINGS = ("_max", "_min")
+CHARACTERS = 13.0  # of a legend, in an inch
+
+#: factor and name of the unit that one reads a value in
+READ_IN = {
+    "N": (1e-3, "kN"),
+    "N m": (1e-3, "kN m"),
+    "Pa": (1e-6, "MPa"),
+    "rad": (180.0 / np.pi, "deg"),
+    "degree": (1.0, "deg"),
+    "m s-1": (1.0, "m/s"),
+    "1": (1.0, "-"),
+    "": (1.0, "-"),
+}
+
+
+def axes_of(dataset: xr.Dataset) -> list[str]:
+    """Axes of the grid, in the order of the study."""
+    dims = dataset["point_key"].dims if "point_key" in dataset else dataset.sizes
+    return [str(dim) for dim in dims if dim not in WITHIN_A_RUN]
+
+
+def along(dataset: xr.Dataset, count: int) -> list[str]:
+    """The axes to plot over: those of most numbers, then others."""
+
+    def rank(axis: str) -> tuple[bool, int]:
+        return dataset[axis].dtype.kind == "f", dataset.sizes[axis]
+
+    return sorted(axes_of(dataset), key=rank, reverse=True)[:count]
+
+
+def points(dataset: xr.Dataset, over: Sequence[str] = ()) -> list[tuple[str, xr.Dataset]]:
+    """A few points of the grid, evenly chosen, with what they are called; axes in ``over`` stay whole."""
+    axes = [axis for axis in axes_of(dataset) if axis not in over]
+    places = list(product(*(range(dataset.sizes[axis]) for axis in axes)))
+    chosen = np.unique(np.linspace(0, len(places) - 1, min(MOST, len(places))).round().astype(int))
+    found = []
+    for k in chosen:
+        point = dataset.isel(dict(zip(axes, places[k], strict=True)))
+        found.append((", ".join(_called(point[axis]) for axis in axes), point))
+    return found
+
+
+def _called(value: xr.DataArray) -> str:
+    if value.dtype.kind not in "fiu":
+        return str(value.item())
+    unit = READ_IN.get(value.attrs.get("units", ""), (1.0, value.attrs.get("units", "")))[1]
+    name = str(value.name).replace("_", " ")
+    return f"{name} {value.item():.4g}" + ("" if unit == "-" else f" {unit}")
+
+
+def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
+    """A quantity as one number a point; ``_max`` and ``_min`` are those over the riser and all times.
+
+    Raises
+    ------
+    InputError
+        When the dataset holds nothing of that name.
+    """
+    ending = next((e for e in ENDINGS if name.endswith(e)), "")
+    values = dataset.get(name, dataset.get(name.removesuffix(ending)))
+    if values is None or values.dtype.kind not in "fiu":
+        raise absent(dataset, name)
+    within = [dim for dim in values.dims if dim in WITHIN_A_RUN]
+    reduced: xr.DataArray = values.min(within) if ending == "_min" else values.max(within)
+    return reduced.rename(name).assign_attrs(attributes(name) or values.attrs)
+
+
+def absent(dataset: xr.Dataset, name: str) -> InputError:
+    """What to say of a quantity that is asked for and not there."""
+    there = ", ".join(sorted(str(n) for n, v in dataset.items() if v.dtype.kind == "f"))
+    title = str(dataset.attrs.get("title", "dataset"))
+    return InputError(title, "of", f"no {name!r}", f"there are {there}")
+
+
+def present(dataset: xr.Dataset, names: Iterable[str]) -> list[str]:
+    """Those quantities that the dataset has, as histories or as extremes.
+
+    Raises
+    ------
+    InputError
+        When it has none of them.
+    """
+    wanted = list(names)
+    found = [name for name in wanted if {name, *(name + end for end in ENDINGS)} & set(dataset)]
+    if not found:
+        raise absent(dataset, wanted[0])
+    return found
+
+
+def read(values: xr.DataArray) -> xr.DataArray:
+    """Values in the unit that one reads them in."""
+    factor, unit = READ_IN.get(values.attrs.get("units", ""), (1.0, None))
+    return values if unit is None else (factor * values).assign_attrs(values.attrs, units=unit)
+
+
+def label(values: xr.DataArray) -> str:
+    """What an axis says: long name and unit, from the dataset."""
+    about = attributes(str(values.name)) | values.attrs
+    unit = about.get("units", "")
+    name = about.get("long_name", str(values.name).replace("_", " "))
+    return f"{name} ({READ_IN.get(unit, (1.0, unit))[1]})"
+
+
+def varies_within(dataset: xr.Dataset, name: str) -> bool:
+    """Whether a quantity has many values a point, so that its extremes are of interest."""
+    if name in dataset:
+        return any(dim in WITHIN_A_RUN for dim in dataset[name].dims)
+    return not name.endswith(ENDINGS)
+
+
+def laid_out(count: int) -> tuple[Figure, list[Axes]]:
+    """Empty figure with so many panels, two a row."""
+    columns = min(2, count)
+    figure, axes = panels(-(-count // columns), columns, 3.2)
+    for ax in axes[count:]:
+        ax.remove()
+    return figure, axes[:count]
+
+
+def key(figure: Figure, ax: Axes) -> None:
+    """Legend below the panels, in as many columns as its words leave room for; none for a single curve."""
+    words = [word for word in ax.get_legend_handles_labels()[1] if word]
+    if words:
+        room = figure.get_size_inches()[0] * CHARACTERS
+        key_below(figure, ax, max(1, int(room // (max(map(len, words)) + 6))))

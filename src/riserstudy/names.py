@@ -1,0 +1,36 @@
+"""Names, units and labels of variables, from the one file that holds them."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+from riserstudy.scene.load import read_yaml
+
+ENDINGS = {"_max": "largest ", "_min": "smallest ", "_static": "static "}
+
+
+@cache
+def variables() -> dict[str, dict[str, str]]:
+    """Names, units and labels of all variables."""
+    table: dict[str, dict[str, str]] = read_yaml(Path(__file__).with_name("variables.yaml"))
+    return table
+
+
+def attributes(name: str) -> dict[str, str]:
+    """CF attributes of a variable."""
+    for ending, word in ENDINGS.items():
+        base = name.removesuffix(ending)
+        if base != name and base in variables():
+            of = variables()[base]
+            return {"units": of["units"], "long_name": word + of["long_name"]}
+    of = variables().get(name, {})
+    return {key: value for key, value in of.items() if key != "label"}
+
+
+def cf_unit(unit: str) -> str:
+    """A unit as CF writes it: ``kN*s^2/m^2`` becomes ``kN s2 m-2``."""
+    over, *under = unit.replace("^", "").split("/")
+    below = [re.sub(r"(?<=[A-Za-z])(\d*)$", r"-\1", u) for part in under for u in part.split("*")]
+    return " ".join([*over.split("*"), *(u if u[-1:].isdigit() else f"{u}1" for u in below)])

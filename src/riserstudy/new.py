@@ -1,0 +1,35 @@
+"""A folder for a study of one's own, ready for ``snakemake``."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from riserstudy.errors import InputError
+from riserstudy.folders import PACKAGE
+
+TEMPLATE = PACKAGE / "template"
+
+
+def new_study(folder: Path) -> None:
+    """Lay out Snakefile, configuration, an example of a scene and a study, and schemas for editors.
+
+    Raises
+    ------
+    InputError
+        When the folder holds something, or cannot be made.
+    """
+    from riserstudy.schemas import schema_files
+
+    allowed = "allowed is a new or empty folder"
+    try:
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise InputError("new", str(folder), "is there already", allowed)
+        shutil.copytree(TEMPLATE, folder, dirs_exist_ok=True)
+        schemas = folder / "config/schemas"
+        schemas.mkdir()
+        for name, text in schema_files().items():
+            (schemas / name).write_text(text, "utf-8")
+    except OSError as error:
+        reason = error.strerror or "cannot be made"
+        raise InputError("new", str(folder), reason, allowed) from None
