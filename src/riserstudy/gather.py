@@ -92,8 +92,8 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
         flat[name] = ("point", [extract(r.facts) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])
     dataset = xr.Dataset(coords={n: flat[n] for n in SHARED if n in flat.coords})
-    for name in dataset.coords:
-        dataset[name].attrs = attributes(str(name))
+    for coordinate in dataset.coords:
+        dataset[coordinate].attrs = attributes(str(coordinate))
     for label, values in flat.data_vars.items():
         values = values.transpose("point", ...)
         grid = values.values.reshape(shape + values.shape[1:])
