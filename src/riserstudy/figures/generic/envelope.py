@@ -24,6 +24,6 @@ def envelope(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
                 values = read(point[end].dropna(point[end].dims[-1]))
                 ax.plot(values, values[values.dims[-1]], color=colour, label=word)
         ax.set_xlabel(label(dataset[name if name in dataset else ends[0]]))
-    axes[0].set_ylabel(label(xr.DataArray(name="s")))
+    axes[0].set_ylabel(label(xr.DataArray(0.0, name="s")))
     key(figure, axes[0])
     return figure

@@ -17,7 +17,8 @@ from riserstudy.names import attributes
 WITHIN_A_RUN = ("time", "s", "s_node", "cylinder")  # dimensions that are no axes of the grid
 MOST = 7  # curves or panels that a figure shows apart
 ENDINGS = ("_max", "_min")
-CHARACTERS = 13.0  # of a legend, in an inch
+CHARACTERS = 14.0  # of a legend, in an inch
+LINE = 0.2  # inches, of a legend
 
 #: factor and name of the unit that one reads a value in
 READ_IN = {
@@ -62,7 +63,8 @@ def points(dataset: xr.Dataset, over: Sequence[str] = ()) -> list[tuple[str, xr.
 def _called(value: xr.DataArray) -> str:
     if value.dtype.kind not in "fiu":
         return str(value.item())
-    unit = READ_IN.get(value.attrs.get("units", ""), (1.0, value.attrs.get("units", "")))[1]
+    unit = about(value).get("units", "")
+    unit = READ_IN.get(unit, (1.0, unit))[1]
     name = str(value.name).replace("_", " ")
     return f"{name} {value.item():.4g}" + ("" if unit == "-" else f" {unit}")
 
@@ -106,17 +108,23 @@ def present(dataset: xr.Dataset, names: Iterable[str]) -> list[str]:
     return found
 
 
+def about(values: xr.DataArray) -> dict[str, str]:
+    """Attributes of a quantity: its own, and what the names file says where it has none."""
+    return attributes(str(values.name)) | values.attrs
+
+
 def read(values: xr.DataArray) -> xr.DataArray:
     """Values in the unit that one reads them in."""
-    factor, unit = READ_IN.get(values.attrs.get("units", ""), (1.0, None))
-    return values if unit is None else (factor * values).assign_attrs(values.attrs, units=unit)
+    factor, _ = READ_IN.get(about(values).get("units", ""), (1.0, ""))
+    return factor * values
 
 
 def label(values: xr.DataArray) -> str:
-    """What an axis says: long name and unit, from the dataset."""
-    about = attributes(str(values.name)) | values.attrs
-    unit = about.get("units", "")
-    name = about.get("long_name", str(values.name).replace("_", " "))
+    """What an axis says: long name and the unit that one reads it in; words have none."""
+    unit = about(values).get("units", "")
+    name = about(values).get("long_name", str(values.name).replace("_", " "))
+    if values.dtype.kind not in "fiu":
+        return name
     return f"{name} ({READ_IN.get(unit, (1.0, unit))[1]})"
 
 
@@ -140,5 +148,7 @@ def key(figure: Figure, ax: Axes) -> None:
     """Legend below the panels, in as many columns as its words leave room for; none for a single curve."""
     words = [word for word in ax.get_legend_handles_labels()[1] if word]
     if words:
-        room = figure.get_size_inches()[0] * CHARACTERS
-        key_below(figure, ax, max(1, int(room // (max(map(len, words)) + 6))))
+        width, height = figure.get_size_inches()
+        columns = max(1, int(width * CHARACTERS // (max(map(len, words)) + 6)))
+        figure.set_size_inches(width, height + LINE * -(-len(words) // columns))
+        key_below(figure, ax, columns)

@@ -1,0 +1,128 @@
+"""A tensioner's law as a table: what is accepted, what it becomes, what it is refused for."""
+
+from itertools import accumulate
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from riserstudy import load_scene, simulate
+from riserstudy.errors import InputError
+from riserstudy.scene.tensioners import Gas, TableRow
+from riserstudy.tensioner_law import gas_force, table_law
+
+HEAVE = Path(__file__).parents[2] / "config/scenes/chang2020/heave.yaml"
+TENSIONERS = "top.tensioners"
+STATICS = {"platform.heave": None, "platform.position.heave": "3 m", "analysis": {}}
+#: one dynamic run of known mesh and step
+MOVING = {
+    "platform.heave.period": "10 s",
+    "analysis": {
+        "duration": "30 s",
+        "output": {"interval": "0.1 s"},
+        "mesh": {"elements": 1},
+        "step": "0.01 s",
+    },
+}
+
+
+def gas_rows(first, last, count):
+    """Chang's gas law, tabulated."""
+    gas = load_scene(HEAVE).scene().top.tensioners.gas
+    reach = np.linspace(first, last, count)
+    return [
+        {"reach": f"{x:.6f} m", "force": f"{f:.3f} N"}
+        for x, f in zip(reach, gas_force(Gas.model_construct(**dict(gas)), reach), strict=True)
+    ]
+
+
+def tabulated(rows, more):
+    return load_scene(HEAVE, **{f"{TENSIONERS}.gas": None, f"{TENSIONERS}.table": rows, **more})
+
+
+def test_a_tabulated_gas_law_is_the_gas_law_at_rest():
+    gas = simulate(load_scene(HEAVE, **STATICS))
+    table = simulate(tabulated(gas_rows(-8.0, 8.0, 65), STATICS))
+    for name in ("tensioner_force_static", "tensioner_stroke_static"):
+        # cubics over 0.25 m, third order: (0.25 m / 18 m)^3
+        np.testing.assert_allclose(table[name], gas[name], rtol=1e-5)
+    assert "tabulated tensioner" in table.attrs["effects"]
+
+
+def test_a_tabulated_gas_law_moves_like_the_gas_law_and_keeps_its_energy():
+    gas = simulate(load_scene(HEAVE, **MOVING))
+    table = simulate(tabulated(gas_rows(-8.0, 8.0, 65), MOVING))
+    force = gas["tensioner_force"]
+    assert float(abs(table["tensioner_force"] - force).max()) < 1e-4 * float(force.max())
+    assert "unexplained" not in table.attrs["warnings"]
+    assert "table" not in table.attrs["warnings"]
+
+
+def test_leaving_the_table_is_warned_of():
+    run = simulate(tabulated(gas_rows(-1.0, 1.0, 9), MOVING))
+    assert (
+        "their table from -1 m to 1 m: beyond it the law goes on straight" in run.attrs["warnings"]
+    )
+
+
+def test_a_csv_table_is_the_same_as_rows_written_out(tmp_path):
+    rows = gas_rows(-8.0, 8.0, 5)
+    lines = [",".join(value.split()[0] for value in row.values()) for row in rows]
+    (tmp_path / "law.csv").write_text("\n".join(["reach (m), force (N)", *lines]) + "\n")
+    (tmp_path / "scene.yaml").write_text(HEAVE.read_text())
+    changes = {f"{TENSIONERS}.gas": None, f"{TENSIONERS}.table": {"file": "law.csv"}}
+    from_file = load_scene(tmp_path / "scene.yaml", **changes).scene()
+    assert from_file.top.tensioners == tabulated(rows, {}).scene().top.tensioners
+
+
+def rows(*pairs):
+    return [{"reach": f"{x} m", "force": f"{f} kN"} for x, f in pairs]
+
+
+@pytest.mark.parametrize(
+    "table, stroke, said",
+    [
+        (rows((-1, 5), (1, 4)), None, "force falls to 4000 N in row 2"),
+        (rows((-1, 5), (1, 6), (1, 7)), None, "must grow by the row"),
+        (rows((1, 5), (2, 6)), None, "must have mid-stroke"),
+        (rows((-1, -5), (1, 6)), None, "greater than or equal to 0"),
+        (rows((-1, 5)), None, "at least 2"),
+        (rows((-5, 5), (5, 6)), (-7, 4), "must cover the stroke, -7 m to 4 m"),
+        (rows((-5, 5), (5, 6)), (-4, 7), "must cover the stroke, -4 m to 7 m"),
+    ],
+)
+def test_a_table_that_is_no_law_is_refused(table, stroke, said):
+    more = {}
+    if stroke:
+        shortest, longest = (f"{x} m" for x in stroke)
+        stop = {"shortest": shortest, "longest": longest, "stop_stiffness": "1e9 N/m"}
+        more[f"{TENSIONERS}.stroke"] = stop
+    with pytest.raises(InputError) as refused:
+        tabulated(table, more)
+    assert "top.tensioners" in str(refused.value)
+    assert said in str(refused.value)
+
+
+steps = st.lists(
+    st.tuples(st.floats(0.1, 5.0), st.one_of(st.just(0.0), st.floats(0.0, 1e6))),
+    min_size=2,
+    max_size=12,
+)
+
+
+@given(steps)
+def test_between_its_rows_the_law_rises_with_a_continuous_slope(grown):
+    reach = list(accumulate((dx for dx, _ in grown), initial=-3.0))
+    force = list(accumulate((df for _, df in grown), initial=2e5))
+    law = table_law(
+        [TableRow.model_construct(reach=x, force=f) for x, f in zip(reach, force, strict=True)]
+    )
+    np.testing.assert_allclose(law(reach), force, rtol=1e-9)
+    fine = np.linspace(reach[0] - 4.0, reach[-1] + 4.0, 2001)
+    assert np.diff(law(fine)).min() > -1e-6 * force[-1] * 1e-6  # rounding
+    slope, tiny = law.derivative(), 1e-9
+    stiff = max(np.diff(force) / np.diff(reach))
+    for x in reach:
+        assert slope(x - tiny) == pytest.approx(slope(x + tiny), abs=1e-6 * stiff + 1e-6)

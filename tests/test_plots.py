@@ -1,0 +1,131 @@
+"""Plots that fit any grid: what they show, of datasets with known numbers."""
+
+import re
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from riserstudy.errors import InputError
+from riserstudy.figures import draw_plot
+from riserstudy.plots import NEEDS, FigureModel, default_figures
+from riserstudy.study import StudyModel
+
+UNIT = re.compile(r"\((m|s|kN|kN m|deg|ft|-)\)")
+TIME, S = np.linspace(0.0, 10.0, 41), np.linspace(0.0, 100.0, 11)
+AXES = {
+    "heave_amplitude": ([1.0, 2.0, 4.0], {"units": "m", "long_name": "heave amplitude"}),
+    "tug": ([3.0, 6.0], {"units": "ft", "long_name": "tug"}),  # no variable of ours
+    "reading": (["wide", "narrow"], {}),
+}
+
+
+def grid(*axes, moving=True):
+    """Bending moments and stroke that grow with the place in the grid."""
+    shape = tuple(len(AXES[axis][0]) for axis in axes)
+    size = 1.0 + np.arange(np.prod(shape, dtype=int)).reshape(shape)
+    wave = np.sin(TIME)[:, None] * np.sin(np.pi * S / 100.0)
+    moment = 1e3 * np.multiply.outer(size, wave if moving else wave[5])
+    dims = ("time", "s") if moving else ("s",)
+    data = {"bending_moment": ((*axes, *dims), moment), "point_key": (axes, size.astype(str))}
+    if moving:
+        data["bending_moment_max"] = ((*axes, "s_node"), moment.max(axis=-2))
+        data["bending_moment_min"] = ((*axes, "s_node"), moment.min(axis=-2))
+        data["stroke"] = ((*axes, "time"), np.multiply.outer(size, np.cos(TIME)))
+    coords = {axis: (axis, *AXES[axis]) for axis in axes} | {"s": S}
+    coords |= {"time": TIME, "s_node": S} if moving else {}
+    return xr.Dataset(data, coords, {"title": "a grid"})
+
+
+def drawn(plot, dataset, of=None):
+    model = FigureModel(caption="c", reads=["r"], plot=plot, of=of)
+    figure = draw_plot(model, dataset)
+    figure.set_dpi(40)  # to be quick
+    FigureCanvasAgg(figure).draw()
+    return figure
+
+
+GRIDS = [(), ("reading",), ("tug", "reading"), ("heave_amplitude", "tug", "reading")]
+
+
+@pytest.mark.parametrize("axes", GRIDS, ids="-".join)
+@pytest.mark.parametrize("plot", NEEDS)
+def test_every_plot_fits_every_grid_that_has_axes_enough(plot, axes):
+    if len(axes) < NEEDS[plot]:
+        return
+    figure = drawn(plot, grid(*axes))
+    for ax in figure.axes:
+        assert ax.lines or ax.collections
+        if ax.get_label() != "<colorbar>":
+            assert ax.get_xlabel() or ax.get_shared_x_axes().get_siblings(ax)
+        for text in (ax.get_xlabel(), ax.get_ylabel()):
+            assert not text or UNIT.search(text) or text == "reading", text
+    inside = figure.get_tightbbox(figure.canvas.get_renderer())
+    width, height = figure.get_size_inches()
+    assert -0.01 <= inside.x0 <= inside.x1 <= width + 0.01
+    assert -0.01 <= inside.y0 <= inside.y1 <= height + 0.01
+
+
+def test_lines_are_the_extremes_in_units_one_reads():
+    figure = drawn("lines", grid("heave_amplitude"), ["bending_moment"])
+    (ax,) = figure.axes
+    largest, smallest = (line.get_ydata() for line in ax.lines[:2])
+    peak = np.sin(TIME).max()
+    np.testing.assert_allclose(largest, peak * np.array([1.0, 2.0, 3.0]))  # kN m
+    np.testing.assert_allclose(smallest, np.sin(TIME).min() * np.array([1.0, 2.0, 3.0]))
+    assert ax.get_xlabel() == "heave amplitude (m)"
+    assert ax.get_ylabel() == "bending moment (kN m)"
+
+
+def test_a_heat_map_shows_the_extreme_that_matters():
+    figure = drawn("heat map", grid("heave_amplitude", "tug"), ["bending_moment"])
+    shown = figure.axes[0].collections[0].get_array().reshape(2, 3)
+    np.testing.assert_allclose(shown, np.sin(TIME).max() * np.array([[1, 3, 5], [2, 4, 6]]))
+    assert figure.axes[0].get_xlabel() == "heave amplitude (m)"
+    assert figure.axes[0].get_ylabel() == "tug (ft)"
+
+
+def test_an_envelope_lies_along_the_riser():
+    figure = drawn("envelope", grid("heave_amplitude"), ["bending_moment"])
+    (ax,) = figure.axes
+    assert len(ax.lines) == 6
+    np.testing.assert_allclose(ax.lines[0].get_ydata(), S)
+    np.testing.assert_allclose(
+        ax.lines[4].get_xdata(), 3 * np.sin(TIME).max() * np.sin(np.pi * S / 100)
+    )
+
+
+def test_a_time_series_is_that_of_the_place_that_varies_most():
+    figure = drawn("time series", grid("heave_amplitude"), ["bending_moment"])
+    (ax,) = figure.axes
+    np.testing.assert_allclose(ax.lines[1].get_ydata(), 2.0 * np.sin(TIME))
+    assert "at s = 50" in ax.get_ylabel()
+
+
+def test_large_grids_are_shown_by_a_few_points():
+    figure = drawn("envelope", grid("heave_amplitude", "tug", "reading"), ["bending_moment"])
+    assert len(figure.axes[0].lines) == 2 * 7
+    words = [text.get_text() for text in figure.legends[0].texts]
+    assert words[0] == "heave amplitude 1 m, tug 3 ft, wide"
+    assert words[-1] == "heave amplitude 4 m, tug 6 ft, narrow"
+
+
+@pytest.mark.parametrize("plot", NEEDS)
+def test_what_is_not_there_is_said(plot):
+    with pytest.raises(InputError, match=r"no 'colour'.*there are bending_moment"):
+        drawn(plot, grid("heave_amplitude", "tug"), ["colour"])
+
+
+def test_a_study_file_without_figures_gets_those_that_fit():
+    axis = {"path": "a", "unit": "m", "values": [1, 2]}
+    studies = {
+        name: StudyModel(scene="s", caption="c", axes=dict.fromkeys(axes, axis))
+        for name, axes in {"none": "", "one": "a", "two": "ab"}.items()
+    }
+    found = default_figures(studies, {"none": False, "one": True, "two": True})
+    assert list(found) == [
+        *("none_envelope", "one_lines", "one_envelope", "one_time_series"),
+        *("two_heat_map", "two_envelope", "two_time_series"),
+    ]
+    assert found["two_heat_map"].reads == ["two"]
