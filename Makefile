@@ -15,7 +15,7 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
-.PHONY: help study test test-slow check lock figures bench clean
+.PHONY: help study test test-slow test-wheel check docs wheel lock figures bench clean
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
 export PYTHON
@@ -37,6 +37,15 @@ check: $(READY)  ## check format, lint, types, import rules and spelling
 
 lock:  ## resolve the dependencies anew into the hashed lock files (developers)
 	@sh workflow/scripts/with_python.sh workflow/scripts/make_locks.py
+
+docs: $(READY)  ## build the pages into build/docs, warnings as errors
+	@$(IN_ENVIRONMENT) sphinx-build -q -W -b html docs build/docs
+
+wheel: $(READY)  ## build the package into dist/
+	@.venv/bin/python -m pip wheel -q --no-deps --no-build-isolation -w dist .
+
+test-wheel: $(READY)  ## install the wheel into an empty environment and run a study of one's own with it
+	@$(IN_ENVIRONMENT) pytest -q -s tests/workflow/test_wheel.py
 
 figures: $(READY)  ## draw the figures, simulating only what they miss
 	@exec $(STUDY) figures

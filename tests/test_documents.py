@@ -3,6 +3,9 @@
 import difflib
 import json
 import re
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import jsonschema
@@ -65,3 +68,23 @@ def test_links_within_the_project_lead_somewhere(page):
         if place:
             headings = re.findall(r"^#+ (.*)$", linked.read_text("utf-8"), re.M)
             assert place in {anchor(heading) for heading in headings}, target
+
+
+def build(docs, target):
+    """Build the pages as `make docs` does."""
+    command = [sys.executable, "-m", "sphinx", "-q", "-W", "-b", "dummy", docs, target]
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+def test_the_pages_build_and_a_link_that_leads_nowhere_stops_them(tmp_path):
+    docs = tmp_path / "docs"
+    shutil.copytree(ROOT / "docs", docs)
+    for part in ("src", "workflow"):
+        (tmp_path / part).symlink_to(ROOT / part)
+    good = build(docs, tmp_path / "good")
+    assert (good.returncode, good.stderr) == (0, "")
+    with (docs / "tutorial.md").open("a") as page:
+        page.write("\n[more](absent.md)\n")
+    bad = build(docs, tmp_path / "bad")
+    assert bad.returncode != 0
+    assert "absent" in bad.stderr

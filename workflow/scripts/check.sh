@@ -13,8 +13,9 @@ check() {
 check ruff format --check
 check ruff check
 check mypy --no-error-summary
-check snakefmt --check Snakefile workflow/rules
+check snakefmt --check Snakefile workflow/rules src/riserstudy/template/Snakefile
 check snakemake --lint
 check lint-imports
 check codespell
+check sphinx-build -q -W -b dummy docs build/checked-docs
 exit $status

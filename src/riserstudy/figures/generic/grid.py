@@ -80,7 +80,7 @@ def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
     ending = next((e for e in ENDINGS if name.endswith(e)), "")
     values = dataset.get(name, dataset.get(name.removesuffix(ending)))
     if values is None or values.dtype.kind not in "fiu":
-        raise absent(dataset, name)
+        raise absent(dataset, name.removesuffix(ending))
     within = [dim for dim in values.dims if dim in WITHIN_A_RUN]
     reduced: xr.DataArray = values.min(within) if ending == "_min" else values.max(within)
     return reduced.rename(name).assign_attrs(attributes(name) or values.attrs)

@@ -1,0 +1,101 @@
+"""The folder that `riserstudy new` makes: complete, valid, with the rules of the package."""
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import jsonschema
+import pytest
+from ruamel.yaml import YAML
+
+from riserstudy.cli import main
+from riserstudy.new import TEMPLATE, new_study
+from riserstudy.schemas import schema_files
+
+EDITABLE = ["config/config.yaml", "config/studies/example.yaml", "config/scenes/riser.yaml"]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    new_study(tmp_path / "my study")
+    return tmp_path / "my study"
+
+
+def planned(folder, *arguments):
+    """What a plain `snakemake -n` says it would do."""
+    done = subprocess.run(
+        [sys.executable, "-m", "snakemake", "-n", "--nocolor", *arguments],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
+    said = done.stdout + done.stderr
+    return done.returncode, said, set(re.findall(r"^Job \d+: (.*)$", said, re.M))
+
+
+def test_a_plain_snakemake_plans_datasets_every_fitting_plot_and_the_report(folder):
+    status, said, jobs = planned(folder)
+    assert status == 0, said
+    plots = ["heave_lines", "heave_envelope", "heave_time_series", "heave_and_current_heat_map"]
+    plots += ["heave_and_current_envelope", "heave_and_current_time_series"]
+    assert jobs - {"compile the kernels"} == {
+        *(f"simulate example/{name}" for name in ("heave", "heave_and_current")),
+        *(f"draw example/{name}" for name in plots),
+        "make the report",
+    }
+
+
+STUDY = "config/studies/example.yaml"
+
+
+@pytest.mark.parametrize(
+    "said, added",
+    [
+        ("figures.a: nothing says how to draw it", "{caption: c, reads: [heave]}"),
+        ("'heave' has 1 axes", "{caption: c, reads: [heave], plot: heat map}"),
+        ("reads one dataset", "{caption: c, reads: [heave, heave_and_current], plot: lines}"),
+        ("needs a plot", "{caption: c, reads: [heave], of: [x]}"),
+        ("pie", "{caption: c, reads: [heave], plot: pie}"),
+    ],
+)
+def test_a_figure_that_cannot_be_meant_stops_before_any_job(folder, said, added):
+    with (folder / STUDY).open("a") as file:
+        file.write(f"figures: {{a: {added}}}\n")
+    status, out, _ = planned(folder)
+    assert status == 1
+    assert f"riserstudy: {STUDY}: figures.a" in out
+    assert said in out
+
+
+@pytest.mark.parametrize("name", EDITABLE)
+def test_the_first_line_points_editors_at_a_schema_that_fits(folder, name):
+    first = (folder / name).read_text().splitlines()[0]
+    target = re.fullmatch(r"# yaml-language-server: \$schema=(\S+)", first)[1]
+    schema = json.loads(((folder / name).parent / target).read_text())
+    jsonschema.validate(YAML(typ="safe", pure=True).load(folder / name), schema)
+    assert (folder / name).parent.joinpath(target).name in schema_files()
+
+
+def test_the_readme_names_every_file(folder):
+    text = (folder / "README.md").read_text()
+    for name in [*EDITABLE, "Snakefile", "config/schemas"]:
+        assert f"`{name}`" in text
+
+
+def test_a_folder_that_holds_something_is_left_alone(folder, monkeypatch, capsys):
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    monkeypatch.setattr(sys, "argv", ["riserstudy", "new", str(folder)])
+    with pytest.raises(SystemExit) as stopped:
+        main()
+    assert stopped.value.code == 2
+    assert "is there already" in capsys.readouterr().err
+    assert before == {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_the_template_holds_nothing_but_what_git_has():
+    assert {path.name for path in TEMPLATE.iterdir()} == {
+        *("Snakefile", "README.md", "config", "profiles")
+    }
+    assert not (Path(TEMPLATE) / "config/schemas").exists()
