@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
-from riserstudy.errors import InputError, RiserStudyError
+from riserstudy.errors import InputError, RiserStudyError, shown
 
 app = typer.Typer(
     name="riserstudy",
@@ -39,16 +39,13 @@ def main() -> None:
         sys.exit(error.exit_code)
     except Exception as error:
         if hasattr(error, "format_message"):  # a usage error of the command line itself
-            print(f"riserstudy: command line: {error.format_message()}", file=sys.stderr)
+            print(f"riserstudy: command line: {shown(error.format_message())}", file=sys.stderr)
             sys.exit(2)
         raise
 
 
 def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) -> Any:
-    from ruamel.yaml import YAML
-    from ruamel.yaml.error import YAMLError
-
-    from riserstudy.scene.load import read_scene
+    from riserstudy.scene.load import plain_yaml, read_scene
     from riserstudy.simulation import at_accuracy
 
     overrides: dict[str, Any] = {}
@@ -58,12 +55,7 @@ def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) 
             raise InputError(
                 "--set", setting, "no PATH=VALUE", "allowed is platform.heave.amplitude='3 m'"
             )
-        try:
-            overrides[name.strip()] = YAML(typ="safe", pure=True).load(text)
-        except (YAMLError, ValueError):
-            raise InputError(
-                "--set", name, f"{text!r} is no value", "allowed is plain YAML"
-            ) from None
+        overrides[name.strip()] = plain_yaml(text, f"--set {name.strip()}")
     file = read_scene(path).with_values(overrides, "--set")
     if accuracy is not None:
         file = at_accuracy(file, accuracy)
@@ -71,13 +63,21 @@ def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) 
     return file
 
 
-def _check_writable(output: Path) -> None:
+def _check_writable(output: Path, scene: Path) -> None:
+    """Refuse what would not be made, or would take the place of a device, a link or the scene."""
     import os
 
-    folder = output.resolve().parent
-    if output.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
-        allowed = "allowed is a file in a folder that exists"
-        raise InputError("--output", str(output), "cannot be written", allowed)
+    try:
+        folder = output.resolve().parent
+        taken = output.is_symlink() or (output.exists() and not output.is_file())
+        if taken or not folder.is_dir() or not os.access(folder, os.W_OK):
+            allowed = "allowed is a file in a folder that exists"
+            raise InputError("--output", str(output), "cannot be written", allowed)
+        if output.exists() and output.samefile(scene):
+            raise InputError("--output", str(output), "the scene itself", "name another file")
+    except (OSError, ValueError) as error:  # names too long, loops of links, no name at all
+        reason = getattr(error, "strerror", None) or "no file name"
+        raise InputError("--output", str(output), reason, "allowed is another file") from None
 
 
 @app.command()
@@ -94,7 +94,7 @@ def run(
 ) -> None:
     """Simulate a scene and write its dataset."""
     file = _scene(scene, settings, accuracy)
-    _check_writable(output)
+    _check_writable(output, scene)
     from riserstudy.gather import write_dataset
     from riserstudy.simulation import simulate
 
@@ -126,7 +126,7 @@ def cost(
     """Say what 5, 1, 0.2 and 0.05 % of error cost for a scene, before a grid of it is launched."""
     file = _scene(scene, settings)
     if plot is not None:
-        _check_writable(plot)
+        _check_writable(plot, scene)
     from riserstudy.numerics import prices as requests
 
     found = []
@@ -201,7 +201,7 @@ def modes(
 
     file = _scene(scene, settings)
     if output is not None:
-        _check_writable(output)
+        _check_writable(output, scene)
     dataset = modes_of(file.scene(), count)
     table = Table("mode", "period (s)", "frequency (Hz)", "motion")
     for k in range(dataset.sizes["mode"]):

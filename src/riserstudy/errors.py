@@ -2,6 +2,17 @@
 
 from __future__ import annotations
 
+LONGEST = 400  # characters of a part of a message
+
+
+def shown(value: object) -> str:
+    """Text of a value for a message: of bounded length, on one line, without control characters."""
+    text = str(value)
+    text = text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..."
+    return "".join(
+        c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text
+    )
+
 
 class RiserStudyError(Exception):
     """Base of all errors this package raises on purpose; ``exit_code`` is that of the command."""
@@ -24,8 +35,8 @@ class InputError(RiserStudyError):
 
     def __init__(self, where: object, field: str, found: str, allowed: str):
         self.where, self.field, self.found, self.allowed = str(where), field, found, allowed
-        place = f"{where}: {field}" if field else str(where)
-        super().__init__(f"{place}: {found}; {allowed}")
+        place = f"{shown(where)}: {shown(field)}" if field else shown(where)
+        super().__init__(f"{place}: {shown(found)}; {shown(allowed)}")
 
 
 class SimulationError(RiserStudyError):

@@ -22,6 +22,11 @@ from riserstudy.scene.load import SceneFile, check, read_scene, read_yaml
 from riserstudy.scene.origin import Origin
 from riserstudy.store import canonical
 
+MOST_VALUES = 1_000_000  # of an axis, and points of a study
+#: of papers, datasets and figures, which name files
+Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,99}$")]
+#: of axes, which name dimensions and variables of datasets
+AxisName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,99}$")]
 TIERS = ("preview", "standard", "reference")
 Tier = Literal["preview", "standard", "reference"]
 
@@ -32,6 +37,12 @@ class Steps(Strict):
     start: float
     stop: float
     step: Annotated[float, Field(gt=0)]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if not 0.0 <= self.stop - self.start <= MOST_VALUES * self.step:
+            raise ValueError(f"stop must lie above start, by {MOST_VALUES} steps at most")
+        return self
 
     @property
     def values(self) -> list[float]:
@@ -81,13 +92,19 @@ class Samples(Strict):
     ``readings`` names readings of the study file that are varied with them, each with equal chance.
     """
 
-    count: dict[Tier, Annotated[int, Field(ge=2)]]
-    seed: int
+    count: dict[Tier, Annotated[int, Field(ge=2, le=MOST_VALUES)]]
+    seed: Annotated[int, Field(ge=0)]
     leave: list[str] = Field(default_factory=list)
     readings: list[str] = Field(default_factory=list)
 
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if missing := [tier for tier in TIERS if tier not in self.count]:
+            raise ValueError(f"count: no number for {missing[0]}")
+        return self
 
-Labels = dict[str, dict[str, Any]]
+
+Labels = Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
 #: an axis over all readings of that name in the study file
 Reading = Literal["readings"]
 
@@ -98,8 +115,14 @@ class StudyModel(Strict):
     scene: str
     caption: str
     set: dict[str, Any] = Field(default_factory=dict)
-    axes: dict[str, Numbers | Samples | Labels | Reading]
+    axes: dict[AxisName, Numbers | Samples | Labels | Reading]
     keep: list[str] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if Path(self.scene).is_absolute() or ".." in Path(self.scene).parts:
+            raise ValueError("scene: must lie below the folder of the configuration")
+        return self
 
 
 class StudyFile(Strict):
@@ -111,10 +134,10 @@ class StudyFile(Strict):
 
     paper: str
     readings: dict[str, Labels] = Field(default_factory=dict)
-    studies: dict[str, StudyModel]
-    derived: dict[str, list[str]] = Field(default_factory=dict)
+    studies: dict[Name, StudyModel]
+    derived: dict[Name, list[str]] = Field(default_factory=dict)
     measured: Measured | None = None
-    figures: dict[str, FigureModel] = Field(default_factory=dict)
+    figures: dict[Name, FigureModel] = Field(default_factory=dict)
 
     @property
     def datasets(self) -> list[str]:
@@ -209,8 +232,16 @@ class Study:
 
     @cached_property
     def grid(self) -> Grid:
-        """The scenes of all points."""
+        """The scenes of all points.
+
+        Raises
+        ------
+        InputError
+            When there are too many.
+        """
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
+        if (points := math.prod(map(len, axes))) > MOST_VALUES:
+            raise InputError(self.where, "axes", f"{points} points", f"allowed are {MOST_VALUES}")
         return Grid(self.base, axes, self.where)
 
     @cached_property

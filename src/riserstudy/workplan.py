@@ -22,7 +22,7 @@ from riserstudy.published.models import PublishedFile, published_path, read_publ
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import check, read_yaml
 from riserstudy.store import key_of
-from riserstudy.study import Study, StudyFile, Tier, read_studies, scene_file, threads_worth
+from riserstudy.study import Name, Study, StudyFile, Tier, read_studies, scene_file, threads_worth
 
 
 class TierModel(Strict):
@@ -34,7 +34,7 @@ class TierModel(Strict):
 class Config(Strict):
     """config/config.yaml."""
 
-    papers: list[str] = Field(min_length=1)
+    papers: list[Name] = Field(min_length=1)
     tier: Literal["preview", "standard", "reference"]
     tiers: dict[Tier, TierModel]
 

@@ -12,6 +12,7 @@ from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
 
 MOST_OUTPUTS = 1_000_000
 MOST_STEPS = 1_000_000_000
+MOST_VALUES = 300_000_000  # of a history at all its times and places: 2.4 GB
 
 
 class Mesh(Strict):
@@ -99,6 +100,12 @@ class Analysis(Strict):
             raise ValueError(
                 f"output.interval {output.interval:g} s asks for more than {MOST_OUTPUTS} outputs; "
                 "take a longer one"
+            )
+        places = len(output.stations or []) or (self.mesh.elements if self.mesh else 1)
+        if places * (duration - start) / output.interval > MOST_VALUES:
+            raise ValueError(
+                f"output of {places} places every {output.interval:g} s is more than {MOST_VALUES} "
+                "values; take a longer interval, or stations"
             )
         if self.step is not None and duration / self.step > MOST_STEPS:
             raise ValueError(

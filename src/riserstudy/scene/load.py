@@ -18,10 +18,12 @@ from riserstudy.errors import InputError
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
 from riserstudy.scene.tables import fill_in_tables
+from riserstudy.scene.text import read_text
 
 T = TypeVar("T", bound=BaseModel)
 MOST_BYTES = 1_000_000  # of an input file
 DEEPEST = 20  # nesting levels
+MANY = 1000  # brackets, which may be nested; the reader's time grows as their square
 _SPECIAL = re.compile(r"[!&*]")  # what tags, anchors and aliases begin with
 _STEP = re.compile(r"[A-Za-z_]\w*(\[\d{1,6}\])*")  # of a dotted path
 
@@ -68,41 +70,40 @@ def _copied(tree: Any) -> Any:
 
 def read_yaml(path: Path) -> Any:
     """A YAML file as plain data. Tags, aliases and duplicate keys are refused; nothing is executed."""
-    path = Path(path)
-    try:
-        if path.stat().st_size > MOST_BYTES:
-            raise InputError(path, "", "larger than 1 MB", "allowed is a smaller file")
-        text = path.read_text("utf-8")
-    except OSError as error:
-        reason = error.strerror or "cannot be read"
-        raise InputError(path, "", reason, "allowed is a readable file") from None
-    except UnicodeDecodeError:
-        raise InputError(path, "", "not UTF-8 text", "allowed is a YAML file in UTF-8") from None
+    return plain_yaml(read_text(Path(path), MOST_BYTES), path)
+
+
+def plain_yaml(text: str, source: object) -> Any:
+    """Plain data of YAML text; ``source`` names it in errors."""
     reader = YAML(typ="safe", pure=True)
     reader.allow_duplicate_keys = False
     try:
-        if _SPECIAL.search(text):  # looking at every token takes as long as reading
-            _refuse_special(path, text)
+        if _SPECIAL.search(text) or text.count("[") + text.count("{") > MANY:
+            _scan(text, source)  # looking at every token takes as long as reading
         data = reader.load(text)
     except YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         where = f"line {mark.line + 1}" if mark else ""
         problem = getattr(error, "problem", None) or "no YAML"
-        raise InputError(path, where, str(problem), "allowed is plain YAML") from None
+        raise InputError(source, where, str(problem), "allowed is plain YAML") from None
     except (RecursionError, ValueError) as error:
-        raise InputError(path, "", f"cannot be read: {error}"[:200], "simplify it") from None
+        raise InputError(source, "", f"cannot be read: {error}"[:200], "simplify it") from None
     fault = _not_plain(data)
     if fault:
-        raise InputError(path, *fault)
+        raise InputError(source, *fault)
     return data
 
 
-def _refuse_special(path: Path, text: str) -> None:
-    """Refuse tags, anchors and aliases."""
+def _scan(text: str, source: object) -> None:
+    """Refuse what plain YAML has no need of, before anything is built from it."""
+    depth = 0
     for token in YAML(typ="safe", pure=True).scan(text):
-        if type(token).__name__ in ("AliasToken", "AnchorToken", "TagToken"):
-            line = token.start_mark.line + 1
-            raise InputError(path, f"line {line}", "a YAML tag, anchor or alias", "write it out")
+        kind, place = type(token).__name__, f"line {token.start_mark.line + 1}"
+        if kind in ("AliasToken", "AnchorToken", "TagToken"):
+            raise InputError(source, place, "a YAML tag, anchor or alias", "write it out")
+        depth += kind.endswith("StartToken") - kind.endswith("EndToken")
+        if depth > DEEPEST + 1:  # the stream itself counts as one
+            raise InputError(source, place, "nested too deeply", f"allowed are {DEEPEST} levels")
 
 
 def _not_plain(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, str] | None:

@@ -6,6 +6,7 @@ The first line names the columns with their units, as in ``elevation (m), speed 
 from __future__ import annotations
 
 import csv
+import io
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,8 +14,10 @@ from typing import Any
 
 from riserstudy.errors import InputError
 from riserstudy.scene.response import MOTIONS
+from riserstudy.scene.text import read_text
 
 MOST_ROWS = 100_000
+MOST_BYTES = 10_000_000
 _HEADING = re.compile(r"\s*(\w+)\s*\(([^)]+)\)\s*")
 
 #: columns that a table may have besides, in any order
@@ -52,7 +55,7 @@ def fill_in_tables(tree: dict[str, Any], folder: Path) -> dict[str, Any]:
         here = parent.get(name) if isinstance(parent, dict) else None
         if not (isinstance(here, dict) and set(here) == {"file"}):
             continue
-        rows = read_table(folder / str(here["file"]), columns, OPTIONAL.get(name, []))
+        rows = read_table(_place(folder, here["file"]), columns, OPTIONAL.get(name, []))
         filled = _with(filled, (*way, name), rows if key is None else {key: rows})
     return filled
 
@@ -63,19 +66,23 @@ def _with(tree: dict[str, Any], way: tuple[str, ...], value: Any) -> dict[str, A
     return {**tree, step: _with(tree[step], tuple(further), value) if further else value}
 
 
+def _place(folder: Path, name: object) -> Path:
+    """Where a table stands; only tables are read, so that no scene shows what else is on a machine."""
+    if not isinstance(name, str) or not name.endswith(".csv"):
+        allowed = "allowed is the path of a .csv file, seen from the scene"
+        raise InputError(folder, "file", repr(name), allowed)
+    return folder / name
+
+
 def read_table(
     path: Path, columns: tuple[str, ...], optional: Sequence[str] = ()
 ) -> list[dict[str, str]]:
     """Rows of a CSV table, each value with the unit of its column."""
+    text = read_text(path, MOST_BYTES)
     try:
-        with path.open(encoding="utf-8", newline="") as stream:
-            lines = list(csv.reader(stream))
-    except OSError as error:
-        raise InputError(
-            path, "", error.strerror or "cannot be read", "allowed is a CSV file"
-        ) from None
-    except (UnicodeDecodeError, csv.Error):
-        raise InputError(path, "", "no CSV in UTF-8", "allowed is a CSV file") from None
+        lines = list(csv.reader(io.StringIO(text, newline=""), strict=True))
+    except csv.Error as error:
+        raise InputError(path, "", f"no CSV: {error}", "allowed is a CSV file") from None
     wanted = ", ".join(f"{name} (unit)" for name in columns)
     headings = [_HEADING.fullmatch(cell) for cell in (lines[0] if lines else [])]
     found = [m.group(1) for m in headings if m]

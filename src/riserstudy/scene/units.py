@@ -22,6 +22,10 @@ ATMOSPHERE = 101325.0  # Pa, what a gauge pressure leaves out
 USUAL = Path(__file__).with_name("usual_units.json")
 
 _NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+# Names, products and small exponents: pint would work out 9**9**9**9.
+_EXPONENT = r"(?:\s*(?:\^|\*\*)\s*-?\d{1,2}(?!\d))?"
+_UNIT = re.compile(rf"(?:[^\W\d]\w*+{_EXPONENT}|\){_EXPONENT}|[°%*/(\s]|1(?=\s*/))*+")
+LONGEST_UNIT = 60  # characters
 
 
 @lru_cache(4096)
@@ -49,6 +53,8 @@ def to_si(text: str, unit: str) -> float:
     if not number:
         raise ValueError(f"{text!r} does not start with a number; {allowed}")
     name = plain[number.end() :].strip()
+    if len(name) > LONGEST_UNIT or not _UNIT.fullmatch(name):
+        raise ValueError(f"{text!r} has a unit that is not known; {allowed}")
     if not name:
         raise ValueError(f"{text!r} has no unit; {allowed}")
     try:

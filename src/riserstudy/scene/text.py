@@ -1,0 +1,45 @@
+"""Text of an input file: a regular file of bounded size in UTF-8, or a refusal that says why."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from pathlib import Path
+
+from riserstudy.errors import InputError
+
+
+def read_text(path: Path, most: int) -> str:
+    """Text of a file of at most ``most`` bytes.
+
+    Links are not followed and devices not opened: a scene from elsewhere shall read nothing but the tables
+    it came with, and never wait. What is checked is what was opened.
+
+    Raises
+    ------
+    InputError
+        When it is a link, no regular file, too large, unreadable or not UTF-8.
+    """
+    try:
+        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+        with os.fdopen(handle, "rb") as stream:
+            if not stat.S_ISREG(os.fstat(handle).st_mode):
+                raise InputError(path, "", "no regular file", "allowed is a readable file")
+            content = stream.read(most + 1)
+    except OSError as error:
+        link = error.errno == errno.ELOOP
+        reason = "a symbolic link" if link else error.strerror or "cannot be read"
+        allowed = "name the file itself" if link else "allowed is a readable file"
+        raise InputError(path, "", reason, allowed) from None
+    except ValueError:
+        raise InputError(
+            repr(str(path)), "", "no file name", "allowed is a readable file"
+        ) from None
+    if len(content) > most:
+        raise InputError(path, "", f"larger than {most // 10**6} MB", "allowed is a smaller file")
+    try:
+        return content.decode("utf-8-sig")  # spreadsheets begin with a mark
+    except UnicodeDecodeError as error:
+        found = f"not UTF-8 text at byte {error.start}"
+        raise InputError(path, "", found, "allowed is text in UTF-8") from None

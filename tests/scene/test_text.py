@@ -1,0 +1,100 @@
+"""Only regular text files are read: no links, no devices, nothing that waits, nothing that runs."""
+
+import os
+import pickle
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from riserstudy import store
+from riserstudy.errors import InputError
+from riserstudy.scene.load import read_yaml
+from riserstudy.scene.tables import fill_in_tables
+from riserstudy.scene.text import read_text
+
+
+def link(path):
+    path.with_name("other").write_text("a: 1")
+    path.symlink_to("other")
+
+
+KINDS = {
+    "a link": (link, "a symbolic link"),
+    "a link to itself": (lambda path: path.symlink_to(path), "a symbolic link"),
+    "a pipe that nobody fills": (os.mkfifo, "no regular file"),
+    "a folder": (lambda path: path.mkdir(), "directory"),
+    "a large file": (lambda path: path.write_bytes(bytes(101)), "larger"),
+    "bytes": (lambda path: path.write_bytes(b"a\xff"), "not UTF-8 text at byte 1"),
+    "nothing": (lambda path: None, "No such file"),
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_is_no_text_file_is_refused(kind, tmp_path):
+    make, why = KINDS[kind]
+    path = tmp_path / "scene.yaml"
+    make(path)
+    with pytest.raises(InputError, match=why):
+        read_text(path, 100)
+
+
+@pytest.mark.parametrize("name", ["/dev/zero", "a\0b", "x" * 300])
+def test_a_name_of_no_file_is_refused(name, tmp_path):
+    with pytest.raises(InputError):
+        read_text(tmp_path / name, 100)
+
+
+BOMBS = {
+    "aliases": "a: &a [1, 1]\n"
+    + "".join(f"{y}: &{y} [*{x}, *{x}]\n" for x, y in pairwise("abcdefgh")),
+    "an alias of itself": "a: &a [*a]",
+    "a merge": "a: &a {b: 1}\nc: {<<: *a}",
+    "a tag": "a: !!python/object/apply:os.system ['true']",
+    "deep lists": "a: " + "[" * 5000,
+    "deep mappings": "{a: " * 5000,
+    "deep blocks": "".join(" " * k + "a:\n" for k in range(900)),
+    "a number of many digits": "a: " + "9" * 5000,
+    "infinity": "a: 1e400",
+}
+
+
+@pytest.mark.parametrize("kind", BOMBS)
+def test_a_bomb_is_refused(kind, tmp_path):
+    path = tmp_path / "scene.yaml"
+    path.write_text(BOMBS[kind])
+    with pytest.raises(InputError) as refusal:
+        read_yaml(path)
+    assert len(str(refusal.value)) < 1000
+
+
+@pytest.mark.parametrize("name", ["/etc/passwd", "../secret", "", 3, None])
+def test_only_tables_are_read_as_tables(name, tmp_path):
+    with pytest.raises(InputError, match="csv"):
+        fill_in_tables({"current": {"profile": {"file": name}}}, tmp_path)
+
+
+class Touch:
+    """What, unpickled, leaves a mark."""
+
+    def __init__(self, mark):
+        self.mark = mark
+
+    def __reduce__(self):
+        return os.mkdir, (str(self.mark),)
+
+
+def test_nothing_stored_is_unpickled(tmp_path, monkeypatch):
+    monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path))
+    mark, point = tmp_path / "mark", tmp_path / "points/ab/ab.npz"
+    point.parent.mkdir(parents=True)
+    np.savez(point, about=np.array("{}"), x=np.array([Touch(mark)], dtype=object))
+    assert store.get("ab") is None
+    np.savez(point, about=np.array([Touch(mark)], dtype=object))
+    assert store.get("ab") is None
+    assert list(store.about_points()) == []
+    point.write_bytes(pickle.dumps(Touch(mark)))
+    assert store.get("ab") is None
+    assert not mark.exists()
+    pickle.loads(point.read_bytes())
+    assert mark.exists()
