@@ -1,4 +1,4 @@
-"""The command line: ``riserstudy new | run | cost | effects | advise | modes | schema | results``."""
+"""The command line: ``riserstudy new | run | cost | effects | advise | modes | schema | results | diff``."""
 
 from __future__ import annotations
 
@@ -255,3 +255,34 @@ def results(
         text = line + json.dumps(about["scene"])
         if all(word in text for word in filters or []):
             print(line)
+
+
+@app.command()
+def diff(
+    old: Annotated[Path, typer.Argument(help="results folder, dataset or table", metavar="OLD")],
+    new: Annotated[Path, typer.Argument(help="the same, made anew", metavar="NEW")],
+) -> None:
+    """Say what changed between two sets of results: published numbers, verdicts, every dataset."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from riserstudy.changes import changes
+
+    found = changes(old, new)
+    console = Console()
+    if not console.is_terminal:
+        console.width = 160  # a file has no width to wrap at
+    if found.graded:
+        table = Table("number or claim", "", "old", "new")
+        for one in found.graded:
+            table.add_row(*one)
+        console.print(table)
+    if found.varied:
+        table = Table("dataset", "variable", "largest change", "")
+        for name, variable, change, why in found.varied:
+            table.add_row(name, variable, "" if why else f"{change:.2g}", why)
+        console.print(table)
+    print(f"{len({one.item for one in found.graded})} of {found.rows} numbers and claims changed")
+    print(
+        f"{len(found.varied)} of {found.variables} variables changed, by {found.largest:.2g} at most"
+    )

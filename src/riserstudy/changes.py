@@ -1,0 +1,150 @@
+"""What differs between two sets of results: published numbers, verdicts, and every variable of datasets.
+
+The change of a variable is its largest absolute difference over its largest magnitude in either dataset,
+since a change beside a zero crossing says nothing. What tells how long something took is left out, and
+keys of stored points, which change with every edit of the engine.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+TABLE = "reproduction.csv"
+COLUMNS = ("simulated", "error", "verdict", "depends_on")
+_LEFT_OUT = re.compile(r"seconds$|^wall_|^time_(change|share)$|^point_key$")
+
+
+class Graded(NamedTuple):
+    """One field of a graded number or claim that changed."""
+
+    item: str
+    column: str
+    old: str
+    new: str
+
+
+class Varied(NamedTuple):
+    """A variable of a dataset: relative change, or ``why`` it cannot be said."""
+
+    dataset: str
+    variable: str
+    change: float
+    why: str = ""
+
+
+class Changes(NamedTuple):
+    """All that differs, and how many rows and variables were compared."""
+
+    graded: list[Graded]
+    varied: list[Varied]
+    rows: int
+    variables: int
+
+    @property
+    def largest(self) -> float:
+        """Largest relative change of a variable; infinite where one cannot be compared."""
+        return max((one.change for one in self.varied), default=0.0)
+
+
+def changes(old: Path, new: Path) -> Changes:
+    """What differs between two results folders, two tables (``.csv``) or two datasets (``.nc``).
+
+    Raises
+    ------
+    InputError
+        When there is nothing to compare, or a file cannot be read.
+    """
+    tables = [_rows(path) for path in (old, new)]
+    files = [_datasets(path) for path in (old, new)]
+    for path, rows, found in zip((old, new), tables, files, strict=True):
+        if not rows and not found:
+            allowed = f"allowed is a results folder, a dataset or a {TABLE}"
+            raise InputError("diff", str(path), "no results", allowed)
+    graded = list(_graded(*tables))
+    varied, count = [], 0
+    for name in sorted({*files[0], *files[1]}):
+        for one in _varied(name, files[0].get(name), files[1].get(name)):
+            count += 1
+            varied += [one] if one.change or one.why else []
+    return Changes(graded, varied, len({*tables[0], *tables[1]}), count)
+
+
+def _rows(path: Path) -> dict[str, dict[str, str]]:
+    """Graded rows by paper and ID."""
+    table = path / TABLE if path.is_dir() else path
+    if table.suffix != ".csv" or not table.is_file():
+        return {}
+    try:
+        with table.open(newline="", encoding="utf-8") as stream:
+            return {f"{row['paper']}/{row['id']}": row for row in csv.DictReader(stream)}
+    except (OSError, UnicodeDecodeError, csv.Error, KeyError):
+        raise InputError(table, "", "no table of graded numbers", "make it anew") from None
+
+
+def _datasets(path: Path) -> dict[str, Path]:
+    """Datasets by name."""
+    if path.is_dir():
+        return {f"{file.parent.name}/{file.stem}": file for file in path.glob("*/*.nc")}
+    return {"dataset": path} if path.suffix == ".nc" and path.is_file() else {}
+
+
+def _graded(old: dict[str, dict[str, str]], new: dict[str, dict[str, str]]) -> Iterator[Graded]:
+    for item in sorted({*old, *new}):
+        if item not in old or item not in new:
+            yield Graded(item, "row", *("there" if item in t else "absent" for t in (old, new)))
+            continue
+        for column in COLUMNS:
+            before, after = (str(table[item].get(column) or "") for table in (old, new))
+            if before != after:
+                yield Graded(item, column, before, after)
+
+
+def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
+    """Every variable of a dataset with its change, 0 where it is the same bit for bit."""
+    if old is None or new is None:
+        yield Varied(name, "", float("inf"), "only in " + ("NEW" if old is None else "OLD"))
+        return
+    before, after = _opened(old), _opened(new)
+    for variable in sorted({*map(str, before.variables), *map(str, after.variables)}):
+        if _LEFT_OUT.search(variable):
+            continue
+        if variable not in before.variables or variable not in after.variables:
+            where = "NEW" if variable not in before.variables else "OLD"
+            yield Varied(name, variable, float("inf"), f"only in {where}")
+        else:
+            yield _one(name, variable, before[variable], after[variable])
+
+
+def _opened(path: Path) -> xr.Dataset:
+    import xarray as xr
+
+    try:
+        return xr.load_dataset(path, engine="netcdf4", decode_times=False)
+    except (OSError, ValueError, RuntimeError):
+        raise InputError(path, "", "no dataset", "make it anew") from None
+
+
+def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Varied:
+    import numpy as np
+
+    a, b = old.values, new.values
+    if a.shape != b.shape or old.dims != new.dims:
+        return Varied(name, variable, float("inf"), f"shape {a.shape}, now {b.shape}")
+    if a.dtype.kind not in "fiu" or b.dtype.kind not in "fiu":
+        same = np.array_equal(a, b)
+        return Varied(name, variable, 0.0) if same else Varied(name, variable, 0.0, "other text")
+    a, b = a.astype(float), b.astype(float)
+    if not np.array_equal(np.isfinite(a), np.isfinite(b)):
+        return Varied(name, variable, float("inf"), "defined elsewhere")
+    a, b = a[np.isfinite(a)], b[np.isfinite(b)]
+    scale = max(np.abs(a).max(initial=0.0), np.abs(b).max(initial=0.0))
+    return Varied(name, variable, float(np.abs(a - b).max() / scale) if scale else 0.0)

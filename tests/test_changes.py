@@ -1,0 +1,63 @@
+"""What changed between two sets of results."""
+
+import time
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.changes import changes
+from riserstudy.errors import InputError
+
+HEAD = "paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,note\n"
+
+
+def results(folder, simulated="2.0", verdict="holds", moment=(1.0, -4.0), **more):
+    """A results folder with one graded row and one dataset."""
+    (folder / "paper").mkdir(parents=True)
+    row = f"paper,N1,,number,,2,{simulated},m,0,{verdict},,\n"
+    (folder / "reproduction.csv").write_text(HEAD + row)
+    spent = time.perf_counter() * np.ones(len(moment))
+    values = {"moment": ("s", np.array(moment)), "wall_seconds": ("s", spent)}
+    xr.Dataset(values | more, attrs={"tier": "preview"}).to_netcdf(folder / "paper/run.nc")
+    return folder
+
+
+def test_the_same_numbers_have_no_changes_though_they_took_another_time(tmp_path):
+    found = changes(results(tmp_path / "a"), results(tmp_path / "b"))
+    assert (found.graded, found.varied, found.largest) == ([], [], 0.0)
+    assert (found.rows, found.variables) == (1, 1)
+
+
+def test_a_change_is_told_with_its_size_by_the_largest_magnitude(tmp_path):
+    new = results(tmp_path / "b", "2.1", "fails", (1.5, -4.0))
+    found = changes(results(tmp_path / "a"), new)
+    assert found.graded == [
+        ("paper/N1", "simulated", "2.0", "2.1"),
+        ("paper/N1", "verdict", "holds", "fails"),
+    ]
+    assert [(one.variable, one.change) for one in found.varied] == [("moment", 0.125)]
+    alone = changes(tmp_path / "a/paper/run.nc", new / "paper/run.nc")
+    assert alone.largest == 0.125
+
+
+@pytest.mark.parametrize(
+    "other, why",
+    [
+        ({"moment": (1.0, -4.0, 2.0)}, "shape"),
+        ({"moment": (1.0, np.nan)}, "defined elsewhere"),
+        ({"tension": ("s", [1.0, 2.0])}, "only in NEW"),
+    ],
+)
+def test_what_cannot_be_compared_counts_as_changed_without_bound(tmp_path, other, why):
+    found = changes(results(tmp_path / "a"), results(tmp_path / "b", **other))
+    assert found.largest == np.inf
+    assert why in found.varied[0].why
+
+
+def test_where_there_is_nothing_to_compare_diff_says_so(tmp_path):
+    (tmp_path / "a").mkdir()
+    (tmp_path / "bad.nc").write_bytes(b"nothing")
+    for path in (tmp_path / "a", tmp_path / "absent", tmp_path / "bad.nc"):
+        with pytest.raises(InputError):
+            changes(path, path)
