@@ -74,8 +74,9 @@ def datasets_of(paper):
         )
         results, _ = results_of(study, 1, lambda text: None)
         made[name] = dataset_of(study, results)
-    for name, sources in file.derived.items():
-        made[name] = derive(paper, name, {source: made[source] for source in sources})
+    for name, how in file.derived.items():
+        sources = {source: made[source] for source in how.reads}
+        made[name] = derive(paper, name, sources, how.settings)
     return made
 
 

@@ -29,7 +29,7 @@ def runs(**slopes):
     made |= {
         LIMITS[name].variable: LIMITS[name].most * history(k * TIME) for name, k in slopes.items()
     }
-    return xr.Dataset(made | {"platform_surge": history(2.0 * TIME)})
+    return xr.Dataset(made | {"platform_offset": history(2.0 * TIME)})
 
 
 def test_a_crossing_lies_between_outputs_and_is_infinite_where_there_is_none():

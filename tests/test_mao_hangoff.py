@@ -187,8 +187,9 @@ def datasets():
         readings = FEW | {"flow": FILE.readings["flow"]} if name == "readings" else FEW
         study = Study(PAPER, name, little(name, model), CONFIG, "preview", "5 %", readings)
         made[name] = dataset_of(study, results_of(study, 1, lambda text: None)[0])
-    for name, sources in FILE.derived.items():
-        made[name] = derive(PAPER, name, {source: made[source] for source in sources})
+    for name, how in FILE.derived.items():
+        sources = {source: made[source] for source in how.reads}
+        made[name] = derive(PAPER, name, sources, how.settings)
     return made
 
 

@@ -104,6 +104,21 @@ class Samples(Strict):
         return self
 
 
+class Derived(Strict):
+    """A dataset derived from studies: those that it reads, and what its function is told besides.
+
+    A bare list is what it reads.
+    """
+
+    reads: list[str]
+    settings: dict[str, Any] = Field(default_factory=dict, alias="with")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _bare(cls, value: Any) -> Any:
+        return {"reads": value} if isinstance(value, list) else value
+
+
 Labels = Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
 #: an axis over all readings of that name in the study file
 Reading = Literal["readings"]
@@ -135,7 +150,7 @@ class StudyFile(Strict):
     paper: str
     readings: dict[str, Labels] = Field(default_factory=dict)
     studies: dict[Name, StudyModel]
-    derived: dict[Name, list[str]] = Field(default_factory=dict)
+    derived: dict[Name, Derived] = Field(default_factory=dict)
     measured: Measured | None = None
     figures: dict[Name, FigureModel] = Field(default_factory=dict)
 
@@ -276,8 +291,8 @@ def read_studies(config: Path, paper: str) -> StudyFile:
     known = set(file.datasets)
     if file.derived and not has_module("derived", paper):
         raise InputError(path, "derived", f"no module derived/{paper}.py", "leave it out")
-    for name, needed in file.derived.items():
-        for study in needed:
+    for name, derived in file.derived.items():
+        for study in derived.reads:
             if study not in file.studies:
                 raise InputError(
                     path, f"derived.{name}", f"no study {study!r}", _among(file.studies)

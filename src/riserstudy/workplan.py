@@ -129,12 +129,18 @@ class Workplan:
 
     def derived_inputs(self, wildcards: Any) -> list[str]:
         """Datasets that a derived dataset is made from."""
-        names = self.files[wildcards.paper].derived[wildcards.study]
+        names = self.files[wildcards.paper].derived[wildcards.study].reads
         return [f"results/{wildcards.paper}/{name}.nc" for name in names]
 
     def derived_digest(self, wildcards: Any) -> str:
-        """The code that derives."""
-        return self._code("derived", wildcards.paper)
+        """The code that derives, and what it is told."""
+        settings = self.derived_settings(wildcards)
+        told = hashlib.sha256(settings.encode()).hexdigest()[:16]
+        return f"{told}-{self._code('derived', wildcards.paper)}"
+
+    def derived_settings(self, wildcards: Any) -> str:
+        """What it is told, as JSON."""
+        return json.dumps(self.files[wildcards.paper].derived[wildcards.study].settings)
 
     def measured_digest(self, wildcards: Any) -> str:
         """Scenes and settings of a measured dataset, the engine, and the code that measures."""

@@ -43,8 +43,9 @@ rule derive:
         study=PLAN.derived_pattern,
     params:
         digest=PLAN.derived_digest,
+        settings=PLAN.derived_settings,
     message:
         "derive {wildcards.paper}/{wildcards.study}"
     shell:
         "python -m riserstudy.jobs.derive {wildcards.paper} {wildcards.study} {output:q} {input:q}"
-        " > {log:q} 2>&1"
+        " --settings {params.settings:q} > {log:q} 2>&1"

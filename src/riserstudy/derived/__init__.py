@@ -4,19 +4,26 @@ from __future__ import annotations
 
 import json
 from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-def derive(paper: str, name: str, datasets: dict[str, xr.Dataset]) -> xr.Dataset:
+def derive(
+    paper: str,
+    name: str,
+    datasets: dict[str, xr.Dataset],
+    settings: dict[str, Any] | None = None,
+) -> xr.Dataset:
     """Derived dataset ``name`` of a paper, by the function of that name in the paper's module.
+
+    ``settings`` are what the study file tells it besides the datasets.
 
     Its attribute ``origins`` joins those of its sources: where a calibrated value went must stay known.
     """
     function = getattr(import_module(f"riserstudy.derived.{paper}"), name)
-    dataset: xr.Dataset = function(**datasets)
+    dataset: xr.Dataset = function(**datasets, **(settings or {}))
     origins: dict[str, str] = {}
     for source in datasets.values():
         for path, status in json.loads(source.attrs.get("origins", "{}")).items():

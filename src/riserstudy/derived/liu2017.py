@@ -30,9 +30,7 @@ ALONE = "_no_riser"
 WELLHEAD = 73.0  # m above the conductor's foot
 OF_THE_PLATFORM = ("platform_surge", "platform_speed_x", "thrust_x", "environment_force_x")
 OF_THE_RISER = ("riser_reaction_x", "ufj_angle", "lfj_angle", "stroke")
-EDS_TIMES = (15.0, 30.0, 45.0, 60.0, 90.0)  # s, from ships that disconnect fast to slow ones
 DEADLINE = 50.0  # s, the printed number
-PREPARING = 90.0  # s, from the yellow alarm to the red one
 
 
 # drive-offs
@@ -84,7 +82,9 @@ def measured(run: xr.Dataset) -> xr.Dataset:
     """What figures and limits are read from, of runs of the platform with or without riser."""
     if "ufj_angle" not in run:
         return run[list(OF_THE_PLATFORM)].squeeze(drop=True)
-    found = run[[*OF_THE_PLATFORM, *OF_THE_RISER]]
+    found = run[[name for name in (*OF_THE_PLATFORM, *OF_THE_RISER) if name in run]]
+    aside = run["platform_sway"].fillna(0.0) if "platform_sway" in run else 0.0
+    found["platform_offset"] = np.hypot(run["platform_surge"], aside)
     found["riser_force_x"] = -top_tension(run) * np.sin(run["ufj_angle"])
     found["conductor_stress"] = run["largest_stress"]
     moment = run["bending_moment"]
@@ -107,17 +107,24 @@ def calibration(fits: xr.Dataset) -> xr.Dataset:
 # limits
 
 
-def disconnect(headings: xr.Dataset) -> xr.Dataset:
-    """When and where each limit is reached, which is first, and the watch circles that follow."""
+def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr.Dataset:
+    """When and where each limit is reached, which is first, and the watch circles that follow.
+
+    Parameters
+    ----------
+    eds_times : how long the emergency disconnect takes, from the red alarm on, with units.
+    preparing : time from the yellow alarm to the red one, with its unit.
+    """
+    seconds = [to_si(time, "s") for time in eds_times]
     runs = measured(headings)
     runs = runs.assign_coords(environment_heading=headings["environment_heading"].astype(float))
     times = reached(runs)
-    eds = xr.DataArray(list(EDS_TIMES), dims="eds_time", coords={"eds_time": list(EDS_TIMES)})
-    red, yellow = watch_circle(runs, eds), watch_circle(runs, eds + PREPARING)
+    eds = xr.DataArray(seconds, dims="eds_time", coords={"eds_time": seconds})
+    red, yellow = (watch_circle(runs, eds + more) for more in (0.0, to_si(preparing, "s")))
     found = xr.Dataset(
         {
             "limit_time": times,
-            "limit_offset": at_time(abs(runs["platform_surge"]), times).where(np.isfinite(times)),
+            "limit_offset": at_time(runs["platform_offset"], times).where(np.isfinite(times)),
             "first_limit": first_limit(times),
             "disconnect_time": times.min("limit"),
             **{f"red_{name}": values for name, values in red.items()},

@@ -119,35 +119,41 @@ def _limits(ax: Axes, used: xr.DataArray) -> None:
 
 def disconnect(disconnect: xr.Dataset) -> Figure:
     """When limits are reached, and where the alarm must be, by angle to the environment."""
-    figure, axes = panels(2, 2, 3.4, sharex=True)
-    for column, scenario in enumerate(disconnect["scenario"].values):
+    scenarios = disconnect["scenario"].values
+    figure, axes = panels(2, len(scenarios), 3.4, sharex=True)
+    for column, scenario in enumerate(scenarios):
         run = disconnect.sel(scenario=scenario)
-        heading = run["environment_heading"]
-        for colour, name in zip(COLOURS, LIMITS, strict=False):
-            times = run["limit_time"].sel(limit=name)
-            axes[column].plot(
-                heading, times.where(np.isfinite(times)), ".-", color=colour, label=name
-            )
-        for colour, eds in zip(COLOURS, run["eds_time"].values, strict=False):
-            circle = run.sel(eds_time=eds)
-            radius = circle["red_circle_radius"]
-            late = circle["red_circle_outcome"] == TOO_LATE
-            ax = axes[2 + column]
-            ax.plot(
-                heading, radius.where(~late), ".-", color=colour, label=f"{eds:g} s to disconnect"
-            )
-            ax.plot(heading, radius.where(late), "x", color=colour)
-        axes[column].set_title(scenario, loc="right", fontsize="small")
-        axes[2 + column].set_title(
-            "cross: too late even at the start", loc="right", fontsize="small"
-        )
-        axes[2 + column].set_xlabel("environment from the drive-off direction (deg)")
+        times, circles = axes[column], axes[len(scenarios) + column]
+        _limit_times(times, run)
+        _circles(circles, run)
+        times.set_title(str(scenario), loc="right", fontsize="small")
+        circles.set_xlabel("environment to hull (deg)")
     axes[0].set_ylabel("limit reached after (s)")
-    axes[2].set_ylabel("red watch circle (m)")
-    for ax, word in ((axes[1], "limits; without a line: not reached"), (axes[3], None)):
-        ax.set_ylim(top=ax.get_ylim()[1] + 0.6 * (ax.get_ylim()[1] - ax.get_ylim()[0]))
-        ax.legend(fontsize="small", loc="upper right", title=word, title_fontsize="small", ncols=2)
+    axes[len(scenarios)].set_ylabel("red watch circle (m)")
+    for ax, word in (
+        (axes[0], "limits; without a line: not reached"),
+        (axes[len(scenarios)], "time to disconnect; cross: too late even at the start"),
+    ):
+        ax.set_ylim(top=ax.get_ylim()[1] + 0.7 * (ax.get_ylim()[1] - ax.get_ylim()[0]))
+        ax.legend(fontsize="small", loc="upper left", title=word, title_fontsize="small", ncols=2)
     return figure
+
+
+def _limit_times(ax: Axes, run: xr.Dataset) -> None:
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        times = run["limit_time"].sel(limit=name)
+        shown = times.where(np.isfinite(times))
+        ax.plot(run["environment_heading"], shown, ".-", color=colour, label=name)
+
+
+def _circles(ax: Axes, run: xr.Dataset) -> None:
+    for colour, eds in zip(COLOURS, run["eds_time"].values, strict=False):
+        circle = run.sel(eds_time=eds)
+        radius = circle["red_circle_radius"]
+        late = circle["red_circle_outcome"] == TOO_LATE
+        heading = run["environment_heading"]
+        ax.plot(heading, radius.where(~late), ".-", color=colour, label=f"{eds:g} s")
+        ax.plot(heading, radius.where(late), "x", color=colour)
 
 
 def envelope(envelope: xr.Dataset) -> Figure:

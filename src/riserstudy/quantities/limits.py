@@ -80,9 +80,9 @@ def watch_circle(runs: xr.Dataset, before: xr.DataArray | float) -> xr.Dataset:
     first = reached(runs).min("limit")
     latest = first - before
     outcome = xr.where(np.isinf(first), NEVER, xr.where(latest > 0.0, CIRCLE, TOO_LATE))
-    surge = abs(runs["platform_surge"])
-    radius = at_time(surge, latest.where(latest > 0.0, 0.0))
-    radius = xr.where(outcome == NEVER, surge.max("time"), radius)
+    offset = runs["platform_offset"]
+    radius = at_time(offset, latest.where(latest > 0.0, 0.0))
+    radius = xr.where(outcome == NEVER, offset.max("time"), radius)
     return xr.Dataset(
         {
             "circle_outcome": outcome.astype(np.int8),

@@ -232,7 +232,8 @@ def _figure(
     figure = file.figures[name]
     behind: list[str] = []
     for read in figure.reads:
-        behind += [s for s in file.derived.get(read, [read]) if s not in behind]
+        sources = file.derived[read].reads if read in file.derived else [read]
+        behind += [s for s in sources if s not in behind]
     scenes = {s: simulated[paper, s] for s in behind if (paper, s) in simulated}
     tables = scene_tables(scenes, file, config)
     return Figure(paper, name, figure.caption, image, figure.reads, tables)
