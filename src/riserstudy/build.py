@@ -36,8 +36,9 @@ from riserstudy.scene.ends import Areas, BodyAddedMass, Rotation
 from riserstudy.scene.ends import FlexJoint as Joint
 from riserstudy.scene.models import Scene
 from riserstudy.scene.string import Section
-from riserstudy.sea import current_table, wave_of
+from riserstudy.sea import current_table, waterline, wave_of
 from riserstudy.solve.state import OTHER, OWN
+from riserstudy.vessel import loose_nodes, unknowns
 
 FloatArray = NDArray[np.float64]
 AXES = {1: [2], 2: [0, 2], 3: [0, 1, 2]}  # which of x, y, z a model of so many directions has
@@ -94,6 +95,7 @@ class _Builder:
         self.rho = scene.water.density if scene.water else 0.0
         self.effects: list[Effect] = []
         self.fixed: list[tuple[int, int]] = []
+        self.loose = loose_nodes(scene, d)
         self.afloat: list[tuple[int, int]] = []
         self.probes: list[str] = []
         self.parts = [stiffness(section) for section in scene.riser]
@@ -127,7 +129,9 @@ class _Builder:
         self.string()
         self.ends()
         self.tensioners()
-        self.effects += devices(self.scene, self.mesh, self.bottom_z, bool(self.m), self.probes)
+        self.effects += devices(
+            self.scene, self.mesh, self.bottom_z, bool(self.m), self.d, self.probes
+        )
         explicit = self.scene.analysis.method == "explicit"
         share = (0.5, 0.0) if explicit else (OWN, OTHER)
         tensioners = self.scene.top.tensioners
@@ -142,8 +146,9 @@ class _Builder:
             self.ring if self.mesh.joint else None,
             self.probes,
             self.afloat,
+            self.loose,
         )
-        model.s.r[:] = self.guess()
+        model.s.r[:, : self.n + 1] = self.guess()
         for state in (model.s, model.spare.value):
             blend_by_weight(state.blend, self.mesh, self.weight)
         return model
@@ -176,8 +181,12 @@ class _Builder:
             self.hold(0, place, [False, False, True], [False] * 3, "bottom.hold")
         held = [top.x not in (None, "free")] * 2 + [top.z != "free"]
         if top.x == "vessel":
-            held[0] = False
-            self.afloat = [(self.n, self.m)]
+            free = unknowns(self.scene, self.d, self.n)
+            self.afloat = [(node, self.m + k) for node, k in free]
+            held[0], held[1] = False, (self.n, 1) not in free
+            for node in range(self.n + 1, self.n + 1 + self.loose):
+                every = {(node, k) for k in range(self.m + self.d)}
+                self.fixed += every.difference(self.afloat)
         if any(held[k] for k in AXES[self.d]):
             follow = [top.x == "platform"] * 2 + [top.z == "platform"]
             place = [top.offset or 0.0, 0.0, self.top_z or 0.0]
@@ -253,15 +262,18 @@ class _Builder:
         displaced = self.per_segment(
             lambda s, k: 0.25 * math.pi * s.added_mass.diameter**2 * rho if s.added_mass else 0.0
         )
-        if np.any(displaced) and self.scene.wave:
-            mass = (displaced + added) * l0
-            record = WaveForce(mass, np.zeros((self.d, self.n + 1)))
+        carried = (displaced + added) * l0 if self.scene.wave else np.zeros(self.n)
+        if np.any(carried):
+            record = WaveForce(carried, np.zeros((self.d, self.n + 1)))
             self.add("wave force", record, "wave, riser.added_mass")
         drag = self.per_segment(
             lambda s, k: 0.5 * rho * s.drag.coefficient * s.drag.diameter if s.drag else 0.0
         )
         if np.any(drag):
             self.add("drag", Drag(drag * l0, np.zeros((self.d, self.n + 1))), "riser.drag")
+        self.effects += waterline(
+            self.scene, self.effects, np.stack([drag * l0, added * l0, carried])
+        )
 
     def bending(self, relaxation: float) -> None:
         why = "riser.young_modulus or bending_stiffness"

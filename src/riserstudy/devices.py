@@ -18,14 +18,14 @@ from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.models import Scene
 from riserstudy.scene.string import Section
 from riserstudy.scene.vessel import ElasticSoil, Matlock, Soil
-from riserstudy.vessel import VESSEL_PROBES, vessel
+from riserstudy.vessel import floating
 
 DEEP = 9.0  # ultimate resistance over shear strength and diameter where clay flows around the conductor
 SHALLOW = 3.0  # the same at the mudline
 
 
 def devices(
-    scene: Scene, mesh: Mesh, bottom: float, bends: bool, probes: list[str]
+    scene: Scene, mesh: Mesh, bottom: float, bends: bool, d: int, probes: list[str]
 ) -> Iterator[Effect]:
     """Their effects; names of what they report are added to ``probes``."""
     rig, joint, output = scene.top.tensioners, scene.top.telescopic_joint, scene.analysis.output
@@ -50,8 +50,7 @@ def devices(
         k = [section.name for section in scene.riser].index(output.stress_in)
         record = gauge(scene.riser[k], mesh, k, probe("largest_stress"))
         yield Effect("stress gauge", record, "analysis.output.stress_in")
-    if scene.vessel:
-        yield Effect("vessel", vessel(scene, len(mesh.l0), probe(*VESSEL_PROBES)), "vessel")
+    yield from floating(scene, d, len(mesh.l0), probe)
 
 
 def springs(soil: Soil, conductor: Section, mesh: Mesh, bottom: float) -> LinearSoil | SoftClay:

@@ -36,12 +36,13 @@ class Model:
     ring : node of the tension ring, above which a telescopic joint carries no tension; None without.
     probes : names of what effects report beside the cylinders, in their order.
     afloat : (node, unknown) pairs that are held in statics only.
+    loose : nodes beyond the riser's.
 
     Attributes
     ----------
     state, spare : frozen states, the one that solvers move and one for evaluations aside.
     programs : frozen programs.
-    hinged : (n+1,) true where no moment is carried.
+    hinged : (n + 1 + loose,) true where no moment is carried.
     """
 
     def __init__(
@@ -56,16 +57,19 @@ class Model:
         ring: int | None = None,
         probes: Sequence[str] = (),
         afloat: Sequence[tuple[int, int]] = (),
+        loose: int = 0,
     ):
         self.effects: list[Effect] = list(effects)
         self.fixed = np.array(sorted(fixed), np.int64).reshape(-1, 2)
         self.fixed_at_rest = np.array(sorted([*fixed, *afloat]), np.int64).reshape(-1, 2)
         self.probes = {name: 2 * cylinders + k for k, name in enumerate(probes)}
-        self.hinged = np.zeros(len(l0) + 1, bool)
+        self.hinged = np.zeros(len(l0) + 1 + loose, bool)
         self.hinged[[node for node, unknown in fixed if unknown < moments]] = True
         self.state, self.spare = (
             Frozen(
-                new_state(l0, directions, moments, cylinders, 2 * cylinders + len(probes), share)
+                new_state(
+                    l0, directions, moments, cylinders, 2 * cylinders + len(probes), share, loose
+                )
             )
             for _ in range(2)
         )

@@ -62,7 +62,8 @@ def _equilibrium(
             f"(s = {s:.4g} m) with {failure.load:.0%} of the current; "
             "the riser may lack tension or a support: check top tension, weights and what holds the ends"
         ) from None
-    lowest = float(model.s.r[-1].min()) - float(model.s.r[-1, 0])
+    elevations = model.s.r[-1, : len(mesh.s)]
+    lowest = float(elevations.min() - elevations[0])
     if scene.top.z == "free" and lowest < -1e-3 * float(mesh.l0.sum()):
         raise PhysicallyUnstable(
             f"the riser falls over: it would come to rest {-lowest:.4g} m below its lower end; "

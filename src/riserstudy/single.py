@@ -58,7 +58,7 @@ def single(scene: Scene, mesh: Mesh, step: float | None, stations: str = "asked 
         arrays["tensioner_stroke_static"], arrays["tensioner_force_static"] = np.split(
             probe[: 2 * scene.top.tensioners.count], 2
         )
-    arrays["zero_z"] = state.r[-1].copy()
+    arrays["zero_z"] = state.r[-1, : len(mesh.s)].copy()
     for name in "xy":
         if name in names:
             arrays["zero_" + name] = np.zeros(len(mesh.s))
@@ -118,11 +118,12 @@ def _march(
         return
     state = model.s
     reach_at_rest = state.reach.copy()
-    joint_at_rest = float(np.linalg.norm(state.r[:, -1] - state.r[:, -2]))
-    top_at_rest = float(state.r[-1, -1])
+    top = len(mesh.l0)
+    joint_at_rest = float(np.linalg.norm(state.r[:, top] - state.r[:, top - 1]))
+    top_at_rest = float(state.r[-1, top])
     if a.start == "unstretched":
         bottom = state.r[-1, 0]
-        state.r[-1] = bottom + mesh.s
+        state.r[-1, : top + 1] = bottom + mesh.s
     if a.start == "undeflected":
         still, _ = settle(scene.model_copy(update={"current": None}), mesh, len(state.dim))
         state.r[:], state.moment[:] = still.s.r, still.s.moment
@@ -191,6 +192,8 @@ def _march(
         arrays[name] = record.probe[:, k]
     if scene.vessel:
         arrays["platform_surge"] = record.top[:, 0] - (scene.top.offset or 0.0)
+        if len(state.dim) == 3 and scene.vessel.sway:
+            arrays["platform_sway"] = record.top[:, 1]
 
 
 def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:

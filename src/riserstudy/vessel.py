@@ -1,48 +1,158 @@
-"""The record of a platform that is free to surge."""
+"""The records of a platform that floats freely, its thrusters, and the riser that it twists."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.effects.munk import Munk
+from riserstudy.effects.thrusters import Thrusters
+from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.vessel import Vessel
+from riserstudy.model import Effect
+from riserstudy.scene import vessel as scenes
 from riserstudy.scene.models import Scene
 from riserstudy.sea import current_table
 
-#: what a vessel reports over time, in the order of its probes
-VESSEL_PROBES = ("platform_speed_x", "riser_reaction_x", "environment_force_x", "thrust_x")
+FloatArray = NDArray[np.float64]
+AHEAD = ("platform_speed", "riser_reaction", "environment_force")  # reported by direction
+YAW, THRUST, THRUST_MOMENT = "platform_yaw", "thrust", "thrust_moment"
+SWAY = 1  # direction
 
 
-def vessel(scene: Scene, node: int, probe: int) -> Vessel:
-    """Record of the vessel at a node."""
+def loose_nodes(scene: Scene, d: int) -> int:
+    """Nodes beyond the riser: yaw and the lag of the thrust share one, the lag of the moment is one more."""
     of = scene.vessel
     if of is None:
-        raise TypeError("a scene without vessel")
-    thrusters, wind = of.thrusters, of.wind
-    current, heading = 0.0, 0.0
-    if scene.current and scene.water:
-        z, speed = current_table(scene.current, scene.water)
-        level = scene.water.surface if scene.water.surface is not None else float(z[-1])
-        current, heading = float(np.interp(level, z, speed)), scene.current.heading or 0.0
-    return Vessel(
+        return 0
+    turns = bool(of.yaw) and d == 3
+    lags = bool(of.thrusters and of.thrusters.lag)
+    return int(turns or lags) + int(turns and lags and bool(of.thrusters and of.thrusters.yaw))
+
+
+def unknowns(scene: Scene, d: int, top: int) -> list[tuple[int, int]]:
+    """(node, direction) pairs that are free because the vessel is, though held at rest."""
+    of = scene.vessel
+    if of is None:
+        return []
+    horizontal = [(top, 0)] + ([(top, SWAY)] if of.sway and d == 3 else [])
+    free = list(horizontal)
+    if of.thrusters and of.thrusters.lag:
+        free += [(top + 1, direction) for _, direction in horizontal]
+        if of.yaw and of.thrusters.yaw and d == 3:
+            free.append((top + 2, 0))
+    if of.yaw and d == 3:
+        free.append((top + 1, d - 1))
+    return free
+
+
+def floating(scene: Scene, d: int, node: int, probe: Callable[..., int]) -> Iterator[Effect]:
+    """Effects of the vessel at a node; ``probe`` takes names and tells where they are reported."""
+    of = scene.vessel
+    if of is None:
+        return
+    sway, yaw = of.sway or scenes.Sway(), of.yaw if d == 3 else None
+    inertia = yaw.inertia + (yaw.added_inertia or 0.0) if yaw else 0.0
+    # of the inertia, so that the arc of the yaw has the inertia of the mass
+    radius = math.sqrt(inertia / of.mass) if yaw else 1.0
+    loose = node + 1 if yaw else 0
+    names = [f"{name}_{axis}" for axis in "xy"[: d - 1] for name in AHEAD]
+    current, wind = _surface_current(scene), of.wind
+    mass = of.mass + np.array([of.added_mass or 0.0, sway.added_mass or 0.0])
+    heading = of.heading or 0.0
+    record = Vessel(
         node=node,
-        mass=of.mass + (of.added_mass or 0.0),
-        hull=of.hull_drag or 0.0,
-        current=_towards(current, heading),
+        yaw=loose,
+        radius=radius,
+        heading=heading,
+        mass=mass,
+        turning=inertia / radius**2,
+        hull=np.array(
+            [of.hull_drag or 0.0, sway.hull_drag or 0.0 if of.sway else of.hull_drag or 0.0]
+        ),
+        spin=((yaw.hull_drag or 0.0) if yaw else 0.0) / radius**3,
+        current=current,
         area=wind.drag if wind else 0.0,
-        wind=_towards(wind.speed, wind.heading or 0.0) if wind else np.zeros(2),
-        drift=of.wave_drift.along if of.wave_drift else 0.0,
-        gain=thrusters.gain if thrusters else 0.0,
-        damping=(thrusters.velocity_gain or 0.0) if thrusters else 0.0,
-        command=thrusters.command if thrusters else 0.0,
-        rise=(thrusters.rise or 0.0) if thrusters else 0.0,
-        saturation=(thrusters.saturation or math.inf) if thrusters else math.inf,
-        probe=probe,
+        wind=_towards(wind.speed, wind.heading) if wind else np.zeros(2),
+        drift=_towards(of.wave_drift.force, of.wave_drift.heading)
+        if of.wave_drift
+        else np.zeros(2),
+        probe=probe(*names, *([YAW] if yaw else [])),
     )
+    yield Effect("vessel", record, "vessel")
+    if of.thrusters:
+        yield from _thrusters(of, of.thrusters, record, d, probe)
+    if yaw and mass[0] != mass[1] and current.any():
+        munk = Munk(node, loose, radius, heading, float(mass[0] - mass[1]), current)
+        yield Effect("Munk moment", munk, "vessel.yaw, current")
+    twist = sum(section.twist for section in scene.riser)
+    if yaw and twist:
+        spring = Torsion(loose, 1.0 / (twist * radius**2))
+        yield Effect("torsion", spring, "vessel.yaw, riser.shear_modulus")
 
 
-def _towards(speed: float, heading: float) -> NDArray[np.float64]:
-    """A velocity along and across x."""
-    return speed * np.array([math.cos(heading), math.sin(heading)])
+def _thrusters(
+    of: scenes.Vessel,
+    law: scenes.Thrusters,
+    vessel: Vessel,
+    d: int,
+    probe: Callable[..., int],
+) -> Iterator[Effect]:
+    """Thrust in the plane, moment on the yaw."""
+    across = law.sway.gain if law.sway else 0.0
+    slowing = (law.sway.velocity_gain or 0.0) if law.sway else 0.0
+    count = 2 if of.sway and d == 3 else 1
+    plane = Thrusters(
+        node=vessel.node,
+        first=0,
+        count=count,
+        gain=_turned(law.gain, across, vessel.heading),
+        damping=_turned(law.velocity_gain or 0.0, slowing, vessel.heading),
+        command=_towards(law.command, law.heading),
+        rise=law.rise or 0.0,
+        saturation=law.saturation or math.inf,
+        lag=law.lag or 0.0,
+        mass=float(vessel.mass[0]),
+        arm=1.0,
+        probe=probe(*(f"{THRUST}_{axis}" for axis in "xy"[:count])),
+    )
+    yield Effect("thrusters", plane, "vessel.thrusters")
+    if law.yaw is None or vessel.yaw == 0:
+        return
+    arc = vessel.radius
+    turning = plane._replace(
+        node=vessel.yaw,
+        first=d - 1,
+        count=1,
+        gain=np.diag([law.yaw.gain / arc**2, 0.0]),
+        damping=np.diag([(law.yaw.velocity_gain or 0.0) / arc**2, 0.0]),
+        command=np.array([(law.yaw.command or 0.0) * arc, 0.0]),
+        saturation=(law.yaw.saturation or math.inf) / arc,
+        mass=vessel.turning,
+        arm=arc,
+        probe=probe(THRUST_MOMENT),
+    )
+    yield Effect("heading control", turning, "vessel.thrusters.yaw")
+
+
+def _surface_current(scene: Scene) -> FloatArray:
+    """Velocity of the current at the surface (m/s)."""
+    if not (scene.current and scene.water):
+        return np.zeros(2)
+    z, speed = current_table(scene.current, scene.water)
+    level = scene.water.surface if scene.water.surface is not None else float(z[-1])
+    return _towards(float(np.interp(level, z, speed)), scene.current.heading)
+
+
+def _towards(size: float, heading: float | None) -> FloatArray:
+    """A vector in x and y."""
+    return size * np.array([math.cos(heading or 0.0), math.sin(heading or 0.0)])
+
+
+def _turned(along: float, across: float, heading: float) -> FloatArray:
+    """Coefficients along and across the hull as a matrix in x and y."""
+    ahead, aside = _towards(1.0, heading), _towards(1.0, heading + 0.5 * math.pi)
+    return along * np.outer(ahead, ahead) + across * np.outer(aside, aside)

@@ -55,6 +55,13 @@ _CLAY: Tree = {
     "depth_factor": 0.5,
     "straight_up_to": 0.1,
 }
+_THRUST: Tree = {"gain": "10 kN/m", "command": "1 m", "lag": "1 s"}
+_TURNS: Tree = {
+    "mass": "1e7 kg",
+    "sway": {"added_mass": "1e7 kg"},
+    "yaw": {"inertia": "1e10 kg*m^2"},
+    "thrusters": _THRUST | {"yaw": {"gain": "1e8 N*m/rad"}},
+}
 _HEAVE: Tree = {"amplitude": "1 m", "period": "10 s"}
 _ANALYSIS: Tree = {
     "duration": "1 s",
@@ -135,14 +142,16 @@ def scenes() -> list[Scene]:
             | {"tension": "500 kN"},
         },
         "platform": None,
-        "vessel": {"mass": "1e7 kg"},
+        "vessel": {"mass": "1e7 kg", "thrusters": _THRUST},
         "soil": {"mudline": "0 m", "resistance": _CLAY},
         "analysis": _ANALYSIS | {"output": {"interval": "0.15 s", "stress_in": "above"}},
     }
     linear_soil = afloat | {"soil": {"mudline": "0 m", "resistance": {"stiffness": "1 MPa"}}}
     across = {"current": planar["current"] | {"heading": "90 deg"}}
     several = [axial, planar, gas_in_plane, pistons, linear_axial, tabulated, spatial]
-    several += [afloat, linear_soil, afloat | across]
+    twisted = [section | {"shear_modulus": "80 GPa"} for section in afloat["riser"]]
+    turning = afloat | across | {"vessel": _TURNS, "riser": twisted}
+    several += [afloat, linear_soil, turning]
     short = _ANALYSIS | {"duration": "1 ms", "step": "0.1 ms", "method": "explicit"}
     explicit = [s | {"analysis": short} for s in several[:2]]
     wavy = planar | {

@@ -30,6 +30,7 @@ from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.linear_spring import LinearSpring
+from riserstudy.effects.munk import Munk
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.sliding_tension import SlidingTension
@@ -37,8 +38,11 @@ from riserstudy.effects.soil import LinearSoil, SoftClay
 from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
 from riserstudy.effects.tabulated_law import TabulatedLaw
+from riserstudy.effects.thrusters import Thrusters
+from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.effects.vessel import Vessel
+from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
@@ -52,6 +56,7 @@ L0 = np.array([12.0, 9.0, 15.0, 11.0, 8.0, 14.0])
 N = len(L0)
 SEGMENTS = np.linspace(1.0, 1.5, N)  # what makes the segments differ
 CYLINDERS = 2
+PROBES = "abcd"  # beside those of the cylinders
 TOP = 60.0  # elevation of the ring at mid-stroke (m)
 
 
@@ -61,6 +66,7 @@ class Case(NamedTuple):
     record: Callable[[int], Any]  # by number of directions
     beside: Callable[[int], list[Any]] = lambda d: []
     directions: tuple[int, ...] = (1, 2, 3)
+    loose: int = 0  # nodes beyond the riser's
 
 
 def bending(d: int) -> Bending | SpatialBending:
@@ -108,6 +114,24 @@ def tabulated(d: int) -> TabulatedLaw:
 def series(d: int) -> Series:
     coefficient = np.random.default_rng(3).normal(size=(4, 5)) * [[1e-3], [1e-2], [0.1], [1.0]]
     return Series(2, np.array([0.0, 2.0, 3.0, 5.5, 8.0, 10.0]), coefficient)
+
+
+def vessel(d: int) -> Vessel:
+    """In the plane it keeps its heading."""
+    yaw = N + 1 if d == 3 else 0
+    return Vessel(
+        *(N, yaw, 50.0, 0.4 if d == 3 else 0.0, pair(5e7, 8e7), 6e7, pair(2.5e5, 9e5), 3e5),
+        *(pair(0.5, 0.3), 2e3, pair(-9.0, 4.0), pair(1e5, -6e4), 0),
+    )
+
+
+def thrusters(d: int) -> Thrusters:
+    """Limited in space; their lag is that of a mass small enough for the tangent to show it."""
+    gain, damping = np.array([[6.5e4, 1e4], [1e4, 9e4]]), np.array([[1e6, 1e5], [1e5, 2e6]])
+    saturation = 1e6 if d == 3 else np.inf
+    return Thrusters(
+        N, 0, d - 1, gain, damping, pair(100.0, 30.0), 7.0, saturation, 4.0, 30.0, 1.0, 0
+    )
 
 
 CASES = {
@@ -196,12 +220,14 @@ CASES = {
         lambda d: LinearSoil(np.arange(4), 1e6 * np.linspace(1.0, 2.0, 4)), directions=(2, 3)
     ),
     StressGauge: Case(lambda d: StressGauge(1, 4, 0.05, 120.0, 0), lambda d: [bending(d)], (2, 3)),
-    Vessel: Case(
-        lambda d: Vessel(
-            *(N, 5e7, 2.5e5, np.array([0.5, 0.3]), 2e3, np.array([-9.0, 4.0]), 1e5),
-            *(6.5e4, 1e6, 100.0, 7.0, np.inf, 0),
-        ),
-        directions=(2, 3),
+    Vessel: Case(vessel, directions=(2, 3), loose=1),
+    Munk: Case(lambda d: Munk(N, N + 1, 50.0, 0.4, -3e7, pair(0.5, 0.3)), directions=(3,), loose=1),
+    Thrusters: Case(thrusters, directions=(2, 3), loose=1),
+    Torsion: Case(lambda d: Torsion(N + 1, 2e5), directions=(3,), loose=1),
+    Waterline: Case(
+        lambda d: Waterline(45.0, np.ones((3, N)), np.ones(N), *np.ones((4, N))),
+        lambda d: [wave(d, CONSTANT)],
+        (2, 3),
     ),
     Pull: Case(lambda d: Pull(2, np.linspace(3e5, 2e6, d))),
     Support: Case(
@@ -254,7 +280,9 @@ class Rig:
         # an end carries no moment where nothing holds its direction
         ends = [0] if kind in (FlexJoint, SpatialFlexJoint) else [0, N]
         fixed = [(node, u) for node in ends for u in range(self.m)]
-        self.model = Model(L0, d, self.m, effects, fixed, (OWN, OTHER), CYLINDERS)
+        self.model = Model(
+            L0, d, self.m, effects, fixed, (OWN, OTHER), CYLINDERS, probes=PROBES, loose=case.loose
+        )
         self.s: State = self.model.s
         self.record = next(e.record for e in self.model.effects if type(e.record) is kind)
         stir(self.s, seed)
@@ -311,15 +339,15 @@ def stir(s: State, seed: int) -> None:
     d = len(s.dim)
     place = np.append(0.0, np.cumsum(s.l0 * (1.0 + 3e-3 * random.uniform(-1.0, 1.0, len(s.l0)))))
     if d == 1:
-        s.r[0] = place
+        s.r[0, : N + 1] = place
     else:  # an arc over half a radian
         radius = place[-1] / 0.5
         arc = radius * np.array([1.0 - np.cos(place / radius), np.sin(place / radius)])
-        s.r[0], s.r[-1] = arc
+        s.r[0, : N + 1], s.r[-1, : N + 1] = arc
         if d == 3:
-            s.r[1] = 0.3 * arc[0]
+            s.r[1, : N + 1] = 0.3 * arc[0]
         s.r[:] += 0.05 * random.normal(size=s.r.shape)
-    s.r[-1] += TOP - s.r[-1, -1]
+    s.r[-1, : N + 1] += TOP - s.r[-1, N]
     s.v[:] = random.normal(size=s.v.shape)
     s.a[:] = random.normal(size=s.a.shape)
     s.moment[:] = 1e5 * random.normal(size=s.moment.shape)
@@ -342,7 +370,7 @@ def nodes(segment: np.ndarray) -> np.ndarray:
 
 def dense_tangent(s: State) -> np.ndarray:
     """Minus the derivative of (turn, force) by (moment, position), unknowns ordered as in arrays."""
-    d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
+    d, m, n = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1] - 1
     full = np.zeros((m + d, n + 1, m + d, n + 1))
     for p in range(d):
         for q in range(d):

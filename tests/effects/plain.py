@@ -33,6 +33,7 @@ from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.linear_spring import LinearSpring
+from riserstudy.effects.munk import Munk
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.sliding_tension import SlidingTension
@@ -40,9 +41,12 @@ from riserstudy.effects.soil import LinearSoil, SoftClay
 from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
 from riserstudy.effects.tabulated_law import TabulatedLaw
+from riserstudy.effects.thrusters import Thrusters
+from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.effects.vessel import Vessel
-from riserstudy.effects.wave import CONSTANT, NONE, Wave
+from riserstudy.effects.waterline import Waterline
+from riserstudy.effects.wave import STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 
@@ -123,16 +127,9 @@ def wave(record, s):
         z = s.r[-1, i] - record.surface
         angle = record.number * x - record.frequency * t + record.phase
         eta = grown * (record.amplitude * np.cos(angle)).sum()
-        if record.above == NONE:
-            dry = z > 0.0
-        elif record.above == CONSTANT:
-            dry = z > max(eta, 0.0)
-            z = min(z, 0.0)
-        else:
-            dry = z > eta
-            z = (z + d) * d / (d + eta) - d
-        if dry:
-            continue
+        if record.above == STRETCHED:
+            z = (min(z, eta) + d) * d / (d + eta) - d
+        z = min(z, 0.0)
         speed, kd = record.amplitude * record.frequency, record.number * d
         u = speed * np.cosh(record.number * (z + d)) / np.sinh(kd)
         w = speed * np.sinh(record.number * (z + d)) / np.sinh(kd)
@@ -289,23 +286,97 @@ def stress_gauge(record, s):
     return {"probe": out}
 
 
+def of_hull(record, s):
+    """Axes of the hull (2, 2), one a row, its rate of turning, velocity and acceleration (2,)."""
+    lateral = len(s.r) - 1
+    arc, rate = (s.r[-1, -1], s.v[-1, -1]) if lateral == 2 else (0.0, 0.0)
+    angle = record.heading + arc / record.radius
+    axes = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    v, a = np.zeros((2, 2))
+    v[:lateral], a[:lateral] = s.v[:lateral, record.node], s.a[:lateral, record.node]
+    return axes, rate / record.radius, v, a
+
+
 def vessel(record, s):
-    v = np.zeros(2)
-    v[0] = s.v[0, record.node]
-    total = record.drift
-    for coefficient, flow in ((record.hull, record.current), (record.area, record.wind)):
-        total += coefficient * np.linalg.norm(flow - v) * (flow - v)[0]
-    told = record.command * -np.expm1(-s.clock[0] / record.rise)
-    thrust = record.gain * (told - s.r[0, record.node]) - record.damping * v[0]
+    axes, _, v, _ = of_hull(record, s)
+    water, air = record.current - v, record.wind - v
+    total = record.drift + record.area * np.linalg.norm(air) * air
+    total = total + (record.hull * np.linalg.norm(water) * (axes @ water)) @ axes
     out = np.zeros_like(s.force)
-    out[0, record.node] = total + np.clip(thrust, -record.saturation, record.saturation)
+    out[: len(out) - 1, record.node] = total[: len(out) - 1]
+    if record.yaw:
+        out[-1, -1] = -record.spin * abs(s.v[-1, -1]) * s.v[-1, -1]
     return {"force": out}
+
+
+def mass_tensor(record, angle):
+    axes = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    return axes.T @ np.diag(record.mass) @ axes
+
+
+def by_angle(function, angle, h=1e-3):
+    return (
+        function(angle - 2 * h) - 8 * function(angle - h) + 8 * function(angle + h)
+        - function(angle + 2 * h)
+    ) / (12 * h)  # fmt: skip
 
 
 def vessel_inertia(record, s):
+    axes, rate, v, a = of_hull(record, s)
+    angle = np.arctan2(axes[0, 1], axes[0, 0])
+    tensor = mass_tensor(record, angle)
+    turned = by_angle(lambda x: mass_tensor(record, x), angle)
     out = np.zeros_like(s.force)
-    out[0, record.node] = -record.mass * s.a[0, record.node]
+    out[: len(out) - 1, record.node] = -(tensor @ a + rate * turned @ v)[: len(out) - 1]
+    if record.yaw:
+        out[-1, -1] = -record.turning * s.a[-1, -1] + 0.5 * v @ turned @ v / record.radius
     return {"force": out}
+
+
+def munk(record, s):
+    axes, rate, v, _ = of_hull(record, s)
+
+    def tensor(angle):
+        ahead = np.array([np.cos(angle), np.sin(angle)])
+        return record.difference * np.outer(ahead, ahead)
+
+    turned = by_angle(tensor, np.arctan2(axes[0, 1], axes[0, 0]))
+    out = np.zeros_like(s.force)
+    out[:2, record.node] = rate * turned @ record.current
+    out[2, -1] = (0.5 * record.current - v) @ turned @ record.current / record.radius
+    return {"force": out}
+
+
+def thrusters(record, s):
+    told = record.command * -np.expm1(-s.clock[0] / record.rise)
+    n, k = record.node, record.count
+    gain, damping = record.gain[:k, :k], record.damping[:k, :k]
+    wanted = gain @ (told[:k] - s.r[:k, n]) - damping @ s.v[:k, n]
+    size = np.linalg.norm(wanted)
+    limited = wanted * min(1.0, record.saturation / size)
+    out = np.zeros_like(s.force)
+    out[:k, n] = record.mass / record.lag * s.v[:k, n + 1]
+    out[:k, n + 1] = limited / record.mass - s.v[:k, n + 1] / record.lag
+    return {"force": out}
+
+
+def thrusters_inertia(record, s):
+    out = np.zeros_like(s.force)
+    out[: record.count, record.node + 1] = -s.a[: record.count, record.node + 1]
+    return {"force": out}
+
+
+def torsion(record, s):
+    out = np.zeros_like(s.force)
+    out[-1, record.yaw] = -record.stiffness * s.r[-1, record.yaw]
+    return {"force": out}
+
+
+def waterline(record, s):
+    """Nodes with dry segments alone see no water; shares are tested with the waterline."""
+    dry = record.surface + s.level < s.r[-1]
+    alone = dry & np.append(True, dry[:-1]) & np.append(dry[1:], True)
+    return {name: np.where(alone, 0.0, getattr(s, name)) for name in ("water", "water_rate")}
 
 
 def pull(record, s):
@@ -448,6 +519,10 @@ VERSIONS = {
     LinearSoil: [("device", linear_soil)],
     StressGauge: [("probe", stress_gauge)],
     Vessel: [("device", vessel), ("device_inertia", vessel_inertia)],
+    Munk: [("device", munk)],
+    Thrusters: [("device", thrusters), ("device_inertia", thrusters_inertia)],
+    Torsion: [("device", torsion)],
+    Waterline: [("drive", waterline)],
     Pull: [("device", pull)],
     Support: [("place", support)],
 }

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from cases import N, Rig
 
+from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
+from riserstudy.model import Effect, Model
 from riserstudy.scene.sea import IrregularSea
 from riserstudy.sea import components, jonswap, wave_number
 from riserstudy.solve.evaluate import shape_of
@@ -79,11 +81,9 @@ def test_above_the_surface_there_is_no_wave(above):
     crest = sea.record._replace(
         above=above, amplitude=np.array([2.0, 0.0]), phase=np.zeros(2), heading=np.array([1.0])
     )
-    model = sea.model
-    model = type(model)(
-        model.s.l0, 2, 0, [e._replace(record=crest) for e in model.effects], [], (0.5, 0.0)
-    )
-    sea.model = model
+    line = Waterline(45.0, np.ones((3, N)), np.ones(N), *np.ones((4, N)))
+    effects = [Effect("wave", crest, ""), Effect("waterline", line, "")]
+    sea.model = Model(sea.model.s.l0, 2, 0, effects, [], (0.5, 0.0))
     t = 2.0 * np.pi / 0.8  # the crest passes x = 0
     inside = {NONE: 0.0, CONSTANT: 1.0, STRETCHED: 1.0}[above]
     at_level, below = (sea.at(0.0, 45.0 + dz, t)[0][0] for dz in (0.0, -1e-9))

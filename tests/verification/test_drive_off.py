@@ -207,14 +207,161 @@ def test_in_space_it_is_the_same_drive_off():
         np.testing.assert_allclose(space[name], abs(plane[name]), atol=1e-5)
 
 
-def test_a_current_from_the_side_bends_the_riser_aside_and_not_the_platform():
+HELD = dict.fromkeys(("vessel.yaw", "vessel.sway", "vessel.thrusters.yaw", "vessel.thrusters.sway"))
+
+
+def test_a_current_from_the_side_bends_the_riser_aside_and_not_a_platform_without_sway():
     grid = {"analysis.mesh": {"elements": 150}, "analysis.step": "0.2 s"}
     across = {
         f"{name}.heading": "90 deg" for name in ("current", "vessel.wind", "vessel.wave_drift")
     }
-    one = simulate(load_scene(REF, **grid, **across))
-    other = simulate(load_scene(REF, **grid, **dict.fromkeys(across, "-90 deg")))
+    one = simulate(load_scene(REF, **grid, **HELD, **across))
+    other = simulate(load_scene(REF, **grid, **HELD, **dict.fromkeys(across, "-90 deg")))
     assert float(abs(one["y"].isel(s=-1)).max()) == 0.0
     assert float(one["y"].isel(time=0).max()) > 1.0
     np.testing.assert_allclose(one["y"], -other["y"], atol=1e-8)
     np.testing.assert_allclose(one["platform_surge"], other["platform_surge"], atol=1e-6)
+
+
+ACROSS = {
+    "vessel.sway": {"added_mass": "4.32e7 kg", "hull_drag": "4e5 N*s^2/m^2"},
+    "vessel.yaw": {"inertia": "1.19e11 kg*m^2", "added_inertia": "1.38e11 kg*m^2"},
+    "vessel.thrusters.sway": {"gain": "104 kN/m"},
+    "vessel.thrusters.yaw": {"gain": "3.2e8 N*m/rad"},
+    "riser[2].shear_modulus": "79 GPa",
+}
+COARSE = {"analysis.mesh": {"elements": 150}, "analysis.step": "0.2 s"}
+
+
+def headed(degrees, **overrides):
+    """The drive-off in space, all headings turned by as much."""
+    turned = {f"vessel.{name}.heading" for name in ("wind", "wave_drift", "thrusters")}
+    turned |= {"vessel.heading", "current.heading"}
+    told = {"vessel.thrusters.command": "100 m"} | dict.fromkeys(turned, f"{degrees} deg")
+    return simulate(load_scene(REF, **COARSE, **ACROSS, **(told | overrides)))
+
+
+def test_a_platform_that_may_sway_surges_as_one_that_may_not():
+    plane = simulate(load_scene(REF, **COARSE))
+    same = simulate(load_scene(REF, **COARSE, **ACROSS))
+    assert "y" not in same
+    np.testing.assert_array_equal(plane["platform_surge"], same["platform_surge"])
+    space = headed(1e-6)
+    for name in ("platform_surge", "riser_reaction_x", "thrust_x", "stroke"):
+        largest = float(abs(plane[name]).max())
+        np.testing.assert_allclose(space[name], plane[name], atol=1e-5 * largest)
+
+
+def test_a_headed_drive_off_is_the_one_along_x_turned():
+    along, turned = simulate(load_scene(REF, **COARSE)), headed(37.0)
+    c, s = np.cos(np.deg2rad(37.0)), np.sin(np.deg2rad(37.0))
+    for name in ("platform_surge", "riser_reaction_x", "thrust_x", "environment_force_x", "x"):
+        aside = turned[
+            name.replace("_x", "_y") if "_x" in name else {"x": "y"}.get(name, "platform_sway")
+        ]
+        largest = float(abs(along[name]).max())
+        np.testing.assert_allclose(turned[name], c * along[name], atol=1e-5 * largest)
+        np.testing.assert_allclose(aside, s * along[name], atol=1e-5 * largest)
+    assert float(abs(turned["platform_yaw"]).max()) < 1e-9
+
+
+def test_energy_balances_while_it_sways_and_turns_with_lagging_thrusters():
+    oblique = {"current.heading": "60 deg", "vessel.wind.heading": "100 deg"}
+    oblique |= {"vessel.thrusters.lag": "5 s", "vessel.thrusters.saturation": "6 MN"}
+    oblique |= {"vessel.yaw.hull_drag": "1e12 N*m*s^2/rad^2"}
+    run = headed(0.0, **oblique)
+    assert float(abs(run["platform_sway"]).max()) > 1.0
+    assert float(abs(run["platform_yaw"]).max()) > np.deg2rad(1.0)
+    audit = json.loads(run.attrs["audit"])
+    assert audit["unexplained_share"] < 1e-4
+    assert abs(audit["numerically_dissipated"]) < 1e-3 * audit["exchanged"]
+
+
+ALONE = """\
+title: a platform on a thread
+riser:
+  - name: thread
+    length: 1000 m
+    outer_diameter: 0.5 m
+    inner_diameter: 0.45 m
+    young_modulus: 20 Pa
+    shear_modulus: %s
+    mass: 0.001 kg/m
+bottom: {hold: wellhead, elevation: 0 m}
+top: {x: vessel, z: held, elevation: 1500 m}
+vessel:
+  mass: 1e7 kg
+  sway: {added_mass: 1e7 kg}
+  yaw: {inertia: 2e10 kg*m^2, added_inertia: 1e10 kg*m^2}
+  thrusters:
+    {gain: 1e9 N/m, command: 1e5 m, saturation: 1 MN, lag: 8 s, yaw: {gain: 4e5 N*m/rad, command: 2 deg}}
+analysis: {duration: 60 s, output: {interval: 0.5 s}, mesh: {elements: 4}, step: 0.05 s}
+"""
+
+
+def alone(tmp_path, shear="79 GPa", **overrides):
+    file = tmp_path / "alone.yaml"
+    file.write_text(ALONE % shear)
+    return simulate(load_scene(file, **overrides))
+
+
+def test_thrust_that_lags_comes_up_exponentially(tmp_path):
+    """tau F' + F = F_c: F = F_c (1 - exp(-t / tau)), and the platform follows from rest."""
+    run = alone(tmp_path, **{"vessel.sway": None, "vessel.yaw": None, "vessel.thrusters.yaw": None})
+    t, tau = run["time"], 8.0
+    grown = -np.expm1(-t / tau)
+    np.testing.assert_allclose(run["thrust_x"], 1e6 * grown, atol=100.0)
+    surge = 1e6 / 1e7 * (0.5 * t**2 - tau * t + tau**2 * grown)
+    np.testing.assert_allclose(run["platform_surge"], surge, atol=1e-4 * float(surge.max()))
+
+
+@pytest.mark.parametrize("lag", [None, "8 s"])
+def test_a_twisted_riser_is_the_spring_of_a_torsion_pendulum(tmp_path, lag):
+    """I psi'' + (G I_p / L) psi = G_psi (psi_c - psi): two degrees of step response, with lag too."""
+    long = {
+        "analysis.duration": "4000 s",
+        "analysis.step": "2 s",
+        "analysis.output.interval": "20 s",
+    }
+    run = alone(
+        tmp_path, **long, **{"vessel.thrusters.lag": lag, "vessel.thrusters.command": "0 m"}
+    )
+    spring = 79e9 * np.pi / 32.0 * (0.5**4 - 0.45**4) / 1000.0
+    gain, inertia, told = 4e5, 3e10, np.deg2rad(2.0)
+    tau = float((lag or "0").split()[0])
+
+    def rates(t, y):
+        moment = y[2] if lag else gain * (told - y[0])
+        following = (gain * (told - y[0]) - y[2]) / tau if lag else 0.0
+        return y[1], (moment - spring * y[0]) / inertia, following
+
+    exact = solve_ivp(rates, (0.0, 4000.0), (0.0,) * 3, t_eval=run["time"], rtol=1e-10, atol=1e-14)
+    if not lag:
+        still = gain * told / (gain + spring)
+        closed = still * (1.0 - np.cos(np.sqrt((gain + spring) / inertia) * run["time"]))
+        np.testing.assert_allclose(exact.y[0], closed, atol=1e-9)
+    np.testing.assert_allclose(
+        run["platform_yaw"], exact.y[0], atol=2e-3 * np.abs(exact.y[0]).max()
+    )
+
+
+def test_a_hull_turns_broadside_to_the_current(tmp_path):
+    """Turns p of a hull at p0 to it: I p'' = D U^2 (p0 + p) - D U^2 p D / m, D the difference of mass.
+
+    The last term is what it gives way sideways, with the mass m across.
+    """
+    current = {"profile": [{"elevation": z, "speed": "1 m/s"} for z in ("0 m", "1000 m")]}
+    scene = {
+        "water": {"density": "1025 kg/m^3", "surface": "1000 m"},
+        "current": current,
+        "vessel.thrusters": None,
+        "vessel.hull_drag": "1e-3 N*s^2/m^2",
+        "vessel.heading": "0.001 deg",
+        "vessel.sway.added_mass": "4e7 kg",
+        "analysis.duration": "200 s",
+    }
+    run = alone(tmp_path, **scene, **{"riser[0].shear_modulus": None})
+    push, share = 4e7 * 1.0**2 / 3e10, 1.0 - 4e7 / 5e7
+    turn = np.deg2rad(0.001) / share * (np.cosh(np.sqrt(push * share) * run["time"]) - 1.0)
+    assert float(turn.max()) > 50 * np.deg2rad(0.001)
+    np.testing.assert_allclose(run["platform_yaw"], turn, atol=2e-3 * float(turn.max()))

@@ -43,8 +43,8 @@ def twice_arctan(half):
 @inner
 def compliance(bending, s):
     """Enter the flexibility of the pipe."""
-    s.flex[:] += bending.flex
-    s.flex_up[:] += bending.flex_up
+    s.flex[: bending.flex.shape[0]] += bending.flex
+    s.flex_up[: bending.flex_up.shape[0]] += bending.flex_up
     return 0.0
 
 

@@ -20,6 +20,7 @@ CALLED_BY = {
     "current": "current",
     "wave": "wave",
     "wave force": "wave, and riser.added_mass",
+    "waterline": "water.surface, and riser.drag or added_mass",
     "platform motion": "platform",
     "platform position": "platform.position",
     "support": "bottom.hold, top.x, top.z",
@@ -38,6 +39,10 @@ CALLED_BY = {
     "soil": "soil",
     "sliding tension": "top.telescopic_joint.tension",
     "vessel": "vessel",
+    "thrusters": "vessel.thrusters",
+    "heading control": "vessel.thrusters.yaw",
+    "Munk moment": "vessel.yaw, and a current",
+    "torsion": "vessel.yaw, and riser.shear_modulus",
     "stress gauge": "analysis.output.stress_in",
     "lateral freedom": "a lateral load or motion",
 }

@@ -1,18 +1,23 @@
-r"""A platform that is free to surge: the riser's top node with the mass of a ship.
+r"""A platform that floats freely: the riser's top node with the mass of a ship, and a loose one for its yaw.
 
 .. math::
 
-   (m + m_a)\,\ddot x = C_h |u|\,u_x + C_w |w|\,w_x + F_d + F_t + F_{riser},\qquad
-   F_t = \mathrm{sat}\big(G\,(x_c(t) - x) - D\,\dot x\big)
+   \frac{d}{dt}\frac{\partial T}{\partial \dot q} - \frac{\partial T}{\partial q}
+   = \sum_k \left(C_k |u|\,u_k\,e_k\right) + C_w |w|\,w + F_d,\qquad
+   T = \tfrac12 \sum_k m_k (\dot r \cdot e_k)^2 + \tfrac12 I \dot\psi^2
 
-with u and w the velocities of the surface current and of the wind relative to the platform, F_d the mean
-wave drift and x_c the position that the thrusters are told to go to, which comes up as
-:math:`x_c (1 - e^{-t/\tau})`. Sway is held. A lag of the thrusters would be one more unknown; it is left out.
+over the axes :math:`e_k` along and across the hull, which turn with its yaw :math:`\psi`; u and w are the
+velocities of the surface current and of the wind relative to the platform, F_d the mean wave drift. The
+derivatives of T by time hold the pair of forces and moment by which a hull, whose added mass is greater
+sideways, turns broadside while it moves. Yaw resists with :math:`C_r |\dot\psi|\,\dot\psi`.
+
+Yaw is an unknown as an arc, :math:`\psi` times the radius of gyration, so that it is a length like all
+others. Without sway the node is held across x; without yaw the hull keeps its heading.
 """
 
 from __future__ import annotations
 
-from math import exp, sqrt
+from math import cos, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -22,118 +27,211 @@ from riserstudy.jit import inner
 
 
 class Vessel(NamedTuple):
-    """A platform in surge."""
+    """A platform in surge, sway and yaw."""
 
     node: int
-    mass: float  # with added mass (kg)
-    hull: float  # C_h (kg/m)
-    current: np.ndarray  # (2,) surface current along and across the motion (m/s)
+    yaw: int  # loose node with the arc in its last direction, 0 where there is none
+    radius: float  # of the arc (m)
+    heading: float  # of the hull at rest (rad)
+    mass: np.ndarray  # (2,) m_k with added mass, along and across the hull (kg)
+    turning: float  # I over the radius squared (kg)
+    hull: np.ndarray  # (2,) C_k along and across the hull (kg/m)
+    spin: float  # C_r over the radius cubed (kg/m)
+    current: np.ndarray  # (2,) surface current in x and y (m/s)
     area: float  # C_w (kg/m)
-    wind: np.ndarray  # (2,) wind along and across the motion (m/s)
-    drift: float  # F_d (N)
-    gain: float  # G (N/m)
-    damping: float  # D (N s/m)
-    command: float  # x_c (m)
-    rise: float  # tau (s), 0 for at once
-    saturation: float  # largest thrust (N), infinite for none
-    probe: int  # first of its four probes
+    wind: np.ndarray  # (2,) wind in x and y (m/s)
+    drift: np.ndarray  # (2,) F_d in x and y (N)
+    probe: int  # first of its probes
 
 
 @inner
-def _pressure(coefficient, flow, v):
-    """Quadratic force of a flow on the platform, its relative velocity, and minus its slope by v."""
-    along = flow[0] - v
-    speed = sqrt(along * along + flow[1] * flow[1])
-    slope = speed
-    if speed > 0.0:
-        slope += along * along / speed
-    return coefficient * speed * along, along, coefficient * slope
+def attitude(vessel, s):
+    """Angle of the hull, and its rate."""
+    if vessel.yaw == 0:
+        return vessel.heading, 0.0
+    up = len(s.dim) - 1
+    return (
+        vessel.heading + s.r[up, vessel.yaw] / vessel.radius,
+        s.v[up, vessel.yaw] / vessel.radius,
+    )
 
 
 @inner
-def _thrust(vessel, s):
-    """Thrust, and whether it is below saturation."""
-    told = vessel.command
-    if vessel.rise > 0.0:
-        told *= 1.0 - exp(-max(s.clock[0], 0.0) / vessel.rise)
-    i = vessel.node
-    wanted = vessel.gain * (told - s.r[0, i]) - vessel.damping * s.v[0, i]
-    if abs(wanted) < vessel.saturation:
-        return wanted, True
-    return (vessel.saturation if wanted > 0.0 else -vessel.saturation), False
+def velocity(vessel, s):
+    """Velocity in x and y."""
+    return s.v[0, vessel.node], (s.v[1, vessel.node] if len(s.dim) == 3 else 0.0)
 
 
 @inner
-def _environment(vessel, s):
-    """Force of current, wind and wave drift."""
-    v = s.v[0, vessel.node]
-    water, _, _ = _pressure(vessel.hull, vessel.current, v)
-    air, _, _ = _pressure(vessel.area, vessel.wind, v)
-    return water + air + vessel.drift
+def _pressure(along, across, u, angle):
+    """Quadratic force of a flow on the hull, along and across it, and what it follows from."""
+    c, e = cos(angle), sin(angle)
+    p, q = c * u[0] + e * u[1], c * u[1] - e * u[0]
+    speed = sqrt(p * p + q * q)
+    return (along * speed * p, across * speed * q), p, q, speed
+
+
+@inner
+def _in_plane(pair, angle):
+    """A vector along and across the hull, in x and y."""
+    c, e = cos(angle), sin(angle)
+    return c * pair[0] - e * pair[1], e * pair[0] + c * pair[1]
+
+
+@inner
+def _flows(vessel, s):
+    """Forces of current and wind in x and y, and their velocities relative to the platform."""
+    angle, _ = attitude(vessel, s)
+    v = velocity(vessel, s)
+    water = vessel.current[0] - v[0], vessel.current[1] - v[1]
+    air = vessel.wind[0] - v[0], vessel.wind[1] - v[1]
+    hull, _, _, _ = _pressure(vessel.hull[0], vessel.hull[1], water, angle)
+    top, _, _, _ = _pressure(vessel.area, vessel.area, air, 0.0)
+    return _in_plane(hull, angle), top, water, air
 
 
 @inner
 def force(vessel, s):
-    """Current, wind, wave drift and thrusters."""
-    thrust, _ = _thrust(vessel, s)
-    s.force[0, vessel.node] += _environment(vessel, s) + thrust
+    """Current, wind and wave drift; drag on the turning hull."""
+    water, air, _, _ = _flows(vessel, s)
+    for k in range(len(s.dim) - 1):
+        s.force[k, vessel.node] += water[k] + air[k] + vessel.drift[k]
+    if vessel.yaw > 0:
+        up = len(s.dim) - 1
+        arc = s.v[up, vessel.yaw]
+        s.force[up, vessel.yaw] -= vessel.spin * abs(arc) * arc
     return 0.0
+
+
+@inner
+def _slope(along, across, u, angle):
+    """Derivative of a quadratic force by the flow's velocity, in x and y, row by row."""
+    _, p, q, speed = _pressure(along, across, u, angle)
+    share = 1.0 / speed if speed > 0.0 else 0.0
+    pp, pq = along * (speed + share * p * p), along * share * p * q
+    qp, qq = across * share * p * q, across * (speed + share * q * q)
+    first = _in_plane((pp, qp), angle)  # columns in x and y, rows along and across
+    second = _in_plane((pq, qq), angle)
+    c, e = cos(angle), sin(angle)
+    return (
+        c * first[0] - e * second[0], e * first[0] + c * second[0],
+        c * first[1] - e * second[1], e * first[1] + c * second[1],
+    )  # fmt: skip
 
 
 @inner
 def tangent(vessel, s):
-    """Derivative by position and velocity."""
-    i = vessel.node
-    _, _, water = _pressure(vessel.hull, vessel.current, s.v[0, i])
-    _, _, air = _pressure(vessel.area, vessel.wind, s.v[0, i])
-    s.k_node[i, 0] += s.rate[0] * (water + air)
-    _, follows = _thrust(vessel, s)
-    if follows:
-        s.k_node[i, 0] += vessel.gain + s.rate[0] * vessel.damping
+    """Derivative by velocity, and by yaw where the hull resists differently along and across."""
+    d, up, i = len(s.dim), len(s.dim) - 1, vessel.node
+    angle, _ = attitude(vessel, s)
+    _, _, water, air = _flows(vessel, s)
+    by_water = _slope(vessel.hull[0], vessel.hull[1], water, angle)
+    by_air = _slope(vessel.area, vessel.area, air, 0.0)
+    for p in range(up):
+        for q in range(up):
+            slope = by_water[2 * p + q] + by_air[2 * p + q]
+            s.k_node[i, p * d + q] += s.rate[0] * slope
+    if vessel.yaw > 0:
+        _, p, q, speed = _pressure(vessel.hull[0], vessel.hull[1], water, angle)
+        twist = speed * (vessel.hull[0] - vessel.hull[1]) / vessel.radius
+        turned = _in_plane((twist * q, twist * p), angle)
+        for k in range(up):
+            s.k_up[i, k * d + up] -= turned[k]
+        arc = s.v[up, vessel.yaw]
+        s.k_node[vessel.yaw, d * d - 1] += s.rate[0] * 2.0 * vessel.spin * abs(arc)
     return 0.0
 
 
 @inner
+def _tensor(vessel, angle):
+    """Mass in x and y: xx, xy, yy."""
+    mean = 0.5 * (vessel.mass[0] + vessel.mass[1])
+    half = 0.5 * (vessel.mass[0] - vessel.mass[1])
+    c, e = half * cos(2.0 * angle), half * sin(2.0 * angle)
+    return mean + c, e, mean - c
+
+
+@inner
+def twisted(difference, angle, u):
+    """Derivative of the mass tensor by yaw, times a vector; ``difference`` of mass along and across."""
+    c, e = difference * cos(2.0 * angle), difference * sin(2.0 * angle)
+    return c * u[1] - e * u[0], c * u[0] + e * u[1]
+
+
+@inner
 def inertia(vessel, s):
-    """Inertial force."""
-    s.force[0, vessel.node] -= vessel.mass * s.a[0, vessel.node]
+    """Inertial force, with what a turning hull adds to it."""
+    up, i = len(s.dim) - 1, vessel.node
+    angle, rate = attitude(vessel, s)
+    xx, xy, yy = _tensor(vessel, angle)
+    v = velocity(vessel, s)
+    twist = twisted(vessel.mass[0] - vessel.mass[1], angle, v)
+    a = s.a[0, i], (s.a[1, i] if up == 2 else 0.0)
+    ahead = xx * a[0] + xy * a[1] + rate * twist[0], xy * a[0] + yy * a[1] + rate * twist[1]
+    for k in range(up):
+        s.force[k, i] -= ahead[k]
+    if vessel.yaw > 0:
+        s.force[up, vessel.yaw] -= vessel.turning * s.a[up, vessel.yaw]
+        s.force[up, vessel.yaw] += 0.5 * (v[0] * twist[0] + v[1] * twist[1]) / vessel.radius
     return 0.0
 
 
 @inner
 def mass(vessel, s):
-    """Mass times d a / d r."""
-    s.k_node[vessel.node, 0] += s.rate[1] * vessel.mass
+    """Mass times d a / d r; the hull's turning changes little over a step and is left out."""
+    d, up, i = len(s.dim), len(s.dim) - 1, vessel.node
+    angle, _ = attitude(vessel, s)
+    xx, xy, yy = _tensor(vessel, angle)
+    s.k_node[i, 0] += s.rate[1] * xx
+    if up == 2:
+        s.k_node[i, 1] += s.rate[1] * xy
+        s.k_node[i, d] += s.rate[1] * xy
+        s.k_node[i, d + 1] += s.rate[1] * yy
+    if vessel.yaw > 0:
+        s.k_node[vessel.yaw, d * d - 1] += s.rate[1] * vessel.turning
     return 0.0
 
 
 @inner
 def kinetic(vessel, s):
     """Kinetic energy (J)."""
-    return 0.5 * vessel.mass * s.v[0, vessel.node] ** 2
+    angle, _ = attitude(vessel, s)
+    xx, xy, yy = _tensor(vessel, angle)
+    v = velocity(vessel, s)
+    total = 0.5 * (xx * v[0] * v[0] + yy * v[1] * v[1]) + xy * v[0] * v[1]
+    if vessel.yaw > 0:
+        total += 0.5 * vessel.turning * s.v[len(s.dim) - 1, vessel.yaw] ** 2
+    return total
 
 
 @inner
 def power(vessel, s):
-    """Power dissipated into water and air; supplied by their motion, wave drift and thrusters (W)."""
-    v = s.v[0, vessel.node]
-    water, past, _ = _pressure(vessel.hull, vessel.current, v)
-    air, blown, _ = _pressure(vessel.area, vessel.wind, v)
-    s.flow[0] += water * past + air * blown
-    thrust, _ = _thrust(vessel, s)
-    s.flow[1] += water * vessel.current[0] + air * vessel.wind[0] + (vessel.drift + thrust) * v
+    """Power dissipated into water and air; supplied by their motion and by wave drift (W)."""
+    water, air, past, blown = _flows(vessel, s)
+    v = velocity(vessel, s)
+    for k in range(len(s.dim) - 1):
+        s.flow[0] += water[k] * past[k] + air[k] * blown[k]
+        s.flow[1] += water[k] * (past[k] + v[k]) + air[k] * (blown[k] + v[k])
+        s.flow[1] += vessel.drift[k] * v[k]
+    if vessel.yaw > 0:
+        arc = s.v[len(s.dim) - 1, vessel.yaw]
+        s.flow[0] += vessel.spin * abs(arc) * arc * arc
     return 0.0
 
 
 @inner
 def probe(vessel, s):
-    """Report speed, the riser's force on the platform, environment and thrust."""
+    """Report speed, the riser's force on the platform and the environment's, by direction; then yaw."""
+    water, air, _, _ = _flows(vessel, s)
     k = vessel.probe
-    thrust, _ = _thrust(vessel, s)
-    s.probe[k] = s.v[0, vessel.node]
-    s.probe[k + 1] = s.ends[0, 1, 0] + s.ends[1, 1, 0]
-    s.probe[k + 2] = _environment(vessel, s)
-    s.probe[k + 3] = thrust
+    for c in range(len(s.dim) - 1):
+        s.probe[k] = s.v[c, vessel.node]
+        s.probe[k + 1] = s.ends[0, 1, c] + s.ends[1, 1, c]
+        s.probe[k + 2] = water[c] + air[c] + vessel.drift[c]
+        k += 3
+    if vessel.yaw > 0:
+        angle, _ = attitude(vessel, s)
+        s.probe[k] = angle - vessel.heading
     return 0.0
 
 

@@ -11,9 +11,11 @@ distance x along the heading, z up from the mean level and :math:`\theta = k x -
 and the derivatives by time. All grow by a half cosine over the ramp, whose own rate is part of the
 acceleration. Up to and at t = 0 the sea is calm: statics know no waves.
 
-Linear theory ends at the mean level. Above it there is nothing, or the value at the mean level up to the
-surface (constant), or the whole profile is stretched from bed to surface (Wheeler 1970). Evaluated at
-the deformed position of a node; the change with horizontal position is left out of the stiffness.
+Linear theory ends at the mean level. Above it there is no water (none), or water that moves as at the
+mean level up to the surface (constant), or the whole profile is stretched from bed to surface (Wheeler
+1970). At nodes above the surface, where only the wet share of a segment asks for it (`waterline`), water
+moves as at the surface. Evaluated at the deformed position of a node; the change with horizontal position
+is left out of the stiffness.
 """
 
 from __future__ import annotations
@@ -64,28 +66,30 @@ def drive(wave, s):
     if grown == 0.0 and rate == 0.0:
         return 0.0
     components = wave.amplitude.shape[0]
-    for i in range(s.l0.shape[0] + 1):
+    crest = 0.0
+    for k in range(components):
+        crest += wave.amplitude[k]
+    n = s.l0.shape[0]
+    for i in range(n + 1):
         x = 0.0
         for c in range(up):
             x += wave.heading[c] * s.r[c, i]
         z = s.r[up, i] - wave.surface
-        if z > 0.0 and wave.above == NONE:
-            continue
         squeeze = 1.0
-        if wave.above != NONE and (z > 0.0 or wave.above == STRETCHED):
+        near = max(z, s.r[up, min(i + 1, n)] - wave.surface) > -crest
+        if wave.above == STRETCHED or (wave.above == CONSTANT and near):
             eta = 0.0
             for k in range(components):
                 eta += wave.amplitude[k] * cos(
                     wave.number[k] * x - wave.frequency[k] * t + wave.phase[k]
                 )
             eta *= grown
-            if z > eta:
-                continue
-            if wave.above == CONSTANT:
-                z, squeeze = 0.0, 0.0
-            else:
+            s.level[i] += eta
+            if wave.above == STRETCHED:
                 squeeze = wave.depth / (wave.depth + eta)
-                z = (z + wave.depth) * squeeze - wave.depth
+                z = (min(z, eta) + wave.depth) * squeeze - wave.depth
+        if z > 0.0:
+            z, squeeze = 0.0, 0.0
         for k in range(components):
             number, w = wave.number[k], wave.frequency[k]
             if -number * z > DEEP:

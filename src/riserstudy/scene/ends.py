@@ -108,7 +108,7 @@ class TelescopicJoint(Strict):
 class Top(Strict):
     """Upper end. ``x`` (with y) and ``z`` follow the platform, are held at rest, or are free.
 
-    ``x: vessel``: the top surges with a vessel that is free to, and does not sway.
+    ``x: vessel``: the top moves with a vessel that is free to, as far as its freedoms go.
 
     Absent offset, elevation: straight above the bottom, where statics puts it. Absent tension, force,
     tensioners, body: none. ``held_at_tension``: z is held where the riser has this top tension at rest.

@@ -19,9 +19,7 @@ from riserstudy.scene.ends import Bottom, Top
 from riserstudy.scene.forcing import Current, Platform, Shape, Water
 from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.string import Section
-from riserstudy.scene.vessel import Soil, Vessel
-
-ALONG_X = 1e-12  # sine of a heading that is in the plane of x and z
+from riserstudy.scene.vessel import ALONG_X, Soil, Vessel
 
 
 class Scene(Strict):
@@ -122,6 +120,11 @@ class Scene(Strict):
             raise ValueError(
                 "give platform, which moves as told, or vessel, which is free; not both"
             )
+        if self.vessel and self.vessel.yaw and self.analysis.method == "explicit":
+            raise ValueError(
+                "vessel.yaw: explicit stepping does not know the forces of a turning hull; "
+                "take an implicit method"
+            )
         if self.vessel and self.vessel.hull_drag and self.water is None:
             raise ValueError("vessel.hull_drag needs water")
         if (self.bottom.hold == "foot") != (self.soil is not None):
@@ -211,4 +214,6 @@ class Scene(Strict):
         ):
             if what and abs(math.sin(what.heading or 0.0)) > ALONG_X:
                 reasons[f"{name}.heading"] = what.heading
+        if self.vessel and self.vessel.turned:
+            reasons[self.vessel.turned] = True
         return next((name for name, value in reasons.items() if value is not None), "")

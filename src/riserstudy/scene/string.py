@@ -55,7 +55,8 @@ class Section(Strict):
     """A length of riser with uniform properties, from the bottom up.
 
     Stiffness comes from modulus and diameters, or is given; without bending stiffness the section is a
-    string. Mass is given, or that of a wall of some density. Absent mass, weight, drag, added mass,
+    string. Mass is given, or that of a wall of some density. Sections with a shear modulus are twisted by a
+    vessel that turns, and resist its yaw. Absent mass, weight, drag, added mass,
     contents, damping, load or joint: none.
     """
 
@@ -65,6 +66,7 @@ class Section(Strict):
     outer_diameter: Annotated[u.Length, POSITIVE] | None = None
     inner_diameter: Annotated[u.Length, NOT_NEGATIVE] | None = None
     young_modulus: Annotated[u.Modulus, POSITIVE] | None = None
+    shear_modulus: Annotated[u.Modulus, POSITIVE] | None = None
     axial_stiffness: Annotated[u.Force, POSITIVE] | None = None
     bending_stiffness: Annotated[u.BendingStiffness, POSITIVE] | None = None
     mass: Annotated[u.MassPerLength, POSITIVE] | None = None
@@ -94,6 +96,8 @@ class Section(Strict):
         tube = self.young_modulus is not None
         if tube and (self.outer_diameter is None or self.inner_diameter is None):
             raise ValueError("young_modulus needs outer_diameter and inner_diameter")
+        if self.shear_modulus and not tube:
+            raise ValueError("shear_modulus needs young_modulus with diameters")
         if tube and (self.axial_stiffness or self.bending_stiffness):
             raise ValueError("give young_modulus, or the stiffnesses, not both")
         if not tube and self.axial_stiffness is None:
@@ -109,6 +113,13 @@ class Section(Strict):
         """Cross section of the wall (m2)."""
         outer, inner = self.outer_diameter or 0.0, self.inner_diameter or 0.0
         return 0.25 * math.pi * (outer**2 - inner**2)
+
+    @property
+    def twist(self) -> float:
+        """Angle of twist by torque, L / (G I_p) (rad/(N m)); 0 where it does not twist."""
+        outer, inner = self.outer_diameter or 0.0, self.inner_diameter or 0.0
+        polar = math.pi / 32.0 * (outer**4 - inner**4)
+        return self.total_length / (self.shear_modulus * polar) if self.shear_modulus else 0.0
 
     @property
     def contents_mass(self) -> float:

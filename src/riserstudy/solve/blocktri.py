@@ -21,8 +21,8 @@ def solve(s, out, work, fixed):
     Parameters
     ----------
     s : State with its tangent filled in.
-    out : (n+1, m+d) array, residual on entry, correction on return.
-    work : (n+1, (m+d)^2) scratch.
+    out : (N, m+d) array, residual on entry, correction on return.
+    work : (N, (m+d)^2) scratch.
     fixed : (k, 2) integers, (node, unknown) pairs that stay as they are; sorted by node.
 
     Returns
@@ -33,7 +33,7 @@ def solve(s, out, work, fixed):
     d = len(s.dim)
     nb = len(s.dof)
     m = nb - d
-    n = s.l0.shape[0]
+    n = s.r.shape[1] - 1  # the last node, loose ones included
     k_node, k_segment, k_up, k_low = s.k_node, s.k_segment, s.k_up, s.k_low
     by_low, by_up, flex, flex_up = s.by_low, s.by_up, s.flex, s.flex_up
     turn_low, turn_up = s.turn_low, s.turn_up

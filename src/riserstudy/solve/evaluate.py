@@ -46,6 +46,7 @@ def move(p, s, time):
 def shape(p, s):
     """What follows from positions and velocities alone: directions, water, reach, turning angles."""
     clear_forces(s)
+    s.level[:] = 0.0
     s.water[:] = 0.0
     s.shear[:] = 0.0
     s.water_rate[:] = 0.0

@@ -38,7 +38,7 @@ def accelerate(p, s, fixed):
             for q in range(d):
                 s.k_node[i, c * d + q] = 1.0 if q == c else 0.0
             s.force[c, i] = s.a[c, i]
-    for i in range(s.l0.shape[0] + 1):  # Gauss elimination in the node
+    for i in range(s.r.shape[1]):  # Gauss elimination in the node
         for q in range(d):
             s.a[q, i] = s.force[q, i]
         for q in range(d):
@@ -61,7 +61,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
     Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``.
     """
     d = len(s.dim)
-    n = s.l0.shape[0]
+    n = s.r.shape[1] - 1  # the last node, loose ones included
     r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
     v1 = np.zeros((d, n + 1))
     s.rate[0], s.rate[1] = 0.0, 1.0

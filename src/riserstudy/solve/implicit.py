@@ -59,7 +59,7 @@ def march(p, s, so, method, fixed, record, ledger):
     d = len(s.dim)
     nb = len(s.dof)
     m = nb - d
-    n = s.l0.shape[0]
+    n = s.r.shape[1] - 1  # the last node, loose ones included
     am, af, beta, gamma = method.alpha_m, method.alpha_f, method.beta, method.gamma
 
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))

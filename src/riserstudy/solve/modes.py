@@ -22,7 +22,7 @@ def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
     free : (k, 2) array of node and direction.
     """
     s = state.value
-    d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
+    d, m, n = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1] - 1
 
     def tangent(velocity: float) -> np.ndarray:
         s.rate[0], s.rate[1] = velocity, 0.0
@@ -100,10 +100,10 @@ def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int
     square, vectors = eigh(stiff, mass)
     s = state.value
     k = min(count, len(square))
-    shapes = np.zeros((k, len(s.dim), len(s.l0) + 1))
+    shapes = np.zeros((k, *s.r.shape))
     for j in range(k):
         shapes[j, free[:, 1], free[:, 0]] = vectors[:, j] / np.abs(vectors[:, j]).max()
-    return np.sign(square[:k]) * np.sqrt(np.abs(square[:k])), shapes
+    return np.sign(square[:k]) * np.sqrt(np.abs(square[:k])), shapes[:, :, : len(s.l0) + 1]
 
 
 def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:

@@ -36,13 +36,13 @@ def imbalance(p, s, out):
     d = len(s.dim)
     m = len(s.dof) - d
     forces(p, s)
-    for i in range(s.l0.shape[0] + 1):
+    for i in range(s.r.shape[1]):
         for u in range(m):
             out[i, u] = s.turn[u, i]
         for c in range(d):
             out[i, m + c] = s.force[c, i]
     inertia(p, s)
-    for i in range(s.l0.shape[0] + 1):
+    for i in range(s.r.shape[1]):
         for c in range(d):
             out[i, m + c] += s.force[c, i]
 
@@ -55,7 +55,7 @@ def correct(p, s, tolerance, iterations, memory, out, work, fixed, ledger):
     """
     d = len(s.dim)
     m = len(s.dof) - d
-    n = s.l0.shape[0]
+    n = s.r.shape[1] - 1  # the last node, loose ones included
     last = 0.0
     for iteration in range(iterations):
         imbalance(p, s, out)
@@ -96,7 +96,7 @@ def balance(p, s, out, work, fixed):
     """Accelerations of the free directions from the forces as they are."""
     d = len(s.dim)
     m = len(s.dof) - d
-    n = s.l0.shape[0]
+    n = s.r.shape[1] - 1  # the last node, loose ones included
     imbalance(p, s, out)
     out[:, :m] = 0.0  # moments stay as they are
     for f in range(fixed.shape[0]):

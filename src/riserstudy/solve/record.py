@@ -162,7 +162,7 @@ def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
     h = t1 - t0
     x = (time - t0) / h
     for k in range(len(s.dim)):
-        for i in range(s.l0.shape[0] + 1):
+        for i in range(s.r.shape[1]):
             d = r1[k, i] - r0[k, i]
             slope, twist = h * v0[k, i] - d, d - h * v1[k, i]
             bump = slope * (1.0 - x) + twist * x

@@ -68,7 +68,7 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
     d = len(s.dim)
     nb = len(s.dof)
     m = nb - d
-    n = s.l0.shape[0]
+    n = s.r.shape[1] - 1  # the last node, loose ones included
     weights = method.weights
     stages = weights.shape[0]
     last = stages - 1

@@ -6,6 +6,9 @@ tension along it and shear across it. Bending moments live at the nodes and are 
 shear is their difference over the segment's length, and the angle by which the riser turns at a node
 equals the moments times the flexibility of the segments around it.
 
+Nodes beyond n are loose: unknowns of what the top hangs from, a vessel's yaw or its thrusters' lag. No
+segment leads to them; each is coupled to the node before it by ``k_up`` and ``k_low`` alone.
+
 Distributed quantities (mass, added mass, drag, flexibility) are shared between the nodes of a segment:
 5/12 to its own node, 1/12 to the other. That is the integral of a parabola against the hat function of a
 node, and makes displacement and moment fourth-order accurate on even meshes. Shares of 1/2 and 0 are
@@ -25,7 +28,10 @@ OWN, OTHER = 5.0 / 12.0, 1.0 / 12.0
 
 
 class State(NamedTuple):
-    """Arrays are component-major; d directions, m moments a node (0, 1 or 3), n segments."""
+    """Arrays are component-major; d directions, m moments a node (0, 1 or 3), n segments.
+
+    N nodes in all: the n + 1 of the riser, then the loose ones.
+    """
 
     dim: tuple[float, ...]  # d zeros: tells compiled code the number of directions
     dof: tuple[float, ...]  # m + d zeros: unknowns a node
@@ -35,15 +41,16 @@ class State(NamedTuple):
     share: np.ndarray  # (2,) shares of a segment's mass: own node, other node
     l0: np.ndarray  # (n,) unstretched lengths (m)
 
-    r: np.ndarray  # (d, n+1) positions (m)
-    v: np.ndarray  # (d, n+1) velocities (m/s)
-    a: np.ndarray  # (d, n+1) accelerations (m/s2)
-    moment: np.ndarray  # (m, n+1) bending moments (N m)
+    r: np.ndarray  # (d, N) positions (m)
+    v: np.ndarray  # (d, N) velocities (m/s)
+    a: np.ndarray  # (d, N) accelerations (m/s2)
+    moment: np.ndarray  # (m, N) bending moments (N m)
 
     tangent: np.ndarray  # (d, n) unit vectors along segments
     length: np.ndarray  # (n,) stretched lengths (m)
     direction: np.ndarray  # (d, n+1) unit tangents at nodes
     platform: np.ndarray  # (3, 6) displacement, velocity, acceleration: surge ... heave ... yaw
+    level: np.ndarray  # (n+1,) height of the water over the mean level, at the nodes (m)
     water: np.ndarray  # (d, n+1) water velocity at the nodes (m/s)
     shear: np.ndarray  # (d, n+1) its change with elevation (1/s)
     water_rate: np.ndarray  # (d, n+1) water acceleration at the nodes (m/s2)
@@ -54,22 +61,22 @@ class State(NamedTuple):
     block: np.ndarray  # (n+1, d*d) scratch: minus its derivative by the node
 
     segment: np.ndarray  # (d, n) force of a segment on its lower node (N)
-    force: np.ndarray  # (d, n+1) force on the nodes (N)
+    force: np.ndarray  # (d, N) force on the nodes (N)
     ends: np.ndarray  # (2, 2, d) the string's own part at its ends: force, inertia; bottom, top (N)
-    turn: np.ndarray  # (m, n+1) turning angle less flexibility times moment (rad)
+    turn: np.ndarray  # (m, N) turning angle less flexibility times moment (rad)
 
-    k_segment: np.ndarray  # (n, d*d) d segment / d (r upper - r lower)
-    k_node: np.ndarray  # (n+1, d*d) -d force / d r of the same node
-    k_up: np.ndarray  # (n, d*d) -d force of the lower node / d r of the upper
-    k_low: np.ndarray  # (n, d*d) -d force of the upper node / d r of the lower
-    by_low: np.ndarray  # (n, d*m) d segment / d moment of the lower node
-    by_up: np.ndarray  # (n, d*m) d segment / d moment of the upper node
-    turn_low: np.ndarray  # (n, d*m) d turn of the lower node / d (r upper - r lower)
-    turn_up: np.ndarray  # (n, d*m) d turn of the upper node / d (r upper - r lower)
-    flex: np.ndarray  # (n+1,) flexibility of a node: angle by its own moment (rad/(N m))
-    flex_up: np.ndarray  # (n,) angle by the neighbour's moment (rad/(N m))
-    flex_inverse: np.ndarray  # (n+1,) factors of the flexibility matrix, 0 at hinges
-    flex_factor: np.ndarray  # (n,)
+    k_segment: np.ndarray  # (N-1, d*d) d segment / d (r upper - r lower)
+    k_node: np.ndarray  # (N, d*d) -d force / d r of the same node
+    k_up: np.ndarray  # (N-1, d*d) -d force of the lower node / d r of the upper
+    k_low: np.ndarray  # (N-1, d*d) -d force of the upper node / d r of the lower
+    by_low: np.ndarray  # (N-1, d*m) d segment / d moment of the lower node
+    by_up: np.ndarray  # (N-1, d*m) d segment / d moment of the upper node
+    turn_low: np.ndarray  # (N-1, d*m) d turn of the lower node / d (r upper - r lower)
+    turn_up: np.ndarray  # (N-1, d*m) d turn of the upper node / d (r upper - r lower)
+    flex: np.ndarray  # (N,) flexibility of a node: angle by its own moment (rad/(N m))
+    flex_up: np.ndarray  # (N-1,) angle by the neighbour's moment (rad/(N m))
+    flex_inverse: np.ndarray  # (N,) factors of the flexibility matrix, 0 at hinges
+    flex_factor: np.ndarray  # (N-1,)
 
     reach: np.ndarray  # (cylinders,) extension from mid-stroke (m)
     reach_rate: np.ndarray  # (cylinders,) its rate (m/s)
@@ -85,9 +92,10 @@ class State(NamedTuple):
     probe: np.ndarray  # (probes,) scalars that effects report at output times
 
 
-def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)) -> State:
+def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER), loose=0) -> State:
     """Zeroed state for unstretched segment lengths ``l0``, shape (n,), m."""
     n, d, m, c = len(l0), directions, moments, cylinders
+    nodes = n + 1 + loose
 
     def zeros(*shape):
         return np.zeros(shape)
@@ -99,14 +107,15 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         rate=zeros(2),
         share=np.array(share, float),
         l0=np.array(l0, float),
-        r=zeros(d, n + 1),
-        v=zeros(d, n + 1),
-        a=zeros(d, n + 1),
-        moment=zeros(m, n + 1),
+        r=zeros(d, nodes),
+        v=zeros(d, nodes),
+        a=zeros(d, nodes),
+        moment=zeros(m, nodes),
         tangent=zeros(d, n),
         length=zeros(n),
         direction=zeros(d, n + 1),
         platform=zeros(3, 6),
+        level=zeros(n + 1),
         water=zeros(d, n + 1),
         shear=zeros(d, n + 1),
         water_rate=zeros(d, n + 1),
@@ -114,21 +123,21 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         density=zeros(d, n + 1),
         block=zeros(n + 1, d * d),
         segment=zeros(d, n),
-        force=zeros(d, n + 1),
+        force=zeros(d, nodes),
         ends=zeros(2, 2, d),
-        turn=zeros(m, n + 1),
-        k_segment=zeros(n, d * d),
-        k_node=zeros(n + 1, d * d),
-        k_up=zeros(n, d * d),
-        k_low=zeros(n, d * d),
-        by_low=zeros(n, d * m),
-        by_up=zeros(n, d * m),
-        turn_low=zeros(n, d * m),
-        turn_up=zeros(n, d * m),
-        flex=zeros(n + 1),
-        flex_up=zeros(n),
-        flex_inverse=zeros(n + 1),
-        flex_factor=zeros(n),
+        turn=zeros(m, nodes),
+        k_segment=zeros(nodes - 1, d * d),
+        k_node=zeros(nodes, d * d),
+        k_up=zeros(nodes - 1, d * d),
+        k_low=zeros(nodes - 1, d * d),
+        by_low=zeros(nodes - 1, d * m),
+        by_up=zeros(nodes - 1, d * m),
+        turn_low=zeros(nodes - 1, d * m),
+        turn_up=zeros(nodes - 1, d * m),
+        flex=zeros(nodes),
+        flex_up=zeros(nodes - 1),
+        flex_inverse=zeros(nodes),
+        flex_factor=zeros(nodes - 1),
         reach=zeros(c),
         reach_rate=zeros(c),
         deck=zeros(3, 3, c),

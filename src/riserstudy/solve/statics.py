@@ -40,7 +40,7 @@ def _newton(p, s, fixed, out, work, pseudo, limit):
     """One damped iteration; returns residual force, its node, correction, negative pivots."""
     d = len(s.dim)
     m = len(s.dof) - d
-    n = s.l0.shape[0]
+    n = s.r.shape[1] - 1  # the last node, loose ones included
     s.rate[:] = 0.0
     forces(p, s)
     tangent(p, s)
@@ -118,7 +118,7 @@ def unstable_directions(programs: Frozen, state: Frozen, fixed: np.ndarray) -> i
     """Unstable directions of the shape that a state has, without looking for its equilibrium."""
     s = state.value
     move_to(programs, state, s.clock[0])
-    shape = len(s.l0) + 1, len(s.dof)
+    shape = s.r.shape[1], len(s.dof)
     return int(
         _newton(
             programs, state, fixed, np.zeros(shape), np.zeros((shape[0], shape[1] ** 2)), 0.0, 0.0
@@ -154,8 +154,8 @@ def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:
     """
     s = state.value
     nb = len(s.dof)
-    n = len(s.l0)
-    out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
+    n = s.r.shape[1]
+    out, work = np.zeros((n, nb)), np.zeros((n, nb * nb))
     limit = 0.1 * s.l0.sum()
     pseudo, first, before = 0.0, 0.0, np.inf
     for iteration in range(MOST_ITERATIONS):

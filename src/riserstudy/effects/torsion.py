@@ -1,0 +1,44 @@
+r"""A riser that is twisted by the yaw of its platform, as a spring.
+
+.. math:: N = -\psi \Big/ \sum_k \frac{L_k}{G I_{p,k}}
+
+Its own inertia in twist is left out: its lowest frequency is hundreds of times that of yaw.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class Torsion(NamedTuple):
+    """Spring on the yaw of a platform."""
+
+    yaw: int  # loose node with the arc of the yaw in its last direction
+    stiffness: float  # by the arc (N/m)
+
+
+@inner
+def force(torsion, s):
+    """Pull back."""
+    up = len(s.dim) - 1
+    s.force[up, torsion.yaw] -= torsion.stiffness * s.r[up, torsion.yaw]
+    return 0.0
+
+
+@inner
+def tangent(torsion, s):
+    """Minus the derivative of the force by the arc."""
+    s.k_node[torsion.yaw, len(s.dim) ** 2 - 1] += torsion.stiffness
+    return 0.0
+
+
+@inner
+def energy(torsion, s):
+    """Potential energy (J)."""
+    return 0.5 * torsion.stiffness * s.r[len(s.dim) - 1, torsion.yaw] ** 2
+
+
+register(Torsion, device=force, tangent=tangent, potential=energy)

@@ -1,0 +1,77 @@
+r"""Where the riser leaves the water: drag, added mass and wave force act on the wet share of a segment.
+
+.. math:: w_e = \frac{d_+}{d_+ - d_-}
+
+for a segment with one end under water, at the depth d_+ below the surface, and the other above it, at
+d_- < 0; 1 or 0 for all others. The surface is straight between nodes. The loads of the segment are those
+of water as at its ends, whose velocity above the surface is carried on from the surface, times the share:
+that errs by the square of the segment's length, and does not jump when a node comes up or goes under.
+
+Weight in water does not follow: it is the scene's own number. What a changing mass does to the momentum
+of the water beside the pipe (slamming) is left out.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+DRAG, ADDED, CARRIED = 0, 1, 2  # rows of the full coefficients
+
+
+class Waterline(NamedTuple):
+    """Coefficients of segments under water, and those in use, which other effects read."""
+
+    surface: float  # elevation of the mean level (m)
+    full: np.ndarray  # (3, n) drag (kg/m), added mass, mass that waves accelerate (kg)
+    wet: np.ndarray  # (n,) share of each segment that the others were last given
+    drag: np.ndarray  # (n,) the array of `Drag`
+    added: np.ndarray  # (n,) those of `AddedMass`
+    minus: np.ndarray  # (n,)
+    carried: np.ndarray  # (n,) that of `WaveForce`
+
+
+@inner
+def _share(low, up):
+    """Share of a segment under water, by the depths of its ends."""
+    if low >= 0.0 and up >= 0.0:
+        return 1.0
+    if low <= 0.0 and up <= 0.0:
+        return 0.0
+    return max(low, up) / abs(low - up)
+
+
+@inner
+def drive(line, s):
+    """Give every segment its share; no water at nodes above it whose segments are dry."""
+    top, n = len(s.dim) - 1, s.l0.shape[0]
+    low = line.surface + s.level[0] - s.r[top, 0]
+    before = 0.0
+    for e in range(n):
+        up = line.surface + s.level[e + 1] - s.r[top, e + 1]
+        share = _share(low, up)
+        if share != line.wet[e]:
+            line.wet[e] = share
+            line.drag[e] = share * line.full[DRAG, e]
+            line.added[e] = share * line.full[ADDED, e]
+            line.minus[e] = -line.added[e]
+            line.carried[e] = share * line.full[CARRIED, e]
+        if low < 0.0 and before == 0.0 and share == 0.0:
+            _dry(s, e)
+        low, before = up, share
+    if low < 0.0 and before == 0.0:
+        _dry(s, n)
+    return 0.0
+
+
+@inner
+def _dry(s, i):
+    for k in range(len(s.dim)):
+        s.water[k, i], s.shear[k, i], s.water_rate[k, i] = 0.0, 0.0, 0.0
+
+
+register(Waterline, drive=drive)
