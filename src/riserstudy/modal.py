@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.build import AXES, directions, stiffness
 from riserstudy.coarsest import massless
@@ -31,7 +32,8 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
 
     Returns
     -------
-    Dataset with ``frequency`` (Hz, negative for an unstable direction) and ``motion`` over ``mode``,
+    Dataset with ``frequency`` (Hz, negative for an unstable direction) and ``motion`` over ``mode``
+    (yaw: that of a vessel, where the riser rests),
     and shapes ``x``, ``z`` over (mode, s), largest displacement 1.
 
     Raises
@@ -41,6 +43,7 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
     """
     import xarray as xr
 
+    scene = _without_lag(scene)
     most = len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS
     mesh = even(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
     bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
@@ -54,7 +57,7 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
             "spring a single segment"
         ) from None
     size = np.abs(shape).max(axis=2)
-    motion = ["axial" if row.argmax() == d - 1 else "lateral" for row in size]
+    motion = [_motion(row) for row in size]
     data = {
         name: (
             ("mode", "s"),
@@ -75,3 +78,19 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
         },
         {"mode": np.arange(1, len(frequency) + 1), "s": mesh.s},
     )
+
+
+def _without_lag(scene: Scene) -> Scene:
+    """The scene with thrusters that answer at once: modes know no delays."""
+    vessel = scene.vessel
+    if vessel is None or vessel.thrusters is None or vessel.thrusters.lag is None:
+        return scene
+    prompt = vessel.thrusters.model_copy(update={"lag": None})
+    return scene.model_copy(update={"vessel": vessel.model_copy(update={"thrusters": prompt})})
+
+
+def _motion(size: NDArray[np.float64]) -> str:
+    """What moves most, by the largest displacement in each direction; 1 is the largest of all."""
+    if size.max() < 0.5:
+        return "yaw"
+    return "axial" if size.argmax() == len(size) - 1 else "lateral"

@@ -10,6 +10,7 @@ from scipy.integrate import solve_ivp
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import SimulationError
+from riserstudy.modal import modes_of
 
 CONFIG = Path(__file__).parents[2] / "config"
 REF = CONFIG / "scenes" / "liu2017" / "ref_0.yaml"
@@ -343,6 +344,15 @@ def test_a_twisted_riser_is_the_spring_of_a_torsion_pendulum(tmp_path, lag):
     np.testing.assert_allclose(
         run["platform_yaw"], exact.y[0], atol=2e-3 * np.abs(exact.y[0]).max()
     )
+
+
+def test_its_natural_frequency_is_among_the_modes(tmp_path):
+    file = tmp_path / "alone.yaml"
+    file.write_text(ALONE % "79 GPa")
+    modes = modes_of(load_scene(file).scene(), 12)
+    spring = 79e9 * np.pi / 32.0 * (0.5**4 - 0.45**4) / 1000.0
+    yaw = modes["frequency"].values[modes["motion"].values == "yaw"]
+    assert yaw == pytest.approx([np.sqrt((4e5 + spring) / 3e10) / (2.0 * np.pi)], rel=1e-6)
 
 
 def test_a_hull_turns_broadside_to_the_current(tmp_path):
