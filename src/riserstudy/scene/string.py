@@ -96,8 +96,8 @@ class Section(Strict):
         tube = self.young_modulus is not None
         if tube and (self.outer_diameter is None or self.inner_diameter is None):
             raise ValueError("young_modulus needs outer_diameter and inner_diameter")
-        if self.shear_modulus and not tube:
-            raise ValueError("shear_modulus needs young_modulus with diameters")
+        if self.shear_modulus and self.inner_diameter is None:
+            raise ValueError("shear_modulus needs outer_diameter and inner_diameter")
         if tube and (self.axial_stiffness or self.bending_stiffness):
             raise ValueError("give young_modulus, or the stiffnesses, not both")
         if not tube and self.axial_stiffness is None:
