@@ -16,7 +16,11 @@ from make_reference import made
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-SCENES = sorted((ROOT / "config/scenes").glob("*/*.yaml"))
+EDITED = [
+    ROOT / "config/config.yaml",
+    *sorted((ROOT / "config/studies").glob("*.yaml")),
+    *sorted((ROOT / "config/scenes").glob("*/*.yaml")),
+]
 
 
 @pytest.mark.parametrize("path", made(), ids=lambda path: path.name)
@@ -28,11 +32,13 @@ def test_what_is_written_from_the_models_is_up_to_date(path):
     )
 
 
-@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
-def test_the_schema_accepts_every_scene(path):
-    schema = json.loads((ROOT / "workflow/schemas/scene.schema.json").read_text("utf-8"))
-    scene = YAML(typ="safe", pure=True).load(path)
-    jsonschema.validate(scene, schema)
+@pytest.mark.parametrize("path", EDITED, ids=lambda path: f"{path.parent.name}/{path.stem}")
+def test_the_schema_that_a_first_line_names_accepts_its_file(path):
+    first = path.read_text("utf-8").partition("\n")[0]
+    named = path.parent / first.removeprefix("# yaml-language-server: $schema=")
+    assert named.resolve().parent == ROOT / "workflow/schemas"
+    schema = json.loads(named.read_text("utf-8"))
+    jsonschema.validate(YAML(typ="safe", pure=True).load(path), schema)
 
 
 @pytest.mark.parametrize(
