@@ -192,8 +192,11 @@ def _march(
         arrays[name] = record.probe[:, k]
     if scene.vessel:
         arrays["platform_surge"] = record.top[:, 0] - (scene.top.offset or 0.0)
-        if len(state.dim) == 3 and scene.vessel.sway:
-            arrays["platform_sway"] = record.top[:, 1]
+        turns_aside = len(state.dim) == 3
+        if scene.vessel.sway:
+            arrays["platform_sway"] = record.top[:, int(turns_aside)] * turns_aside
+        if scene.vessel.yaw and not turns_aside:
+            arrays["platform_yaw"] = np.zeros(len(record.time))
 
 
 def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:

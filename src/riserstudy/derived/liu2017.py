@@ -83,7 +83,7 @@ def measured(run: xr.Dataset) -> xr.Dataset:
     if "ufj_angle" not in run:
         return run[list(OF_THE_PLATFORM)].squeeze(drop=True)
     found = run[[name for name in (*OF_THE_PLATFORM, *OF_THE_RISER) if name in run]]
-    aside = run["platform_sway"].fillna(0.0) if "platform_sway" in run else 0.0
+    aside = run.get("platform_sway", 0.0)
     found["platform_offset"] = np.hypot(run["platform_surge"], aside)
     found["riser_force_x"] = -top_tension(run) * np.sin(run["ufj_angle"])
     found["conductor_stress"] = run["largest_stress"]

@@ -128,11 +128,12 @@ def disconnect(disconnect: xr.Dataset) -> Figure:
         _circles(circles, run)
         times.set_title(str(scenario), loc="right", fontsize="small")
         circles.set_xlabel("environment to hull (deg)")
+        circles.set_xticks(range(0, 181, 45))
     axes[0].set_ylabel("limit reached after (s)")
     axes[len(scenarios)].set_ylabel("red watch circle (m)")
     for ax, word in (
         (axes[0], "limits; without a line: not reached"),
-        (axes[len(scenarios)], "time to disconnect; cross: too late even at the start"),
+        (axes[len(scenarios)], "time to disconnect; cross: too late"),
     ):
         ax.set_ylim(top=ax.get_ylim()[1] + 0.7 * (ax.get_ylim()[1] - ax.get_ylim()[0]))
         ax.legend(fontsize="small", loc="upper left", title=word, title_fontsize="small", ncols=2)
