@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.devices import devices
-from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial import Axial
 from riserstudy.effects.axial_damping import AxialDamping
 from riserstudy.effects.bending import Bending
@@ -17,7 +16,6 @@ from riserstudy.effects.bending_damping import BendingDamping
 from riserstudy.effects.bending_damping_in_space import SpatialBendingDamping
 from riserstudy.effects.bending_in_space import SpatialBending
 from riserstudy.effects.current import Current
-from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.flex_joint import FlexJoint
 from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
@@ -25,22 +23,23 @@ from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
-from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 from riserstudy.guess import between_ends, under_a_joint
 from riserstudy.mesh import Mesh, blend_by_weight
 from riserstudy.model import Effect, Model
 from riserstudy.platform import centre, motions
 from riserstudy.rig import in_space, laws, pistons, upright
-from riserstudy.scene.ends import Areas, BodyAddedMass, Rotation
+from riserstudy.scene.ends import Areas, Body, BodyAddedMass, Rotation
 from riserstudy.scene.ends import FlexJoint as Joint
 from riserstudy.scene.models import Scene
 from riserstudy.scene.string import Section
-from riserstudy.sea import current_table, waterline, wave_of
+from riserstudy.sea import current_table, wave_of
 from riserstudy.solve.state import OTHER, OWN
 from riserstudy.vessel import loose_nodes, unknowns
+from riserstudy.wet import wet
 
 FloatArray = NDArray[np.float64]
+TAUT = 1e-6  # strain of a hanging riser in the first guess
 AXES = {1: [2], 2: [0, 2], 3: [0, 1, 2]}  # which of x, y, z a model of so many directions has
 
 
@@ -54,13 +53,7 @@ class Stiffness(NamedTuple):
 
 def stiffness(section: Section) -> Stiffness:
     """EA, EI and bore of a section."""
-    outer, inner = section.outer_diameter or 0.0, section.inner_diameter or 0.0
-    bore = 0.25 * math.pi * inner**2
-    if section.young_modulus is None:
-        return Stiffness(section.axial_stiffness or 0.0, section.bending_stiffness or 0.0, bore)
-    area = 0.25 * math.pi * outer**2 - bore
-    second = math.pi / 64.0 * (outer**4 - inner**4)
-    return Stiffness(section.young_modulus * area, section.young_modulus * second, bore)
+    return Stiffness(*section.elasticity, 0.25 * math.pi * (section.inner_diameter or 0.0) ** 2)
 
 
 def directions(scene: Scene) -> int:
@@ -216,7 +209,7 @@ class _Builder:
     # the string
 
     def string(self) -> None:
-        l0, rho = self.mesh.l0, self.rho
+        l0 = self.mesh.l0
         sections = self.scene.riser
         self.add("axial elasticity", Axial(self.axial), "riser")
         relaxation = [
@@ -243,37 +236,8 @@ class _Builder:
         mass = self.per_segment(lambda s, k: s.mass or 0.0) * l0
         if np.any(mass):
             self.add("inertia", Inertia(mass, -mass), "riser.mass")
-        if self.d == 1:
-            return
-        inside = self.per_segment(
-            lambda s, k: s.contents.density * self.parts[k].bore if s.contents else 0.0
-        )
-        if np.any(inside):
-            self.add("contents", AddedMass(inside * l0, -inside * l0), "riser.contents")
-        added = self.per_segment(
-            lambda s, k: (
-                s.added_mass.coefficient * 0.25 * math.pi * s.added_mass.diameter**2 * rho
-                if s.added_mass
-                else 0.0
-            )
-        )
-        if np.any(added):
-            self.add("added mass", AddedMass(added * l0, -added * l0), "riser.added_mass")
-        displaced = self.per_segment(
-            lambda s, k: 0.25 * math.pi * s.added_mass.diameter**2 * rho if s.added_mass else 0.0
-        )
-        carried = (displaced + added) * l0 if self.scene.wave else np.zeros(self.n)
-        if np.any(carried):
-            record = WaveForce(carried, np.zeros((self.d, self.n + 1)))
-            self.add("wave force", record, "wave, riser.added_mass")
-        drag = self.per_segment(
-            lambda s, k: 0.5 * rho * s.drag.coefficient * s.drag.diameter if s.drag else 0.0
-        )
-        if np.any(drag):
-            self.add("drag", Drag(drag * l0, np.zeros((self.d, self.n + 1))), "riser.drag")
-        self.effects += waterline(
-            self.scene, self.effects, np.stack([drag * l0, added * l0, carried])
-        )
+        if self.d > 1:
+            self.effects += wet(self.scene, self.mesh, self.d)
 
     def bending(self, relaxation: float) -> None:
         why = "riser.young_modulus or bending_stiffness"
@@ -287,8 +251,8 @@ class _Builder:
         linear = [0] if flexibility_of(bottom.rotation) is not None else []
         linear += [-1] if flexibility_of(top.rotation) is not None else []
         linear += [-1, -2] if joint else []  # the moment has a corner at the ring
-        for k in self.jointed():
-            linear += [self.mesh.foot(k) - 1, self.mesh.foot(k)]  # and at a joint that is pulled
+        for k in self.cornered():
+            linear += [self.mesh.foot(k) - 1, self.mesh.foot(k)]  # and where a body or joint is
         own[linear], other[linear] = 1.0 / 3.0, 1.0 / 6.0
         flex = np.zeros(self.n + 1)
         flex[:-1] += own * flexibility
@@ -320,18 +284,14 @@ class _Builder:
 
     def ends(self) -> None:
         bottom, top = self.scene.bottom, self.scene.top
-        for node, end, name in ((0, bottom, "bottom"), (self.ring, top, "top")):
-            if end.body is None:
-                continue
-            body = end.body
-            extra = body.added_mass or BodyAddedMass()
-            area = body.drag_area or Areas()
-            mass = np.full(self.d, body.mass)
-            mass[-1] += extra.vertical or 0.0
-            mass[:-1] += extra.horizontal or 0.0
-            drag = 0.5 * self.rho * np.array([area.horizontal or 0.0, area.vertical or 0.0])
-            record = EndMass(node, body.weight(self.g, self.rho), mass, drag)
-            self.add("end mass", record, f"{name}.body")
+        if bottom.body and bottom.body.reach:
+            low = (bottom.body.centre_below or 0.0) / bottom.body.reach
+            self.body(bottom.body, 0, low, "bottom.body")
+            self.body(bottom.body, self.mesh.foot(1), 1.0 - low, "bottom.body")
+        elif bottom.body:
+            self.body(bottom.body, 0, 1.0, "bottom.body")
+        if top.body:
+            self.body(top.body, self.ring, 1.0, "top.body")
         if top.tension:
             load = np.zeros(self.d)
             load[-1] = top.tension
@@ -340,6 +300,22 @@ class _Builder:
             load = np.zeros(self.d)
             load[0] = top.lateral_force
             self.add("lateral force", Pull(self.ring, load), "top.lateral_force")
+
+    def body(self, body: Body, node: int, share: float, why: str) -> None:
+        """A share of a body at a node."""
+        extra = body.added_mass or BodyAddedMass()
+        area = body.drag_area or Areas()
+        mass = np.full(self.d, body.mass)
+        mass[-1] += extra.vertical or 0.0
+        mass[:-1] += extra.horizontal or 0.0
+        drag = 0.5 * self.rho * np.array([area.horizontal or 0.0, area.vertical or 0.0])
+        weight = body.weight(self.g, self.rho)
+        self.add("end mass", EndMass(node, share * weight, share * mass, share * drag), why)
+
+    def cornered(self) -> list[int]:
+        """Sections above a node where the moment has a corner."""
+        rigid = self.scene.bottom.body is not None and self.scene.bottom.body.reach > 0.0
+        return [*self.jointed(), *([1] if rigid else [])]
 
     def jointed(self) -> list[int]:
         """Sections with a flex joint below them."""
@@ -376,6 +352,8 @@ class _Builder:
         else:
             shape = between_ends(self.mesh, offset, rise)
         shape[2] += self.bottom_z
+        if self.scene.bottom.hold == "free":  # slack and straight it would swing without resistance
+            shape[2] -= TAUT * (total - self.mesh.s)
         return shape[AXES[self.d]]
 
 

@@ -9,11 +9,8 @@ from numpy.typing import NDArray
 from scipy.integrate import cumulative_trapezoid
 from scipy.optimize import brentq
 
-from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
-from riserstudy.model import Effect
 from riserstudy.scene.forcing import Current, Shape, Water
-from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDrift
 
 FloatArray = NDArray[np.float64]
@@ -65,35 +62,6 @@ def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -
         ),
     }[part.shape]()
     return np.asarray(part.surface_speed * share)
-
-
-def waterline(scene: Scene, effects: list[Effect], full: FloatArray) -> list[Effect]:
-    """The effect that wets segments in part, where there is a surface and something to wet.
-
-    Parameters
-    ----------
-    effects : those so far, whose arrays it changes.
-    full : (3, n) drag (kg/m), added mass, mass that waves accelerate (kg) of segments under water.
-    """
-    surface = scene.water.surface if scene.water else None
-    if surface is None or not np.any(full):
-        return []
-    used = {effect.name: effect.record for effect in effects}
-
-    def of(effect: str, name: str) -> FloatArray:
-        array: FloatArray = getattr(used.get(effect), name, np.zeros(full.shape[1]))
-        return array
-
-    record = Waterline(
-        surface=surface,
-        full=full,
-        wet=np.ones(full.shape[1]),
-        drag=of("drag", "coefficient"),
-        added=of("added mass", "mass"),
-        minus=of("added mass", "minus"),
-        carried=of("wave force", "mass"),
-    )
-    return [Effect("waterline", record, "water.surface, riser.drag, riser.added_mass")]
 
 
 def wave_number(frequency: float, depth: float, gravity: float) -> float:

@@ -101,13 +101,10 @@ def beam_of(scene: Scene, mesh: Mesh) -> Beam:
     )
     above = np.append(np.cumsum((weight * mesh.l0)[::-1])[::-1], 0.0)
     tension = (scene.top.tension or scene.top.held_at_tension or 0.0) - above
-    displaced = [
-        density * 0.25 * math.pi * s.added_mass.diameter**2 if s.added_mass else 0.0
-        for s in sections
-    ]
+    displaced = [s.added_mass.displaced(density) if s.added_mass else 0.0 for s in sections]
     added = [m * (s.added_mass.coefficient if s.added_mass else 0.0)
              for m, s in zip(displaced, sections, strict=True)]  # fmt: skip
-    drag = [0.5 * density * s.drag.coefficient * s.drag.diameter if s.drag else 0.0
+    drag = [0.5 * density * s.drag.constant * s.drag.diameter if s.drag else 0.0
             for s in sections]  # fmt: skip
     bending = per_segment([stiffness(s).bending for s in sections])
     load = per_segment([s.lateral_load or 0.0 for s in sections])
@@ -167,6 +164,7 @@ def _refuse(scene: Scene) -> None:
         "riser.structural_damping": any(s.structural_damping for s in scene.riser),
         "vessel": scene.vessel,
         "soil": scene.soil,
+        "drag coefficient over elevation": any(s.drag and s.drag.table for s in scene.riser),
         "flex_joint_below": any(s.flex_joint_below for s in scene.riser),
         "bottom.hold: free": scene.bottom.hold == "free",
         "a body at an end": scene.bottom.body or top.body,

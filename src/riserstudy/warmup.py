@@ -26,6 +26,8 @@ _WET: Tree = {
     "added_mass": {"coefficient": 1.0, "diameter": "0.5 m"},
     "contents": {"density": "1000 kg/m^3"},
 }
+_TABLE = [{"elevation": "40 m", "value": value} for value in (0.7, 1.2)]
+_BY_DEPTH: Tree = _WET | {"drag": {"coefficient": _TABLE, "diameter": "0.5 m"}}
 _BODY: Tree = {"name": "body", "mass": "10 t", "submerged_weight": "10 kN"}
 _GAS: Tree = {"area": "0.1 m^2", "pressure": "50 bar absolute", "volume": "3 m^3", "exponent": 1.4}
 _CHAMBER: Tree = {key: value for key, value in _GAS.items() if key != "exponent"}
@@ -103,6 +105,7 @@ def scenes() -> list[Scene]:
         },
     }
     gas_in_plane = planar | {
+        "riser": [_SECTION | _BY_DEPTH],
         "top": axial["top"] | {"x": "free", "lateral_force": "1 N"},
         "platform": axial["platform"],
         "bottom": axial["bottom"] | {"rotation": "fixed"},
@@ -116,6 +119,7 @@ def scenes() -> list[Scene]:
     linear_axial = axial | {"top": axial["top"] | {"tensioners": _RIG | {"linear": linear}}}
     spatial = planar | {
         "title": "spatial",
+        "riser": [_SECTION | _BY_DEPTH],
         "top": {
             "x": "platform",
             "z": "platform",

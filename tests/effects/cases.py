@@ -21,6 +21,7 @@ from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.cylinder_damping import CylinderDamping
 from riserstudy.effects.cylinders_in_space import CylindersInSpace
 from riserstudy.effects.drag import Drag
+from riserstudy.effects.drag_over_depth import DragOverDepth
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.flex_joint import FlexJoint
@@ -84,6 +85,15 @@ def current(d: int) -> Current:
     )
 
 
+def depths(d: int) -> DragOverDepth:
+    """Below the table, on a slope of it with a corner, across two jumps in one segment, and above it."""
+    return DragOverDepth(
+        *np.zeros((2, N)), np.zeros((d, N + 1)), 0, 6e3 * np.append(SEGMENTS[:-1], 0.0),
+        np.array([4.0, 20.0, 22.0, 29.0, 29.0, 31.0, 31.0, 41.0]),
+        np.array([0.9, 1.5, 0.6, 0.8, 1.3, 1.2, 0.5, 0.7]),
+    )  # fmt: skip
+
+
 def uniform(d: int) -> Current:
     heading = np.array([1.0, 0.0][: d - 1])
     return Current(np.array([0.0, 1.0]), np.array([0.7, 0.7]), heading, 0.0)
@@ -139,8 +149,12 @@ CASES = {
     AxialDamping: Case(lambda d: AxialDamping(3e6 * SEGMENTS)),
     Weight: Case(lambda d: Weight(d - 1, -1e4 * np.linspace(1.0, 2.0, N + 1))),
     Inertia: Case(lambda d: Inertia(9e3 * SEGMENTS, -9e3 * SEGMENTS)),
-    AddedMass: Case(lambda d: AddedMass(7e3 * SEGMENTS, -7e3 * SEGMENTS)),
-    Drag: Case(lambda d: Drag(6e3 * SEGMENTS, np.zeros((d, N + 1))), lambda d: [current(d)]),
+    AddedMass: Case(lambda d: AddedMass(7e3 * SEGMENTS, -7e3 * SEGMENTS, 0)),
+    Drag: Case(
+        lambda d: Drag(6e3 * SEGMENTS, 5e3 * SEGMENTS, np.zeros((d, N + 1)), 0),
+        lambda d: [current(d)],
+    ),
+    DragOverDepth: Case(depths, lambda d: [current(d)]),
     Current: Case(current),
     Wave: Case(wave),
     WaveForce: Case(
@@ -270,10 +284,10 @@ def moments(kind: type, d: int) -> int:
 class Rig:
     """A model with one effect (and what stands beside it), stirred; record and arrays at hand."""
 
-    def __init__(self, kind: type, d: int, seed: int = 1):
+    def __init__(self, kind: type, d: int, seed: int = 1, **changes: Any):
         case = CASES[kind]
         self.kind, self.d, self.m = kind, d, moments(kind, d)
-        records = [*case.beside(d), case.record(d)]
+        records = [*case.beside(d), case.record(d)._replace(**changes)]
         if kind in (GasSpring, TwoChamberGas, LinearSpring, TabulatedLaw, CylinderDamping, EndStop):
             records.reverse()  # laws before the cylinder that sums them up, as a scene has them
         effects = [Effect(type(r).__name__, r, "") for r in records]

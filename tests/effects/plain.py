@@ -24,6 +24,7 @@ from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.cylinder_damping import CylinderDamping
 from riserstudy.effects.cylinders_in_space import CylindersInSpace
 from riserstudy.effects.drag import Drag
+from riserstudy.effects.drag_over_depth import DragOverDepth
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.flex_joint import FlexJoint
@@ -70,12 +71,27 @@ def across(vector, tangent):
     return vector - (vector * tangent).sum(axis=0) * tangent
 
 
-def spread(coefficient, q):
+def spread(low, q, up=None):
     """Loads per length at the nodes to nodal forces: 5/12 own node, 1/12 the other."""
     out = np.zeros_like(q)
-    out[:, :-1] += coefficient * (5.0 * q[:, :-1] + q[:, 1:]) / 12.0
-    out[:, 1:] += coefficient * (5.0 * q[:, 1:] + q[:, :-1]) / 12.0
+    out[:, :-1] += low * (5.0 * q[:, :-1] + q[:, 1:]) / 12.0
+    out[:, 1:] += (low if up is None else up) * (5.0 * q[:, 1:] + q[:, :-1]) / 12.0
     return out
+
+
+def lump(low, q, up):
+    """The same with all of a node's load on itself."""
+    out = np.zeros_like(q)
+    out[:, :-1] += 0.5 * low * q[:, :-1]
+    out[:, 1:] += 0.5 * up * q[:, 1:]
+    return out
+
+
+def axes(record, s):
+    """Unit vectors at the nodes along which water slips past, (d, n+1)."""
+    if record.horizontal:
+        return np.repeat(np.eye(len(s.dim))[:, -1:], s.r.shape[1], axis=1)
+    return at_nodes(s)
 
 
 def axial(record, s):
@@ -100,12 +116,29 @@ def inertia(record, s):
 
 
 def added_mass(record, s):
-    return {"force": -spread(record.mass, across(s.a, at_nodes(s)))}
+    return {"force": -spread(record.mass, across(s.a, axes(record, s)))}
+
+
+def pressed(record, s, tangent=None):
+    u = across(s.water - s.v, axes(record, s) if tangent is None else tangent)
+    return np.sqrt((u**2).sum(axis=0)) * u
 
 
 def drag(record, s, tangent=None):
-    u = across(s.water - s.v, at_nodes(s) if tangent is None else tangent)
-    return {"force": spread(record.coefficient, np.sqrt((u**2).sum(axis=0)) * u)}
+    return {"force": spread(record.low, pressed(record, s, tangent), record.up)}
+
+
+def drag_over_depth(record, s):
+    """Coefficients by many points in each segment, instead of piece by piece."""
+    share = (np.arange(100_000) + 0.5) / 100_000
+    low, up = np.zeros((2, len(s.l0)))
+    for e, scale in enumerate(record.scale):
+        z = s.r[-1, e] + share * (s.r[-1, e + 1] - s.r[-1, e])
+        # a jump is a slope over a micrometre
+        at = record.elevation + 1e-6 * np.append(0.0, np.diff(record.elevation) == 0.0)
+        c = scale * np.interp(z, at, record.coefficient)
+        low[e], up[e] = 2.0 * ((1.0 - share) * c).mean(), 2.0 * (share * c).mean()
+    return {"force": spread(low, pressed(record, s), up)}
 
 
 def current(record, s):
@@ -494,6 +527,7 @@ VERSIONS = {
     Inertia: [("string_inertia", inertia)],
     AddedMass: [("string_inertia", added_mass)],
     Drag: [("string", drag)],
+    DragOverDepth: [("drive string", drag_over_depth)],
     Current: [("drive", current)],
     Wave: [("drive", wave)],
     WaveForce: [("string", wave_force)],

@@ -30,8 +30,8 @@ SURGE = read_scene(Path(__file__).parents[2] / "config/scenes/hard/surge.yaml").
 N = 20
 LINE, NODES, FIELD = np.zeros(N), np.zeros(N + 1), np.zeros((2, N + 1))
 ZERO_LOAD = {
-    "drag": lambda: Drag(LINE.copy(), FIELD.copy()),
-    "added mass": lambda: AddedMass(LINE.copy(), LINE.copy()),
+    "drag": lambda: Drag(LINE.copy(), LINE.copy(), FIELD.copy(), 0),
+    "added mass": lambda: AddedMass(LINE.copy(), LINE.copy(), 0),
     "inertia": lambda: Inertia(LINE.copy(), LINE.copy()),
     "wave force": lambda: WaveForce(LINE.copy(), FIELD.copy()),
     "weight": lambda: Weight(1, NODES.copy()),

@@ -53,7 +53,7 @@ def beamlike(scene: Scene) -> Beamlike:
         (pipe.young_modulus or 0.0) * math.pi / 64.0 * (outer**4 - inner**4),
         scene.top.tension,
         pipe.submerged_weight or 0.0,
-        0.5 * scene.water.density * pipe.drag.coefficient * pipe.drag.diameter,
+        0.5 * scene.water.density * pipe.drag.constant * pipe.drag.diameter,
         z - (scene.bottom.elevation or 0.0),
         speed,
     )

@@ -3,7 +3,7 @@ r"""Mass that resists acceleration across the pipe only: added mass of the water
 .. math:: f = -m_n\,(\ddot r - (\ddot r \cdot t)\,t),\qquad m_a = C_a \rho\,\pi D^2/4
 
 Water outside is carried along by the Morison equation; a fluid inside moves with the pipe sideways
-but not along it.
+but not along it. Added mass that acts horizontally takes the vertical for t.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import numpy as np
 from riserstudy.effects.roles import register
 from riserstudy.jit import inner
 from riserstudy.solve.spread import spread, spread_stiffness
+from riserstudy.solve.state import axis
 from riserstudy.solve.vec import at, dot, mul, outer, put, put_block, sub, unity
 
 
@@ -23,15 +24,16 @@ class AddedMass(NamedTuple):
 
     mass: np.ndarray  # (n,) of the segments (kg)
     minus: np.ndarray  # (n,) the same, negative
+    horizontal: int  # 1 where it acts horizontally, 0 across the pipe
 
 
 @inner
 def force(added, s):
     """Inertial force of the acceleration across the pipe."""
     for i in range(s.l0.shape[0] + 1):
-        a, t = at(s.dim, s.a, i), at(s.dim, s.direction, i)
+        a, t = at(s.dim, s.a, i), axis(s, added.horizontal, i)
         put(s.density, i, sub(a, mul(dot(a, t), t)))
-    spread(s, added.minus, s.share[0], s.share[1], s.density, s.force)
+    spread(s, added.minus, added.minus, s.share[0], s.share[1], s.density, s.force)
     return 0.0
 
 
@@ -40,9 +42,9 @@ def mass(added, s):
     """Mass times d a / d r, across the pipe."""
     unit = unity(s.dim)
     for i in range(s.l0.shape[0] + 1):
-        t = at(s.dim, s.direction, i)
+        t = axis(s, added.horizontal, i)
         put_block(s.block, i, mul(s.rate[1], sub(unit, outer(t, t))))
-    spread_stiffness(s, added.mass, s.share[0], s.share[1])
+    spread_stiffness(s, added.mass, added.mass, s.share[0], s.share[1])
     return 0.0
 
 
@@ -51,7 +53,7 @@ def energy(added, s):
     """Kinetic energy of the water carried along (J)."""
     own, other = s.share[0], s.share[1]
     for i in range(s.l0.shape[0] + 1):
-        v, t = at(s.dim, s.v, i), at(s.dim, s.direction, i)
+        v, t = at(s.dim, s.v, i), axis(s, added.horizontal, i)
         put(s.density, i, sub(v, mul(dot(v, t), t)))
     total = 0.0
     for e in range(s.l0.shape[0]):

@@ -1,9 +1,11 @@
-r"""Morison drag across the pipe, with the velocity of the water relative to it.
+r"""Morison drag with the velocity of the water relative to the pipe, as far as it goes across it.
 
 .. math:: f = \tfrac12 \rho\,C_D D\,|u_n|\,u_n,\qquad u_n = (u - \dot r) - ((u - \dot r)\cdot t)\,t
 
-per unstretched length. The change of the tangent t with position is left out of the stiffness; that
-does not slow Newton's iteration for risers that stand or hang.
+per unstretched length, with the pipe's tangent t; a drag that acts horizontally takes the vertical for t.
+A node's tangent hangs on both its neighbours, so the load of the node beyond a neighbour would leave the
+band of the stiffness. How loads turn with the pipe is therefore counted as if each acted on its own node
+alone: the rest is a second difference, small for corrections that reach over several segments.
 """
 
 from __future__ import annotations
@@ -16,40 +18,63 @@ import numpy as np
 from riserstudy.effects.roles import register
 from riserstudy.jit import inner
 from riserstudy.solve.spread import spread, spread_stiffness
-from riserstudy.solve.state import OTHER, OWN
-from riserstudy.solve.vec import add, at, dot, mul, outer, put, put_block, sub, unity, upward
+from riserstudy.solve.state import OTHER, OWN, axis
+from riserstudy.solve.vec import (
+    add,
+    at,
+    dot,
+    mul,
+    norm,
+    outer,
+    plus_block,
+    put,
+    put_block,
+    sub,
+    unity,
+    upward,
+)
 
 
 class Drag(NamedTuple):
     """Drag of the segments."""
 
-    coefficient: np.ndarray  # (n,) rho C_D D / 2 times length (kg/m)
+    low: np.ndarray  # (n,) rho C_D D / 2 times length, as it loads the lower node (kg/m)
+    up: (
+        np.ndarray
+    )  # (n,) as it loads the upper node; the same array where C_D does not vary in segments
     force: np.ndarray  # (d, n+1) scratch
+    horizontal: int  # 1 where the drag acts horizontally, 0 across the pipe
 
 
 @inner
-def _relative(s, i):
-    """Velocity of the water across the pipe, seen from the pipe."""
-    u, t = sub(at(s.dim, s.water, i), at(s.dim, s.v, i)), at(s.dim, s.direction, i)
+def _relative(drag, s, i):
+    """Velocity of the water that counts, seen from the pipe."""
+    u, t = sub(at(s.dim, s.water, i), at(s.dim, s.v, i)), axis(s, drag.horizontal, i)
     return sub(u, mul(dot(u, t), t))
+
+
+@inner
+def press(drag, s):
+    """Load over its coefficient at the nodes, into ``s.density``."""
+    for i in range(s.l0.shape[0] + 1):
+        u = _relative(drag, s, i)
+        put(s.density, i, mul(sqrt(dot(u, u)), u))
 
 
 @inner
 def force(drag, s):
     """Drag on the nodes."""
-    for i in range(s.l0.shape[0] + 1):
-        u = _relative(s, i)
-        put(s.density, i, mul(sqrt(dot(u, u)), u))
-    spread(s, drag.coefficient, OWN, OTHER, s.density, s.force)
+    press(drag, s)
+    spread(s, drag.low, drag.up, OWN, OTHER, s.density, s.force)
     return 0.0
 
 
 @inner
 def tangent(drag, s):
-    """Derivative by the pipe's velocity, and by elevation where the current is sheared."""
+    """Derivative by velocity, by elevation where the current is sheared, by the pipe's direction."""
     unit, up = unity(s.dim), upward(s.dim)
     for i in range(s.l0.shape[0] + 1):
-        u, t = _relative(s, i), at(s.dim, s.direction, i)
+        u, t = _relative(drag, s, i), axis(s, drag.horizontal, i)
         speed = sqrt(dot(u, u))
         share = 1.0 / speed if speed > 0.0 else 0.0
         by_velocity = add(mul(speed, sub(unit, outer(t, t))), mul(share, outer(u, u)))
@@ -57,18 +82,48 @@ def tangent(drag, s):
         across = sub(shear, mul(dot(shear, t), t))
         by_elevation = add(mul(speed, across), mul(share * dot(u, across), u))
         put_block(s.block, i, sub(mul(s.rate[0], by_velocity), outer(by_elevation, up)))
-    spread_stiffness(s, drag.coefficient, OWN, OTHER)
+    spread_stiffness(s, drag.low, drag.up, OWN, OTHER)
+    if not drag.horizontal:
+        _turning(drag, s)
     return 0.0
+
+
+@inner
+def _turning(drag, s):
+    """Derivative by the nodes between which the pipe's direction is taken."""
+    unit, n = unity(s.dim), s.l0.shape[0]
+    for i in range(n + 1):
+        first, last = max(i - 1, 0), min(i + 1, n)
+        chord = norm(sub(at(s.dim, s.r, last), at(s.dim, s.r, first)))
+        near = 0.0
+        if i > 0:
+            near += (OWN + OTHER) * drag.up[i - 1]
+        if i < n:
+            near += (OWN + OTHER) * drag.low[i]
+        t = at(s.dim, s.direction, i)
+        w = sub(at(s.dim, s.water, i), at(s.dim, s.v, i))
+        along = dot(w, t)
+        u = sub(w, mul(along, t))
+        speed = sqrt(dot(u, u))
+        share = along / speed if speed > 0.0 else 0.0
+        turned = add(outer(t, u), mul(along, sub(unit, outer(t, t))))
+        block = mul(near / chord, add(mul(speed, turned), mul(share, outer(u, u))))
+        if i < n:
+            plus_block(s.k_up, i, block)
+        else:
+            plus_block(s.k_node, i, block)
+        if i > 0:
+            plus_block(s.k_low, i - 1, mul(-1.0, block))
+        else:
+            plus_block(s.k_node, i, mul(-1.0, block))
 
 
 @inner
 def power(drag, s):
     """Power dissipated into the water, and power supplied by its motion (W)."""
-    for i in range(s.l0.shape[0] + 1):
-        u = _relative(s, i)
-        put(s.density, i, mul(sqrt(dot(u, u)), u))
+    press(drag, s)
     drag.force[:] = 0.0
-    spread(s, drag.coefficient, OWN, OTHER, s.density, drag.force)
+    spread(s, drag.low, drag.up, OWN, OTHER, s.density, drag.force)
     for i in range(s.l0.shape[0] + 1):
         f, water = at(s.dim, drag.force, i), at(s.dim, s.water, i)
         s.flow[0] += dot(f, sub(water, at(s.dim, s.v, i)))

@@ -25,7 +25,7 @@ class Inertia(NamedTuple):
 @inner
 def force(inertia, s):
     """Inertial force."""
-    spread(s, inertia.minus, s.share[0], s.share[1], s.a, s.force)
+    spread(s, inertia.minus, inertia.minus, s.share[0], s.share[1], s.a, s.force)
     return 0.0
 
 
@@ -35,7 +35,7 @@ def mass(inertia, s):
     block = mul(s.rate[1], unity(s.dim))
     for i in range(s.l0.shape[0] + 1):
         put_block(s.block, i, block)
-    spread_stiffness(s, inertia.mass, s.share[0], s.share[1])
+    spread_stiffness(s, inertia.mass, inertia.mass, s.share[0], s.share[1])
     return 0.0
 
 

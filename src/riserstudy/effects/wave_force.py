@@ -39,7 +39,7 @@ def _across(s):
 def force(wave_force, s):
     """Inertia force on the nodes."""
     _across(s)
-    spread(s, wave_force.mass, OWN, OTHER, s.density, s.force)
+    spread(s, wave_force.mass, wave_force.mass, OWN, OTHER, s.density, s.force)
     return 0.0
 
 
@@ -48,7 +48,7 @@ def power(wave_force, s):
     """Power that the water supplies (W)."""
     _across(s)
     wave_force.force[:] = 0.0
-    spread(s, wave_force.mass, OWN, OTHER, s.density, wave_force.force)
+    spread(s, wave_force.mass, wave_force.mass, OWN, OTHER, s.density, wave_force.force)
     for i in range(s.l0.shape[0] + 1):
         s.flow[1] += dot(at(s.dim, wave_force.force, i), at(s.dim, s.v, i))
     return 0.0

@@ -29,6 +29,8 @@ class Body(Strict):
     """A concentrated mass: LMRP, tension ring. Absent weight, drag, added mass: none.
 
     Its weight in water is given, or follows from mass, gravity and the volume of water it displaces.
+    Absent centre_below: a point at the riser's end. With it the body turns rigidly with the lower end,
+    its centre that far below; absent rotary_inertia about the centre, for axes across the riser: none.
     """
 
     name: str
@@ -37,12 +39,35 @@ class Body(Strict):
     displaced_volume: Annotated[u.Volume, NOT_NEGATIVE] | None = None
     drag_area: Areas | None = None
     added_mass: BodyAddedMass | None = None
+    centre_below: Annotated[u.Length, POSITIVE] | None = None
+    rotary_inertia: Annotated[u.MomentOfInertia, POSITIVE] | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.submerged_weight is not None and self.displaced_volume is not None:
             raise ValueError("give submerged_weight or displaced_volume, not both")
+        if self.rotary_inertia is not None and self.centre_below is None:
+            raise ValueError("rotary_inertia needs centre_below")
+        if self.centre_below is not None and not self.horizontal_mass:
+            raise ValueError("centre_below needs mass or added_mass.horizontal")
         return self
+
+    @property
+    def horizontal_mass(self) -> float:
+        """Mass with added mass (kg)."""
+        return self.mass + ((self.added_mass and self.added_mass.horizontal) or 0.0)
+
+    @property
+    def reach(self) -> float:
+        """Distance from the riser's end to the centre of percussion (m), 0 for a point.
+
+        Two masses, at the end and there, with the same sum and centre have the same rotary inertia.
+        """
+        if self.centre_below is None:
+            return 0.0
+        return self.centre_below + (self.rotary_inertia or 0.0) / (
+            self.horizontal_mass * self.centre_below
+        )
 
     def weight(self, gravity: float, water: float) -> float:
         """Weight in water of a density (N)."""
@@ -74,6 +99,8 @@ class Bottom(Strict):
             raise ValueError("a held bottom needs its elevation")
         if self.hold == "free" and (self.elevation is not None or self.rotation is not None):
             raise ValueError("a free bottom has neither elevation nor rotation of its own")
+        if self.hold != "free" and self.body and self.body.centre_below:
+            raise ValueError("body.centre_below needs 'hold: free'")
         return self
 
 
@@ -130,6 +157,8 @@ class Top(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
+        if self.body and self.body.centre_below:
+            raise ValueError("body.centre_below is for a free lower end")
         if self.elevation is not None and self.held_at_tension is not None:
             raise ValueError("give elevation or held_at_tension, not both")
         if self.z == "free" and (self.elevation is not None or self.held_at_tension is not None):

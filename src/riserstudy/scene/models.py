@@ -97,7 +97,7 @@ class Scene(Strict):
                     f"analysis.output.stations: {s:g} m is not on the riser; "
                     f"allowed is from 0 to {length:g} m"
                 )
-        return self._loaded()
+        return self._loaded()._with_rigid_body()
 
     def _loaded(self) -> Self:
         """The scene with the weights and the top tension that a buoyant factor stands for."""
@@ -112,6 +112,14 @@ class Scene(Strict):
         riser, tension = self.buoyancy.loads(self.riser, self.gravity)
         top = self.top.model_copy(update={"tension": tension})
         return self.model_copy(update={"riser": riser, "top": top})
+
+    def _with_rigid_body(self) -> Self:
+        """The scene with a section below the riser for the body that turns with its end."""
+        body = self.bottom.body
+        if body is None or not body.reach:
+            return self
+        rigid = self.riser[0].rigid(body.name, body.reach)
+        return self.model_copy(update={"riser": [rigid, *self.riser]})
 
     def _fits_vessel_and_soil(self, bends: bool) -> None:
         if (self.vessel is None) != (self.top.x != "vessel"):
@@ -154,6 +162,8 @@ class Scene(Strict):
                 raise ValueError("wave needs gravity")
             if not any(s.drag or s.added_mass for s in self.riser):
                 raise ValueError("wave needs a riser section with drag or added mass")
+            if any(s.added_mass and s.added_mass.direction for s in self.riser):
+                raise ValueError("a wave needs added_mass across the pipe: leave out its direction")
         for part in self.current.parts if self.current else []:
             own = isinstance(part, Shape) and None not in (part.seabed, part.surface)
             if not own and not levels:

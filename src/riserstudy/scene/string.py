@@ -3,26 +3,65 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Self
+from itertools import pairwise
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Coefficient, Strict
 
+RIGID = 1e3  # bending stiffness of what does not bend, over that beside it
+
+
+class CoefficientAt(Strict):
+    """A drag coefficient at an elevation; two at one elevation are a jump there."""
+
+    elevation: u.Length
+    value: Coefficient
+
 
 class Drag(Strict):
-    """Morison drag across the pipe."""
+    """Morison drag. Absent direction: across the pipe; horizontal: by and on horizontal motion alone.
 
-    coefficient: Coefficient
+    The coefficient is one number, or a table over elevation, straight between its points: then it is
+    that of where the pipe is, moved and stretched, and beyond the table that of its ends.
+    """
+
+    coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
     diameter: Annotated[u.Length, POSITIVE]
+    direction: Literal["horizontal"] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if any(a > b for (a, _), (b, _) in pairwise(self.table)):
+            raise ValueError("coefficient: elevations must not fall from point to point")
+        return self
+
+    @property
+    def table(self) -> tuple[tuple[float, float], ...]:
+        """Elevations and coefficients; empty where there is only one coefficient."""
+        points = self.coefficient if isinstance(self.coefficient, list) else []
+        return tuple((point.elevation, point.value) for point in points)
+
+    @property
+    def constant(self) -> float:
+        """The coefficient where there is only one."""
+        if isinstance(self.coefficient, list):
+            raise TypeError("a drag coefficient over elevation where one number is needed")
+        return self.coefficient
 
 
 class AddedMass(Strict):
-    """Added mass across the pipe, C_a rho pi D^2 / 4."""
+    """Added mass, C_a rho pi D^2 / 4. Absent direction: across the pipe; horizontal: of x and y alone."""
 
     coefficient: Coefficient
     diameter: Annotated[u.Length, POSITIVE]
+    direction: Literal["horizontal"] | None = None
+
+    def displaced(self, density: float) -> float:
+        """Mass of the water displaced (kg/m)."""
+        return density * 0.25 * math.pi * self.diameter**2
 
 
 class Contents(Strict):
@@ -120,6 +159,26 @@ class Section(Strict):
         outer, inner = self.outer_diameter or 0.0, self.inner_diameter or 0.0
         polar = math.pi / 32.0 * (outer**4 - inner**4)
         return self.total_length / (self.shear_modulus * polar) if self.shear_modulus else 0.0
+
+    @property
+    def elasticity(self) -> tuple[float, float]:
+        """EA (N) and EI (N m2), 0 for a string."""
+        if self.young_modulus is None:
+            return self.axial_stiffness or 0.0, self.bending_stiffness or 0.0
+        outer, inner = self.outer_diameter or 0.0, self.inner_diameter or 0.0
+        second = math.pi / 64.0 * (outer**4 - inner**4)
+        return self.young_modulus * self.wall_area, self.young_modulus * second
+
+    def rigid(self, name: str, length: float) -> Section:
+        """A weightless section that does not bend beside this one, and bears as this one does."""
+        axial, bending = self.elasticity
+        return Section.model_construct(
+            name=name,
+            length=length,
+            axial_stiffness=axial,
+            bending_stiffness=RIGID * bending or None,
+            structural_damping=self.structural_damping,
+        )
 
     @property
     def contents_mass(self) -> float:

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.jit import inner
-from riserstudy.solve.vec import at, mul, norm, put, sub
+from riserstudy.solve.vec import at, mul, norm, put, sub, upward
 
 OWN, OTHER = 5.0 / 12.0, 1.0 / 12.0
 
@@ -167,6 +167,14 @@ def measure(s):
     for i in range(1, n):
         along = sub(at(dim, r, i + 1), at(dim, r, i - 1))
         put(direction, i, mul(1.0 / norm(along), along))
+
+
+@inner
+def axis(s, horizontal, i):
+    """Unit vector along which water slips past: the pipe's at a node, or the vertical."""
+    if horizontal:
+        return upward(s.dim)
+    return at(s.dim, s.direction, i)
 
 
 @inner
