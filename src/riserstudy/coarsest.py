@@ -26,8 +26,9 @@ def coarsest_mesh(scene: Scene) -> Mesh:
     if scene.wave and scene.water:
         layers[1] = min(layers[1], depth_of_action(scene.wave, scene.water, scene.gravity or 0.0))
     found = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]
+    body = scene.bottom.body
     for k, section in enumerate(scene.riser):
-        if section.flex_joint_below:
+        if section.flex_joint_below or (k == 1 and body and body.reach):
             e = probe.foot(k)
             layer = _layer(stiffness(section).bending, _tension(model, e))
             found.append(Layer(float(probe.s[e]), layer))

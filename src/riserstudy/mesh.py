@@ -21,15 +21,16 @@ FINE = 4000  # points of the mapping that a graded mesh follows
 class Mesh(NamedTuple):
     """Unstretched segment lengths (m) and the section that each segment belongs to.
 
-    A telescopic joint is one more segment at the top, of a section of its own, never cut. A graded mesh
-    keeps the mapping that it follows, one array of positions over a section's nodes: finer meshes then
-    grade as smoothly.
+    A telescopic joint is one more segment at the top, of a section of its own, never cut; so is the lowest
+    section where it stands for a body that turns with the riser's end. A graded mesh keeps the mapping that
+    it follows, one array of positions over a section's nodes: finer meshes then grade as smoothly.
     """
 
     l0: NDArray[np.float64]
     section: NDArray[np.int64]
     joint: bool = False
     mapping: tuple[NDArray[np.float64], ...] = ()
+    body: bool = False
 
     @property
     def s(self) -> NDArray[np.float64]:
@@ -55,10 +56,12 @@ class Mesh(NamedTuple):
         if not self.mapping:
             cuts = np.full(len(self.l0), 2)
             cuts[self.ring :] = 1
+            cuts[: int(self.body)] = 1
             return self._replace(
                 l0=np.repeat(self.l0 / cuts, cuts), section=np.repeat(self.section, cuts)
             )
         counts = 2 * np.bincount(self.section[: self.ring])
+        counts[: int(self.body)] = 1
         l0, section = _laid(self.mapping, list(counts))
         return self._replace(
             l0=np.append(l0, self.l0[self.ring :]),
@@ -83,6 +86,7 @@ def even(scene: Scene, elements: int) -> Mesh:
     lengths = [section.total_length for section in scene.riser]
     size = sum(lengths) / elements
     counts = [max(1, round(length / size)) for length in lengths]
+    counts[0] = 1 if _has_body(scene) else counts[0]
     return _with_joint(
         scene,
         np.concatenate([np.full(k, x / k) for k, x in zip(counts, lengths, strict=True)]),
@@ -91,10 +95,15 @@ def even(scene: Scene, elements: int) -> Mesh:
 
 
 def _with_joint(scene: Scene, l0: NDArray[np.float64], section: NDArray[np.int64]) -> Mesh:
-    joint = scene.top.telescopic_joint
+    joint, body = scene.top.telescopic_joint, _has_body(scene)
     if joint is None:
-        return Mesh(l0, section)
-    return Mesh(np.append(l0, joint.length), np.append(section, len(scene.riser)), True)
+        return Mesh(l0, section, body=body)
+    return Mesh(np.append(l0, joint.length), np.append(section, len(scene.riser)), True, body=body)
+
+
+def _has_body(scene: Scene) -> bool:
+    """Whether the lowest section stands for a body that turns with the riser's end."""
+    return scene.bottom.body is not None and scene.bottom.body.reach > 0.0
 
 
 class Layer(NamedTuple):
@@ -125,7 +134,8 @@ def graded(
             away = np.abs(start + s - layer.place)
             size = np.minimum(size, LAYER * layer.length + GROWTH * away)
         count = np.concatenate([[0.0], cumulative_trapezoid(1.0 / size, s)])
-        counts.append(max(1, round(count[-1])))
+        whole = k == 0 and _has_body(scene)
+        counts.append(1 if whole else max(1, round(count[-1])))
         mapping.append(np.interp(np.linspace(0.0, count[-1], FINE + 1), count, s))
         start += length
     l0, section = _laid(tuple(mapping), counts)

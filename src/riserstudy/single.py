@@ -333,7 +333,7 @@ def _check_tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str,
     facts["smallest_tension"] = float(tension[k])
     facts["smallest_tension_s"] = float(arrays["s_node"][k])
     # a stack and conductor below the riser's flex joint are meant to stand
-    lengths = np.cumsum([section.length for section in scene.riser])
+    lengths = np.cumsum([section.total_length for section in scene.riser])
     joints = [k for k, section in enumerate(scene.riser) if section.flex_joint_below]
     foot = lengths[joints[0] - 1] if joints else 0.0
     k = int(np.where(arrays["s_node"] < foot, np.inf, tension).argmin())

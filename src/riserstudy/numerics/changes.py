@@ -106,9 +106,11 @@ def _expanded(change: Change, tree: dict[str, Any], scene: Scene) -> Iterator[tu
                 yield path, _filled(value, scene, 0)
             continue
         field = path[len(SECTIONS) + 1 :]
-        for k in range(len(scene.riser)):
+        count = len(tree["riser"])
+        for k in range(count):
             if value is None or change.kind == "removed" or not _at(tree["riser"][k], field):
-                yield f"riser[{k}].{field}", _filled(value, scene, k)
+                # from above: below the sections of the tree there may be a body that turns
+                yield f"riser[{k}].{field}", _filled(value, scene, k - count)
 
 
 def _filled(value: Any, scene: Scene, k: int) -> Any:
