@@ -27,8 +27,9 @@ class Towed:
     end_weight: float = 1373400.0
     end_area: float = 15.0
     platform: float = 1.0
+    current: float = 1.0  # down to 100 m, against the platform; none below 300 m
     step: float = 150.0  # where C_D falls from 1.2 to 0.7
-    step_by_depth: bool = False  # at that depth of the moving riser, or that length along it
+    step_by_depth: bool = True  # at that depth of the moving riser, or that length along it
     horizontal: bool = False  # drag on the horizontal velocity, not on that across the riser
 
 
@@ -43,11 +44,14 @@ def steady(case: Towed, tolerance: float = 1e-8) -> dict[str, np.ndarray]:
     ]
     s = np.unique(np.concatenate(layers).round(2))
 
+    def water(z):
+        return -case.current * np.interp(z, [100.0, 300.0], [1.0, 0.0])
+
     def slope(s, y):
         x, z, theta, moment, h, v = y
         sin, cos = np.sin(theta), np.cos(theta)
         stretch = 1.0 + (h * sin + v * cos) / case.axial
-        flow = -np.interp(z, [100.0, 300.0], [1.0, 0.0]) - case.platform
+        flow = water(z) - case.platform
         where = z if case.step_by_depth else s
         coefficient = np.interp(where, [case.step - EDGE, case.step + EDGE], [1.2, 0.7])
         across = flow if case.horizontal else flow * cos
@@ -65,7 +69,7 @@ def steady(case: Towed, tolerance: float = 1e-8) -> dict[str, np.ndarray]:
         )
 
     def ends(top, low):
-        flow = -np.interp(low[1], [100.0, 300.0], [1.0, 0.0]) - case.platform
+        flow = water(low[1]) - case.platform
         pull = 0.5 * case.density * case.end_area * abs(flow) * flow
         return np.array(
             [
