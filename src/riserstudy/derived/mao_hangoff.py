@@ -11,8 +11,10 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from riserstudy.derived.shared import described, scenes_of
 from riserstudy.names import attributes
 from riserstudy.quantities.towed import at_top, displacement
+from riserstudy.sea import current_table
 
 FloatArray = NDArray[np.float64]
 STATED = 130.0  # s, the time of Fig 9
@@ -26,6 +28,23 @@ KEEL = 25.0  # m below the joint, assumed
 def base(base_runs: xr.Dataset) -> xr.Dataset:
     """The evacuation of Table 2."""
     return towed(base_runs, "base")
+
+
+def current_profiles(readings: xr.Dataset) -> xr.Dataset:
+    """Fig 8: speed of the current over its surface speed, over (current_profile, below_surface)."""
+    below = xr.DataArray(np.linspace(0.0, 1800.0, 361), dims="below_surface", name="below_surface")
+    shares = {}
+    for place, scene in scenes_of(readings.isel(riser_weight=[0], flow=[0], lmrp_mass=[0])):
+        if scene.current is None or scene.water is None:
+            raise TypeError("a reading without a current")
+        z, speed = current_table(scene.current, scene.water)
+        here = np.interp((scene.water.surface or 0.0) - below.values, z, speed)
+        shares[place["current_profile"]] = below.copy(data=here / here[0])
+    names = xr.DataArray(list(shares), dims="current_profile", name="current_profile")
+    table = xr.concat(shares.values(), names).assign_coords(below_surface=below)
+    return described(
+        table.to_dataset(name="current_share"), "mao_hangoff", "current profiles (assumed)"
+    )
 
 
 def lmrp_mass(lmrp_mass_runs: xr.Dataset) -> xr.Dataset:

@@ -47,6 +47,26 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
     return figure
 
 
+def fig08(current_profiles: xr.Dataset) -> Figure:
+    """Current over depth: the surface speeds of Fig 11, and the shapes that the text leaves open."""
+    figure, axes = panels(1, 2, 3.7, sharey=True)
+    share = current_profiles["current_share"]
+    depth, shapes = share["below_surface"], list(share["current_profile"].values)
+    for colour, speed in zip(COLOURS, (1.0, 1.1, 1.2), strict=False):
+        axes[0].plot(speed * share[0], depth, color=colour, label=f"{speed:g} m/s")
+    for k, shape in enumerate(shapes):
+        line, colour = ("-", "--")[k // len(COLOURS)], COLOURS[k % len(COLOURS)]
+        axes[1].plot(share.sel(current_profile=shape), depth, line, color=colour, label=str(shape))
+    for ax, title in zip(axes, (str(shapes[0]), "1 m/s at the surface"), strict=True):
+        ax.set_xlabel("current speed (m/s)")
+        ax.set_title(title, loc="right", fontsize="small")
+    axes[0].set_ylabel("depth below the surface (m)")
+    axes[0].invert_yaxis()
+    axes[0].legend(fontsize="small")
+    key_below(figure, axes[1], 4)
+    return figure
+
+
 def fig09(base: xr.Dataset, base_runs: xr.Dataset) -> Figure:
     """The evacuation of Table 2: shape, moment, shapes in time, axial motion."""
     figure, axes = panels(2, 2, 3.6)

@@ -320,6 +320,8 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
         "unit": "joint of 8800 N m/rad",
         "clamped": "joint clamped",
         "free": "joint free",
+        "above": "joint 20 m above the sea",
+        "deep": "joint 30 m below the sea",
     }
     top = at_top(moments)
     for short, name in names.items():
