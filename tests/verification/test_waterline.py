@@ -69,3 +69,11 @@ def test_the_error_falls_with_the_square_of_the_segments(tmp_path, above):
 def test_the_balance_of_energy_knows_the_waterline(tmp_path):
     found = run(tmp_path, WAVE % "stretched", 78.3, **{"analysis.mesh": {"elements": 64}})
     assert json.loads(found.attrs["audit"])["unexplained_share"] < 1e-3
+
+
+def test_a_coefficient_by_a_table_counts_in_the_water_alone_too(tmp_path):
+    table = [{"elevation": f"{z} m", "value": 1.0} for z in (0, 40)]
+    plain, tabulated = (
+        run(tmp_path, CURRENT, 78.3, **sets) for sets in ({}, {"riser[0].drag.coefficient": table})
+    )
+    np.testing.assert_allclose(tabulated["x"], plain["x"], rtol=1e-9)
