@@ -28,6 +28,11 @@ def workflow_folder() -> Path:
     return shipped if shipped.exists() else PACKAGE.parents[1]
 
 
+def has_module(stage: str, paper: str) -> bool:
+    """Whether a stage of the package has code of its own for a paper."""
+    return (PACKAGE / stage / f"{paper}.py").exists()
+
+
 def digest(files: Iterable[Path]) -> str:
     """Hash of the names and contents of source files, 16 hexadecimal digits."""
     total = hashlib.sha256()

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE
+from riserstudy.folders import has_module
 from riserstudy.grid import Grid, Point
 from riserstudy.numerics.models import Measured
 from riserstudy.plots import NEEDS, FigureModel, default_figures
@@ -314,11 +314,6 @@ def read_studies(config: Path, paper: str) -> StudyFile:
         moving = {name: _moves(config, model) for name, model in file.studies.items()}
         file = file.model_copy(update={"figures": default_figures(file.studies, moving)})
     return file
-
-
-def has_module(stage: str, paper: str) -> bool:
-    """Whether a stage of the package has code of its own for a paper."""
-    return (PACKAGE / stage / f"{paper}.py").exists()
 
 
 def _moves(config: Path, model: StudyModel) -> bool:

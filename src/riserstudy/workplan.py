@@ -31,6 +31,13 @@ class TierModel(Strict):
     accuracy: str | None = None
 
 
+#: rules beside which each paper gets one of its own name
+RULES = {
+    *("all", "compile", "simulate", "measure", "derive", "figure", "figures"),
+    *("grade", "reproduction", "report", "everything"),
+}
+
+
 class Config(Strict):
     """config/config.yaml."""
 
@@ -44,6 +51,8 @@ class Config(Strict):
             raise ValueError(f"tiers: needs {self.tier!r}, the tier to run")
         if len(set(self.papers)) != len(self.papers):
             raise ValueError("papers: name each once")
+        if taken := RULES.intersection(self.papers):
+            raise ValueError(f"papers: {taken.pop()!r} is the name of a rule; take another")
         return self
 
 
@@ -74,6 +83,8 @@ class Workplan:
             study = self.study(paper, name)
             scene_file(config / study.model.scene).scene()
             study.plan  # noqa: B018  every point is checked before any job
+        if only is None:
+            self.published  # noqa: B018  and so is what was printed
 
     @classmethod
     def read(

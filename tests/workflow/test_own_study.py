@@ -11,9 +11,12 @@ import pytest
 from ruamel.yaml import YAML
 
 from riserstudy.cli import main
+from riserstudy.errors import InputError
 from riserstudy.new import TEMPLATE, new_study
 from riserstudy.schemas import schema_files
+from riserstudy.workplan import RULES, Workplan
 
+ROOT = Path(__file__).parents[2]
 EDITABLE = ["config/config.yaml", "config/studies/example.yaml", "config/scenes/riser.yaml"]
 
 
@@ -67,6 +70,26 @@ def test_a_figure_that_cannot_be_meant_stops_before_any_job(folder, said, added)
     assert status == 1
     assert f"riserstudy: {STUDY}: figures.a" in out
     assert said in out
+
+
+def test_a_chapter_that_would_need_code_is_refused(folder):
+    published = folder / "config/published"
+    published.mkdir()
+    item = "{id: C1, figure: '1', kind: claim, statement: s, check: c, reads: {run: heave}}"
+    (published / "example.yaml").write_text(f"paper: example\nitems: [{item}]\n")
+    with pytest.raises(InputError, match=r"published/example\.py"):
+        Workplan.read(folder / "config", {})
+
+
+def test_a_chapter_cannot_take_the_name_of_a_rule(folder):
+    with pytest.raises(InputError, match="'report' is the name of a rule"):
+        Workplan.read(folder / "config", {"papers": ["report"]}, only=[])
+
+
+def test_the_names_of_all_rules_are_taken():
+    rules = (ROOT / "Snakefile", *(ROOT / "workflow/rules").glob("*.smk"), TEMPLATE / "Snakefile")
+    found = {name for path in rules for name in re.findall(r"^rule (\w+):", path.read_text(), re.M)}
+    assert found == RULES
 
 
 @pytest.mark.parametrize("name", EDITABLE)

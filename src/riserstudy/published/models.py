@@ -8,6 +8,7 @@ from typing import Any, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
+from riserstudy.folders import has_module
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import check, read_yaml
 
@@ -133,4 +134,7 @@ def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
         if name not in known:
             allowed = "allowed are " + ", ".join(sorted(known))
             raise InputError(path, "reads", f"no dataset {name!r}", allowed)
+    if not has_module("published", paper):
+        found = f"no module published/{paper}.py computes these"
+        raise InputError(path, "", found, "a chapter without this file is not graded")
     return file
