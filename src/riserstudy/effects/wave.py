@@ -85,9 +85,9 @@ def drive(wave, s):
                 )
             eta *= grown
             s.level[i] += eta
-            if wave.above == STRETCHED:
+            if wave.above == STRETCHED:  # what is out of the water lands at zero, but for rounding
                 squeeze = wave.depth / (wave.depth + eta)
-                z = (min(z, eta) + wave.depth) * squeeze - wave.depth
+                z = (z + wave.depth) * squeeze - wave.depth if z < eta else 1.0
         if z > 0.0:
             z, squeeze = 0.0, 0.0
         for k in range(components):
