@@ -16,6 +16,7 @@ from scipy.spatial.transform import Rotation
 from riserstudy.build import AXES, stiffness
 from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError, StepFailed
+from riserstudy.explicit_limit import explicit_limit
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.result import Result
@@ -27,7 +28,6 @@ from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.implicit import Method, generalised_alpha, march
 from riserstudy.solve.ledger import DONE, new_ledger
-from riserstudy.solve.modes import stable_step
 from riserstudy.solve.record import Record, evaluate_once, new_record
 from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 from riserstudy.tensioner_law import leaves_table
@@ -136,7 +136,7 @@ def _march(
     ledger = new_ledger()
     before = sum(energies(model.programs, model.state))
     if a.method == "explicit":
-        limit = stable_step(model.programs, model.state, model.fixed)
+        limit = explicit_limit(scene, model)
         if step > limit:
             raise SimulationError(
                 f"analysis.step {step:.4g} s is above the stable step {limit:.4g} s of explicit "

@@ -38,7 +38,7 @@ def test_the_predicted_stable_step_is_the_true_one_to_a_tenth_and_never_unsafe(
     name, elements, damping, monkeypatch
 ):
     step = limit(name, elements, **damping)
-    monkeypatch.setattr(riserstudy.single, "stable_step", lambda *model: np.inf)
+    monkeypatch.setattr(riserstudy.single, "explicit_limit", lambda *of: np.inf)
     values = EXPLICIT | damping | {"analysis__duration": "20 s"}
     calm = march(name, elements, 0.5 * step, **values).arrays["effective_tension"]
     safe = march(name, elements, 0.99 * step, **values).arrays["effective_tension"]

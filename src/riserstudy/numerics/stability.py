@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.coarsest import massless
+from riserstudy.explicit_limit import explicit_limit
 from riserstudy.mesh import Mesh, even
 from riserstudy.numerics.attempt import (
     ACCURATE_TO,
@@ -36,7 +37,6 @@ from riserstudy.run import run
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
-from riserstudy.solve.modes import stable_step
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -148,9 +148,8 @@ def stepped(file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float | N
 
 
 def attempt_limit(scene: Scene, mesh: Mesh) -> float | None:
-    """Predicted stable step about the equilibrium."""
-    model, _ = settle(scene, mesh)
-    limit = float(stable_step(model.programs, model.state, model.fixed))
+    """Predicted stable step."""
+    limit = explicit_limit(scene, settle(scene, mesh)[0])
     return limit if 0.0 < limit < math.inf else None
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.errors import SimulationError
+from riserstudy.explicit_limit import explicit_limit
 from riserstudy.mesh import Mesh, even
 from riserstudy.numerics.models import LimitStudy
 from riserstudy.numerics.scenes import case_file, in_tier
@@ -22,7 +23,6 @@ from riserstudy.single import EXPLICIT_BOUND
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.ledger import DONE, new_ledger
-from riserstudy.solve.modes import stable_step
 from riserstudy.solve.record import new_record
 
 if TYPE_CHECKING:
@@ -67,9 +67,8 @@ def stable_steps(study: LimitStudy, config: Path, tier: Tier) -> xr.Dataset:
 
 
 def limit(scene: Scene, mesh: Mesh) -> float:
-    """The stable step that the engine predicts about the equilibrium."""
-    model, _ = settle(scene, mesh)
-    return float(stable_step(model.programs, model.state, model.fixed))
+    """The stable step that the engine predicts."""
+    return explicit_limit(scene, settle(scene, mesh)[0])
 
 
 def measured(scene: Scene, mesh: Mesh, predicted: float) -> float:

@@ -1,0 +1,41 @@
+"""The longest step at which explicit stepping stays stable, wherever the platform takes the riser's top."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from riserstudy.model import Model
+from riserstudy.scene.models import Scene
+from riserstudy.solve.evaluate import move_to
+from riserstudy.solve.modes import stable_step
+
+INSTANTS = 16  # of the longest period at which the platform's positions are looked at
+
+
+def explicit_limit(scene: Scene, model: Model) -> float:
+    """Stable explicit step (s): the shortest about the riser at rest under all positions of the platform.
+
+    Springs that stiffen when they are pressed, gas and end stops, are stiffest where the platform is
+    lowest; the riser, which gives way, is left at rest, so the stroke is rather too large than too small.
+    """
+    state = model.s
+    limit = float(stable_step(model.programs, model.state, model.fixed))
+    platform = scene.platform
+    if scene.top.tensioners is None or platform is None:
+        return limit
+    periods = [motion.period for _, motion in platform.harmonics]
+    ramps = [motion.ramp or 0.0 for _, motion in platform.harmonics]
+    if not periods:
+        return limit
+    kept = [array.copy() for array in (state.r, state.v, state.a)]
+    for k in range(INSTANTS):
+        move_to(model.programs, model.state, max(ramps) + max(periods) * k / INSTANTS)
+        state.r[:], state.v[:] = kept[0], 0.0
+        found = float(stable_step(model.programs, model.state, model.fixed))
+        limit = min(limit, found) if math.isfinite(found) else limit
+    move_to(model.programs, model.state, 0.0)
+    for array, values in zip((state.r, state.v, state.a), kept, strict=True):
+        np.copyto(array, values)
+    return limit
