@@ -1,15 +1,19 @@
 """What effects change and cost: told for every scene, and no more than is true."""
 
+import json
+import time
 from pathlib import Path
 
 import numpy as np
 import pytest
+from numba import njit
 
+from riserstudy.compile_times import while_compiling
 from riserstudy.figures import draw
 from riserstudy.numerics.ablation import ablate
 from riserstudy.numerics.advice import COULD_GO, MISSING, NEEDED, advice
 from riserstudy.numerics.changes import changes, fitting
-from riserstudy.numerics.effects import effects
+from riserstudy.numerics.effects import effects, kernels
 from riserstudy.numerics.ledger import priced
 from riserstudy.scene.load import read_scene
 from riserstudy.study import read_studies, study
@@ -86,3 +90,35 @@ def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
     assert found.attrs["compiled_entries"] > 0
     figure = draw("numerics", "effects", {"effects": found})
     assert [t.get_text() for t in figure.axes[0].get_yticklabels()] == ["bench/s3", "bench/s1"]
+
+
+def test_what_compiling_takes_is_told_kernel_by_kernel():
+    @njit
+    def inner(x):
+        return x + 1
+
+    @njit
+    def outer(x):
+        return inner(x) * 2
+
+    def work():
+        outer(1)
+        outer(1.0)
+
+    started = time.perf_counter()
+    rows = while_compiling(work)
+    spent = time.perf_counter() - started
+    names = [row.kernel.rpartition(".")[2] for row in rows]
+    assert sorted(names) == ["inner", "inner", "outer", "outer"]
+    assert all(row.seconds > 0.0 for row in rows)
+    assert sum(row.seconds for row in rows) <= spent
+    assert while_compiling(work) == []
+
+
+def test_the_dataset_tells_signatures_and_times_of_kernels(tmp_path):
+    marker = tmp_path / "compiled"
+    rows = [["solve.march", 2.0], ["solve.march", 3.0], ["solve.move", 0.5]]
+    marker.write_text(json.dumps({"cold_seconds": 6.0, "kernels": rows}))
+    found = kernels(marker)
+    assert found["compile_seconds"][1] == [5.0, 0.5]
+    assert found["signatures"][1] == [2, 1]

@@ -44,7 +44,7 @@ def effects(study: EffectsStudy, studies: list[Study], tier: Tier, compiled: Pat
                 spent[name] = costs(scene, one.mesh, one.step)
         except RiserStudyError as error:
             refused[name] = str(error)
-    dataset = xr.Dataset(_changed(found) | _cost(found, spent))
+    dataset = xr.Dataset(_changed(found) | _cost(found, spent) | kernels(compiled))
     dataset = dataset.assign_coords(scene=list(found), change=_labels())
     for key in ("base_seconds", "elements", "unknowns"):
         values = {
@@ -99,9 +99,26 @@ def _cost(found: dict[str, Ablation], spent: dict[str, list[Cost]]) -> dict[str,
     return {"time_share": (dims, share), "calls": (dims, calls), "effect": ("effect", names)}
 
 
+def kernels(marker: Path) -> dict[str, Any]:
+    """Signatures compiled of every kernel and the time of their own, where the workflow noted it."""
+    rows = _noted(marker).get("kernels", [])
+    names = sorted({name for name, _ in rows})
+    seconds = {name: [s for n, s in rows if n == name] for name in names}
+    return {
+        "kernel": ("kernel", names),
+        "compile_seconds": ("kernel", [sum(seconds[name]) for name in names]),
+        "signatures": ("kernel", [len(seconds[name]) for name in names]),
+    }
+
+
+def _noted(marker: Path) -> dict[str, Any]:
+    noted: dict[str, Any] = json.loads(marker.read_text() or "{}") if marker.exists() else {}
+    return noted
+
+
 def compiling(marker: Path) -> dict[str, Any]:
     """Time of compiling from nothing as the workflow noted it, and what was compiled."""
-    cold = json.loads(marker.read_text() or "{}").get("cold_seconds") if marker.exists() else None
+    cold = _noted(marker).get("cold_seconds")
     indices = [path.name for path in kernel_cache().rglob("*.nbi")]
     entries = sum(".entry_" in name for name in indices)
     return {
@@ -117,6 +134,8 @@ ABOUT = {
     "tension_change": ("1", "relative change of the peak top tension"),
     "time_change": ("1", "relative change of the run time"),
     "time_share": ("1", "share of the run time spent in an effect's own calls"),
+    "compile_seconds": ("s", "time of compiling all signatures of a kernel, without what it calls"),
+    "signatures": ("1", "signatures of a kernel that the study compiles"),
     "calls": ("1", "calls of an effect that a run makes"),
     "base_seconds": ("s", "run time of the scene as it is"),
     "elements": ("1", "segments of the riser"),
