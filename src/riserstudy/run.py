@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time as clock
+from typing import Any
 
 from riserstudy.coarsest import coarsest_mesh, massless, period
 from riserstudy.comparison import difference, estimate
@@ -15,6 +16,7 @@ from riserstudy.single import EVERYWHERE, keep_stations, single
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
 RUNS = 16  # halvings of mesh or step, at most
 STEPS_A_PERIOD = 24  # of the coarsest step
+SPENT = ("elements", "step", "newton_iterations", "solve_seconds")  # what a run cost
 
 
 def run(scene: Scene) -> Result:
@@ -75,7 +77,8 @@ def _refined(scene: Scene) -> Result:
         return single(scene, mesh, step)
     before: dict[str, dict[str, float]] = {}
     error: dict[str, dict[str, float]] = {}
-    cost, way, astray = 0.0, ways[0], 0
+    way, astray = ways[0], 0
+    refinements: list[dict[str, Any]] = []
     result: Result | None = None
     for left in range(RUNS, -1, -1):
         try:
@@ -93,7 +96,7 @@ def _refined(scene: Scene) -> Result:
                 raise
             mesh, result = mesh.halved(), None
             continue
-        cost += finer.facts["solve_seconds"]
+        refinements.append({name: finer.facts.get(name) for name in SPENT})
         if result is not None:
             now = difference(result, finer)
             error[way] = estimate(now, before.get(way))
@@ -112,7 +115,8 @@ def _refined(scene: Scene) -> Result:
         finer.facts["warnings"].append(
             f"accuracy not reached after {RUNS} refinements: {worst} estimated"
         )
-    finer.facts["solve_seconds"] = cost
+    finer.facts["solve_seconds"] = sum(one["solve_seconds"] for one in refinements)
+    finer.facts["refinements"] = refinements
     keep_stations(finer, a.output.stations if a.output else None)
     return finer
 

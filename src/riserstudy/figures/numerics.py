@@ -13,9 +13,23 @@ from matplotlib.image import AxesImage
 from matplotlib.patches import Patch, Rectangle
 
 from riserstudy.figures.numerics_accuracy import accuracy, asked
+from riserstudy.figures.numerics_energy import energy
+from riserstudy.figures.numerics_long import long_runs
+from riserstudy.figures.numerics_random import random_scenes
+from riserstudy.figures.numerics_tiers import tiers
 from riserstudy.figures.style import COLOURS, key_below, panels
 
-__all__ = ["accuracy", "asked", "effects", "stability", "stable_step"]
+__all__ = [
+    "accuracy",
+    "asked",
+    "effects",
+    "energy",
+    "long_runs",
+    "random_scenes",
+    "stability",
+    "stable_step",
+    "tiers",
+]
 
 #: outcome by colour, worst last
 OUTCOMES = {

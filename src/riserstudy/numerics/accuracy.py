@@ -1,38 +1,46 @@
 """What accuracy costs in time: every method on a ladder of meshes and steps, errors beside wall time.
 
-Errors are against a run with the finest mesh halved once more and the finest step halved by the
-fourth-order method; ``reference_difference`` says how far generalised-alpha on the finest rung is from it.
 And the accuracy that a user asks for: what was asked, estimated, reached and spent.
 """
 
 from __future__ import annotations
 
-import math
+import os
 import statistics
 import time as clock
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from riserstudy.coarsest import massless
-from riserstudy.mesh import even
-from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors
-from riserstudy.numerics.models import AccuracyStudy, Ladder
+from riserstudy.mesh import Mesh, even
+from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, too_long
+from riserstudy.numerics.models import AccuracyStudy, Ladder, Method
+from riserstudy.numerics.outside import RADAU, outside
+from riserstudy.numerics.references import OPINIONS, QUANTITIES, Reference, reference
 from riserstudy.numerics.scenes import in_tier
 from riserstudy.numerics.stability import FREE, attempt_limit, stepped, whole
-from riserstudy.result import Result
 from riserstudy.run import run
 from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.models import Scene
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from riserstudy.study import Tier
 
-QUANTITIES = ("displacement", "moment", "tension")
-COSTS = ("wall_seconds", "wall_minimum", "newton_iterations", "steps", "step", "elements")
+COSTS = (
+    "wall_seconds",
+    "wall_minimum",
+    "cpu_seconds",
+    "newton_iterations",
+    "steps",
+    "step",
+    "elements",
+)
 EXPLICIT = "explicit"
+SLOW = 5.0  # seconds: a run that takes longer is timed once
 WHERE = "config/studies/numerics.yaml: measured.accuracy"
 
 
@@ -47,24 +55,24 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
         name: np.full(shape, np.nan) for name in (*COSTS, *(f"error_{q}" for q in QUANTITIES))
     }
     value["message"] = np.full(shape, "", object)
-    doubt = np.full((len(scenes), len(QUANTITIES)), np.nan)
+    opinion = np.full((len(scenes), len(OPINIONS), len(QUANTITIES)), np.nan)
+    about: list[str] = []
     asked: list[dict[str, Any]] = []
     for i, (name, ladder) in enumerate(scenes.items()):
         file = read_scene(config / ladder.scene).with_values(FREE | ladder.set, f"{WHERE}: {name}")
-        best = reference(file, ladder)
-        nearby = rung(file, {"analysis.method": {"rho_inf": 0.9}}, ladder, -1, -1, 1, study.budget)
-        if nearby.result:
-            found = errors(nearby.result, best)
-            doubt[i] = [found.get(q, np.nan) for q in QUANTITIES]
+        best, others = reference(file, ladder, config)
+        about.append(best.about)
+        for other, found in others.items():
+            opinion[i, OPINIONS.index(other)] = [found.get(q, np.nan) for q in QUANTITIES]
         for j, method in enumerate(methods.values()):
             for k in range(len(ladder.elements)):
-                for m in range(len(ladder.steps)):
-                    one = rung(file, method.set, ladder, k, m, study.repeats, study.budget)
+                for m in range(most[1]):
+                    one = rung(file, method, ladder, (k, m), study)
                     at = (i, j, k, m)
                     value["message"][at] = one.message
                     if one.result is None:
                         continue
-                    for q, error in errors(one.result, best).items():
+                    for q, error in best.errors(one.result).items():
                         value[f"error_{q}"][at] = error
                     for cost in COSTS:
                         value[cost][at] = one.result.facts.get(cost, np.nan)
@@ -74,67 +82,73 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
         name: (dims, array.astype(str) if array.dtype == object else array)
         for name, array in value.items()
     }
-    data["reference_difference"] = (("scene", "quantity"), doubt)
+    data["opinion_difference"] = (("scene", "opinion", "quantity"), opinion)
+    data["reference"] = ("scene", about)
     for name in asked[0] if asked else ():
         data[name] = ("request", [row[name] for row in asked])
     dataset = xr.Dataset(
-        data, {"scene": list(scenes), "method": list(methods), "quantity": list(QUANTITIES)}
+        data,
+        {"scene": list(scenes), "method": list(methods), "opinion": list(OPINIONS)}
+        | {"quantity": list(QUANTITIES)},
     )
     for name, (unit, words) in ABOUT.items():
         if name in dataset:
             dataset[name].attrs = {"units": unit, "long_name": words}
+    dataset.attrs["load_average"] = os.getloadavg()[0]
     return dataset
 
 
-def reference(file: SceneFile, ladder: Ladder) -> Result:
-    """The finest run of a scene."""
-    scene = whole(file.scene())
-    elements, step = 2 * ladder.elements[-1], 0.5 * ladder.steps[-1]
-    if massless(scene):
-        elements = ladder.elements[-1]
-    mesh = even(scene, elements)
-    other = stepped(file, {"analysis.method": "ESDIRK4"}, mesh, step)
-    tried = attempt_on(other, mesh, step, math.inf)
-    if tried.result is None:
-        raise RuntimeError(tried.message)
-    return tried.result
-
-
 def rung(
-    file: SceneFile,
-    values: dict[str, Any],
-    ladder: Ladder,
-    k: int,
-    m: int,
-    repeats: int,
-    budget: float,
+    file: SceneFile, method: Method, ladder: Ladder, at: tuple[int, int], study: AccuracyStudy
 ) -> Attempt:
     """One rung, timed several times; explicit steps are shares of the predicted stable one."""
-    scene = whole(file.scene())
-    mesh, step = even(scene, ladder.elements[k]), ladder.steps[m]
-    own = stepped(file, values, mesh, step)
-    if values.get("analysis.method") == EXPLICIT:
+    k, m = at
+    steps = method.tolerances or ladder.steps
+    if m >= len(steps):
+        return Attempt(None, None, "no such rung", 0.0)
+    mesh = even(whole(file.scene()), ladder.elements[k])
+    own = stepped(file, method.set, mesh, ladder.steps[-1] if method.tolerances else steps[m])
+    step = steps[m]
+    if method.set.get("analysis.method") == EXPLICIT and not method.tolerances:
         if m > 0:
             return Attempt(None, None, "one step alone", 0.0)
         limit = attempt_limit(own, mesh)
         step = 0.9 * limit if limit else step
-    walls = []
-    for _ in range(repeats + 1):  # the first one warms up
-        started = clock.perf_counter()
-        tried = attempt_on(own, mesh, step, budget)
+    return timed(lambda: once(own, mesh, step, method, study.budget), study.repeats)
+
+
+def once(scene: Scene, mesh: Mesh, step: float, method: Method, budget: float) -> Attempt:
+    """One run by a method, the engine's or another."""
+    which = method.integrator
+    if which is None or (which != RADAU and too_long(scene, mesh, step, budget)):
+        return attempt_on(scene, mesh, step, budget)
+    return attempt(lambda: outside(scene, mesh, which, step))
+
+
+def timed(one: Callable[[], Attempt], repeats: int) -> Attempt:
+    """The last of several runs, with the median and the least of their times; the first warms up.
+
+    Processor time is there for machines that do something else besides.
+    """
+    walls, own = [], []
+    for _ in range(repeats + 1):
+        started, begun = clock.perf_counter(), clock.thread_time()
+        tried = one()
         walls.append(clock.perf_counter() - started)
+        own.append(clock.thread_time() - begun)
         if tried.result is None:
             return tried
-        if walls[0] > 5.0:
+        if walls[0] > SLOW:
             break
-    timed = walls[1:] or walls
+    measured = walls[1:] or walls
     if tried.result is not None:
         facts = tried.result.facts
-        facts |= {"wall_seconds": statistics.median(timed), "wall_minimum": min(timed)}
+        facts |= {"wall_seconds": statistics.median(measured), "wall_minimum": min(measured)}
+        facts["cpu_seconds"] = min(own)
     return tried
 
 
-def spent(file: SceneFile, name: str, share: float, best: Result) -> dict[str, Any]:
+def spent(file: SceneFile, name: str, share: float, best: Reference) -> dict[str, Any]:
     """What asking for an accuracy came to, for a scene."""
     scene = whole(file.with_values({"analysis.accuracy": f"{100 * share!r} %"}, WHERE).scene())
     attempt(lambda: run(scene))  # warms up
@@ -147,7 +161,7 @@ def spent(file: SceneFile, name: str, share: float, best: Result) -> dict[str, A
     facts = tried.result.facts
     row |= {"request_seconds": tried.seconds, "request_elements": facts["elements"]}
     row["request_step"] = facts.get("step", np.nan)
-    reached = errors(tried.result, best)
+    reached = best.errors(tried.result)
     for q in QUANTITIES:
         row[f"estimated_{q}"] = facts["error_estimate"].get(q, np.nan)
         row[f"reached_{q}"] = reached.get(q, np.nan)
@@ -157,12 +171,13 @@ def spent(file: SceneFile, name: str, share: float, best: Result) -> dict[str, A
 ABOUT = {
     "wall_seconds": ("s", "median wall time of a run, compiling apart"),
     "wall_minimum": ("s", "least wall time of a run"),
-    "newton_iterations": ("1", "Newton iterations"),
+    "cpu_seconds": ("s", "least processor time of a run"),
+    "newton_iterations": ("1", "Newton iterations; of Radau, evaluations of the forces"),
     "steps": ("1", "time steps"),
-    "step": ("s", "time step"),
+    "step": ("s", "time step; of Radau, the mean of its own"),
     "elements": ("1", "segments"),
     **{f"error_{q}": ("1", f"error of the {q} history over its largest value") for q in QUANTITIES},
-    "reference_difference": ("1", "generalised-alpha on the finest rung beside the reference"),
+    "opinion_difference": ("1", "what fine runs by other methods differ from the reference"),
     "requested": ("1", "accuracy asked for"),
     "request_seconds": ("s", "wall time of all runs that a request took"),
     "request_elements": ("1", "segments that were chosen"),

@@ -62,11 +62,18 @@ def attempt(run: Callable[[], Result]) -> Attempt:
 
 def attempt_on(scene: Scene, mesh: Mesh, step: float | None, budget: float) -> Attempt:
     """Run on a mesh with a step, unless that takes more node-steps than the budget."""
+    return too_long(scene, mesh, step, budget) or attempt(
+        lambda: single(scene, mesh, step, EVERYWHERE)
+    )
+
+
+def too_long(scene: Scene, mesh: Mesh, step: float | None, budget: float) -> Attempt | None:
+    """The refusal of a run of more node-steps than the budget."""
     work = len(mesh.s) * (scene.analysis.duration or 0.0) / step if step else 0.0
-    if work > budget:
-        message = f"{work:.2g} node-steps, more than the {budget:.2g} that this study allows a run"
-        return Attempt(None, Outcome.TOO_LONG, message, 0.0)
-    return attempt(lambda: single(scene, mesh, step, EVERYWHERE))
+    if work <= budget:
+        return None
+    message = f"{work:.2g} node-steps, more than the {budget:.2g} that this study allows a run"
+    return Attempt(None, Outcome.TOO_LONG, message, 0.0)
 
 
 def errors(result: Result, reference: Result) -> dict[str, float]:

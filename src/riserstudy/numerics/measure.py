@@ -7,9 +7,22 @@ from typing import TYPE_CHECKING
 
 from riserstudy.numerics.accuracy import accuracy
 from riserstudy.numerics.effects import effects
-from riserstudy.numerics.models import AccuracyStudy, EffectsStudy, LimitStudy, StabilityStudy
+from riserstudy.numerics.energy import energy
+from riserstudy.numerics.long_runs import long_runs
+from riserstudy.numerics.models import (
+    AccuracyStudy,
+    EffectsStudy,
+    EnergyStudy,
+    LimitStudy,
+    LongStudy,
+    RandomStudy,
+    StabilityStudy,
+    TiersStudy,
+)
+from riserstudy.numerics.random_scenes import random_scenes
 from riserstudy.numerics.stability import stability
 from riserstudy.numerics.stable_step import stable_steps
+from riserstudy.numerics.tiers import tiers
 from riserstudy.sound import sound_kernels
 from riserstudy.store import engine_digest
 
@@ -29,6 +42,14 @@ def measure(plan: Workplan, paper: str, name: str, threads: int) -> xr.Dataset:
         dataset = effects(study, plan.studies, plan.tier, Path(plan.compiled))
     elif isinstance(study, AccuracyStudy):
         dataset = accuracy(study, plan.config, plan.tier)
+    elif isinstance(study, RandomStudy):
+        dataset = random_scenes(study, plan.config, plan.tier, threads)
+    elif isinstance(study, EnergyStudy):
+        dataset = energy(study, plan.config, plan.tier)
+    elif isinstance(study, TiersStudy):
+        dataset = tiers(study, plan.config, plan.tier)
+    elif isinstance(study, LongStudy):
+        dataset = long_runs(study, plan.config, plan.tier)
     elif isinstance(study, LimitStudy):
         dataset = stable_steps(study, plan.config, plan.tier)
     else:

@@ -31,9 +31,15 @@ class Case(Strict):
 
 
 class Method(Strict):
-    """A way to step through time: what it sets in a scene. Absent preview: not part of that tier."""
+    """A way to step through time: what it sets in a scene. Absent preview: not part of that tier.
+
+    ``integrator``: one from outside the engine. Absent: the engine's own. ``tolerances``: those of an
+    integrator that chooses its steps, in place of the ladder's steps.
+    """
 
     set: dict[str, Any]
+    integrator: Literal["Radau", "semi-implicit Euler"] | None = None
+    tolerances: list[Positive] | None = None
     preview: bool | None = None
 
 
@@ -83,9 +89,13 @@ class EffectsStudy(Strict):
 
 
 class Ladder(Strict):
-    """A scene with its meshes and steps, from coarse to fine. Absent preview: not part of that tier."""
+    """A scene with its meshes and steps, from coarse to fine. Absent preview: not part of that tier.
+
+    ``stored``: history of another code to measure errors by. Absent: a fine run of our own.
+    """
 
     scene: str
+    stored: str | None = None
     set: dict[str, Any] = Field(default_factory=dict)
     elements: Annotated[list[int], Field(min_length=1)]
     steps: Factors
@@ -106,6 +116,99 @@ class AccuracyStudy(Strict):
     scenes: dict[str, Ladder]
 
 
+class Family(Strict):
+    """Scenes of one kind: a scene, values set on it, and ranges to draw from beside its assumptions.
+
+    Absent preview: not part of that tier.
+    """
+
+    scene: str
+    set: dict[str, Any] = Field(default_factory=dict)
+    vary: dict[str, Annotated[list[str | float], Field(min_length=2, max_length=2)]] = Field(
+        default_factory=dict
+    )
+    preview: bool | None = None
+
+
+class RandomStudy(Strict):
+    """Scenes drawn at random, so many a family, and the accuracy asked of each."""
+
+    caption: str
+    accuracy: str
+    seed: int
+    count: dict[Tiers, Annotated[int, Field(ge=2)]]
+    families: dict[str, Family]
+
+    @property
+    def share(self) -> float:
+        """The accuracy as a number."""
+        return float(self.accuracy.removesuffix("%")) / 100.0
+
+
+class OwnSetting(Strict):
+    """Mesh, step and method that a paper itself used."""
+
+    elements: Annotated[int, Field(ge=1)]
+    step: Positive
+    set: dict[str, Any]
+
+
+class LongCase(Strict):
+    """A long simulation and the candidates to do it by: meshes, steps, methods.
+
+    ``graded``: how many meshes of those that a refinement would try. ``own``: the paper's setting; absent:
+    none. ``published_seconds``, ``target_seconds``: absent: none named. ``preview``: set in that tier.
+    """
+
+    scene: str
+    set: dict[str, Any] = Field(default_factory=dict)
+    preview: dict[str, Any] | None = None
+    published_seconds: Positive | None = None
+    target_seconds: Positive | None = None
+    own: OwnSetting | None = None
+    methods: dict[str, dict[str, Any]]
+    elements: Annotated[list[int], Field(min_length=1)]
+    graded: Annotated[int, Field(ge=0)]
+    steps: Factors
+
+
+class LongStudy(Strict):
+    """Long simulations, each candidate timed so many times."""
+
+    caption: str
+    repeats: Annotated[int, Field(ge=1)]
+    wanted: Positive
+    cases: dict[str, LongCase]
+
+
+class EnergyCase(Strict):
+    """A scene on even segments with one step. Absent set: as it is; absent preview: not in that tier."""
+
+    scene: str
+    set: dict[str, Any] = Field(default_factory=dict)
+    elements: Annotated[int, Field(ge=1)]
+    step: Positive
+    duration: Positive
+    preview: bool | None = None
+
+
+class EnergyStudy(Strict):
+    """Where energy goes over time, at so many instants, by every method."""
+
+    caption: str
+    instants: dict[Tiers, Annotated[int, Field(ge=1)]]
+    methods: dict[str, Method]
+    cases: dict[str, EnergyCase]
+
+
+class TiersStudy(Strict):
+    """Scenes behind published numbers at the accuracy of each tier; ``default`` is that of no accuracy."""
+
+    caption: str
+    accuracies: dict[Tiers, str]
+    scenes: dict[str, Family]
+
+
 class Measured(Strict):
     """Datasets that are measured by running methods, not grids. Absent: not measured."""
 
@@ -113,6 +216,10 @@ class Measured(Strict):
     stable_step: LimitStudy | None = None
     effects: EffectsStudy | None = None
     accuracy: AccuracyStudy | None = None
+    random_scenes: RandomStudy | None = None
+    long_runs: LongStudy | None = None
+    tiers: TiersStudy | None = None
+    energy: EnergyStudy | None = None
 
     @property
     def names(self) -> list[str]:

@@ -10,22 +10,38 @@ from riserstudy.numerics.models import (
     AccuracyStudy,
     Case,
     EffectsStudy,
+    EnergyStudy,
+    Family,
     Ladder,
     LimitCase,
     LimitStudy,
+    LongCase,
+    LongStudy,
+    RandomStudy,
     StabilityStudy,
+    TiersStudy,
 )
 from riserstudy.scene.load import SceneFile, read_scene
 
 if TYPE_CHECKING:
     from riserstudy.study import Study
 
+MeasuredStudy = (
+    StabilityStudy
+    | LimitStudy
+    | EffectsStudy
+    | AccuracyStudy
+    | RandomStudy
+    | LongStudy
+    | TiersStudy
+    | EnergyStudy
+)
 Scenes = Iterator[tuple[str, SceneFile]]
 _WHERE = "config/studies/numerics.yaml: measured"
 
 
 def scenes_of(
-    study: StabilityStudy | LimitStudy | EffectsStudy | AccuracyStudy,
+    study: MeasuredStudy,
     config: Path,
     tier: str,
     others: list[Study],
@@ -40,10 +56,12 @@ def scenes_of(
     if isinstance(study, EffectsStudy):
         yield from bases(others, tier)
         return
-    if isinstance(study, AccuracyStudy):
+    if isinstance(study, AccuracyStudy | TiersStudy):
         cases: dict[str, Any] = study.scenes
+    elif isinstance(study, RandomStudy):
+        cases = study.families
     else:
-        cases = study.cases if isinstance(study, StabilityStudy) else study.variants
+        cases = study.variants if isinstance(study, LimitStudy) else study.cases
     for name, case in in_tier(cases, tier).items():
         yield name, case_file(config, name, case)
 
@@ -53,7 +71,9 @@ def in_tier(things: dict[str, Any], tier: str) -> dict[str, Any]:
     return {name: x for name, x in things.items() if tier != "preview" or x.preview}
 
 
-def case_file(config: Path, name: str, case: Case | LimitCase | Ladder) -> SceneFile:
+def case_file(
+    config: Path, name: str, case: Case | LimitCase | Ladder | Family | LongCase
+) -> SceneFile:
     """The scene of a case."""
     return read_scene(config / case.scene).with_values(case.set, f"{_WHERE}: {name}.set")
 

@@ -1,0 +1,75 @@
+"""Accuracy asked for in random scenes: what was estimated, what was true, what it cost."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.figures.style import COLOURS, GREY, key_below, panels
+
+HONEST = (0.5, 5.0)  # estimate over error
+CHEAP = (5.0, 10.0)  # times the cheapest: in the median, in 95 %
+LEAST = 1e-6  # error below which a point is drawn at the edge
+
+
+def random_scenes(random_scenes: xr.Dataset) -> Figure:
+    """Estimated beside true error; work beside that of the cheapest fixed mesh and step."""
+    figure, (left, right) = panels(1, 2, height=4.4)
+    _errors(left, random_scenes)
+    _costs(right, random_scenes)
+    key_below(figure, left, 4)
+    return figure
+
+
+def _families(of: xr.Dataset) -> list[str]:
+    return list(dict.fromkeys(of["family"].values.tolist()))
+
+
+def _errors(ax: Axes, of: xr.Dataset) -> None:
+    asked = float(of.attrs["requested"])
+    ends = np.array([LEAST, 1.0])
+    ax.fill_between(ends, HONEST[0] * ends, HONEST[1] * ends, color="0.92", linewidth=0.0)
+    ax.plot(ends, ends, color=GREY, linewidth=0.8)
+    ax.axvline(asked, color="black", linestyle=":", linewidth=1.0)
+    for k, family in enumerate(_families(of)):
+        for held_out in (False, True):
+            here = (of["family"] == family) & (of["held_out"] == held_out)
+            one = of.isel(drawn=np.flatnonzero(here.values))
+            ax.plot(
+                np.maximum(one["true"], LEAST),
+                np.maximum(one["estimated"], LEAST),
+                "osD^v<>p"[k % 8],
+                color=COLOURS[k % len(COLOURS)],
+                markerfacecolor=COLOURS[k % len(COLOURS)] if held_out else "none",
+                markersize=5,
+                label=family if held_out else "",
+            )
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    low = max(LEAST, 0.5 * float(of["true"].where(of["true"] > 0.0).min()))
+    ax.set_xlim(low, max(3.0 * asked, 1.5 * float(of["true"].max())))
+    ax.set_ylim(ax.get_xlim())
+    ax.set_xlabel("true error (-), dotted: asked for")
+    ax.set_ylabel("estimated error (-)")
+
+
+def _costs(ax: Axes, of: xr.Dataset) -> None:
+    ratio = of["work_asked"] / of["work_fixed"]
+    for k, family in enumerate(_families(of)):
+        values = np.sort(ratio.values[(of["family"] == family).values])
+        ax.plot(
+            values,
+            np.full(len(values), k),
+            "osD^v<>p"[k % 8],
+            color=COLOURS[k % len(COLOURS)],
+            ms=5,
+        )
+    for limit in CHEAP:
+        ax.axvline(limit, color="black", linestyle=":", linewidth=1.0)
+    ax.set_xscale("log")
+    ax.set_xticks([0.5, 1, 2, 5, 10, 20], ["0.5", "1", "2", "5", "10", "20"])
+    ax.set_yticks(range(len(_families(of))), _families(of), fontsize="small")
+    ax.invert_yaxis()
+    ax.set_xlabel("work of the request over that of the cheapest (-)")

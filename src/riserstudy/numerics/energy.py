@@ -1,0 +1,84 @@
+"""Where energy goes over time, by method: stored, dissipated by physics, by the method, and unexplained.
+
+A run's ledger is told at its end; runs of growing length with one step give it over time.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from riserstudy.mesh import even
+from riserstudy.numerics.attempt import attempt_on
+from riserstudy.numerics.models import EnergyCase, EnergyStudy, Method
+from riserstudy.numerics.scenes import case_file, in_tier
+from riserstudy.numerics.stability import FREE, stepped
+from riserstudy.scene.load import SceneFile
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.study import Tier
+
+PARTS = {
+    "stored": "stored",
+    "dissipated": "dissipated",
+    "numerical": "numerically_dissipated",
+    "unexplained": "unexplained",
+}
+
+
+def energy(study: EnergyStudy, config: Path, tier: Tier) -> xr.Dataset:
+    """Every case by every method at instants of its duration."""
+    import xarray as xr
+
+    cases, methods = in_tier(study.cases, tier), in_tier(study.methods, tier)
+    instants = study.instants[tier]
+    shape = (len(cases), len(methods), instants)
+    value = {name: np.full(shape, np.nan) for name in (*PARTS, "exchanged")}
+    message = np.full(shape[:2], "", object)
+    time = np.full((len(cases), instants), np.nan)
+    for i, (name, case) in enumerate(cases.items()):
+        file = case_file(config, name, case).with_values(FREE, name)
+        time[i] = case.duration * np.arange(1, instants + 1) / instants
+        for j, method in enumerate(methods.values()):
+            for k, duration in enumerate(time[i]):
+                audit, said = ledger_of(file, case, method, float(duration))
+                message[i, j] = said or message[i, j]
+                for part, key in (PARTS | {"exchanged": "exchanged"}).items():
+                    value[part][i, j, k] = audit.get(key, math.nan)
+    data: dict[str, Any] = {n: (("case", "method", "instant"), v) for n, v in value.items()}
+    data["time"] = (("case", "instant"), time)
+    data["message"] = (("case", "method"), message.astype(str))
+    dataset = xr.Dataset(data, {"case": list(cases), "method": list(methods)})
+    for name, (unit, words) in ABOUT.items():
+        dataset[name].attrs = {"units": unit, "long_name": words}
+    return dataset
+
+
+def ledger_of(
+    file: SceneFile, case: EnergyCase, method: Method, duration: float
+) -> tuple[dict[str, float], str]:
+    """The ledger of a run of some length; empty, with a message, where it is refused."""
+    cut = {
+        "analysis.duration": f"{duration!r} s",
+        "analysis.output": {"interval": f"{duration!r} s"},
+    }
+    alone = file.with_values(cut, "energy")
+    mesh = even(alone.scene(), case.elements)
+    own = stepped(alone, method.set, mesh, case.step)
+    tried = attempt_on(own, mesh, case.step, math.inf)
+    return (tried.result.facts["audit"] if tried.result else {}), tried.message
+
+
+ABOUT = {
+    "time": ("s", "time since the start"),
+    "stored": ("J", "change of potential and kinetic energy since the start"),
+    "dissipated": ("J", "dissipated by water, dampers and structure"),
+    "numerical": ("J", "dissipated by the method"),
+    "unexplained": ("J", "work less all that"),
+    "exchanged": ("J", "work of either sign, added up"),
+}

@@ -1,0 +1,183 @@
+"""Integrators that are not the engine's, on the engine's own forces: a second opinion on its stepping.
+
+Both need explicit accelerations, so they see lumped masses; their mesh error is that of the explicit method.
+Semi-implicit Euler and the engine's leapfrog are one recursion of positions; what differs is the velocity
+that belongs to a position, and the first half step.
+"""
+
+from __future__ import annotations
+
+import math
+import time as clock
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import Radau
+
+from riserstudy.errors import SimulationError, StepFailed
+from riserstudy.jit import kernel
+from riserstudy.mesh import Mesh
+from riserstudy.model import Model
+from riserstudy.result import Result
+from riserstudy.scene.models import Scene
+from riserstudy.settle import settle
+from riserstudy.single import EXPLICIT_BOUND, quantities, single
+from riserstudy.solve.evaluate import move
+from riserstudy.solve.explicit import accelerate
+from riserstudy.solve.record import Record, evaluate_and_note, new_record, widen
+
+FloatArray = NDArray[np.float64]
+PATIENCE = 8.0  # seconds of a Radau run
+FASTEST = 10.0  # m/s, the speed whose share by the tolerance is an absolute error
+RADAU, EULER = "Radau", "semi-implicit Euler"
+
+
+class TooLong(SimulationError):
+    """A run that takes longer than anybody would wait for it here."""
+
+
+@kernel
+def accelerations(p: Any, s: Any, time: float, fixed: Any) -> None:
+    """Accelerations of a state at a time; held nodes follow what holds them."""
+    move(p, s, time)
+    accelerate(p, s, fixed)
+
+
+@kernel
+def note_output(p: Any, s: Any, fixed: Any, record: Any, k: int) -> None:
+    """Write output ``k`` down from the positions and velocities as they are."""
+    move(p, s, record.time[k])
+    accelerate(p, s, fixed)
+    evaluate_and_note(p, s, record, k)
+    widen(record)
+
+
+@kernel
+def march_euler(p: Any, s: Any, h: float, count: int, fixed: Any, bound: float) -> bool:
+    """Step positions and velocities ``count`` times by ``h``; whether they stayed within the bound."""
+    start = s.clock[0]
+    for step in range(count):
+        move(p, s, start + step * h)
+        accelerate(p, s, fixed)
+        square = 0.0
+        for c in range(s.r.shape[0]):
+            for i in range(s.r.shape[1]):
+                s.v[c, i] += h * s.a[c, i]
+                s.r[c, i] += h * s.v[c, i]
+                square += s.v[c, i] * s.v[c, i]
+        if not square < bound:
+            return False
+    move(p, s, start + count * h)
+    return True
+
+
+def outside(scene: Scene, mesh: Mesh, integrator: str, step: float) -> Result:
+    """One run; of Radau, ``step`` is the relative tolerance instead.
+
+    The scene's method must be the explicit one, which shares out no mass between nodes.
+
+    Raises
+    ------
+    SimulationError
+        When it diverges, or takes too long.
+    """
+    started = clock.perf_counter()
+    a = scene.analysis
+    if a.output is None or a.duration is None:
+        raise SimulationError("nothing to step through: a scene at rest")
+    still = single(scene, mesh, None)
+    model, _ = settle(scene, mesh)
+    model.s.rate[:] = 0.0, 1.0
+    start = a.output.start or 0.0
+    count = math.floor((a.duration - start) / a.output.interval * (1.0 + 1e-12) + 1e-9) + 1
+    times = start + a.output.interval * np.arange(count)
+    record = new_record(times, list(range(len(mesh.s))), model.s)
+    march = by_radau if integrator == RADAU else by_euler
+    steps, evaluations = march(model, record, step)
+    arrays = still.arrays | {"time": record.time, "s": mesh.s}
+    for k, name in enumerate(quantities(model)):
+        arrays[name] = record.history[:, k, :]
+        arrays[name + "_max"], arrays[name + "_min"] = record.largest[k], record.smallest[k]
+    facts = still.facts | {"steps": steps, "step": times[-1] / steps}
+    facts |= {"newton_iterations": evaluations, "solve_seconds": clock.perf_counter() - started}
+    return Result(arrays, facts)
+
+
+class Count(NamedTuple):
+    """Steps of a run and force evaluations."""
+
+    steps: int
+    evaluations: int
+
+
+def by_euler(model: Model, record: Record, longest: float) -> Count:
+    """Semi-implicit Euler, with steps that end at the outputs."""
+    done, now = 0, 0.0
+    move_state(model, 0.0)
+    for k, time in enumerate(record.time):
+        count = math.ceil((time - now) / longest * (1.0 - 1e-9))
+        h = (time - now) / max(1, count)
+        if (
+            not march_euler(model.programs, model.state, h, count, model.fixed, EXPLICIT_BOUND)
+            or not np.isfinite(model.s.v).all()
+        ):
+            raise StepFailed(f"velocities grow without bound before t = {time:.4g} s")
+        done, now = done + count, time
+        note_output(model.programs, model.state, model.fixed, record, k)
+    return Count(done, done)
+
+
+def by_radau(model: Model, record: Record, tolerance: float) -> Count:
+    """SciPy's Radau IIA of order 5 with its own steps and a Jacobian by differences."""
+    s = model.s
+    free = np.ones(s.r.shape, bool)
+    moments = len(s.dof) - len(s.dim)
+    for node, unknown in model.fixed:
+        if unknown >= moments:
+            free[unknown - moments, node] = False
+    half = int(free.sum())
+
+    def put(y: FloatArray) -> None:
+        s.r[free], s.v[free] = y[:half], y[half:]
+
+    evaluations = 0
+
+    def rate(time: float, y: FloatArray) -> FloatArray:
+        nonlocal evaluations  # SciPy's own count leaves out those for the Jacobian
+        evaluations += 1
+        put(y)
+        accelerations(model.programs, model.state, time, model.fixed)
+        return np.concatenate([y[half:], s.a[free]])
+
+    move_state(model, 0.0)
+    length = float(s.l0.sum())
+    absolute = tolerance * np.repeat([1e-3 * length, FASTEST], half)
+    y0 = np.concatenate([s.r[free], s.v[free]])
+    # positions count from rest: their own size says nothing of how far they move
+    solver = Radau(
+        lambda t, y: rate(t, y + y0), 0.0, 0.0 * y0, float(record.time[-1]),
+        rtol=tolerance, atol=absolute, first_step=1e-3,
+    )  # fmt: skip
+    started, steps, k = clock.perf_counter(), 0, 0
+    while solver.status == "running" or k < len(record.time):
+        if solver.status == "running" and (k == 0 or record.time[k] > solver.t):
+            failure = solver.step()
+            steps += 1
+            if failure:
+                raise StepFailed(f"Radau: {failure}")
+            if clock.perf_counter() - started > PATIENCE:
+                raise TooLong(
+                    f"more than {PATIENCE:g} s, at t = {solver.t:.3g} s after {steps} steps"
+                )
+            inside = solver.dense_output()
+        while k < len(record.time) and record.time[k] <= solver.t + 1e-9:
+            put(y0 + inside(record.time[k]))
+            note_output(model.programs, model.state, model.fixed, record, k)
+            k += 1
+    return Count(steps, evaluations)
+
+
+def move_state(model: Model, time: float) -> None:
+    """Bring held nodes to a time, and accelerations with them."""
+    accelerations(model.programs, model.state, time, model.fixed)

@@ -1,0 +1,74 @@
+"""Error against time: references that deserve the name, every method a row, errors that fall."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy.figures import draw
+from riserstudy.numerics.accuracy import accuracy
+from riserstudy.numerics.references import stored
+from riserstudy.study import read_studies
+
+CONFIG = Path(__file__).parents[2] / "config"
+STUDY = read_studies(CONFIG, "numerics").measured.accuracy
+SHORT = {"analysis.duration": "20 s"}
+
+
+@pytest.fixture(scope="module")
+def surge():
+    """Scene S2c, short, on two meshes by every method."""
+    ladder = STUDY.scenes["S2c"]
+    ladder = ladder.model_copy(
+        update={"set": ladder.set | SHORT, "elements": [16, 32], "steps": [0.4, 0.2, 0.1]}
+    )
+    few = {"scenes": {"S2c": ladder}, "repeats": 1, "asked": {"standard": [0.05]}}
+    return accuracy(STUDY.model_copy(update=few), CONFIG, "standard")
+
+
+def test_every_method_has_a_row_with_an_error_or_a_message(surge):
+    for method in surge["method"].values:
+        of = surge.sel({"scene": "S2c", "method": method})
+        ran = of["error_displacement"].notnull()
+        assert bool((ran | (of["message"] != "")).all())
+        assert bool(ran.any())
+
+
+def test_the_stored_reference_and_a_fine_run_of_ours_agree(surge):
+    own = surge["opinion_difference"].sel(scene="S2c", opinion="lumped masses, ESDIRK4")
+    assert str(surge["reference"].values[0]).startswith("stored: S2c: 80 quintic Hermite elements")
+    assert (own.sel(quantity=["displacement", "tension"]) < 1e-3).all()
+    assert float(own.sel(quantity="moment")) < 5e-3  # 64 even segments
+
+
+def test_semi_implicit_euler_moves_as_verlet_does(surge):
+    """From rest they are one recursion of positions; steps that end at the outputs are a little shorter."""
+    one, other = (
+        surge["error_moment"].sel({"method": m}).isel(step_level=0)
+        for m in ("Verlet", "semi-implicit Euler")
+    )
+    np.testing.assert_allclose(one, other, rtol=0.05)
+
+
+def test_radau_at_finer_tolerances_comes_to_the_limit_of_the_lumped_mesh(surge):
+    error = surge["error_displacement"].sel({"method": "Radau"}).isel(mesh_level=-1, scene=0)
+    verlet = surge["error_displacement"].sel({"method": "Verlet"}).isel(mesh_level=-1, scene=0)
+    assert abs(float(error[1] / verlet[0]) - 1.0) < 0.05
+
+
+def test_at_the_longest_step_the_fourth_order_method_errs_least(surge):
+    error = surge["error_displacement"].isel(mesh_level=-1, scene=0, step_level=0)
+    second, fourth = (float(error.sel({"method": m})) for m in ("gen.-alpha 0.8", "ESDIRK4"))
+    assert fourth < 0.3 * second  # what is left is the mesh's
+
+
+def test_a_reference_refuses_outputs_that_it_has_not(surge):
+    measure = stored(CONFIG / STUDY.scenes["S2c"].stored)
+    run = type("Run", (), {"arrays": {"time": np.array([0.0, 0.03])}})
+    with pytest.raises(Exception, match="outputs at times"):
+        measure.errors(run)
+
+
+def test_both_figures_are_drawn_from_it(surge):
+    for name in ("accuracy", "asked"):
+        assert draw("numerics", name, {"accuracy": surge}).axes

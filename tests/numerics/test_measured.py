@@ -1,0 +1,97 @@
+"""Energy over time, tiers, long runs and random scenes: measured in small, told as they come out."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy.errors import InputError
+from riserstudy.figures import draw
+from riserstudy.numerics.energy import energy
+from riserstudy.numerics.long_runs import long_runs
+from riserstudy.numerics.random_scenes import draw as drawn
+from riserstudy.numerics.random_scenes import random_scenes
+from riserstudy.numerics.tiers import tiers
+from riserstudy.study import read_studies
+
+CONFIG = Path(__file__).parents[2] / "config"
+MEASURED = read_studies(CONFIG, "numerics").measured
+CHANG = "chang2020 heave"
+
+
+def only(study, field, *names, **update):
+    """The study with some of its cases."""
+    some = {name: getattr(study, field)[name] for name in names}
+    return study.model_copy(update={field: some} | update)
+
+
+def test_energy_is_accounted_for_by_every_method():
+    study = only(MEASURED.energy, "cases", "surge", instants={"preview": 2})
+    found = energy(study, CONFIG, "preview")
+    assert (found["message"] == "").all()
+    assert (abs(found["unexplained"]) < 1e-3 * found["exchanged"]).all()
+    assert (found["dissipated"] > 0.0).all()
+    assert draw("numerics", "energy", {"energy": found}).axes
+
+
+def test_less_spectral_radius_dissipates_more():
+    study = only(MEASURED.energy, "cases", "undamped for 1000 s", instants={"preview": 1})
+    lost = energy(study, CONFIG, "preview")["numerical"].isel(case=0, instant=0)
+    assert float(lost.sel({"method": "gen.-alpha 0.8"})) > 0.0
+    whole, none = (abs(float(lost.sel({"method": f"gen.-alpha {r}"}))) for r in (0.8, 1))
+    assert none < 1e-3 * whole
+
+
+def test_finer_tiers_estimate_smaller_errors():
+    study = only(MEASURED.tiers, "scenes", "Chang 2020, heave of 5 m")
+    found = tiers(study, CONFIG, "preview").isel(scene=0)
+    assert (np.diff(found["estimated"]) < 0.0).all()
+    assert float(found["estimated"].sel(tier="reference")) <= 5e-4
+    assert (found["error"].sel(tier="preview") < found["estimated"].sel(tier="preview")).any()
+    assert draw("numerics", "tiers", {"tiers": found.expand_dims("scene")}).axes
+
+
+def test_a_papers_own_setting_is_a_candidate_beside_ours():
+    case = MEASURED.long_runs.cases["46 hours"]
+    own = case.own.model_copy(update={"step": 0.01})
+    small = {"elements": [100], "graded": 1, "steps": [0.5], "own": own}
+    cut = {"analysis.duration": "10 s", "analysis.output": {"interval": "0.5 s"}}
+    case = case.model_copy(update=small | {"set": cut})
+    study = MEASURED.long_runs.model_copy(update={"cases": {"46 hours": case}})
+    found = long_runs(study, CONFIG, "standard")
+    labels = found["candidate"].values.tolist()
+    assert labels[0] == "the paper's own"
+    assert len(labels) == 1 + 2 * len(case.methods)
+    assert (found["wall_seconds"] > 0.0).all()
+    assert (found["error_moment"] < 1.0).all()
+    assert draw("numerics", "long_runs", {"long_runs": found}).axes
+
+
+def test_random_scenes_are_the_same_every_time_and_half_are_held_out():
+    study = only(MEASURED.random_scenes, "families", CHANG)
+    draws = [list(drawn(CHANG, study.families[CHANG], study, CONFIG, "standard")) for _ in "ab"]
+    assert [one.sets for one in draws[0]] == [one.sets for one in draws[1]]
+    assert len({str(one.sets) for one in draws[0]}) == study.count["standard"]
+    assert sum(one.held_out for one in draws[0]) == study.count["standard"] // 2
+
+
+def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_more():
+    found = random_scenes(only(MEASURED.random_scenes, "families", CHANG), CONFIG, "preview", 1)
+    assert (found["message"] == "").all()
+    assert (found["true"] > 0.0).all()
+    there = found.where(found["fixed_elements"] > 0, drop=True)
+    assert there.sizes["drawn"] > 0
+    assert (there["fixed_error"] <= there["true"]).all()
+    assert (there["work_fixed"] <= there["work_asked"]).all()
+    assert draw("numerics", "random_scenes", {"random_scenes": found}).axes
+
+
+@pytest.mark.parametrize("tier", ["preview", "standard", "reference"])
+def test_every_scene_that_may_be_drawn_can_be_meant(tier):
+    study = MEASURED.random_scenes
+    for name, family in study.families.items():
+        for one in drawn(name, family, study, CONFIG, tier):
+            try:
+                one.file.scene()
+            except InputError as error:
+                pytest.fail(f"{name}: {error}")
