@@ -145,13 +145,16 @@ def graded(
 def blend_by_weight(blend: NDArray[np.float64], mesh: Mesh, weight: NDArray[np.float64]) -> None:
     """Share of the segment above in the tension at nodes where sections of different weight meet.
 
-    Tension has a corner there, and lies between those of its segments by their weights.
+    Tension has a corner there, and lies between those of its segments by their weights. Above a body that
+    turns with the riser's end it jumps: that of the riser counts.
 
     Parameters
     ----------
     blend : (n+1,) shares, changed where sections meet.
     weight : (n,) weight in water per length (N/m).
     """
+    if mesh.body:
+        blend[1] = 1.0
     heavy = np.abs(weight) * mesh.l0
     for i in range(1, mesh.ring):
         if mesh.section[i - 1] != mesh.section[i] and heavy[i - 1 : i + 1].min() > 0.0:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from riserstudy import load_scene, simulate
+from riserstudy import simulate
 from riserstudy.modal import modes_of
 from riserstudy.scene.load import read_scene
 
@@ -105,6 +105,11 @@ def test_the_end_carries_the_moment_of_the_body(scene):
     assert float(abs(rest["bending_moment"][1])) == pytest.approx(expected, rel=1e-6)
 
 
+def test_the_tension_at_the_end_of_the_riser_is_that_of_the_whole_body(scene):
+    rest = simulate(scene(**STIFF))
+    assert float(rest["effective_tension"][1]) == pytest.approx(WEIGHT, rel=1e-6)
+
+
 @pytest.mark.parametrize("method", [None, "explicit"])
 def test_a_swinging_body_keeps_its_energy(scene, method):
     """Towed by a ramp and left to swing; both ways of stepping."""
@@ -145,4 +150,3 @@ def test_refusals(scene):
     ):
         with pytest.raises(InputError, match=text):
             scene(**sets).scene()
-    assert load_scene
