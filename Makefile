@@ -15,7 +15,7 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
-.PHONY: help study test test-slow test-wheel check docs wheel lock figures bench clean
+.PHONY: help study test test-slow test-cluster test-wheel check docs wheel lock figures bench clean
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
 export PYTHON
@@ -27,10 +27,13 @@ study: $(READY)  ## simulate, grade, draw and report everything (TIER=preview|st
 	@exec $(STUDY)
 
 test: $(READY)  ## run the tests, except the slow ones
-	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'not slow'
+	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'not slow and not cluster'
 
 test-slow: $(READY)  ## run the slow tests
-	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m slow
+	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'slow and not cluster'
+
+test-cluster: .venv/.slurm-$(ID)  ## run a study through a Slurm of one node (root; Debian: slurmctld slurmd slurm-client munge)
+	@$(IN_ENVIRONMENT) pytest -q --benchmark-disable -m cluster tests/workflow/test_cluster.py
 
 check: $(READY)  ## check format, lint, types, import rules and spelling
 	@$(IN_ENVIRONMENT) sh workflow/scripts/check.sh
@@ -59,6 +62,6 @@ clean:  ## remove results and stored points; keep environment and compiled kerne
 $(READY):
 	@sh workflow/scripts/with_python.sh workflow/scripts/make_environment.py .venv/.ready-$(ID)
 
-.venv/.bench-$(ID): $(READY) bench.lock
-	@.venv/bin/python -m pip install -qq --no-input --require-hashes -r bench.lock
+.venv/.bench-$(ID) .venv/.slurm-$(ID): .venv/.%-$(ID): %.lock $(READY)
+	@.venv/bin/python -m pip install -qq --no-input --require-hashes -r $<
 	@touch $@

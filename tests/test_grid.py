@@ -4,6 +4,7 @@ import resource
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -39,6 +40,14 @@ def test_a_later_axis_wins_and_takes_away_what_an_earlier_one_set():
     assert len(keys) == 4
     assert keys[0, 0] != keys[1, 0]
     assert keys[0, 1] == keys[1, 1] not in (keys[0, 0], keys[1, 0])
+
+
+def test_shards_planned_by_themselves_are_those_of_the_whole():
+    study = next(study for study in STUDIES if study.name == "steady")
+    alone = [replace(study).shard(number, 3) for number in range(3)]
+    assert len(study.plan) == len(study.grid)
+    assert alone == [study.shard(number, 3) for number in range(3)]
+    assert sorted(p.index for points in alone for p in points) == [p.index for p in study.plan]
 
 
 @pytest.mark.parametrize(

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import re
-from contextlib import suppress
 from importlib.metadata import version
 from typing import Any
 
 from riserstudy.errors import InputError
-from riserstudy.folders import cache_folder, write_whole
+from riserstudy.folders import remembered
 from riserstudy.scene.origin import Origin
 
 _PARTS = re.compile(r"\s*([-+0-9.eE]+)\s*(.*)")
@@ -36,19 +34,19 @@ def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[s
 def sobol(dimensions: int, count: int, seed: int) -> list[list[float]]:
     """Scrambled Sobol points in the unit cube.
 
-    They are kept beside the compiled kernels: scipy.stats takes 0.6 s to start, more than planning.
+    They are kept in the cache: scipy.stats takes 0.6 s to start, more than planning.
     """
-    kept = cache_folder() / f"samples/sobol-{version('scipy')}-{dimensions}-{count}-{seed}.json"
-    with suppress(OSError, ValueError):
-        points: list[list[float]] = json.loads(kept.read_text("utf-8"))
-        return points
-    from scipy.stats import qmc
 
-    sampler = qmc.Sobol(dimensions, rng=seed)
-    points = sampler.random_base2(max(1, (count - 1).bit_length()))[:count].tolist()
-    with suppress(OSError):  # where nothing can be kept, each run starts scipy
-        kept.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(kept, json.dumps(points).encode())
+    def draw() -> list[list[float]]:
+        from scipy.stats import qmc
+
+        sampler = qmc.Sobol(dimensions, rng=seed)
+        points = sampler.random_base2(max(1, (count - 1).bit_length()))[:count]
+        return [[float(x) for x in point] for point in points]
+
+    points: list[list[float]] = remembered(
+        f"samples/sobol-{version('scipy')}-{dimensions}-{count}-{seed}", draw
+    )
     return points
 
 

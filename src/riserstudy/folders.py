@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import platform
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from contextlib import suppress
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 PACKAGE = Path(__file__).parent
 
@@ -64,3 +67,15 @@ def write_whole(target: Path, content: bytes) -> None:
     except BaseException:
         Path(name).unlink(missing_ok=True)
         raise
+
+
+def remembered(name: str, make: Callable[[], Any]) -> Any:
+    """Plain data that takes long to make, kept in the cache; the name says all that it depends on."""
+    kept = cache_folder() / f"{name}.json"
+    with suppress(OSError, ValueError):
+        return json.loads(kept.read_text("utf-8"))
+    made = make()
+    with suppress(OSError):  # where nothing can be kept, it is made each time
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(kept, json.dumps(made).encode())
+    return made

@@ -1,20 +1,20 @@
-"""Simulate the points of a study that the store lacks, and join all into one dataset."""
+"""Join the points of a study into one dataset."""
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+import numpy as np
+
 from riserstudy import store
-from riserstudy.errors import RiserStudyError, SimulationError
-from riserstudy.grid import Point
+from riserstudy.errors import SimulationError
+from riserstudy.fill import fill
 from riserstudy.names import attributes, cf_unit
-from riserstudy.simulation import labelled
-from riserstudy.sound import sound_kernels
+from riserstudy.simulation import coordinates, quantities
 from riserstudy.study import Numbers, Samples, Study
 
 if TYPE_CHECKING:
@@ -27,45 +27,34 @@ FEW = 3  # stations between which no curve is drawn
 NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
 
 
-@sound_kernels
 def results_of(study: Study, threads: int, tell: Callable[[str], None]) -> tuple[list[Result], int]:
     """Results of all points in order, and how many had to be simulated.
 
     Raises
     ------
     SimulationError
-        When points cannot be completed: once per cause, with their number and the first one.
+        When points cannot be completed.
     """
-    kept = {point.key: store.get(point.key) for point in study.plan}
-    missing = {p.key: p for p in study.plan if kept[p.key] is None}
-
-    def one(point: Point) -> Result | RiserStudyError:
-        from riserstudy.run import run
-
-        try:
-            file = study.grid.file(point.index)
-            result = run(file.scene())
-        except SimulationError as error:
-            return error
-        store.put(point.key, result, file)
-        return result
-
-    with ThreadPoolExecutor(max(1, threads)) as pool:
-        made = dict(zip(missing, pool.map(one, missing.values()), strict=True))
-    failures = [(missing[k], e) for k, e in made.items() if isinstance(e, RiserStudyError)]
-    if failures:
-        point, first = failures[0]
-        place = dict(zip(study.axes, point.index, strict=True))
-        raise SimulationError(
-            f"{study.where}: {len(failures)} of {len(study.plan)} points cannot be completed; "
-            f"the first, at index {place}: {first}"
-        )
+    needed = _arrays_for(study.model.keep)
+    kept = {point.key: store.get(point.key, needed) for point in study.plan}
+    absent = [point for point in study.plan if kept[point.key] is None]
+    made = fill(study, absent, threads)
+    kept |= {point.key: store.get(point.key, needed) for point in absent}
     tell(
-        f"{study.paper}/{study.name}: {len(missing)} points simulated, "
-        f"{len(study.plan) - len(missing)} from the store"
+        f"{study.paper}/{study.name}: {made} points simulated, "
+        f"{len(study.plan) - made} from the store"
     )
-    done = kept | {key: r for key, r in made.items() if not isinstance(r, RiserStudyError)}
-    return [r for p in study.plan if (r := done[p.key])], len(missing)
+    if None in kept.values():
+        raise SimulationError(f"{study.where}: points vanished from the store; run it again")
+    return [result for point in study.plan if (result := kept[point.key])], made
+
+
+def _arrays_for(keep: list[str] | None) -> Collection[str] | None:
+    """Arrays of a point that quantities are made from; None: all."""
+    if keep is None:
+        return None
+    shared = {"time", "s", "s_node", "tensioner_force_static"}  # the last tells the cylinders
+    return shared.union(keep, (f"{name}_static" for name in keep))
 
 
 SHARED = ("time", "s", "s_node", "cylinder")  # dimensions of runs
@@ -80,14 +69,16 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     import xarray as xr
 
     shape = tuple(len(values) for values in study.axes.values())
+    layouts = _layouts(results)
     flat = xr.concat(
-        _alike(study, results),
+        _alike(study, [[results[k] for k in places] for places in layouts]),
         "point",
         join="outer",
         combine_attrs="drop",
         coords="minimal",
         compat="override",
     )
+    flat = flat.isel(point=np.argsort([k for places in layouts for k in places]))
     for name, extract in FACTS.items():
         flat[name] = ("point", [extract(r.facts) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])
@@ -114,15 +105,37 @@ def _named(name: str, axis: Any) -> dict[str, Any]:
     return about | ({"units": cf_unit(axis.unit)} if isinstance(axis, Numbers) else {})
 
 
-def _alike(study: Study, results: list[Result]) -> list[xr.Dataset]:
-    """Datasets of the runs with the quantities to keep, on one set of nodes."""
-    runs = [labelled(result) for result in results]
+def _layouts(results: list[Result]) -> list[list[int]]:
+    """Places of the runs that have the same arrays over the same nodes and times."""
+    places: dict[Any, list[int]] = {}
+    for k, result in enumerate(results):
+        shapes = tuple((name, values.shape) for name, values in result.arrays.items())
+        over = [v.tobytes() for n, v in result.arrays.items() if n in ("time", "s", "s_node")]
+        places.setdefault((shapes, *over), []).append(k)
+    return list(places.values())
+
+
+def _alike(study: Study, layouts: list[list[Result]]) -> list[xr.Dataset]:
+    """Datasets of the runs of each layout with the quantities to keep, on one set of nodes."""
+    runs = [_stacked(results) for results in layouts]
     if study.model.keep is not None:
         runs = [run[[name for name in study.model.keep if name in run]] for run in runs]
     for name in ("s", "s_node"):
         if any(name in run for run in runs):
             runs = _on_common_nodes(runs, name)
     return runs
+
+
+def _stacked(results: list[Result]) -> xr.Dataset:
+    """Runs of one layout as one dataset (a dataset for each run takes five times as long)."""
+    import xarray as xr
+
+    first = results[0].arrays
+    data = {
+        label: (("point", *dims), np.stack([result.arrays[name] for result in results]))
+        for label, (dims, name) in quantities(first).items()
+    }
+    return xr.Dataset(data, coordinates(first))
 
 
 def _on_common_nodes(runs: list[xr.Dataset], name: str) -> list[xr.Dataset]:

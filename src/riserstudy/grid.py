@@ -6,10 +6,11 @@ look at how its parts fit together, and a hash.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from itertools import product
+from itertools import islice, product
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -66,8 +67,11 @@ class Grid:
             merged |= axis[k]
         return self.base.with_values(merged, self.layer)
 
-    def points(self) -> Iterator[Point]:
-        """All points, the last axis fastest.
+    def __len__(self) -> int:
+        return math.prod(len(axis) for axis in self.axes)
+
+    def points(self, first: int = 0, stride: int = 1) -> Iterator[Point]:
+        """All points, the last axis fastest, or from the first one every so many.
 
         Raises
         ------
@@ -79,7 +83,8 @@ class Grid:
             name: [number for number, axis in enumerate(self._sets) if any(name in v for v in axis)]
             for name in {*_FIELDS, *self.base.tree, *(n for a in self._sets for v in a for n in v)}
         }
-        for index in product(*(range(len(axis)) for axis in self.axes)):
+        every = product(*(range(len(axis)) for axis in self.axes))
+        for index in islice(every, first, None, stride):
             try:
                 parts = {
                     name: part(name, tuple([(axis, index[axis]) for axis in axes]))

@@ -14,7 +14,9 @@ ENDINGS = {"_max": "largest ", "_min": "smallest ", "_static": "static "}
 @cache
 def variables() -> dict[str, dict[str, str]]:
     """Names, units and labels of all variables."""
-    table: dict[str, dict[str, str]] = read_yaml(Path(__file__).with_name("variables.yaml"))
+    table: dict[str, dict[str, str]] = read_yaml(
+        Path(__file__).with_name("variables.yaml"), keep=True
+    )
     return table
 
 

@@ -77,24 +77,35 @@ def labelled(result: Result) -> xr.Dataset:
     import xarray as xr
 
     arrays = result.arrays
+    data = {label: (dims, arrays[name]) for label, (dims, name) in quantities(arrays).items()}
+    return xr.Dataset(data, coordinates(arrays))
+
+
+def coordinates(arrays: dict[str, Any]) -> dict[str, Any]:
+    """Coordinates of a run."""
     coords: dict[str, Any] = {
         name: (name, arrays[name]) for name in ("time", "s", "s_node") if name in arrays
     }
     if (force := arrays.get("tensioner_force_static")) is not None:
         coords["cylinder"] = ("cylinder", list(range(len(force))))
-    static_only = "time" not in arrays
-    data: dict[str, Any] = {}
-    for name, values in arrays.items():
-        if name in coords or name in ("l0",) or name.startswith("zero_"):
-            continue
-        data[name] = (dimensions(name, values), values)
-    if static_only:
+    if "time" not in arrays:
         coords["s"] = ("s", arrays["s_node"])
-        for name in [n for n in data if n.endswith("_static")]:
-            short = name.removesuffix("_static")
-            place = ("s",) if "s_node" in data[name][0] else data[name][0]
-            data[short] = (place, arrays[name])
-    return xr.Dataset(data, coords)
+    return coords
+
+
+def quantities(arrays: dict[str, Any]) -> dict[str, tuple[tuple[str, ...], str]]:
+    """Quantities of a run: dimensions, and the name of the array; statics have short names too."""
+    coords = coordinates(arrays)
+    found = {
+        name: (dimensions(name, values), name)
+        for name, values in arrays.items()
+        if name not in coords and name != "l0" and not name.startswith("zero_")
+    }
+    if "time" not in arrays:
+        for name in [name for name in found if name.endswith("_static")]:
+            dims = found[name][0]
+            found[name.removesuffix("_static")] = (("s",) if "s_node" in dims else dims, name)
+    return found
 
 
 def dimensions(name: str, values: Any) -> tuple[str, ...]:

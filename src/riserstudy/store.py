@@ -10,7 +10,7 @@ import hashlib
 import io
 import json
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -104,15 +104,16 @@ def put(key: str, result: Result, file: SceneFile) -> None:
     write_whole(target, content.getvalue())
 
 
-def get(key: str) -> Result | None:
-    """A stored point, or None when it is missing or not whole."""
+def get(key: str, names: Collection[str] | None = None) -> Result | None:
+    """A stored point with all arrays or some, or None when it is missing or not whole."""
     import numpy as np
 
     from riserstudy.result import Result
 
     try:
         with np.load(_file(key), allow_pickle=False) as stored:
-            arrays = {name: stored[name] for name in stored.files if name != "about"}
+            wanted = [n for n in stored.files if n != "about" and (names is None or n in names)]
+            arrays = {name: stored[name] for name in wanted}
             about = json.loads(str(stored["about"]))
         return Result(arrays, about["facts"])
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):

@@ -171,7 +171,7 @@ def scene_file(path: Path) -> SceneFile:
 
 @cache
 def _scene_file(path: Path, stamp: int) -> SceneFile:
-    return read_scene(path)
+    return read_scene(path, keep=True)
 
 
 @dataclass(frozen=True)
@@ -264,6 +264,12 @@ class Study:
         """All points, checked; InputError when one cannot be meant."""
         return list(self.grid.points())
 
+    def shard(self, number: int, shards: int) -> list[Point]:
+        """Points of one of several jobs, spread over the grid; a job does not plan those of others."""
+        if "plan" in self.__dict__:
+            return self.plan[number::shards]
+        return list(self.grid.points(number, shards))
+
     @cached_property
     def digest(self) -> str:
         """One string that changes when anything that the dataset depends on changes.
@@ -280,7 +286,7 @@ class Study:
 def read_studies(config: Path, paper: str) -> StudyFile:
     """The checked study file of a paper."""
     path = config / "studies" / f"{paper}.yaml"
-    file = check(StudyFile, read_yaml(path), path)
+    file = check(StudyFile, read_yaml(path, keep=True), path)
     for name, model in file.studies.items():
         for axis_name, axis in model.axes.items():
             wanted = axis.readings if isinstance(axis, Samples) else []

@@ -8,15 +8,17 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import re
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, digest, kernel_cache
+from riserstudy.grid import Point
 from riserstudy.numerics.scenes import scenes_of
 from riserstudy.published.models import PublishedFile, published_path, read_published
 from riserstudy.scene.base import Strict
@@ -39,11 +41,15 @@ RULES = {
 
 
 class Config(Strict):
-    """config/config.yaml."""
+    """config/config.yaml.
+
+    ``points_per_job``: a study of more points is simulated by several jobs. Absent: one job a study.
+    """
 
     papers: list[Name] = Field(min_length=1)
     tier: Literal["preview", "standard", "reference"]
     tiers: dict[Tier, TierModel]
+    points_per_job: Annotated[int, Field(ge=1)] | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -92,7 +98,7 @@ class Workplan:
     ) -> Self:
         """Read config.yaml, and let overrides win over what it says."""
         path = config / "config.yaml"
-        settings = read_yaml(path)
+        settings = read_yaml(path, keep=True)
         if not isinstance(settings, dict):
             raise InputError(path, "", "no mapping", "it starts with names such as 'papers:'")
         return cls(config, settings | overrides, only)
@@ -136,7 +142,30 @@ class Workplan:
 
     def threads(self, wildcards: Any) -> int:
         """Threads that a study can use."""
-        return threads_worth(len(self.study(wildcards.paper, wildcards.study).plan))
+        return threads_worth(len(self.study(wildcards.paper, wildcards.study).grid))
+
+    def shard_files(self, wildcards: Any) -> list[str]:
+        """Markers of the jobs that share the points of a study; none when one job simulates all."""
+        paper, study = wildcards.paper, wildcards.study
+        per_job = self.settings.points_per_job
+        shards = math.ceil(len(self.study(paper, study).grid) / per_job) if per_job else 1
+        folder = f"results/{paper}/{study}.shards"
+        return [f"{folder}/{k}-of-{shards}" for k in range(shards)] if shards > 1 else []
+
+    def shard(self, wildcards: Any) -> list[Point]:
+        """Points of a shard."""
+        study = self.study(wildcards.paper, wildcards.study)
+        return study.shard(int(wildcards.shard), int(wildcards.shards))
+
+    def shard_digest(self, wildcards: Any) -> str:
+        """Keys of a shard."""
+        keys = " ".join(point.key for point in self.shard(wildcards))
+        return hashlib.sha256(keys.encode()).hexdigest()[:16]
+
+    def shard_threads(self, wildcards: Any) -> int:
+        """Threads that a shard can use."""
+        points = len(self.study(wildcards.paper, wildcards.study).grid)
+        return threads_worth(math.ceil(points / int(wildcards.shards)))
 
     def derived_inputs(self, wildcards: Any) -> list[str]:
         """Datasets that a derived dataset is made from."""

@@ -88,6 +88,29 @@ def test_a_figure_simulates_only_what_it_needs(fresh):
     assert fresh.planned("chang2020") - COMPILE == SIMULATE | AFTER | only
 
 
+# Studies that several jobs share
+
+
+def test_shards_of_a_study_join_to_the_same_dataset(fresh, finished):
+    fresh.edit("config/config.yaml", "tier: standard", "tier: standard\npoints_per_job: 5")
+    parts = {f"simulate chang2020/quasi_static, part {k} of 2" for k in range(2)}
+    assert fresh.planned("chang2020_fig14") - COMPILE == SIMULATE | AFTER | parts
+    status, _, complained = fresh.run()
+    assert (status, complained) == (0, "")
+    log = (fresh / "logs/chang2020/quasi_static.log").read_text()
+    assert "0 points simulated, 10 from the store" in log
+    assert len(fresh.stored()) == len(finished.stored())
+    assert_same_numbers(fresh, finished)
+    sharded = xr.load_dataset(fresh / "results/chang2020/quasi_static.nc")
+    fresh.edit("config/config.yaml", "points_per_job: 5", "points_per_job: 500")
+    assert fresh.run()[0] == 0
+    assert not parts & fresh.planned()
+    # from the same points, so with the same times too
+    xr.testing.assert_identical(
+        xr.load_dataset(fresh / "results/chang2020/quasi_static.nc"), sharded
+    )
+
+
 # Killed runs, damaged files
 
 

@@ -10,8 +10,10 @@ from snakemake.exceptions import WorkflowError
 from riserstudy.errors import InputError
 from riserstudy.workplan import Workplan
 
+# A job on a cluster starts Snakemake anew; all points were checked before it was submitted.
+checked = None if workflow.is_main_process else []
 try:
-    PLAN = Workplan.read(Path("config"), config)
+    PLAN = Workplan.read(Path("config"), config, only=checked)
 except InputError as error:
     raise WorkflowError(f"riserstudy: {error}")
 

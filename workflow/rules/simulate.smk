@@ -12,9 +12,33 @@ rule compile:
         "python -m riserstudy.jobs.compile_kernels {output:q} > {log:q} 2>&1"
 
 
-rule simulate:
+rule shard:
     input:
         PLAN.compiled,
+    output:
+        "results/{paper}/{study}.shards/{shard}-of-{shards}",
+    log:
+        "logs/{paper}/{study}.{shard}-of-{shards}.log",
+    wildcard_constraints:
+        study=PLAN.study_pattern,
+        shard=r"\d+",
+        shards=r"\d+",
+    threads: PLAN.shard_threads
+    params:
+        digest=PLAN.shard_digest,
+        tier=PLAN.tier,
+    message:
+        "simulate {wildcards.paper}/{wildcards.study}, part {wildcards.shard} of {wildcards.shards}"
+    shell:
+        "python -m riserstudy.jobs.shard {wildcards.paper} {wildcards.study} {wildcards.shard}"
+        " {wildcards.shards} {output:q} --tier {params.tier} --threads {threads}"
+        " --expect {params.digest} > {log:q} 2>&1"
+
+
+rule simulate:
+    input:
+        PLAN.shard_files,
+        compiled=PLAN.compiled,
     output:
         "results/{paper}/{study}.nc",
     log:

@@ -75,7 +75,7 @@ def case_file(
     config: Path, name: str, case: Case | LimitCase | Ladder | Family | LongCase
 ) -> SceneFile:
     """The scene of a case."""
-    return read_scene(config / case.scene).with_values(case.set, f"{_WHERE}: {name}.set")
+    return read_scene(config / case.scene, keep=True).with_values(case.set, f"{_WHERE}: {name}.set")
 
 
 def bases(studies: list[Study], tier: str) -> Scenes:

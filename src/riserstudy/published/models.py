@@ -129,7 +129,7 @@ def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
         When it cannot be meant, or needs a dataset that is not ``known``.
     """
     path = published_path(config, paper)
-    file = check(PublishedFile, read_yaml(path), path)
+    file = check(PublishedFile, read_yaml(path, keep=True), path)
     for name in file.datasets:
         if name not in known:
             allowed = "allowed are " + ", ".join(sorted(known))

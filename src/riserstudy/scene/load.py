@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cache, lru_cache
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -15,6 +17,7 @@ from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
 from riserstudy.errors import InputError
+from riserstudy.folders import digest, remembered
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
 from riserstudy.scene.tables import fill_in_tables
@@ -24,7 +27,8 @@ T = TypeVar("T", bound=BaseModel)
 MOST_BYTES = 1_000_000  # of an input file
 DEEPEST = 20  # nesting levels
 MANY = 1000  # brackets, which may be nested; the reader's time grows as their square
-_SPECIAL = re.compile(r"[!&*]")  # what tags, anchors and aliases begin with
+# What tags, anchors and aliases begin with, where a value may begin.
+_SPECIAL = re.compile(r"(?:^|[\s\ufeff,\[{:?-])[!&*]")
 _STEP = re.compile(r"[A-Za-z_]\w*(\[\d{1,6}\])*")  # of a dotted path
 
 
@@ -68,9 +72,22 @@ def _copied(tree: Any) -> Any:
     return [_copied(value) for value in tree] if isinstance(tree, list) else tree
 
 
-def read_yaml(path: Path) -> Any:
-    """A YAML file as plain data. Tags, aliases and duplicate keys are refused; nothing is executed."""
-    return plain_yaml(read_text(Path(path), MOST_BYTES), path)
+def read_yaml(path: Path, *, keep: bool = False) -> Any:
+    """A YAML file as plain data. Tags, aliases and duplicate keys are refused; nothing is executed.
+
+    ``keep`` keeps what was read in the cache: reading that again is a hundred times as fast.
+    """
+    text = read_text(Path(path), MOST_BYTES)
+    if not keep:
+        return plain_yaml(text, path)
+    name = f"yaml/{_reader()}-{hashlib.sha256(text.encode()).hexdigest()}"
+    return remembered(name, lambda: plain_yaml(text, path))
+
+
+@cache
+def _reader() -> str:
+    """What tells this way of reading from another."""
+    return f"{version('ruamel.yaml')}-{digest([Path(__file__)])}"
 
 
 def plain_yaml(text: str, source: object) -> Any:
@@ -223,9 +240,9 @@ def _names_alternative(step: object) -> bool:
     return isinstance(step, str) and (step[:1].isupper() or "[" in step)
 
 
-def read_scene(path: str | Path) -> SceneFile:
-    """A scene file with its origins, not yet checked beyond being plain YAML."""
-    data = read_yaml(Path(path))
+def read_scene(path: str | Path, *, keep: bool = False) -> SceneFile:
+    """A scene file with its origins, not yet checked beyond being plain YAML; ``keep`` as above."""
+    data = read_yaml(Path(path), keep=keep)
     if not isinstance(data, dict):
         raise InputError(path, "", "no mapping", "a scene starts with names such as 'title:'")
     tree, origins, faults = unwrap(data)

@@ -1,0 +1,51 @@
+"""Simulate the points of a study that the store lacks.
+
+What is made goes to the store and is let go, so memory does not grow with the number of points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+
+from riserstudy import store
+from riserstudy.errors import SimulationError
+from riserstudy.grid import Point
+from riserstudy.sound import sound_kernels
+from riserstudy.study import Study
+
+
+@sound_kernels
+def fill(study: Study, points: Iterable[Point], threads: int) -> int:
+    """Simulate those of some points that the store lacks, and count them.
+
+    Raises
+    ------
+    SimulationError
+        When points cannot be completed: once per cause, with their number and the first one.
+    """
+    each_once = {point.key: point for point in points}
+    missing = [point for key, point in each_once.items() if store.get(key, ()) is None]
+
+    def one(point: Point) -> SimulationError | None:
+        from riserstudy.run import run
+
+        file = study.grid.file(point.index)
+        try:
+            result = run(file.scene())
+        except SimulationError as error:
+            return error
+        store.put(point.key, result, file)
+        return None
+
+    with ThreadPoolExecutor(max(1, threads)) as pool:
+        told = list(pool.map(one, missing))
+    failures = [(point, why) for point, why in zip(missing, told, strict=True) if why]
+    if failures:
+        point, first = failures[0]
+        place = dict(zip(study.axes, point.index, strict=True))
+        raise SimulationError(
+            f"{study.where}: {len(failures)} of {len(missing)} points cannot be completed; "
+            f"the first, at index {place}: {first}"
+        )
+    return len(missing)

@@ -1,0 +1,51 @@
+"""Simulate a shard: those points of a study that fall to one of several jobs and that the store lacks."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+from riserstudy.errors import RiserStudyError
+from riserstudy.fill import fill
+from riserstudy.folders import write_whole
+from riserstudy.workplan import Workplan
+
+
+def main(
+    paper: str,
+    study: str,
+    shard: int,
+    shards: int,
+    target: Path,
+    tier: str,
+    threads: int,
+    expect: str,
+) -> None:
+    """Store the points of a shard; the target says how many there are."""
+    plan = Workplan.read(Path("config"), {"tier": tier, "papers": [paper]}, only=[])
+    about = SimpleNamespace(paper=paper, study=study, shard=shard, shards=shards)
+    if plan.shard_digest(about) != expect:
+        sys.exit("scene, study or engine changed while the workflow was running; run it again")
+    points = plan.shard(about)
+    made = fill(plan.study(paper, study), points, threads)
+    said = f"{made} points simulated, {len(points) - made} from the store"
+    print(f"{paper}/{study}, part {shard} of {shards}: {said}")
+    write_whole(target, f"{len(points)} points\n".encode())
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("paper")
+    parser.add_argument("study")
+    parser.add_argument("shard", type=int)
+    parser.add_argument("shards", type=int)
+    parser.add_argument("target", type=Path)
+    parser.add_argument("--tier", required=True)
+    parser.add_argument("--threads", type=int, required=True)
+    parser.add_argument("--expect", required=True)
+    try:
+        main(**vars(parser.parse_args()))
+    except RiserStudyError as error:
+        sys.exit(f"riserstudy: {error}")

@@ -1,0 +1,46 @@
+"""Runs become one dataset over the axes of their grid, whatever meshes they are on."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy.gather import dataset_of
+from riserstudy.result import Result
+from riserstudy.study import Numbers, Study, StudyModel
+
+CONFIG = Path(__file__).parents[1] / "config"
+TIME, LENGTH = np.array([0.0, 1.0, 2.0]), 533.0
+GAINS = np.array([[3.0, 1.0], [4.0, 2.0]])
+FACTS = {"wall_seconds": 0.1, "elements": 4, "smallest_tension": 1.0, "warnings": [], "effects": {}}
+
+
+def grid():
+    """Two amplitudes by two periods."""
+    axes = {
+        "surge_amplitude": Numbers(path="platform.surge.amplitude", unit="m", values=[1.0, 2.0]),
+        "surge_period": Numbers(path="platform.surge.period", unit="s", values=[9.0, 10.0]),
+    }
+    model = StudyModel(scene="scenes/bench/s2c.yaml", caption="a grid", axes=axes)
+    return Study("bench", "grid", model, CONFIG, "standard")
+
+
+def run(gain, nodes):
+    """A run whose displacement is gain (1 + t) s."""
+    s = np.linspace(0.0, LENGTH, nodes)
+    x = gain * np.outer(1.0 + TIME, s)
+    arrays = {"time": TIME, "s": s, "s_node": s, "x": x, "x_max": x[-1]}
+    return Result(arrays, FACTS)
+
+
+@pytest.mark.parametrize("nodes", [(9, 9, 9, 9), (9, 5, 9, 5), (5, 9, 17, 9)])
+def test_every_run_stands_at_its_place_on_the_finest_mesh(nodes):
+    runs = [run(gain, count) for gain, count in zip(GAINS.ravel(), nodes, strict=True)]
+    dataset = dataset_of(grid(), runs)
+    assert dataset["x"].dims == ("surge_amplitude", "surge_period", "time", "s")
+    assert dataset.sizes["s"] == dataset.sizes["s_node"] == max(nodes)
+    expected = GAINS[:, :, None, None] * np.outer(1.0 + TIME, dataset["s"].values)
+    # displacements to 7 km; a spline through a straight line errs by rounding
+    np.testing.assert_allclose(dataset["x"].values, expected, rtol=1e-12, atol=1e-9)
+    np.testing.assert_allclose(dataset["x_max"].values, expected[:, :, -1], rtol=1e-12, atol=1e-9)
+    assert dataset["elements"].shape == GAINS.shape

@@ -1,0 +1,100 @@
+"""The same study through Slurm, on a node of our own: `make test-cluster`, as root."""
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import psutil
+import pytest
+import xarray as xr
+from test_pipeline import assert_same_numbers
+
+pytestmark = pytest.mark.cluster
+HERE = Path(__file__).parent
+PROFILE = HERE.parents[1] / "workflow/profiles/slurm"
+OF_THIS_NODE = [
+    *("--slurm-status-command", "squeue", "--slurm-no-account"),
+    *("--slurm-init-seconds-before-status-checks", "3", "--seconds-between-status-checks", "3"),
+    *("--default-resources", "slurm_partition=one_node", "runtime=30", "mem_mb=500"),
+    *("--latency-wait", "5", "--max-threads", "1"),
+]
+
+
+@pytest.fixture(scope="module")
+def slurm(tmp_path_factory):
+    """Environment in which the commands of Slurm are those of the node."""
+    folder = tmp_path_factory.mktemp("node")
+    script = str(HERE / "one_node_slurm.sh")
+    subprocess.run([script, "start", str(folder)], check=True)
+    yield {"PATH": f"{folder / 'bin'}{os.pathsep}{os.environ['PATH']}"}
+    subprocess.run([script, "stop", str(folder)], check=True)
+
+
+def start(checkout, slurm, *targets):
+    """Start Snakemake with the profile; what it says goes to a file."""
+    command = [sys.executable, "-m", "snakemake", *targets, "--nocolor"]
+    with (checkout / "said").open("w") as said:
+        return subprocess.Popen(
+            [*command, "--profile", PROFILE, *OF_THIS_NODE],
+            cwd=checkout.folder,
+            env=checkout.environment | slurm,
+            stdout=said,
+            stderr=subprocess.STDOUT,
+        )
+
+
+def process_of(job):
+    """A living process that Slurm started, by words of its command."""
+    for process in psutil.process_iter(["cmdline", "environ"]):
+        if "SLURM_JOB_ID" in (process.info["environ"] or {}):
+            words = process.info["cmdline"] or []
+            if set(job) <= set(words) and "sh" not in Path(words[0]).name:
+                return process
+    return None
+
+
+def test_shards_on_slurm_one_of_them_killed_give_the_numbers_of_one_local_job(
+    fresh, finished, slurm
+):
+    fresh.edit("config/config.yaml", "tier: standard", "tier: standard\npoints_per_job: 5")
+    run = start(fresh, slurm, "chang2020", "--config", "points_per_job=5")
+    while not (job := process_of(["riserstudy.jobs.shard", "quasi_static"])):
+        assert run.poll() is None, (fresh / "said").read_text()
+        time.sleep(0.05)
+    job.kill()
+    assert run.wait(1500) == 0, (fresh / "said").read_text()
+    said = (fresh / "said").read_text()
+    assert "Trying to restart" in said
+    assert said.count("has been submitted with SLURM jobid") >= 6
+    assert_same_numbers(fresh, finished)
+    assert len(fresh.stored()) == len(finished.stored())
+    assert "0 points simulated" in (fresh / "logs/chang2020/quasi_static.log").read_text()
+    assert fresh.planned() == set()
+
+
+def test_whole_papers_through_slurm_give_the_numbers_of_a_local_run(fresh, slurm):
+    papers = os.environ.get("RISERSTUDY_CLUSTER_PAPERS", "bench chang2020").split()
+    root = HERE.parents[1]
+    for part in ("studies", "published"):
+        subprocess.run(["cp", "-r", root / "config" / part, fresh / "config"], check=True)
+    fresh.edit("config/config.yaml", "papers:\n- chang2020", f"papers: [{', '.join(papers)}]")
+    fresh.edit("config/config.yaml", "tier: standard", "tier: preview")
+    run = start(fresh, slurm, *papers)
+    assert run.wait(3600) == 0, (fresh / "said").read_text()
+    through_slurm = {
+        path.relative_to(fresh / "results"): xr.load_dataset(path)
+        for path in (fresh / "results").glob("*/*.nc")
+    }
+    assert through_slurm
+    tables = {path: path.read_text() for path in (fresh / "results").glob("*/*.csv")}
+    for path in [*(fresh / ".cache/points").glob("*/*.npz"), *(fresh / "results").glob("*/*.*")]:
+        path.unlink()
+    status, _, complained = fresh.run("--tier", "preview", *papers)
+    assert (status, complained) == (0, "")
+    for path, dataset in through_slurm.items():
+        local = xr.load_dataset(fresh / "results" / path)
+        timed = [name for name in local if name.endswith("seconds")]
+        xr.testing.assert_identical(dataset.drop_vars(timed), local.drop_vars(timed))
+    assert tables == {path: path.read_text() for path in tables}
