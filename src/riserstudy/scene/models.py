@@ -128,7 +128,8 @@ class Scene(Strict):
             raise ValueError(
                 "give platform, which moves as told, or vessel, which is free; not both"
             )
-        if self.vessel and self.vessel.yaw and self.analysis.method == "explicit":
+        turning = self.vessel and self.vessel.yaw and self.spatial
+        if turning and self.analysis.method == "explicit":
             raise ValueError(
                 "vessel.yaw: explicit stepping does not know the forces of a turning hull; "
                 "take an implicit method"
