@@ -39,9 +39,7 @@ class Drag(NamedTuple):
     """Drag of the segments."""
 
     low: np.ndarray  # (n,) rho C_D D / 2 times length, as it loads the lower node (kg/m)
-    up: (
-        np.ndarray
-    )  # (n,) as it loads the upper node; the same array where C_D does not vary in segments
+    up: np.ndarray  # (n,) as it loads the upper node; the same where C_D is one in a segment
     force: np.ndarray  # (d, n+1) scratch
     horizontal: int  # 1 where the drag acts horizontally, 0 across the pipe
 

@@ -125,9 +125,12 @@ def factor_flexibility(s, hinged):
 
 @inner
 def flexibility_solve(s, angle):
-    """Turning angles (n+1,) into the moments that belong to them, in place; none at hinges."""
+    """Turning angles (n+1,) into the moments that belong to them, in place; none at hinges.
+
+    Angles may go on over loose nodes, which bend with nothing.
+    """
     flex_up, inverse, factor = s.flex_up, s.flex_inverse, s.flex_factor
-    n = flex_up.shape[0]
+    n = angle.shape[0] - 1
     angle[0] *= inverse[0]
     for i in range(1, n + 1):
         angle[i] = (angle[i] - flex_up[i - 1] * angle[i - 1]) * inverse[i]
