@@ -15,7 +15,7 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
-.PHONY: help study test test-slow test-cluster test-wheel check docs wheel lock figures bench clean
+.PHONY: help study test test-slow test-page test-cluster test-wheel check docs wheel lock figures bench clean
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
 export PYTHON
@@ -26,14 +26,17 @@ help:  ## list the targets
 study: $(READY)  ## simulate, grade, draw and report everything (TIER=preview|standard|reference CORES=n)
 	@exec $(STUDY)
 
-test: $(READY)  ## run the tests, except the slow ones
-	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'not slow and not cluster'
+test: $(READY)  ## run the tests, except the slow ones, the cluster's and the browser's
+	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'not slow and not cluster and not page'
 
 test-slow: $(READY)  ## run the slow tests
 	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'slow and not cluster'
 
 test-cluster: .venv/.slurm-$(ID)  ## run a study through a Slurm of one node (root; Debian: slurmctld slurmd slurm-client munge)
 	@$(IN_ENVIRONMENT) pytest -q --benchmark-disable -m cluster tests/workflow/test_cluster.py
+
+test-page: $(READY)  ## open the report in Chromium (Debian: chromium, chromium-driver)
+	@$(IN_ENVIRONMENT) pytest -q --benchmark-disable -m page
 
 check: $(READY)  ## check format, lint, types, import rules and spelling
 	@$(IN_ENVIRONMENT) sh workflow/scripts/check.sh

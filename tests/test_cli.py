@@ -51,6 +51,15 @@ def test_accuracy_and_settings_reach_the_run(command, tmp_path):
     assert "mesh" not in tree["analysis"]
 
 
+def test_a_scene_is_drawn_in_the_format_of_the_ending(command, tmp_path):
+    assert command("draw", SURGE, "-o", tmp_path / "a.png")[0] == 0
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    code, _, err = command("draw", SURGE, "-o", tmp_path / "a.jpg")
+    assert code == 2
+    assert "no drawing '.jpg'" in err
+    assert {path.name for path in tmp_path.iterdir()} == {"a.png"}
+
+
 REFUSED = {
     "an unknown key": [SURGE, "--set", "colour=red"],
     "a wrong unit": [SURGE, "--set", "riser[0].length=5 kg"],

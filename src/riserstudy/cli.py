@@ -1,4 +1,4 @@
-"""The command line: ``riserstudy new | run | cost | effects | advise | modes | schema | results | diff``."""
+"""The commands of ``riserstudy``: new, run, cost, effects, advise, modes, draw, schema, results, diff."""
 
 from __future__ import annotations
 
@@ -213,6 +213,26 @@ def modes(
         from riserstudy.gather import write_dataset
 
         write_dataset(dataset, output)
+
+
+@app.command()
+def draw(
+    scene: SceneArgument,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="drawing (PNG, PDF or SVG)", metavar="OUT.png")
+    ],
+    settings: SetOption = None,
+) -> None:
+    """Draw a scene to scale: what is there, what it is free to do, what acts on it."""
+    file = _scene(scene, settings)
+    _check_writable(output, scene)
+    if output.suffix not in (".png", ".pdf", ".svg"):
+        allowed = "allowed are .png, .pdf and .svg"
+        raise InputError("--output", str(output), f"no drawing {output.suffix!r}", allowed)
+    from riserstudy.figures import save
+    from riserstudy.schematic import schematic
+
+    save(schematic(file.scene()), output)
 
 
 @app.command()

@@ -20,6 +20,7 @@ from riserstudy.plots import NEEDS, FigureModel, default_figures
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, check, read_scene, read_yaml
 from riserstudy.scene.origin import Origin
+from riserstudy.shown import RunInMotion, SchematicModel
 from riserstudy.store import canonical
 
 MOST_VALUES = 1_000_000  # of an axis, and points of a study
@@ -144,7 +145,9 @@ class StudyFile(Strict):
     """Studies of one paper, datasets derived from them, and the figures that read them.
 
     ``readings``: named ways to read the paper, by what each sets; studies share them as axes or samples.
-    ``measured``: datasets about the engine itself. Absent: none. Absent figures: every plot that fits.
+    ``measured``: datasets about the engine itself; ``in_motion``: the run that the report shows moving;
+    ``left_out``: printed figures that are not drawn, and what they show. Absent: none. Absent figures:
+    every plot that fits.
     """
 
     paper: str
@@ -152,7 +155,10 @@ class StudyFile(Strict):
     studies: dict[Name, StudyModel]
     derived: dict[Name, Derived] = Field(default_factory=dict)
     measured: Measured | None = None
+    schematics: dict[Name, SchematicModel] = Field(default_factory=dict)
     figures: dict[Name, FigureModel] = Field(default_factory=dict)
+    in_motion: RunInMotion | None = None
+    left_out: dict[str, str] = Field(default_factory=dict)
 
     @property
     def datasets(self) -> list[str]:
@@ -294,6 +300,11 @@ def read_studies(config: Path, paper: str) -> StudyFile:
                 if reading not in file.readings:
                     where = f"studies.{name}.axes.{axis_name}"
                     raise InputError(path, where, f"no readings {reading!r}", _among(file.readings))
+    if file.in_motion and file.in_motion.study not in file.studies:
+        found = f"no study {file.in_motion.study!r}"
+        raise InputError(path, "in_motion.study", found, _among(file.studies))
+    if twice := set(file.schematics) & set(file.figures):
+        raise InputError(path, f"schematics.{min(twice)}", "a figure of that name", "name it anew")
     known = set(file.datasets)
     if file.derived and not has_module("derived", paper):
         raise InputError(path, "derived", f"no module derived/{paper}.py", "leave it out")

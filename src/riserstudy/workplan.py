@@ -22,8 +22,8 @@ from riserstudy.grid import Point
 from riserstudy.numerics.scenes import scenes_of
 from riserstudy.published.models import PublishedFile, published_path, read_published
 from riserstudy.scene.base import Strict
-from riserstudy.scene.load import check, read_yaml
-from riserstudy.store import key_of
+from riserstudy.scene.load import SceneFile, check, read_yaml
+from riserstudy.store import canonical, key_of
 from riserstudy.study import Name, Study, StudyFile, Tier, read_studies, scene_file, threads_worth
 
 
@@ -91,6 +91,9 @@ class Workplan:
             study.plan  # noqa: B018  every point is checked before any job
         if only is None:
             self.published  # noqa: B018  and so is what was printed
+            for paper, file in self.files.items():
+                for name in file.schematics:
+                    self.schematic(paper, name).scene()
 
     @classmethod
     def read(
@@ -131,6 +134,10 @@ class Workplan:
     def study(self, paper: str, name: str) -> Study:
         """One study, planned once."""
         return self._studies[paper, name]
+
+    def schematic(self, paper: str, name: str) -> SceneFile:
+        """The scene that a schematic shows."""
+        return self.files[paper].schematics[name].file(self.config)
 
     # what Snakemake asks, with a rule's wildcards
 
@@ -194,17 +201,21 @@ class Workplan:
         return f"{hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]}-{code}"
 
     def figure_inputs(self, wildcards: Any) -> list[str]:
-        """Datasets that a figure reads."""
-        names = self.files[wildcards.paper].figures[wildcards.figure].reads
-        return [f"results/{wildcards.paper}/{name}.nc" for name in names]
+        """Datasets that a figure reads; a schematic shows a scene and reads none."""
+        figure = self.files[wildcards.paper].figures.get(wildcards.figure)
+        return [f"results/{wildcards.paper}/{name}.nc" for name in figure.reads] if figure else []
 
     def figure_digest(self, wildcards: Any) -> str:
-        """The code that draws, and what a plot for any grid is to show."""
-        figure = self.files[wildcards.paper].figures[wildcards.figure]
+        """The code that draws, and what a plot for any grid, or a schematic, is to show."""
+        figure = self.files[wildcards.paper].figures.get(wildcards.figure)
+        if figure is None:
+            scene = json.dumps(canonical(self.schematic(wildcards.paper, wildcards.figure).scene()))
+            code = [*(PACKAGE / "schematic").glob("*.py"), PACKAGE / "figures/style.py"]
+            return f"{hashlib.sha256(scene.encode()).hexdigest()[:16]}-{digest(code)}"
         if not figure.plot:
             return self._code("figures", wildcards.paper)
-        code = digest([*(PACKAGE / "figures/generic").glob("*.py"), PACKAGE / "figures/style.py"])
-        return " ".join((figure.plot, *(figure.of or []), code))
+        drawing = [*(PACKAGE / "figures/generic").glob("*.py"), PACKAGE / "figures/style.py"]
+        return " ".join((figure.plot, *(figure.of or []), digest(drawing)))
 
     def grade_inputs(self, wildcards: Any) -> list[str]:
         """Datasets that a paper's numbers and claims are graded with."""
@@ -237,8 +248,12 @@ class Workplan:
         return str(kernel_cache() / "compiled")
 
     def figures(self) -> list[tuple[str, str]]:
-        """All figures as (paper, name)."""
-        return [(paper, name) for paper, file in self.files.items() for name in file.figures]
+        """All figures as (paper, name), the schematics of a paper first."""
+        return [
+            (paper, name)
+            for paper, file in self.files.items()
+            for name in (*file.schematics, *file.figures)
+        ]
 
     def figure_files(self, paper: str | None = None) -> list[str]:
         """Files of all figures, or of those of one paper."""
@@ -282,7 +297,7 @@ class Workplan:
     @property
     def figure_pattern(self) -> str:
         """Names of figures, as a pattern."""
-        return _either(name for file in self.files.values() for name in file.figures)
+        return _either(name for _, name in self.figures())
 
 
 def _either(names: Any) -> str:

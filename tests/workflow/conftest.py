@@ -97,6 +97,7 @@ def in_small(folder):
     path = folder / "config/studies/chang2020.yaml"
     file = yaml.load(path)
     figures = file["figures"] = {"fig14": file["figures"]["fig14"]}
+    del file["schematics"]
     derived = file["derived"] = {name: file["derived"][name] for name in figures["fig14"]["reads"]}
     reads = {study for studies in derived.values() for study in studies}
     file["studies"] = {name: study for name, study in file["studies"].items() if name in reads}

@@ -1,4 +1,4 @@
-# Figures from datasets, and a target for each figure and each paper.
+# Figures from datasets, schematics from scenes, and a target for each figure and each paper.
 
 
 rule figure:

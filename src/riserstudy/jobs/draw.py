@@ -1,26 +1,41 @@
-"""Draw a figure from its datasets."""
+"""Draw a figure from its datasets, or a schematic, which reads none, from its scene."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 from pathlib import Path
-
-import xarray as xr
+from typing import TYPE_CHECKING
 
 from riserstudy.errors import RiserStudyError
 from riserstudy.figures import draw, draw_plot, save
 from riserstudy.study import read_studies
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 
 def main(paper: str, name: str, png: Path, pdf: Path, sources: list[Path]) -> None:
-    """Read the sources, write the figure in both formats."""
+    """Write the figure in both formats."""
+    figure = from_datasets(paper, name, sources) if sources else from_scene(paper, name)
+    save(figure, png, pdf)
+
+
+def from_datasets(paper: str, name: str, sources: list[Path]) -> Figure:
+    """Read the sources, draw the figure."""
+    import xarray as xr
+
     datasets = {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
     model = read_studies(Path("config"), paper).figures[name]
-    figure = (
-        draw_plot(model, datasets[model.reads[0]]) if model.plot else draw(paper, name, datasets)
-    )
-    save(figure, png, pdf)
+    return draw_plot(model, datasets[model.reads[0]]) if model.plot else draw(paper, name, datasets)
+
+
+def from_scene(paper: str, name: str) -> Figure:
+    """Read the scene, draw the schematic."""
+    from riserstudy.schematic import schematic
+
+    shown = read_studies(Path("config"), paper).schematics[name]
+    return schematic(shown.file(Path("config")).scene())
 
 
 if __name__ == "__main__":
@@ -29,7 +44,7 @@ if __name__ == "__main__":
     parser.add_argument("name")
     parser.add_argument("png", type=Path)
     parser.add_argument("pdf", type=Path)
-    parser.add_argument("sources", type=Path, nargs="+")
+    parser.add_argument("sources", type=Path, nargs="*")
     try:
         main(**vars(parser.parse_args()))
     except RiserStudyError as error:

@@ -1,0 +1,154 @@
+"""A schematic of any scene, drawn to scale: what is there, what it is free to do, and what acts on it.
+
+Every panel has one scale in both directions. Long risers are shown as a whole, where the pipe is narrower
+than any line, and again at both ends, magnified. What a scene gives no size (platform, bodies, upright
+cylinders) is drawn dashed, as a symbol. The riser is drawn unstretched, before current and waves act on it.
+"""
+
+from __future__ import annotations
+
+import textwrap
+
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from riserstudy.scene.models import Scene
+from riserstudy.schematic.above import above, has_plan, radius
+from riserstudy.schematic.facts import freedom_text
+from riserstudy.schematic.geometry import Geometry
+from riserstudy.schematic.labels import KEY, SIZE
+from riserstudy.schematic.sea import sea
+from riserstudy.schematic.string import ends, riser
+from riserstudy.schematic.topside import topside
+from riserstudy.schematic.view import View
+
+WIDTH, HEIGHT = 10.4, 7.6  # of the figure (inches)
+COLUMNS = (0.75, 5.85)  # left ends of the panels (inches)
+FLOOR, CEILING = 0.75, 6.75  # of the panels (inches)
+WHOLE, END = 2.3, 2.2  # widths of panels (inches)
+BETWEEN = 0.6  # panels that stand one above the other (inches)
+SHARES = {2: (0.5, 0.5), 3: (0.48, 0.28, 0.24)}  # of the right column, by the number of panels
+MARGIN = 0.16  # of the view of everything, above and below what has a place
+NEAR = 0.12  # of the riser's length, shown at its ends
+MOST = 40.0  # at most so much (m), where nothing longer is there
+NOTE = (
+    "Each panel has one scale in both directions; lines are no thinner than a point, whatever the scale. "
+    "Dashed: symbols of what the scene gives no size. Riser unstretched, before current and waves act on it."
+)
+
+
+def schematic(scene: Scene) -> Figure:
+    """Drawing of a scene."""
+    geometry = Geometry(scene)
+    figure = Figure((WIDTH, HEIGHT), dpi=150, facecolor="white")
+    whole = _panel(figure, COLUMNS[0], FLOOR, (WHOLE, CEILING - FLOOR), *_all(geometry), whole=True)
+    whole.ax.set_title("(a) whole", loc="left", fontsize="small")
+    views = [whole]
+    plan = has_plan(scene)
+    shares = SHARES[3 if plan else 2]
+    room, top = CEILING - FLOOR - BETWEEN * (len(shares) - 1), CEILING
+    windows = {"upper end": _upper(geometry), "lower end": _lower(geometry)}
+    if plan:
+        windows["from above"] = ((0.0, 0.0), 2.0 * radius(geometry))
+    for letter, share, (name, window) in zip("bcd", shares, windows.items(), strict=False):
+        height = share * room
+        view = _panel(figure, COLUMNS[1], top - height, (END, height), *window)
+        times = _times(whole.inch / view.inch)
+        title = (
+            name if name == "from above" and not _to_scale(scene) else f"{name}, {times} times (a)"
+        )
+        view.ax.set_title(f"({letter}) {title}", loc="left", fontsize="small")
+        views.append(view)
+        top -= height + BETWEEN
+    for view in views[:3]:
+        sea(view, geometry)
+        riser(view, geometry)
+        ends(view, geometry)
+        topside(view, geometry)
+    if plan:
+        views[3].ax.set_ylabel("y (m)", fontsize=SIZE, labelpad=1.0)
+        above(views[3], geometry)
+    for view in views:
+        view.labels.place(view.ax)
+    _texts(figure, scene)
+    return figure
+
+
+def _times(ratio: float) -> str:
+    return f"{ratio:.2g}" if ratio < 100 else f"{round(ratio, -1):.0f}"
+
+
+def _to_scale(scene: Scene) -> bool:
+    """Whether the view from above shows more than headings."""
+    return bool(scene.top.tensioners and scene.top.tensioners.arrangement)
+
+
+def _panel(
+    figure: Figure,
+    left: float,
+    floor: float,
+    size: tuple[float, float],
+    middle: tuple[float, float],
+    height: float,
+    whole: bool = False,
+) -> View:
+    """A panel around a point, so many metres high; its place and size in inches."""
+    width = height * size[0] / size[1]
+    place = (left / WIDTH, floor / HEIGHT, size[0] / WIDTH, size[1] / HEIGHT)
+    ax = figure.add_axes(place)
+    ax.set_xlim(middle[0] - 0.5 * width, middle[0] + 0.5 * width)
+    ax.set_ylim(middle[1] - 0.5 * height, middle[1] + 0.5 * height)
+    ax.tick_params(labelsize=SIZE)
+    ax.locator_params(nbins=5)
+    ax.set_xlabel("x (m)", fontsize=SIZE, labelpad=1.0)
+    ax.set_ylabel("z (m)", fontsize=SIZE, labelpad=1.0)
+    return View(ax, whole, inch=height / size[1])
+
+
+def _all(geometry: Geometry) -> tuple[tuple[float, float], float]:
+    """Middle and height of the view of everything."""
+    x = geometry.line[1]
+    height = (geometry.highest - geometry.lowest) / (1.0 - MARGIN)
+    wide = 1.3 * float(x.max() - x.min()) * (CEILING - FLOOR) / WHOLE
+    middle = geometry.highest + 0.6 * MARGIN * height - 0.5 * height
+    return (0.5 * float(x.max() + x.min()), middle), max(height, wide)
+
+
+def _upper(geometry: Geometry) -> tuple[tuple[float, float], float]:
+    """Middle and height of the view of the upper end."""
+    x, ring = geometry.ring
+    span = geometry.deck - ring
+    near = min(MOST, NEAR * geometry.riser_length)
+    if span > 0.0:
+        return (x, ring + 0.55 * span), 1.9 * span
+    surface = geometry.surface
+    if surface is not None and 0.2 * near < abs(surface - ring) < 2.0 * near:
+        near = 2.2 * abs(surface - ring)
+    return (geometry.top[0], ring + 0.12 * near), near
+
+
+def _lower(geometry: Geometry) -> tuple[tuple[float, float], float]:
+    """Middle and height of the view of the lower end."""
+    x, z = geometry.bottom
+    short = geometry.short_below()
+    if 0.0 < short < geometry.riser_length:
+        return (x, z + 0.5 * short), 1.35 * short
+    near = min(MOST, NEAR * geometry.riser_length)
+    # a body and the arrow of its weight hang below
+    return (x, z + (0.02 if geometry.scene.bottom.body else 0.18) * near), near
+
+
+def _texts(figure: Figure, scene: Scene) -> None:
+    """Title, directions of motion, what colours mean, and what is to scale."""
+    title = "\n".join(textwrap.wrap(scene.title, 110))
+    figure.text(0.03, 0.985, title, fontsize=10, va="top")
+    figure.text(
+        0.03, 0.945, freedom_text(scene), fontsize=8, va="top", color=KEY["freedoms and motions"]
+    )
+    handles = [Line2D([], [], color=colour, label=name) for name, colour in KEY.items()]
+    figure.legend(
+        handles=handles, loc="upper right", bbox_to_anchor=(0.985, 0.962), ncols=4, fontsize=SIZE,
+        frameon=False, handlelength=1.2, columnspacing=1.2,
+    )  # fmt: skip
+    note = "\n".join(textwrap.wrap(NOTE, 170))
+    figure.text(0.03, 0.012, note, fontsize=SIZE, va="bottom", color="0.35")

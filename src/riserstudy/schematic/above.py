@@ -1,0 +1,79 @@
+"""The view from above: cylinders around the ring, and headings of what flows, blows and sails."""
+
+from __future__ import annotations
+
+import math
+
+from riserstudy.scene.models import Scene
+from riserstudy.schematic.facts import degrees
+from riserstudy.schematic.geometry import Geometry
+from riserstudy.schematic.labels import FREEDOM, LOAD, PART, WATER
+from riserstudy.schematic.view import View
+
+ROSE = 0.5  # length of headings (inches)
+
+
+def headings(scene: Scene) -> list[tuple[str, float, str]]:
+    """What has a heading: name, heading (rad) and colour."""
+    platform, vessel = scene.platform, scene.vessel
+    named = [
+        ("current", scene.current, WATER),
+        ("wave", scene.wave, WATER),
+        ("wind", vessel and vessel.wind, LOAD),
+        ("wave drift", vessel and vessel.wave_drift, LOAD),
+        ("platform sails", platform and platform.cruise, FREEDOM),
+    ]
+    rows = []
+    for name, what, colour in named:
+        if what is None:
+            continue
+        heading = getattr(what, "heading", None) or 0.0
+        speed = getattr(what, "speed", None)
+        if name == "current" and scene.current:
+            speed = getattr(scene.current.profile, "surface_speed", None)
+        against = speed is not None and speed < 0.0
+        rows.append((name, heading + (math.pi if against else 0.0), colour))
+    return rows
+
+
+def has_plan(scene: Scene) -> bool:
+    """Whether anything lies out of the plane of x and z, or around the ring."""
+    rig = scene.top.tensioners
+    return bool(scene.spatial) or bool(rig and rig.arrangement)
+
+
+def above(view: View, geometry: Geometry) -> None:
+    """Everything as seen from above, with the upper end in the middle."""
+    rig = geometry.scene.top.tensioners
+    place = rig.arrangement if rig else None
+    view.ax.axhline(0.0, color="0.8", linewidth=0.6, zorder=0.0)
+    view.ax.axvline(0.0, color="0.8", linewidth=0.6, zorder=0.0)
+    if rig and place:
+        for radius, text in ((place.ring_radius, "ring"), (place.deck_radius, "deck points")):
+            turn = [2.0 * math.pi * k / 90 for k in range(91)]
+            x, y = [radius * math.cos(a) for a in turn], [radius * math.sin(a) for a in turn]
+            view.line(x, y, linewidth=0.8, color="0.5")
+            at = (radius * math.cos(0.9), radius * math.sin(0.9))
+            view.name(f"{text}, radius {radius:.3g} m", at)
+        for bearing, works in zip(place.bearings(rig.count), rig.working, strict=True):
+            c, s = math.cos(bearing), math.sin(bearing)
+            radii = (place.ring_radius, place.deck_radius)
+            colour = PART if works else "0.75"
+            view.line([r * c for r in radii], [r * s for r in radii], linewidth=2.4, color=colour)
+    pipe = geometry.scene.riser[-1].outer_diameter
+    if pipe and place:
+        view.box((0.0, -0.5 * pipe), pipe, pipe, facecolor="#9aa4ad", linestyle="-")
+    else:
+        view.ax.plot(0.0, 0.0, "o", markersize=4, color=PART, zorder=5)
+    for name, heading, colour in headings(geometry.scene):
+        reach = ROSE * view.symbol
+        head = (reach * math.cos(heading), reach * math.sin(heading))
+        view.arrow((0.0, 0.0), head, colour)
+        view.name(f"{name} towards {degrees(heading % (2.0 * math.pi))}", head, colour)
+
+
+def radius(geometry: Geometry) -> float:
+    """Half the height of what is seen from above (m)."""
+    rig = geometry.scene.top.tensioners
+    place = rig.arrangement if rig else None
+    return 1.2 * max(place.deck_radius, place.ring_radius) if place else 1.0

@@ -1,0 +1,194 @@
+"""What is said of each part of a scene: its numbers, what it is free to do, what acts on it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from matplotlib.ticker import EngFormatter
+
+from riserstudy.scene.ends import Body, Rotation
+from riserstudy.scene.forcing import TILTS, Harmonic, Platform
+from riserstudy.scene.models import Scene
+from riserstudy.scene.sea import Storm, Swell
+from riserstudy.scene.string import Section
+from riserstudy.scene.tensioners import Tensioners
+
+DEGREE = math.pi / 180.0
+TONNE = 1000.0  # kg
+
+
+def amount(value: float, unit: str) -> str:
+    """A number to four digits with its unit, in thousands of it where that is shorter."""
+    text = EngFormatter(unit)(float(f"{value:.4g}"))
+    return text.replace(" ", "\u00a0")
+
+
+def mass(value: float) -> str:
+    """A mass in tonnes, or in kilograms below one."""
+    tonnes = float(f"{value / TONNE:.4g}")
+    return f"{tonnes:,.10g}\u00a0t" if tonnes >= 1.0 else f"{value:.3g}\u00a0kg"
+
+
+def degrees(value: float) -> str:
+    """An angle."""
+    return f"{value / DEGREE:.4g}°"
+
+
+def sentence(parts: Iterable[str]) -> str:
+    """Those of the parts that say something, in one line."""
+    return ", ".join(part for part in parts if part)
+
+
+def section_text(section: Section, wet: bool) -> str:
+    """Name, size, stiffness, mass and weight of a section, and what is in and around it."""
+    size = f"{section.total_length:,.6g} m"
+    if section.joints:
+        size = f"{section.joints.count} × {section.joints.length:.4g} m"
+    outer, inner = section.outer_diameter, section.inner_diameter
+    pipe = f"{1000 * outer:.4g} mm" if outer else ""
+    if outer and inner:
+        pipe += f" × {500 * (outer - inner):.3g} mm wall"
+    drag, weight = section.drag, section.submerged_weight
+    return f"{section.name}: " + sentence(
+        [
+            size,
+            pipe,
+            f"EA {amount(section.axial_stiffness, 'N')}" if section.axial_stiffness else "",
+            f"EI {amount(section.bending_stiffness, 'N m²')}" if section.bending_stiffness else "",
+            f"{mass(section.mass)}/m" if section.mass else "",
+            f"{amount(weight, 'N')}/m{' in water' if wet else ''}" if weight else "",
+            f"filled, {section.contents.density:.4g} kg/m³" if section.contents else "",
+            f"drag on {drag.diameter:.3g} m" if drag else "",
+            f"line load {amount(section.lateral_load, 'N')}/m" if section.lateral_load else "",
+        ]
+    )
+
+
+def rotation_text(rotation: Rotation | None) -> str:
+    """How an end turns."""
+    if rotation == "fixed":
+        return "clamped"
+    if rotation in (None, "free") or isinstance(rotation, str):
+        return "turns freely"
+    return f"flex joint, {joint_text(rotation.stiffness)}"
+
+
+def joint_text(stiffness: float) -> str:
+    """Stiffness of a flex joint."""
+    return f"{amount(stiffness * DEGREE, 'N m')}/deg"
+
+
+def body_text(body: Body, gravity: float, density: float) -> str:
+    """A concentrated mass."""
+    weight = body.weight(gravity, density)
+    return f"{body.name}: " + sentence(
+        [mass(body.mass), f"{amount(weight, 'N')} in water" if weight and density else ""]
+    )
+
+
+def top_text(scene: Scene) -> str:
+    """What the upper end may do."""
+    top = scene.top
+    ways = {"platform": "follows the platform", "held": "held", "free": "free"}
+    x = {"vessel": "surges with the platform"}.get(top.x or "", ways.get(top.x or "", ""))
+    if not scene.lateral:
+        return f"upper end: {ways[top.z]}"
+    away = f"{top.offset:.4g} m from above the lower end" if top.offset else ""
+    both = "x and z follow the platform" if top.x == top.z == "platform" else ""
+    apart = "" if both else f"x {x}, z {ways[top.z]}"
+    return "upper end: " + sentence([both, apart, away, rotation_text(top.rotation)])
+
+
+def bottom_text(scene: Scene) -> str:
+    """What the lower end may do."""
+    bottom = scene.bottom
+    if bottom.hold == "free":
+        return "lower end: free"
+    held = {"wellhead": "held", "foot": "held in z, in x by soil"}[bottom.hold]
+    return f"lower end: {held}" + (f", {rotation_text(bottom.rotation)}" if scene.lateral else "")
+
+
+def freedom_text(scene: Scene) -> str:
+    """Directions of motion that the scene calls for, and its line that does."""
+    if scene.spatial:
+        return f"motion in space, because of {scene.spatial}"
+    if scene.lateral:
+        return f"motion in the plane of x and z, because of {scene.lateral}"
+    return "axial motion only"
+
+
+def tensioner_text(rig: Tensioners) -> str:
+    """Number and law of the tensioners."""
+    gas, both, line = rig.gas, rig.two_chamber_gas, rig.linear
+    law = ""
+    if gas:
+        law = f"gas, {amount(gas.area * gas.pressure, 'N')} each at mid-stroke"
+    elif both:
+        pull = both.high.area * both.high.pressure - both.low.area * both.low.pressure
+        law = f"gas on both sides, {amount(pull, 'N')} each at mid-stroke"
+    elif line:
+        law = f"{amount(line.tension, 'N')} and {amount(line.stiffness, 'N/m')} each"
+    failed = f"{len(rig.failed)} failed" if rig.failed else ""
+    made_linear = "made linear" if rig.linearised else ""
+    damped = f"damper {amount(rig.damping, 'N s/m')}" if rig.damping else ""
+    stops = (
+        f"stops at {rig.stroke.shortest:.3g} and {rig.stroke.longest:+.3g} m" if rig.stroke else ""
+    )
+    cylinders = "1 cylinder" if rig.count == 1 else f"{rig.count} cylinders"
+    return sentence([f"tensioners: {cylinders}", law, made_linear, damped, stops, failed])
+
+
+def platform_texts(platform: Platform) -> list[str]:
+    """The platform's prescribed motions, one text each."""
+    texts = []
+    for name, motion in platform.harmonics:
+        texts.append(f"{name} {_harmonic(name, motion)}")
+    for name in ("surge", "sway", "heave", "roll", "pitch", "yaw"):
+        if hasattr(getattr(platform, name), "points"):
+            texts.append(f"{name} by a time series")
+        away = getattr(platform.position, name, None)
+        if away:
+            texts.append(f"rests at {name} {_size(name, away)}")
+    response, cruise = platform.response, platform.cruise
+    if response:
+        texts.append(f"{', '.join(response.moving)} by response to waves")
+    if cruise:
+        heading = f" towards {degrees(cruise.heading)}" if cruise.heading else ""
+        texts.append(f"sails at {cruise.speed:.3g} m/s{heading}")
+    return texts
+
+
+def _harmonic(name: str, motion: Harmonic) -> str:
+    return f"±{_size(name, motion.amplitude)} in {motion.period:.4g} s"
+
+
+def _size(name: str, value: float) -> str:
+    return degrees(value) if name in TILTS else f"{value:.4g} m"
+
+
+def vessel_texts(scene: Scene) -> list[str]:
+    """What acts on a platform that is free to surge."""
+    vessel = scene.vessel
+    if vessel is None:
+        return []
+    wind, drift, thrusters = vessel.wind, vessel.wave_drift, vessel.thrusters
+    added = f" and {mass(vessel.added_mass)} of water" if vessel.added_mass else ""
+    texts = [f"platform: free to surge, {mass(vessel.mass)}{added}"]
+    if wind:
+        texts.append(f"wind {wind.speed:.3g} m/s towards {degrees(wind.heading or 0.0)}")
+    if drift:
+        texts.append(f"wave drift {amount(drift.force, 'N')} towards {degrees(drift.heading or 0)}")
+    if thrusters:
+        most = f", at most {amount(thrusters.saturation, 'N')}" if thrusters.saturation else ""
+        pull = f"thrusters {amount(thrusters.gain, 'N/m')}{most}"
+        texts.append(f"{pull}, towards x = {thrusters.command:.4g} m")
+    return texts
+
+
+def wave_text(wave: Swell | Storm) -> str:
+    """A wave or a sea."""
+    if isinstance(wave, Swell):
+        height = wave.height or 2.0 * (wave.amplitude or 0.0)
+        return f"wave: height {height:.3g} m, {wave.period:.3g} s"
+    return f"sea: significant height {wave.significant_height:.3g} m, peak {wave.peak_period:.3g} s"

@@ -1,0 +1,145 @@
+"""Where everything of a scene is: the riser's line before anything acts on it, and levels beside it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.guess import sagging
+from riserstudy.scene.models import Scene
+from riserstudy.scene.string import Section
+from riserstudy.sea import levels
+
+Point = tuple[float, float]
+SHORT = 0.1  # of the riser: sections below this length are shown with the end that they are at
+LINE_POINTS = 201
+
+
+@dataclass(frozen=True)
+class Geometry:
+    """A scene's riser as a line in the plane of x and z, unstretched, and the levels beside it (m)."""
+
+    scene: Scene
+
+    @cached_property
+    def length(self) -> float:
+        """Unstretched length up to the top, with the telescopic joint."""
+        joint = self.scene.top.telescopic_joint
+        return self.riser_length + (joint.length if joint else 0.0)
+
+    @cached_property
+    def riser_length(self) -> float:
+        """Unstretched length up to the tension ring."""
+        return sum(section.total_length for section in self.scene.riser)
+
+    @cached_property
+    def sections(self) -> list[tuple[Section, float, float]]:
+        """Sections with the arclengths between which they lie."""
+        rows, start = [], 0.0
+        for section in self.scene.riser:
+            rows.append((section, start, start + section.total_length))
+            start += section.total_length
+        return rows
+
+    @cached_property
+    def line(self) -> tuple[NDArray[np.float64], ...]:
+        """Arclength, x and z of points along the riser: straight, or sagging where it is slack."""
+        scene = self.scene
+        s = np.linspace(0.0, self.length, LINE_POINTS)
+        s = np.unique(np.concatenate([s, [end for *_, end in self.sections]]))
+        foot = scene.bottom.elevation
+        if foot is None:
+            foot = (scene.top.elevation or 0.0) - self.length
+        offset = scene.top.offset or 0.0
+        rise = self.length if scene.top.elevation is None else scene.top.elevation - foot
+        if offset and math.hypot(offset, rise) < self.length:
+            x, z = sagging(s, offset, rise)
+        else:
+            # Where only one of the ends knows its elevation, the riser keeps its length.
+            if scene.top.elevation is None and abs(offset) < self.length:
+                rise = math.sqrt(self.length**2 - offset**2)
+            x, z = offset * s / self.length, rise * s / self.length
+        return s, x, z + foot
+
+    def at(self, s: float) -> Point:
+        """Point of the riser at an arclength."""
+        along, x, z = self.line
+        return float(np.interp(s, along, x)), float(np.interp(s, along, z))
+
+    def between(self, low: float, high: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The line between two arclengths."""
+        s = self.line[0]
+        inside = np.concatenate([[low], s[(s > low) & (s < high)], [high]])
+        x, z = zip(*map(self.at, inside), strict=True)
+        return np.array(x), np.array(z)
+
+    @cached_property
+    def bottom(self) -> Point:
+        """The lower end."""
+        return self.at(0.0)
+
+    @cached_property
+    def ring(self) -> Point:
+        """The riser's top, which is the tension ring where there is one."""
+        return self.at(self.riser_length)
+
+    @cached_property
+    def top(self) -> Point:
+        """The upper end, above the telescopic joint if there is one."""
+        return self.at(self.length)
+
+    @cached_property
+    def deck(self) -> float:
+        """Elevation of the tensioners' upper ends, or of the riser's top."""
+        rig = self.scene.top.tensioners
+        place = rig.arrangement if rig else None
+        return max(place.deck_elevation, self.top[1]) if place else self.top[1]
+
+    @cached_property
+    def spans(self) -> list[tuple[float, float]]:
+        """Seabed and surface, as the water and as each part of the current has them."""
+        water, current = self.scene.water, self.scene.current
+        rows = [levels(part, water) for part in current.parts] if current else []
+        if water and water.surface is not None and water.seabed is not None:
+            rows.insert(0, (water.seabed, water.surface))
+        return rows
+
+    @cached_property
+    def surface(self) -> float | None:
+        """Mean water level, None where the scene does not say."""
+        water = self.scene.water
+        known = [water.surface] if water and water.surface is not None else []
+        return next(iter([*known, *(high for _, high in self.spans)]), None)
+
+    @cached_property
+    def seabed(self) -> float | None:
+        """The seabed, None where the scene does not say."""
+        soil, water = self.scene.soil, self.scene.water
+        known = [soil.mudline] if soil else []
+        known += [water.seabed] if water and water.seabed is not None else []
+        return next(iter([*known, *(low for low, _ in self.spans)]), None)
+
+    @cached_property
+    def lowest(self) -> float:
+        """Lowest of all elevations."""
+        beside = [] if self.seabed is None else [self.seabed]
+        return float(min([*self.line[2], *beside]))
+
+    @cached_property
+    def highest(self) -> float:
+        """Highest of all elevations."""
+        beside = [] if self.surface is None else [self.surface]
+        return float(max([self.deck, *self.line[2], *beside]))
+
+    def short_below(self) -> float:
+        """Length of the short sections at the lower end."""
+        total = 0.0
+        for section, _, _ in self.sections:
+            if section.total_length > SHORT * self.riser_length:
+                break
+            total += section.total_length
+        return total

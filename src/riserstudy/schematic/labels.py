@@ -1,0 +1,99 @@
+"""Labels in a column beside a drawing, each joined to what it names, none on another."""
+
+from __future__ import annotations
+
+import textwrap
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from matplotlib.axes import Axes
+
+from riserstudy.figures.style import COLOURS
+
+PART, WATER, LOAD, FREEDOM = "black", COLOURS[0], COLOURS[1], "#007a58"
+#: what the colours of labels mean
+KEY = {"parts": PART, "water": WATER, "loads": LOAD, "freedoms and motions": FREEDOM}
+SIZE = 7.0  # of the letters (points)
+LINE = 1.3 * SIZE / 72.0  # height of a line (inches)
+GAP = 0.4 * LINE  # between labels
+CHARACTERS = 36  # in a line
+REACH = 0.16  # from the drawing to its labels (inches)
+
+
+class Label(NamedTuple):
+    """A text, the point that it names, and what kind of thing it is about."""
+
+    text: str
+    x: float
+    z: float
+    colour: str
+
+
+@dataclass
+class Labels:
+    """The labels of one drawing."""
+
+    rows: list[Label] = field(default_factory=list)
+
+    def add(self, text: str, point: tuple[float, float], colour: str = PART) -> None:
+        """Name a point."""
+        wrapped = "\n".join(textwrap.wrap(text, CHARACTERS, break_long_words=False))
+        self.rows.append(Label(wrapped, *point, colour))
+
+    def place(self, ax: Axes) -> None:
+        """Write all labels to the right of the axes, ordered from top to bottom as their points are."""
+        (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+        width, height = _inches(ax)
+        rows = sorted(self.rows, key=lambda row: -row.z)
+        wanted = [(row.z - low) / (high - low) * height for row in rows]
+        heights = [(row.text.count("\n") + 1) * LINE for row in rows]
+        for row, y in zip(rows, spread(wanted, heights, height), strict=True):
+            shown = (min(max(row.x, left), right), min(max(row.z, low), high))
+            ax.annotate(
+                row.text,
+                shown,
+                (1.0 + REACH / width, y / height),
+                xycoords="data",
+                textcoords="axes fraction",
+                va="center",
+                fontsize=SIZE,
+                color=row.colour,
+                arrowprops={
+                    "arrowstyle": "-",
+                    "color": row.colour,
+                    "linewidth": 0.5,
+                    "alpha": 0.7,
+                    "shrinkA": 1.0,
+                    "shrinkB": 0.0,
+                    "relpos": (0.0, 0.5),
+                },
+                annotation_clip=False,
+            )
+
+
+def spread(wanted: list[float], heights: list[float], room: float) -> list[float]:
+    """Middles of labels as near to the wanted places as they can be without touching, top first.
+
+    Parameters
+    ----------
+    wanted : falling places of the middles.
+    heights : of the labels.
+    room : height within which the labels stay, as far as they fit.
+    """
+    places: list[float] = []
+    for k, (place, height) in enumerate(zip(wanted, heights, strict=True)):
+        most = room - 0.5 * height
+        if places:
+            most = places[-1] - 0.5 * (heights[k - 1] + height) - GAP
+        places.append(min(place, most))
+    least = 0.0
+    for k in range(len(places) - 1, -1, -1):
+        places[k] = max(places[k], least + 0.5 * heights[k])
+        least = places[k] + 0.5 * heights[k] + GAP
+    return places
+
+
+def _inches(ax: Axes) -> tuple[float, float]:
+    box = ax.get_position()
+    width, height = ax.get_figure(root=True).get_size_inches()  # type: ignore[union-attr]
+    return box.width * width, box.height * height

@@ -1,0 +1,93 @@
+"""Water, waves, current and seabed of a schematic."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from riserstudy.scene.sea import Swell
+from riserstudy.schematic.facts import degrees, wave_text
+from riserstudy.schematic.geometry import Geometry
+from riserstudy.schematic.labels import WATER
+from riserstudy.schematic.view import View
+from riserstudy.sea import current_table, wave_number
+
+ARROWS = 11  # of a current profile
+CURRENT_WIDTH = 0.3  # of the window, for the largest speed
+BEFORE = 0.12  # of the window, between riser and arrows
+
+
+def sea(view: View, geometry: Geometry) -> None:
+    """The body of water, its surface and the ground."""
+    left, right, low, high = view.window
+    surface, seabed = geometry.surface, geometry.seabed
+    if surface is not None and low < surface:
+        floor = seabed if seabed is not None else low
+        view.ax.axhspan(max(low, floor), min(high, surface), color="#e8f2fa", zorder=0.0)
+        view.line([left, right], [surface, surface], color=WATER, linewidth=0.7, zorder=1.0)
+        view.name(f"mean water level, {surface:,.6g} m", (right, surface), WATER, whole=True)
+    if seabed is not None and low < seabed:
+        word = "mudline" if geometry.scene.soil else "seabed"
+        view.ax.axhspan(low, seabed, color="#efe7da", zorder=0.0)
+        view.line([left, right], [seabed, seabed], color="#7a6a4f", linewidth=0.9, zorder=1.0)
+        view.name(f"{word}, {seabed:,.6g} m", (right, seabed), whole=True)
+    wave(view, geometry)
+    current(view, geometry)
+
+
+def wave(view: View, geometry: Geometry) -> None:
+    """The surface under a wave, to scale; of a sea, a wave of its significant height and peak period."""
+    scene, surface, seabed = geometry.scene, geometry.surface, geometry.seabed
+    if scene.wave is None or surface is None or seabed is None or scene.gravity is None:
+        return
+    if isinstance(scene.wave, Swell):
+        height, period = scene.wave.height, scene.wave.period
+        amplitude = 0.5 * height if height else scene.wave.amplitude or 0.0
+    else:
+        amplitude, period = 0.5 * scene.wave.significant_height, scene.wave.peak_period
+    number = wave_number(2.0 * math.pi / period, surface - seabed, scene.gravity)
+    left, right, _, _ = view.window
+    x = np.linspace(left, right, 2000)
+    z = surface + amplitude * np.cos(number * x)
+    view.line(list(x), list(z), color=WATER, linewidth=0.9)
+    crest = (right - 0.1 * (right - left), surface + amplitude)
+    text = f"{wave_text(scene.wave)}, {2.0 * math.pi / number:.3g} m long"
+    heading = scene.wave.heading
+    if heading:
+        text += f", towards {degrees(heading)}"
+    view.name(text, crest, WATER, whole=True)
+
+
+def current(view: View, geometry: Geometry) -> None:
+    """The current over elevation as arrows, in the view of everything."""
+    scene = geometry.scene
+    if scene.current is None or not view.whole:
+        return
+    left, right, low, high = view.window
+    z, speed = current_table(scene.current, scene.water)
+    inside = (z >= low) & (z <= high)
+    largest = float(np.abs(speed).max())
+    if not largest or not inside.any():
+        return
+    width = right - left
+    middle = float(np.mean(geometry.line[1]))
+    scale = CURRENT_WIDTH * width / largest
+    along = math.cos(scene.current.heading or 0.0)
+    rightwards = along * speed[int(np.argmax(np.abs(speed)))] > 0.0
+    foot = middle - BEFORE * width - (CURRENT_WIDTH * width if rightwards else 0.0)
+    view.line([foot, foot], [z[inside][0], z[inside][-1]], color=WATER, linewidth=0.6)
+    tips = foot + scale * along * speed[inside]
+    view.line(list(tips), list(z[inside]), color=WATER, linewidth=0.6)
+    levels = np.linspace(z[inside][0], z[inside][-1], ARROWS)
+    ends = foot + scale * along * np.interp(levels, z, speed)
+    drawn = [
+        (x, level) for x, level in zip(ends, levels, strict=True) if abs(x - foot) > 0.01 * width
+    ]
+    for tip in drawn:
+        view.arrow((foot, tip[1]), tip, WATER)
+    text = f"current: up to {largest:.3g} m/s; arrows to a scale of their own"
+    if scene.current.heading:
+        text += f"; towards {degrees(scene.current.heading)}, here its part along x"
+    # named at the second arrow from above: labels of the surface stand at the first
+    view.name(text, ([(foot, levels[-1]), *drawn])[-2], WATER, whole=True)

@@ -1,0 +1,171 @@
+"""The riser string of a schematic: sections to scale, joints between and at their ends, bodies, soil."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from riserstudy.scene.ends import Body, Rotation
+from riserstudy.scene.string import Section
+from riserstudy.schematic.facts import (
+    amount,
+    body_text,
+    bottom_text,
+    joint_text,
+    section_text,
+    top_text,
+)
+from riserstudy.schematic.geometry import SHORT, Geometry, Point
+from riserstudy.schematic.labels import FREEDOM, LOAD, PART
+from riserstudy.schematic.view import SYMBOL, THIN, View
+
+STEEL, COVER = "#9aa4ad", "#d7dce0"
+SPRINGS = 8  # drawn along a conductor
+
+
+def riser(view: View, geometry: Geometry) -> None:
+    """All sections, with the diameters that the scene gives them."""
+    scene, length = geometry.scene, geometry.riser_length
+    for section, low, high in geometry.sections:
+        _section(view, geometry, section, low, high)
+        long = high - low > SHORT * length
+        shown = [s for s in _from_the_middle(low, high) if view.shows(geometry.at(s))]
+        if shown:
+            text = section_text(section, scene.water is not None)
+            view.name(text, geometry.at(shown[0]), whole=long)
+        if section.lateral_load:
+            _line_load(view, geometry, section.lateral_load, low, high)
+        if section.flex_joint_below:
+            place = geometry.at(low)
+            turning_joint(view, place, section.flex_joint_below.stiffness > 0.0)
+            text = f"{_joint_name(geometry)}, {joint_text(section.flex_joint_below.stiffness)}"
+            view.name(text, place)
+
+
+def _from_the_middle(low: float, high: float) -> list[float]:
+    """Places along a section, its middle first."""
+    places = np.linspace(low, high, 41)[1:-1]
+    return sorted(places, key=lambda s: abs(s - 0.5 * (low + high)))
+
+
+def _joint_name(geometry: Geometry) -> str:
+    return "lower flex joint" if geometry.scene.soil else "flex joint"
+
+
+def _section(view: View, geometry: Geometry, section: Section, low: float, high: float) -> None:
+    x, z = geometry.between(low, high)
+    if section.mass is None and section.submerged_weight is None and not section.outer_diameter:
+        view.spring((x[0], z[0]), (x[-1], z[-1]), 0.18 * view.inch)
+        return
+    pipe = section.outer_diameter
+    around = [part.diameter for part in (section.drag, section.added_mass) if part]
+    cover = max(around, default=0.0)
+    if cover > (pipe or 0.0):
+        style = SYMBOL if pipe is None else {"edgecolor": "0.6", "linewidth": 0.5}
+        _tube(view, x, z, cover, facecolor=COVER, zorder=2.0, **style)
+    if pipe:
+        _tube(view, x, z, pipe, facecolor=STEEL, edgecolor=PART, linewidth=0.6, zorder=2.5)
+    view.line(list(x), list(z), linewidth=THIN if pipe else 1.6, zorder=2.2)
+
+
+def _tube(view: View, x: np.ndarray, z: np.ndarray, diameter: float, **style: Any) -> None:
+    slope = np.stack([np.gradient(x), np.gradient(z)])
+    normal = np.stack([slope[1], -slope[0]]) / np.hypot(*slope) * 0.5 * diameter
+    around = np.concatenate(
+        [np.stack([x, z]) + normal, (np.stack([x, z]) - normal)[:, ::-1]], axis=1
+    )
+    view.ax.fill(around[0], around[1], **style)
+
+
+def _line_load(view: View, geometry: Geometry, load: float, low: float, high: float) -> None:
+    side = -1.0 if load > 0.0 else 1.0
+    for share in np.linspace(0.05, 0.95, 9):
+        x, z = geometry.at(low + share * (high - low))
+        view.arrow((x + side * 0.45 * view.symbol, z), (x + side * 0.08 * view.symbol, z))
+    x, z = geometry.at(low + 0.275 * (high - low))
+    text = f"line load {amount(load, 'N/m')}"
+    view.name(text, (x + side * 0.3 * view.symbol, z), LOAD, whole=True)
+
+
+def turning_joint(view: View, place: Point, sprung: bool) -> None:
+    """A circle where the riser turns: filled when a spring resists."""
+    face = "#f3c94f" if sprung else "white"
+    view.ax.plot(*place, "o", markersize=6.0, markerfacecolor=face, markeredgecolor=PART, zorder=5)
+
+
+def end_joint(view: View, place: Point, rotation: Rotation | None) -> None:
+    """How an end turns: a square where it is clamped, else a circle."""
+    if rotation == "fixed":
+        view.ax.plot(*place, "s", markersize=6.0, color=PART, zorder=5)
+        return
+    sprung = rotation not in (None, "free") and not isinstance(rotation, str)
+    turning_joint(view, place, bool(sprung))
+
+
+def ends(view: View, geometry: Geometry) -> None:
+    """What holds and loads both ends of the riser."""
+    scene = geometry.scene
+    bottom, top = scene.bottom, scene.top
+    if bottom.hold != "free":
+        _ground(view, geometry.bottom, rolling=bottom.hold == "foot")
+        if scene.lateral:
+            end_joint(view, geometry.bottom, bottom.rotation)
+    view.name(bottom_text(scene), geometry.bottom, FREEDOM)
+    if bottom.body:
+        body(view, geometry, bottom.body, geometry.bottom, below=True)
+    if top.body:
+        body(view, geometry, top.body, geometry.ring, below=False)
+    if scene.lateral:
+        end_joint(view, geometry.top, top.rotation)
+    view.name(top_text(scene), geometry.top, FREEDOM)
+    soil(view, geometry)
+
+
+def _ground(view: View, place: Point, rolling: bool) -> None:
+    x, z = place
+    size = 0.16 * view.symbol
+    view.ax.fill(
+        [x, x - 0.7 * size, x + 0.7 * size], [z, z - size, z - size], facecolor="white", edgecolor=PART,
+        linewidth=0.9, zorder=4,
+    )  # fmt: skip
+    gap = 0.35 * size if rolling else 0.0
+    view.line([x - size, x + size], [z - size - gap, z - size - gap], linewidth=1.2, zorder=4)
+
+
+def body(view: View, geometry: Geometry, what: Body, place: Point, below: bool) -> None:
+    """A concentrated mass, as a symbol: its size is no part of a scene."""
+    scene = geometry.scene
+    size = 0.26 * view.symbol
+    x, z = place
+    middle = z - 0.5 * size if below else z
+    view.box((x, middle - 0.5 * size), 1.3 * size, size, facecolor="#c9ced3")
+    density = scene.water.density if scene.water else 0.0
+    weight = what.weight(scene.gravity or 0.0, density)
+    view.name(body_text(what, scene.gravity or 0.0, density), (x + 0.65 * size, middle))
+    if weight:
+        tail = (x, middle - 0.5 * size)
+        if not view.whole:
+            view.arrow(tail, (x, tail[1] - 0.42 * view.symbol))
+        head = (x, tail[1] - 0.36 * view.symbol)
+        view.name(f"weight {amount(weight, 'N')}", head, LOAD)
+
+
+def soil(view: View, geometry: Geometry) -> None:
+    """Springs along the part of the string that stands in soil."""
+    of = geometry.scene.soil
+    if of is None or view.whole:
+        return
+    foot = geometry.bottom[1]
+    reach = 0.5 * view.symbol
+    half = 0.5 * (geometry.scene.riser[0].outer_diameter or 0.0)
+    depths = np.linspace(of.mudline, foot, SPRINGS + 2)[1:-1]
+    for z in depths:
+        for side in (-1.0, 1.0):
+            view.spring(
+                (side * half, z), (side * (half + reach), z), 0.08 * view.symbol, linewidth=0.7
+            )
+    law = (
+        "p-y curves of soft clay" if hasattr(of.resistance, "straight_up_to") else "linear springs"
+    )
+    view.name(f"soil: {law}", (half + reach, float(depths[2])))

@@ -1,0 +1,146 @@
+"""Platform, tensioners, telescopic joint and the pull at the ring of a schematic."""
+
+from __future__ import annotations
+
+import math
+
+from riserstudy.schematic.facts import amount, platform_texts, tensioner_text, vessel_texts
+from riserstudy.schematic.geometry import Geometry
+from riserstudy.schematic.labels import FREEDOM, LOAD, PART
+from riserstudy.schematic.view import View
+
+UPRIGHT = 0.9  # length of cylinders that the scene gives none (inches)
+ASIDE = 0.28  # of upright cylinders from the riser (inches)
+SLEEVE = 2.2  # outer barrel of a telescopic joint over the riser's diameter
+BARREL = 0.09  # width of an upright cylinder (inches)
+HULL = (1.5, 0.3)  # width and height of a platform (inches)
+
+
+def topside(view: View, geometry: Geometry) -> None:
+    """Everything above the riser."""
+    pull(view, geometry)
+    telescopic_joint(view, geometry)
+    tensioners(view, geometry)
+    platform(view, geometry)
+
+
+def pull(view: View, geometry: Geometry) -> None:
+    """Constant forces at the ring."""
+    top = geometry.scene.top
+    x, z = geometry.ring
+    if top.tension:
+        head = (x, z + 0.75 * view.symbol)
+        if not view.whole:
+            view.arrow((x, z), head)
+        view.name(f"tension {amount(top.tension, 'N')}", (x, z + 0.6 * view.symbol), LOAD)
+    if top.lateral_force:
+        side = math.copysign(0.6, top.lateral_force) * view.symbol
+        if not view.whole:
+            view.arrow((x, z), (x + side, z))
+        view.name(f"force {amount(top.lateral_force, 'N')} along x", (x + 0.8 * side, z), LOAD)
+
+
+def telescopic_joint(view: View, geometry: Geometry) -> None:
+    """Inner and outer barrel from the ring to the top."""
+    joint = geometry.scene.top.telescopic_joint
+    if joint is None:
+        return
+    (x, low), (_, high) = geometry.ring, geometry.top
+    pipe = geometry.scene.riser[-1].outer_diameter or 0.06 * view.symbol
+    view.box((x, low), SLEEVE * pipe, 0.55 * (high - low))
+    view.box((x, low + 0.55 * (high - low)), pipe, 0.45 * (high - low), facecolor="white")
+    stop = f", stop at {joint.stop.stroke:+.3g} m" if joint.stop else ""
+    text = f"telescopic joint: {joint.length:.4g} m{stop}"
+    view.name(text, (x + 0.5 * pipe, low + 0.7 * (high - low)))
+    if joint.tension:
+        if not view.whole:
+            view.arrow((x, low), (x, low + 0.6 * view.symbol))
+        text = f"tension along the joint, {amount(joint.tension, 'N')}"
+        view.name(text, (x, low + 0.4 * view.symbol), LOAD)
+
+
+def deck(view: View, geometry: Geometry) -> float:
+    """Elevation of the platform as drawn; above tensioners without a length, by theirs as drawn."""
+    rig = geometry.scene.top.tensioners
+    if rig and rig.arrangement is None and not geometry.scene.top.telescopic_joint:
+        return geometry.ring[1] + UPRIGHT * view.symbol
+    return geometry.deck
+
+
+def tensioners(view: View, geometry: Geometry) -> None:
+    """Cylinders from the ring to the deck: to scale where the scene places them."""
+    rig = geometry.scene.top.tensioners
+    if rig is None:
+        return
+    x, z = geometry.ring
+    place = rig.arrangement
+    if place:
+        bearings = [math.cos(b) for b in place.bearings(rig.count)]
+        feet = [(place.ring_radius * c, place.deck_radius * c) for c in bearings]
+        high = place.deck_elevation
+        view.line([x - place.ring_radius, x + place.ring_radius], [z, z], linewidth=2.4, zorder=4)
+    else:
+        places = [0.0] if rig.count == 1 else [-ASIDE * view.symbol, ASIDE * view.symbol]
+        feet = [(a, a) for a in places]
+        high = deck(view, geometry)
+        view.line([x + feet[0][0], x + feet[-1][0]], [z, z], linewidth=2.4, zorder=4)
+    for (low_x, high_x), works in zip(feet, rig.working, strict=False):
+        middle = (x + 0.5 * (low_x + high_x), 0.5 * (z + high))
+        colour = PART if works else "0.75"
+        if place:
+            view.line([x + low_x, middle[0]], [z, middle[1]], color=colour, zorder=3)
+            rest = {"color": colour, "linewidth": 2.6, "zorder": 3}
+            view.line([middle[0], x + high_x], [middle[1], high], **rest)
+        else:
+            view.line([middle[0]] * 2, [z, middle[1]], color=colour, linestyle=(0, (4, 2)))
+            view.box(middle, BARREL * view.symbol, high - middle[1], edgecolor=colour)
+    right = max(feet, key=lambda foot: foot[1])
+    at = (x + 0.5 * (right[0] + right[1]), 0.65 * high + 0.35 * z)
+    view.name(tensioner_text(rig) + ("" if place else " (length not given)"), at)
+    view.name("tension ring", (x + feet[0][0], z))
+
+
+def platform(view: View, geometry: Geometry) -> None:
+    """The platform as a symbol, with its motions and what drives it."""
+    scene = geometry.scene
+    if scene.platform is None and scene.vessel is None:
+        return
+    width, height = (side * view.symbol for side in HULL)
+    x, z = geometry.top[0], deck(view, geometry)
+    view.box((x, z), width, height, facecolor="#dfe5ea")
+    middle = z + 0.5 * height
+    edge = x + 0.5 * width
+    if scene.platform:
+        texts = platform_texts(scene.platform)
+        view.name("platform (outline is a symbol)", (edge, z + 0.2 * height))
+        view.name("platform motion: " + "; ".join(texts or ["none"]), (edge, middle), FREEDOM)
+        _motions(view, geometry, (x, middle), (width, height))
+    for k, text in enumerate(vessel_texts(scene)):
+        colour = LOAD if k else FREEDOM
+        view.name(text, (edge, z + (0.9 - 0.25 * k) * height), colour)
+    if scene.vessel and not view.whole:
+        view.motion((x, middle), (0.35 * width, 0.0))
+
+
+def _motions(
+    view: View, geometry: Geometry, middle: tuple[float, float], size: tuple[float, float]
+) -> None:
+    of = geometry.scene.platform
+    if of is None or view.whole:
+        return
+    moving = set(of.response.moving) if of.response else set()
+    moving |= {n for n in ("surge", "sway", "heave", "roll", "pitch", "yaw") if getattr(of, n)}
+    (x, z), (width, height) = middle, size
+    if moving & {"surge", "sway"}:
+        view.motion((x, z), (0.35 * width, 0.0))
+    if "heave" in moving:
+        view.motion((x - 0.3 * width, z), (0.0, 0.9 * height))
+    if moving & {"pitch", "roll"}:
+        view.turning((x, z + 0.5 * height), 0.3 * width)
+    if of.cruise:
+        view.arrow((x, z), (x + math.copysign(0.45 * width, of.cruise.speed), z), FREEDOM)
+    centre = of.centre_of_rotation
+    if centre and moving & {"roll", "pitch", "yaw"}:
+        place = (centre.x or 0.0, centre.elevation)
+        view.ax.plot(*place, "P", markersize=6, color=FREEDOM, markeredgecolor="white", zorder=7)
+        view.name("centre of rotation", place, FREEDOM)

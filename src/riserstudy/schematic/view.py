@@ -1,0 +1,113 @@
+"""One panel of a schematic: axes with the same scale in both directions, and labels beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from riserstudy.schematic.geometry import Point
+from riserstudy.schematic.labels import FREEDOM, LOAD, PART, Labels
+
+SYMBOL: dict[str, Any] = {"linestyle": (0, (4, 2)), "linewidth": 0.9, "edgecolor": PART}
+SMALL = 0.45  # symbols in the view of everything beside those in the others
+THIN = 1.0  # narrowest line of a part (points)
+
+
+@dataclass
+class View:
+    """Axes that show a window of the scene.
+
+    Attributes
+    ----------
+    whole : whether this is the view of everything, which labels the long parts; others label their end.
+    inch : metres that an inch of the figure shows.
+    """
+
+    ax: Axes
+    whole: bool
+    inch: float
+    labels: Labels = field(default_factory=Labels)
+
+    @property
+    def symbol(self) -> float:
+        """Metres of an inch of symbols, whose size is no part of the scene; small in the view of all."""
+        return SMALL * self.inch if self.whole else self.inch
+
+    @property
+    def window(self) -> tuple[float, float, float, float]:
+        """Left, right, low and high end."""
+        return *self.ax.get_xlim(), *self.ax.get_ylim()
+
+    def shows(self, point: Point) -> bool:
+        """Whether a point lies in the window."""
+        left, right, low, high = self.window
+        return left <= point[0] <= right and low <= point[1] <= high
+
+    def name(self, text: str, point: Point, colour: str = PART, whole: bool = False) -> None:
+        """Label a point in the view that it belongs to, if it shows it."""
+        if whole == self.whole and self.shows(point):
+            self.labels.add(text, point, colour)
+
+    def line(self, x: Sequence[float], z: Sequence[float], **style: Any) -> None:
+        """A line through points."""
+        about: dict[str, Any] = {"color": PART, "linewidth": THIN, "solid_capstyle": "butt"}
+        self.ax.plot(x, z, **about | style)
+
+    def box(self, low: Point, width: float, height: float, **style: Any) -> None:
+        """An upright box around a vertical through its lower middle, dashed unless styled otherwise."""
+        from matplotlib.patches import Rectangle
+
+        about = {"facecolor": "0.93", **SYMBOL, "zorder": 3.0} | style
+        self.ax.add_patch(Rectangle((low[0] - 0.5 * width, low[1]), width, height, **about))
+
+    def arrow(self, tail: Point, head: Point, colour: str = LOAD, ends: str = "-|>") -> None:
+        """An arrow of a load, or of a motion when it has two heads."""
+        self.ax.annotate(
+            "",
+            head,
+            tail,
+            arrowprops={
+                "arrowstyle": ends,
+                "color": colour,
+                "linewidth": 1.3,
+                "mutation_scale": 9,
+                "shrinkA": 0.0,
+                "shrinkB": 0.0,
+            },
+            zorder=6.0,
+        )
+
+    def motion(self, middle: Point, away: Point) -> None:
+        """A double arrow: something moves back and forth."""
+        (x, z), (dx, dz) = middle, away
+        self.arrow((x - dx, z - dz), (x + dx, z + dz), FREEDOM, "<|-|>")
+
+    def turning(self, middle: Point, radius: float) -> None:
+        """An arc with two heads: something turns."""
+        self.ax.annotate(
+            "",
+            (middle[0] + radius, middle[1]),
+            (middle[0] - radius, middle[1]),
+            arrowprops={
+                "arrowstyle": "<|-|>",
+                "color": FREEDOM,
+                "linewidth": 1.3,
+                "mutation_scale": 9,
+                "connectionstyle": "arc3,rad=-0.6",
+            },
+            zorder=6.0,
+        )
+
+    def spring(self, start: Point, end: Point, width: float, **style: Any) -> None:
+        """A zigzag between two points."""
+        share = np.linspace(0.0, 1.0, 18)
+        away = np.array([0.0, 0.0, *np.tile([1.0, -1.0], 7), 0.0, 0.0]) * 0.5 * width
+        across = np.array([end[1] - start[1], start[0] - end[0]])
+        across = across / max(float(np.hypot(*across)), 1e-30)
+        x = start[0] + share * (end[0] - start[0]) + away * across[0]
+        z = start[1] + share * (end[1] - start[1]) + away * across[1]
+        self.line(list(x), list(z), **style)

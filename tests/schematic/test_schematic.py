@@ -1,0 +1,132 @@
+"""Schematics: to scale, of every scene, with what is there and nothing else, and readable."""
+
+from functools import cache
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Annotation
+
+from riserstudy.scene.load import load_scene
+from riserstudy.schematic import schematic
+from riserstudy.schematic.geometry import Geometry
+from riserstudy.schematic.labels import spread
+from riserstudy.study import read_studies
+
+CONFIG = Path(__file__).parents[2] / "config"
+SCENES = sorted((CONFIG / "scenes").glob("*/*.yaml"))
+PAPERS = ("chang2020", "liu2020", "mao_hangoff", "fem_riser", "liu2017")
+SHOWN = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).schematics]
+#: how many figures each paper printed
+PRINTED = {"chang2020": 14, "liu2020": 24, "mao_hangoff": 14, "fem_riser": 8, "liu2017": 7}
+
+
+@cache
+def drawn(paper, name):
+    """A schematic of a paper, laid out."""
+    figure = schematic(read_studies(CONFIG, paper).schematics[name].file(CONFIG).scene())
+    FigureCanvasAgg(figure).draw()
+    return figure
+
+
+def labels(figure):
+    """Texts beside the panels."""
+    return [t for ax in figure.axes for t in ax.texts if isinstance(t, Annotation) and t.get_text()]
+
+
+def words(figure):
+    """All that a schematic says."""
+    said = [*(t.get_text() for t in figure.texts), *(t.get_text() for t in labels(figure))]
+    return " ".join(" ".join(said).replace("\u00a0", " ").split())
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_every_scene_can_be_drawn(path):
+    figure = schematic(load_scene(path).scene())
+    assert len(figure.axes) in (3, 4)
+    assert "lower end:" in words(figure)
+
+
+@pytest.mark.parametrize("paper, name", SHOWN)
+def test_a_metre_is_as_long_in_both_directions(paper, name):
+    for ax in drawn(paper, name).axes:
+        (x0, z0), (x1, z1) = ax.transData.transform([(0.0, 0.0), (1.0, 1.0)])
+        assert x1 - x0 == pytest.approx(z1 - z0, rel=1e-9)
+
+
+@pytest.mark.parametrize("paper, name", SHOWN)
+def test_labels_neither_touch_nor_leave_the_figure(paper, name):
+    figure = drawn(paper, name)
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    boxes = {t.get_text(): super(Annotation, t).get_window_extent(renderer) for t in labels(figure)}
+    for (one, first), (other, second) in combinations(boxes.items(), 2):
+        assert not first.overlaps(second), (one, other)
+    width, height = figure.get_size_inches() * figure.dpi
+    for text, box in boxes.items():
+        assert box.x0 >= 0.0, text
+        assert box.x1 <= width, text
+        assert box.y0 >= 0.0, text
+        assert box.y1 <= height, text
+
+
+def test_what_is_there_is_named_and_what_is_not_is_not():
+    rig = words(drawn("liu2020", "fig01"))
+    for part in (
+        "telescopic joint: 24 m",
+        "6 cylinders",
+        "tension ring",
+        "radius 2.5 m",
+        "current",
+    ):
+        assert part in rig
+    assert "soil" not in rig
+    drive_off = words(drawn("liu2017", "fig01"))
+    for part in ("soil: p-y curves", "LMRP and BOP: 14 m", "thrusters", "wind 13.8 m/s", "mudline"):
+        assert part in drive_off
+    assert "tensioners:" not in drive_off
+    spring = words(drawn("chang2020", "fig07"))
+    assert "heave ±5 m in 20 s" in spring
+    assert "water" not in spring
+
+
+def test_parts_lie_where_the_scene_puts_them():
+    """Conductor, LMRP and BOP, riser and telescopic joint one above the other, counted from the wellhead."""
+    scene = load_scene(CONFIG / "scenes/liu2017/ref_0.yaml").scene()
+    place = Geometry(scene)
+    assert [place.at(low)[1] for _, low, _ in place.sections] == pytest.approx([-73.0, 0.0, 14.0])
+    assert place.ring == pytest.approx((0.0, 1326.0))
+    assert place.top == pytest.approx((0.0, 1341.0))
+    assert (place.seabed, place.surface) == (-3.0, 1326.0)
+
+
+def test_a_slack_riser_sags_with_its_length():
+    scene = load_scene(CONFIG / "scenes/bench/s4e.yaml").scene()
+    s, x, z = Geometry(scene).line
+    steps = ((x[1:] - x[:-1]) ** 2 + (z[1:] - z[:-1]) ** 2) ** 0.5
+    assert steps.sum() == pytest.approx(s[-1], rel=1e-3)
+    assert z.min() < min(z[0], z[-1])
+
+
+@given(st.lists(st.tuples(st.floats(0.0, 5.0), st.floats(0.05, 0.4)), max_size=8))
+def test_labels_are_spread_apart_within_their_column(rows):
+    rows = sorted(rows, reverse=True)
+    heights = [height for _, height in rows]
+    places = spread([place for place, _ in rows], heights, 6.0)
+    for k in range(len(places) - 1):
+        assert places[k] - places[k + 1] >= 0.5 * (heights[k] + heights[k + 1]) - 1e-9
+    if places:
+        assert places[0] <= 6.0 - 0.5 * heights[0] + 1e-9
+        assert places[-1] >= 0.5 * heights[-1] - 1e-9
+
+
+@pytest.mark.parametrize("paper", PAPERS)
+def test_every_printed_figure_is_drawn_or_told_as_left_out(paper):
+    file = read_studies(CONFIG, paper)
+    drawn_here = {*file.figures, *file.schematics}
+    assert not drawn_here & set(file.left_out)
+    printed = {f"fig{k:02d}" for k in range(1, PRINTED[paper] + 1)}
+    assert printed <= drawn_here | set(file.left_out)
+    assert set(file.left_out) <= printed
