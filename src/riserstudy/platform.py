@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
+from riserstudy.effects.roles import ROLES
 from riserstudy.model import Effect
 from riserstudy.response import harmonics
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Platform, TimeSeries
@@ -62,6 +64,22 @@ def _response(response: Response, wave: Swell | Storm | None) -> Effect:
     index = np.array([MOTIONS.index(name) for name in found.motion])
     record = Harmonic(index, found.amplitude, found.frequency, found.phase, ramp)
     return Effect("platform motion", record, "platform.response")
+
+
+def displacement(
+    platform: Platform, wave: Swell | Storm | None, times: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Surge, sway, heave (m), roll, pitch and yaw (rad) at times (s), shape (times, 6)."""
+    effects = list(motions(platform, wave))
+    rows = []
+    for time in times:
+        state = SimpleNamespace(clock=np.array([time]), platform=np.zeros((3, 6)))
+        for effect in effects:
+            drive = ROLES[type(effect.record)]["motion"]
+            # as plain Python: a few hundred calls are not worth compiling for
+            getattr(drive, "py_func", drive)(effect.record, state)
+        rows.append(state.platform[0])
+    return np.array(rows)
 
 
 def centre(platform: Platform | None) -> NDArray[np.float64]:

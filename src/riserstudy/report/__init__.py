@@ -9,6 +9,7 @@ from pathlib import Path
 import jinja2
 
 from riserstudy.report.contents import Sources, contents
+from riserstudy.report.libraries import libraries, packed
 from riserstudy.report.wording import WORDING
 
 
@@ -29,8 +30,11 @@ def render(sources: Sources) -> str:
         lstrip_blocks=True,
         undefined=jinja2.StrictUndefined,
     )
-    environment.filters |= WORDING | {"embedded": embedded}
-    return environment.get_template("page.html").render(contents(sources))
+    environment.filters |= WORDING | {"embedded": embedded, "packed": packed}
+    moves = (Path(__file__).parent / "page.js").read_text("utf-8")
+    page = contents(sources)
+    page |= {"libraries": libraries(moving=bool(page["motions"])), "moves": moves}
+    return environment.get_template("page.html").render(page)
 
 
 def embedded(image: Path) -> str:

@@ -5,11 +5,14 @@ from __future__ import annotations
 import csv
 import json
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from riserstudy.report.animation import animation
 from riserstudy.report.engine import engine
+from riserstudy.report.motion import motion_of
 from riserstudy.report.scenes import SceneTable, scene_tables
 from riserstudy.report.wording import counted, grouped, listed, seconds, share
 from riserstudy.study import StudyFile, read_studies
@@ -65,6 +68,15 @@ class Row(NamedTuple):
     warned: int
 
 
+class MovingRun(NamedTuple):
+    """One run in motion: its paper, its name, what it is, and its figure as JSON."""
+
+    paper: str
+    name: str
+    title: str
+    figure: str
+
+
 class Figure(NamedTuple):
     """One figure, and the scenes behind it."""
 
@@ -106,7 +118,9 @@ def contents(sources: Sources) -> dict[str, Any]:
         "verdicts": VERDICTS,
         "graded": graded,
         "errata": table(sources.tables, "errata"),
+        "motions": [*_motions(studies, datasets)],
         "figures": figures,
+        "left_out": {paper: file.left_out for paper, file in studies.items() if file.left_out},
         "anchors": {f"{figure.paper}-{figure.name}" for figure in figures},
         "engine": engine({name: ds for (paper, name), ds in datasets.items() if paper == ENGINE}),
         "rows": rows,
@@ -221,6 +235,17 @@ def _row(paper: str, name: str, dataset: xr.Dataset) -> Row:
     )
 
 
+def _motions(
+    studies: dict[str, StudyFile], datasets: dict[tuple[str, str], xr.Dataset]
+) -> Iterator[MovingRun]:
+    for paper, file in studies.items():
+        shown = file.in_motion
+        if shown and (paper, shown.study) in datasets:
+            motion = motion_of(shown, datasets[paper, shown.study])
+            figure = animation(motion).to_json()
+            yield MovingRun(paper, shown.study, motion.title, figure)
+
+
 def _figure(
     image: Path,
     studies: dict[str, StudyFile],
@@ -229,6 +254,9 @@ def _figure(
 ) -> Figure:
     paper, name = image.parent.name, image.stem
     file = studies[paper]
+    if name in file.schematics:
+        shown = file.schematics[name]
+        return Figure(paper, name, shown.caption, image, [shown.scene], [])
     figure = file.figures[name]
     behind: list[str] = []
     for read in figure.reads:

@@ -32,7 +32,7 @@ def share(value: object) -> str:
 def seconds(value: float) -> str:
     """A time, in the unit one would say it in."""
     if value < 1.0:
-        return f"{1000 * value:.2g} ms"
+        return f"{float(f'{1000 * value:.2g}'):g} ms"
     return f"{value:.3g} s" if value < 120 else f"{value / 60:.3g} min"
 
 

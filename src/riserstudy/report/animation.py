@@ -1,0 +1,321 @@
+"""A run in motion as an interactive figure: the riser from the side, or in space, and histories beside it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import plotly.graph_objects as go
+from numpy.typing import NDArray
+from plotly.subplots import make_subplots
+
+from riserstudy.figures.style import COLOURS, GREY
+from riserstudy.report.motion import Motion
+
+RISER, BAR, BESIDE = (0.0, 0.4), 0.43, 0.61  # of the width: riser, its colours, histories
+HEIGHT = 560  # of the figure (pixels)
+RISER_ASPECT = 0.95  # width over height of the side view, as far as its scale is told
+NICE = np.array([1.0, 2.0, 5.0])
+WIDE, SLIM = (
+    0.6,
+    0.06,
+)  # breadth of the view in space over its height: at most, for the wider; at least
+FONT = {"family": "Source Sans 3, Segoe UI, Helvetica Neue, Arial, sans-serif", "size": 12}
+DIVERGING = [
+    [0.0, "#b2182b"],
+    [0.5, "#b9c0c7"],
+    [1.0, "#2166ac"],
+]  # seen on white in the middle too
+PAUSE = 60  # between frames while playing (ms)
+
+Trace = dict[str, Any]
+
+
+def animation(motion: Motion) -> go.Figure:
+    """The figure with one frame a time; slider and buttons choose among them."""
+    rows = max(1, len(motion.histories))
+    kind = "scene" if motion.y is not None else "xy"
+    figure = make_subplots(
+        rows,
+        2,
+        column_widths=[BESIDE, 1.0 - BESIDE],
+        specs=[[{"type": kind, "rowspan": rows}, {}], *([[None, {}]] * (rows - 1))],
+        horizontal_spacing=0.0,
+        vertical_spacing=0.07,
+    )
+    still, moving = _riser_traces(motion)
+    for trace in still:
+        figure.add_trace(trace, 1, 1)
+    first = len(still)
+    for trace in moving(0):
+        figure.add_trace(trace, 1, 1)
+    cursors = _histories(figure, motion)
+    last = len(figure.data)
+    changed = [*range(first, first + len(moving(0))), *range(last - len(motion.histories), last)]
+    figure.frames = [
+        go.Frame(data=[*moving(k), *cursors(k)], name=f"{k}", traces=changed)
+        for k in range(len(motion.time))
+    ]
+    _axes(figure, motion)
+    _controls(figure, motion)
+    figure.update_layout(
+        template="simple_white",
+        height=HEIGHT,
+        font=FONT,
+        margin={"l": 60, "r": 20, "t": 20, "b": 20},
+        showlegend=False,
+    )
+    return figure
+
+
+def small(values: NDArray[np.float64]) -> NDArray[np.float32]:
+    """Values as they are written: single precision is more than a screen shows."""
+    return np.asarray(values, np.float32)
+
+
+# the riser
+
+
+def _riser_traces(motion: Motion) -> tuple[list[Trace], Any]:
+    """What stands still behind the riser, and a function from the frame to what moves."""
+    low, high = float(motion.colour.min()), float(motion.colour.max())
+    both_ways = motion.signed and low < 0.0
+    if both_ways:
+        low, high = -max(-low, high), max(-low, high)
+    shade = {"colorscale": DIVERGING if both_ways else "Viridis", "cmin": low, "cmax": high}
+    title = f"{motion.quantity}<br>({motion.unit})"
+    bar = {"title": {"text": title, "font": {"size": 11}}, "len": 0.6, "thickness": 10, "x": BAR}
+    if motion.y is not None:
+        return _in_space(motion, shade, bar)
+    return _from_the_side(motion, shade, bar)
+
+
+def _from_the_side(motion: Motion, shade: Trace, bar: Trace) -> tuple[list[Trace], Any]:
+    rest = go.Scatter(
+        x=small(motion.rest[0]),
+        y=small(motion.rest[1]),
+        mode="lines",
+        line={"color": GREY, "width": 1, "dash": "dash"},
+        hoverinfo="skip",
+    )
+    about = f"{motion.quantity} %{{marker.color:.4g}} {motion.unit}<br>"
+
+    def moving(k: int) -> list[Trace]:
+        riser = go.Scatter(
+            x=small(motion.x[k]),
+            y=small(motion.z[k]),
+            mode="lines+markers",
+            line={"color": "#9aa4ad", "width": 2},
+            marker={"color": small(motion.colour[k]), "size": 7, "colorbar": bar, **shade},
+            hovertemplate=about + "x %{x:.4g} m, z %{y:.5g} m<extra></extra>",
+        )
+        return [riser, *_platform(motion, k)]
+
+    return [rest], moving
+
+
+def _platform(motion: Motion, k: int) -> list[Trace]:
+    """The platform as a symbol above the riser, with the tensioners that it carries it by."""
+    if motion.platform is None:
+        return []
+    x, z = (float(place[k]) for place in motion.platform)
+    ring = (float(motion.x[k, -1]), float(motion.z[k, -1]))
+    return [
+        go.Scatter(
+            x=[ring[0], x],
+            y=[ring[1], z],
+            mode="lines+markers",
+            line={"color": "#22282e", "width": 2, "dash": "dot"},
+            marker={"symbol": ["line-ew-open", "square"], "size": [14, 18], "color": "#22282e"},
+            hovertemplate="platform<br>x %{x:.4g} m, z %{y:.5g} m<extra></extra>",
+        )
+    ]
+
+
+def _in_space(motion: Motion, shade: Trace, bar: Trace) -> tuple[list[Trace], Any]:
+    y = motion.y if motion.y is not None else 0.0 * motion.x
+    trail = go.Scatter3d(
+        x=small(motion.x[:, 0]),
+        y=small(y[:, 0]),
+        z=small(motion.z[:, 0]),
+        mode="lines",
+        line={"color": GREY, "width": 2},
+        hoverinfo="skip",
+    )
+
+    def moving(k: int) -> list[Trace]:
+        riser = go.Scatter3d(
+            x=small(motion.x[k]),
+            y=small(y[k]),
+            z=small(motion.z[k]),
+            mode="lines",
+            line={"color": small(motion.colour[k]), "width": 7, "colorbar": bar, **shade},
+            hovertemplate="x %{x:.4g} m, y %{y:.4g} m, z %{z:.5g} m<extra></extra>",
+        )
+        top = go.Scatter3d(
+            x=[float(motion.x[k, -1])],
+            y=[float(y[k, -1])],
+            z=[float(motion.z[k, -1])],
+            mode="markers",
+            marker={"symbol": "square", "size": 7, "color": "#22282e"},
+            hovertemplate="platform<extra></extra>",
+        )
+        return [riser, top]
+
+    return [trail], moving
+
+
+# histories
+
+
+def _histories(figure: go.Figure, motion: Motion) -> Any:
+    """Add the histories; a function from the frame to the cursors in them."""
+    limits = []
+    for row, history in enumerate(motion.histories, start=1):
+        for colour, (name, line) in zip(COLOURS, history.lines.items(), strict=False):
+            figure.add_scatter(
+                x=small(motion.moments),
+                y=small(line),
+                name=name,
+                line={"color": colour, "width": 1.3},
+                hovertemplate=f"{name} %{{y:.4g}}, %{{x:.4g}} s<extra></extra>",
+                row=row,
+                col=2,
+            )
+        values = np.concatenate(list(history.lines.values()))
+        limits.append((float(np.nanmin(values)), float(np.nanmax(values))))
+        label = history.label + "".join(
+            f"<br><span style='color:{colour}'>{name}</span>"
+            for colour, name in zip(COLOURS, history.lines, strict=False)
+        )
+        figure.update_yaxes(title_text=label, title_font_size=11, row=row, col=2)
+    figure.update_xaxes(title_text="time (s)", row=max(1, len(limits)), col=2)
+
+    def cursors(k: int) -> list[Trace]:
+        now = float(motion.time[k])
+        style = {"color": "#22282e", "width": 1}
+        return [
+            go.Scatter(x=[now, now], y=list(pair), mode="lines", line=style, hoverinfo="skip")
+            for pair in limits
+        ]
+
+    for row, trace in enumerate(cursors(0), start=1):
+        figure.add_trace(trace, row, 2)
+    return cursors
+
+
+# axes and controls
+
+
+def _axes(figure: go.Figure, motion: Motion) -> None:
+    """Ranges that hold still, and how much wider than high a metre is drawn."""
+    wide, high = _ranges(motion)
+    if motion.y is not None:
+        span = [float(np.ptp(values)) or 1.0 for values in (motion.x, motion.y, motion.z)]
+        factor = _nice(WIDE * span[2] / max(span[:2]))
+        shares = [max(SLIM, factor * across / span[2]) for across in span[:2]]
+        tick = {"size": 10}
+
+        def title(text: str) -> Trace:
+            return {"text": text, "font": {"size": 11}}
+
+        figure.update_scenes(
+            xaxis={"title": title("x (m)"), "nticks": 4, "tickfont": tick},
+            yaxis={"title": title("y (m)"), "nticks": 4, "tickfont": tick},
+            zaxis={"title": title("z (m)"), "tickfont": tick},
+            aspectmode="manual",
+            aspectratio={"x": shares[0], "y": shares[1], "z": 1.0},
+            camera={
+                "eye": {"x": 0.85, "y": -1.25, "z": 0.25},
+                "center": {"x": 0, "y": 0, "z": -0.08},
+            },
+            domain={"x": list(RISER)},
+        )
+        figure.add_annotation(
+            text=f"x and y drawn {factor:g} times as large as z",
+            **{"xref": "paper", "yref": "paper", "x": 0.0, "y": -0.06, "showarrow": False},
+        )
+        return
+    factor = _nice((high[1] - high[0]) * RISER_ASPECT / (wide[1] - wide[0]))
+    told = "" if factor == 1.0 else f", drawn {factor:g} times as large as z"
+    figure.update_xaxes(
+        title_text=f"x (m){told}", range=list(wide), constrain="domain", row=1, col=1,
+        domain=list(RISER),
+    )  # fmt: skip
+    figure.update_yaxes(
+        title_text="z (m)",
+        range=list(high),
+        scaleanchor="x",
+        scaleratio=1.0 / factor,
+        constrain="domain",
+        row=1,
+        col=1,
+    )
+    water = motion.scene.water
+    if water and water.surface is not None and high[0] < water.surface < high[1]:
+        figure.add_hline(water.surface, line={"color": COLOURS[0], "width": 1}, row=1, col=1)
+    if water and water.seabed is not None and high[0] < water.seabed < high[1]:
+        figure.add_hline(water.seabed, line={"color": "#7a6a4f", "width": 1}, row=1, col=1)
+
+
+def _ranges(motion: Motion) -> tuple[tuple[float, float], tuple[float, float]]:
+    """What the side view shows of x and z: everything, or where the top is when nothing moves sideways."""
+    x = np.concatenate([motion.x.ravel(), *([motion.platform[0]] if motion.platform else [])])
+    z = np.concatenate([motion.z.ravel(), *([motion.platform[1]] if motion.platform else [])])
+    if not motion.scene.lateral:
+        tops = motion.z[:, -1]
+        z = np.concatenate([tops, tops - 2.0 * np.ptp(tops), z[z >= tops.min()]])
+    reach = float(np.ptp(z))
+    low, high = float(z.min()) - 0.04 * reach, float(z.max()) + 0.08 * reach
+    if not motion.scene.lateral:
+        half = 0.5 * RISER_ASPECT * (high - low)
+        return (-half, half), (low, high)
+    margin = 0.12 * float(np.ptp(x))
+    return (float(x.min()) - margin, float(x.max()) + margin), (low, high)
+
+
+def _nice(factor: float) -> float:
+    """The largest of 1, 2, 5, 10, ... that is not above a factor; 1 at least."""
+    ladder = (NICE[None, :] * 10.0 ** np.arange(0, 6)[:, None]).ravel()
+    return float(max(1.0, *ladder[ladder <= max(1.0, factor)]))
+
+
+def _controls(figure: go.Figure, motion: Motion) -> None:
+    """Slider over all frames; buttons that play and stop."""
+    at_once = {"frame": {"duration": 0, "redraw": True}, "mode": "immediate"}
+    going = {"frame": {"duration": PAUSE, "redraw": True}, "fromcurrent": True}
+    still = {"transition": {"duration": 0}}
+    steps = [
+        {"label": f"{t:.4g}", "method": "animate", "args": [[f"{k}"], at_once | still]}
+        for k, t in enumerate(motion.time)
+    ]
+    buttons = [
+        {"label": "▶", "method": "animate", "args": [None, going | still]},
+        {"label": "❚❚", "method": "animate", "args": [[None], at_once | still]},
+    ]
+    figure.update_layout(
+        sliders=[
+            {
+                "steps": steps,
+                "currentvalue": {"prefix": "t = ", "suffix": " s", "font": {"size": 12}},
+                "x": 0.13,
+                "len": 0.87,
+                "y": -0.1,
+                "pad": {"t": 20},
+                "font": {"size": 10},
+            }
+        ],
+        updatemenus=[
+            {
+                "type": "buttons",
+                "direction": "left",
+                "buttons": buttons,
+                "showactive": False,
+                "x": 0.0,
+                "xanchor": "left",
+                "y": -0.1,
+                "yanchor": "top",
+                "pad": {"t": 32},
+            }
+        ],
+    )

@@ -1,0 +1,179 @@
+"""One run of a chapter as the report shows it moving: thinned, with what moves beside the riser."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.platform import displacement
+from riserstudy.scene.forcing import TILTS, TRANSLATIONS
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+from riserstudy.schematic.geometry import Geometry
+from riserstudy.shown import RunInMotion
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+FRAMES, NODES, MOMENTS = (
+    101,
+    61,
+    301,
+)  # shown at most: times and nodes of the riser, times of histories
+MOST_HISTORIES = 3
+DEGREES = 180.0 / np.pi
+SPRING = np.array(
+    [0.0, *np.linspace(0.98, 1.0, 40)]
+)  # places along a mere spring, most near its top
+UPRIGHT = 20.0  # from ring to platform, where the scene gives upright cylinders no length (m)
+
+
+class History(NamedTuple):
+    """Quantities of one unit over time."""
+
+    label: str
+    lines: dict[str, Array]  # by name, each (times,)
+
+
+class Motion(NamedTuple):
+    """A run, thinned; positions in metres."""
+
+    title: str
+    scene: Scene
+    time: Array  # (frames,) s
+    x: Array  # (frames, nodes)
+    y: Array | None  # the same, None in the plane
+    z: Array
+    rest: tuple[Array, Array]  # x and z of the nodes at rest
+    colour: Array  # (frames, nodes), in `unit`
+    quantity: str
+    unit: str
+    signed: bool
+    platform: tuple[Array, Array] | None  # x and z (frames,)
+    moments: Array  # times of the histories (s)
+    histories: list[History]
+
+
+def motion_of(shown: RunInMotion, dataset: xr.Dataset) -> Motion:
+    """The run of a study's dataset that a study file names."""
+    run = dataset.sel(shown.at)
+    scene = _scene(dataset, shown.at)
+    time = run["time"].values
+    geometry = Geometry(scene)
+    frames = _some(len(time), FRAMES)
+    thin = run.isel(time=frames, s=_some(run.sizes["s"], NODES))
+    s = thin["s"].values
+    rest = _rest(run, geometry, s)
+    x, z = (
+        thin[name].values if name in thin else np.tile(values, (len(frames), 1))
+        for name, values in zip("xz", rest, strict=True)
+    )
+    colour = thin[shown.colour].values / 1e3
+    if len(s) == 1:  # a mere spring, known at its top: it stretches evenly, under one tension
+        foot = geometry.bottom[1]
+        x, z = 0.0 * SPRING + x, foot + SPRING * (z - foot)
+        colour = np.repeat(colour, len(SPRING), axis=1)
+        rest = (0.0 * SPRING, foot + SPRING * (rest[1] - foot))
+    moments = _some(len(time), MOMENTS)
+    moved = displacement(scene.platform, scene.wave, time) if scene.platform else None
+    place = None
+    if moved is not None or scene.vessel:
+        place = _platform(scene, geometry, x, z, None if moved is None else moved[frames])
+    return Motion(
+        title=_title(dataset, shown.at),
+        scene=scene,
+        time=time[frames],
+        x=x,
+        y=thin["y"].values if "y" in thin else None,
+        z=z,
+        rest=rest,
+        colour=colour,
+        quantity=str(dataset[shown.colour].attrs["long_name"]),
+        unit={"bending_moment": "kN m", "effective_tension": "kN"}[shown.colour],
+        signed=shown.colour == "bending_moment",
+        platform=place,
+        moments=time[moments],
+        histories=_histories(
+            run.isel(time=moments), scene, None if moved is None else moved[moments]
+        ),
+    )
+
+
+def _some(count: int, most: int) -> NDArray[np.int64]:
+    """Indices of at most so many of a row, both ends among them."""
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.int64))
+
+
+def _scene(dataset: xr.Dataset, at: dict[str, Any]) -> Scene:
+    """The scene of the dataset with what the place on the axes sets."""
+    file = SceneFile(dataset.attrs["scene_file"], json.loads(dataset.attrs["scene"]))
+    for axis, value in at.items():
+        sets = json.loads(dataset[axis].attrs["sets"])
+        key = str(dataset[axis].sel({axis: value}).item())
+        file = file.with_values(sets[key], f"in_motion.at.{axis}")
+    return file.scene()
+
+
+def _title(dataset: xr.Dataset, at: dict[str, Any]) -> str:
+    about = str(dataset.attrs["title"]).partition(": ")[2]
+    chosen = [f"{axis.replace('_', ' ')} {value}" for axis, value in at.items()]
+    return "; ".join([about, *chosen])
+
+
+def _rest(run: xr.Dataset, geometry: Geometry, s: Array) -> tuple[Array, Array]:
+    """Position at rest: as the run has it, else as before any load."""
+    x, z = (np.array(row) for row in zip(*map(geometry.at, s), strict=True))
+    kept = {name: run[name].values for name in ("x_static", "z_static") if name in run}
+    nodes = run["s_node"].values if kept else s
+    x = np.interp(s, nodes, kept["x_static"]) if "x_static" in kept else x
+    z = np.interp(s, nodes, kept["z_static"]) if "z_static" in kept else z
+    return x, z
+
+
+def _platform(
+    scene: Scene, geometry: Geometry, x: Array, z: Array, moved: Array | None
+) -> tuple[Array, Array]:
+    """Where the platform is: at the riser's top in the directions in which it holds that."""
+    top = scene.top
+    zero = np.zeros(len(x))
+    surge = zero if moved is None else moved[:, 0]
+    heave = zero if moved is None else moved[:, 2]
+    upright = top.tensioners and not top.tensioners.arrangement and not top.telescopic_joint
+    deck = geometry.top[1] + (UPRIGHT if upright else 0.0)
+    return (
+        x[:, -1] if top.x in ("platform", "vessel") else surge,
+        z[:, -1] if top.z == "platform" else deck + heave,
+    )
+
+
+def _histories(run: xr.Dataset, scene: Scene, moved: Array | None) -> list[History]:
+    """What is shown over time beside the riser."""
+    rows = []
+    if "platform_surge" in run:
+        rows.append(History("platform (m)", {"surge": run["platform_surge"].values}))
+    elif moved is not None:
+        for names, start, label, unit in (
+            (TRANSLATIONS, 0, "platform (m)", 1.0),
+            (TILTS, 3, "platform (deg)", DEGREES),
+        ):
+            lines = {n: unit * moved[:, start + k] for k, n in enumerate(names)}
+            if lines := {name: line for name, line in lines.items() if np.any(line)}:
+                rows.append(History(label, lines))
+    if "stroke" in run:
+        what = "telescopic joint" if scene.top.telescopic_joint else "tensioners"
+        rows.append(History("stroke (m)", {what: run["stroke"].values}))
+    joints = {"upper": "ufj_angle", "lower": "lfj_angle"}
+    angles = {name: DEGREES * run[of].values for name, of in joints.items() if of in run}
+    if angles:
+        rows.append(History("flex joints (deg)", angles))
+    if "bending_moment" in run and len(rows) < MOST_HISTORIES:
+        largest = abs(run["bending_moment"]).max("s").values / 1e3
+        rows.append(History("largest moment (kN m)", {"anywhere": largest}))
+    elif "effective_tension" in run and len(rows) < MOST_HISTORIES:
+        tension = run["effective_tension"].isel(s=-1).values / 1e3
+        rows.append(History("top tension (kN)", {"riser's top": tension}))
+    return rows[:MOST_HISTORIES]

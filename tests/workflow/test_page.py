@@ -1,0 +1,209 @@
+"""The report in a real browser without a network: it moves, sorts and filters, and nothing complains."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import WebDriverWait
+
+from riserstudy.gather import dataset_of, results_of, write_dataset
+from riserstudy.report import write_report
+from riserstudy.report.contents import Sources
+from riserstudy.study import Study, read_studies
+
+CONFIG = Path(__file__).parents[2] / "config"
+CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+pytestmark = [
+    pytest.mark.page,
+    pytest.mark.skipif(not (CHROMIUM and DRIVER), reason="needs chromium and chromedriver"),
+]
+
+REPRODUCTION = """\
+paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,note
+liu2020,N1,8a,number,tension at rest,9,8.5,t,0.06,fails,,a note
+liu2020,N2,8b,number,moment under roll,10,10,kN m,0,reproduced,,
+liu2020,C1,,claim,of another kind,,1,1,,holds,,
+mao_hangoff,N3,9,number,displacement,-2,-2,m,0,reproduced,,
+"""
+#: runs in motion, in small: study, and what else it sets
+RUNS = {
+    "liu2020": {"analysis.duration": "40 s", "analysis.step": "0.2 s"},
+    "mao_hangoff": {
+        "analysis.duration": "40 s",
+        "analysis.mesh": {"elements": 40},
+        "analysis.step": "0.2 s",
+    },
+}
+PATIENCE = 180.0  # s, with a machine that does much else
+IN_PLANE, IN_SPACE = "motion-liu2020", "motion-mao_hangoff"
+FLAGS = (
+    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"),
+    *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
+    *("--disable-dev-shm-usage", "--enable-unsafe-swiftshader", "--window-size=1200,1000"),
+    "--host-resolver-rules=MAP * ~NOTFOUND",  # no name leads anywhere
+)
+
+
+def simulated(paper, folder):
+    """The run in motion of a paper, its axes cut down to the one point."""
+    file = read_studies(CONFIG, paper)
+    shown = file.in_motion
+    model = file.studies[shown.study]
+    axes = {}
+    for name, axis in model.axes.items():
+        value = shown.at[name]
+        if axis == "readings":
+            axes[name] = {value: file.readings[name][value]}
+        else:
+            axes[name] = axis.model_copy(update={"values": [value], "preview": None})
+    model = model.model_copy(update={"axes": axes, "set": model.set | RUNS[paper]})
+    study = Study(paper, shown.study, model, CONFIG, "preview", "1 %", file.readings)
+    results, _ = results_of(study, 1, lambda text: None)
+    target = folder / paper / f"{shown.study}.nc"
+    write_dataset(dataset_of(study, results), target)
+    return target
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    """A report of two runs and a small graded table."""
+    folder = tmp_path_factory.mktemp("page")
+    table, marker = folder / "reproduction.csv", folder / "compiled"
+    table.write_text(REPRODUCTION)
+    marker.write_text("{}")
+    datasets = [simulated(paper, folder) for paper in RUNS]
+    write_report(Sources(CONFIG, list(RUNS), datasets, [], [table], marker), folder / "report.html")
+    return folder / "report.html"
+
+
+@pytest.fixture(scope="module")
+def chromium(tmp_path_factory):
+    """A browser without a network."""
+    options = webdriver.ChromeOptions()
+    options.binary_location = CHROMIUM
+    for flag in (*FLAGS, f"--user-data-dir={tmp_path_factory.mktemp('chromium')}"):
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    browser = webdriver.Chrome(options=options, service=Service(DRIVER))
+    yield browser
+    browser.quit()
+
+
+@pytest.fixture
+def browser(chromium, page):
+    """The page, just opened, with its tables ready; at the end nothing may have complained."""
+    chromium.get("about:blank")
+    for log in ("performance", "browser"):
+        chromium.get_log(log)
+    chromium.get(page.as_uri())
+    wait(chromium, lambda: chromium.find_elements(By.CSS_SELECTOR, "table.dataTable"))
+    yield chromium
+    # a browser that draws without graphics hardware warns that this is slow
+    assert [row for row in chromium.get_log("browser") if row["level"] != "WARNING"] == []
+
+
+def wait(browser, condition):
+    """What a condition gives as soon as it gives something."""
+    return WebDriverWait(browser, PATIENCE).until(lambda _: condition())
+
+
+def drawn(browser, name):
+    """A run in motion, in view and drawn."""
+    place = browser.find_element(By.ID, name)
+    browser.execute_script("arguments[0].scrollIntoView({block: 'center'})", place)
+    wait(browser, lambda: place.get_attribute("data-ready"))
+    return place
+
+
+def frame(browser, place):
+    """The frame that the slider stands at."""
+    return browser.execute_script("return arguments[0]._fullLayout.sliders[0].active", place)
+
+
+def riser(browser, place):
+    """x of the riser's nodes as they are drawn."""
+    script = """
+        const riser = arguments[0]._fullData.find((t) => t.marker?.showscale || t.line?.showscale);
+        return Array.from(riser.x)"""
+    return np.array(browser.execute_script(script, place))
+
+
+def test_nothing_is_asked_of_a_network(browser):
+    for name in (IN_PLANE, IN_SPACE):
+        drawn(browser, name)
+    asked = [json.loads(row["message"])["message"] for row in browser.get_log("performance")]
+    addresses = [
+        message["params"]["request"]["url"]
+        for message in asked
+        if message["method"] == "Network.requestWillBeSent"
+    ]
+    assert any(address.endswith("report.html") for address in addresses)
+    assert {address.partition(":")[0] for address in addresses} <= {"file", "data", "blob"}
+
+
+@pytest.mark.parametrize("name", [IN_PLANE, IN_SPACE])
+def test_the_slider_moves_the_riser(browser, name):
+    place = drawn(browser, name)
+    before, picture = riser(browser, place), place.screenshot_as_png
+    grip = place.find_element(By.CSS_SELECTOR, ".slider-grip-rect")
+    ActionChains(browser).click_and_hold(grip).move_by_offset(300, 0).release().perform()
+    wait(browser, lambda: frame(browser, place) > 5)
+    wait(browser, lambda: np.abs(riser(browser, place) - before).max() > 0.1)
+    assert place.screenshot_as_png != picture
+
+
+def test_play_runs_and_stop_stops(browser):
+    place = drawn(browser, IN_PLANE)
+    play, stop = place.find_elements(By.CSS_SELECTOR, ".updatemenu-button")
+    play.click()
+    wait(browser, lambda: frame(browser, place) > 3)
+    stop.click()
+    stopped = riser(browser, place)
+    ActionChains(browser).pause(0.5).perform()
+    assert np.array_equal(riser(browser, place), stopped)
+    assert frame(browser, place) < 100
+
+
+def rows(browser, column):
+    """A column of the graded table, as it stands."""
+    cells = f"h2#graded ~ div table.sortable tbody td:nth-child({column})"
+    return [cell.text for cell in browser.find_elements(By.CSS_SELECTOR, cells)][:4]
+
+
+def graded(browser):
+    """The graded table with what belongs to it."""
+    return browser.find_element(By.CSS_SELECTOR, "h2#graded ~ div .dt-container")
+
+
+def test_tables_sort_by_numbers(browser):
+    heading = graded(browser).find_element(By.CSS_SELECTOR, "thead th:nth-child(5)")
+    assert heading.text == "Published"
+    heading.click()
+    wait(browser, lambda: rows(browser, 5)[0] != "9 t")
+    numbers = [float(text.split()[0]) for text in rows(browser, 5) if text]
+    assert numbers == sorted(numbers) == [-2.0, 9.0, 10.0]
+
+
+def test_tables_filter_by_words(browser):
+    table = graded(browser)
+    table.find_element(By.CSS_SELECTOR, "input[type=search]").send_keys("roll")
+    wait(browser, lambda: len(table.find_elements(By.CSS_SELECTOR, "tbody tr")) == 1)
+    assert "moment under roll" in table.text
+    assert "1 rows of 4" in table.text
+
+
+def test_tables_filter_by_a_list_of_verdicts(browser):
+    table = graded(browser)
+    table.find_elements(By.CSS_SELECTOR, "thead .dtcc-button")[-1].click()
+    choices = wait(
+        browser, lambda: browser.find_elements(By.CSS_SELECTOR, ".dtcc-list-buttons button")
+    )
+    next(choice for choice in choices if choice.text == "holds").click()
+    wait(browser, lambda: len(table.find_elements(By.CSS_SELECTOR, "tbody tr")) == 1)
+    assert "of another kind" in table.text
