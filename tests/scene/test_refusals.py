@@ -117,7 +117,7 @@ REFUSED = {
     "a piston without gravity": (LIU, "gravity", None, "", "pistons need gravity"),
     "two laws of a tensioner": (
         CHANG, "top.tensioners.linear", {"tension": "1 MN", "stiffness": "1 kN/m"}, "top.tensioners",
-        "one of gas, two_chamber_gas and linear",
+        "one of gas, two_chamber_gas, linear and table",
     ),
     "both ends free": (HEAVE, "top", {"z": "free"}, "", "both ends are free"),
     "a top on no platform": (SURGE, "platform", None, "", "needs platform"),
