@@ -21,6 +21,7 @@ import alone  # noqa: F401
 import ours
 import scene
 from peers import c_loop, cabledyn_s2c, exudyn_s2c, moordyn_s2c, openseespy_s2c
+from picture import picture
 
 OURS = "ours"
 METHODS: dict[str, tuple[Any, Callable[..., dict[str, Any]]]] = {
@@ -72,6 +73,7 @@ def main() -> None:
         finish(row)
     compare(rows)
     path = store(rows)
+    picture(rows, path.with_suffix(".png"), f"{given.repeats} rounds, {processor()}")
     print(table(rows))
     print(by_level(rows))
     print(

@@ -12,6 +12,7 @@ from riserstudy.numerics.long_runs import long_runs
 from riserstudy.numerics.random_scenes import draw as drawn
 from riserstudy.numerics.random_scenes import random_scenes
 from riserstudy.numerics.tiers import tiers
+from riserstudy.report.engine import engine
 from riserstudy.study import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -65,6 +66,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours():
     assert (found["wall_seconds"] > 0.0).all()
     assert (found["error_moment"] < 1.0).all()
     assert draw("numerics", "long_runs", {"long_runs": found}).axes
+    assert engine({"long_runs": found}).said[0].startswith("46 hours: ")
 
 
 def test_random_scenes_are_the_same_every_time_and_half_are_held_out():
@@ -84,6 +86,9 @@ def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_mor
     assert (there["fixed_error"] <= there["true"]).all()
     assert (there["work_fixed"] <= there["work_asked"]).all()
     assert draw("numerics", "random_scenes", {"random_scenes": found}).axes
+    assert (
+        engine({"random_scenes": found}).said[0].startswith("2 random scenes asked for 1 %, 0 of")
+    )
 
 
 @pytest.mark.parametrize("tier", ["preview", "standard", "reference"])

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from riserstudy.figures.style import COLOURS, panels
 
-WANTED = 0.01  # error of the largest moment
+WANTED = 0.01  # error of the moment
 LEAST = 1e-6  # error that a mark is drawn at, at least
 
 
@@ -20,13 +20,13 @@ def long_runs(long_runs: xr.Dataset) -> Figure:
     for ax, case in zip(axes, cases, strict=True):
         _panel(ax, long_runs.isel(run=np.flatnonzero(long_runs["case"].values == case)))
         ax.set_title(case, fontsize="medium")
-    axes[-1].set_xlabel("wall time of a run (s)")
+    axes[-1].set_xlabel("processor time of a run (s)")
     return figure
 
 
 def _panel(ax: Axes, of: xr.Dataset) -> None:
-    error = np.maximum(of["error_peak"].values, LEAST)
-    wall = of["wall_seconds"].values
+    error = np.maximum(of["error_moment"].values, LEAST)
+    wall = of["cpu_seconds"].values
     labels = of["candidate"].values
     for k, label in enumerate(dict.fromkeys(labels.tolist())):
         here = labels == label
@@ -36,7 +36,7 @@ def _panel(ax: Axes, of: xr.Dataset) -> None:
             wall[here], error[here], "os^Dv"[k % 5], ms=4.5, color=colour,
             markerfacecolor=colour if filled else "none", label=label,
         )  # fmt: skip
-    good = np.flatnonzero((of["error_peak"].values <= WANTED) & np.isfinite(wall))
+    good = np.flatnonzero((of["error_moment"].values <= WANTED) & np.isfinite(wall))
     if len(good):
         best = good[np.argmin(wall[good])]
         ax.plot(wall[best], error[best], "o", ms=12, color="black", markerfacecolor="none")
@@ -52,5 +52,5 @@ def _panel(ax: Axes, of: xr.Dataset) -> None:
     ax.axhline(WANTED, color="0.5", linewidth=0.8)
     ax.set_xscale("log")
     ax.set_yscale("log")
-    ax.set_ylabel("error of the\nlargest moment (-)")
-    ax.legend(fontsize="x-small", loc="upper right")
+    ax.set_ylabel("error of the\nmoment (-)")
+    ax.legend(fontsize="x-small", loc="center right")
