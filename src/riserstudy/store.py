@@ -9,8 +9,8 @@ from __future__ import annotations
 import hashlib
 import io
 import json
-import zipfile
 from collections.abc import Collection, Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,8 +21,13 @@ from riserstudy.folders import PACKAGE, cache_folder, digest, write_whole
 from riserstudy.scene.models import Scene
 
 if TYPE_CHECKING:
+    from numpy.lib.npyio import NpzFile
+
     from riserstudy.result import Result
     from riserstudy.scene.load import SceneFile
+
+
+SEAL = hashlib.sha256().digest_size  # bytes
 
 
 @cache
@@ -101,23 +106,42 @@ def put(key: str, result: Result, file: SceneFile) -> None:
     about["origins"] = {path: origin.status for path, origin in file.origins.items()}
     content = io.BytesIO()
     np.savez(content, allow_pickle=False, about=np.array(json.dumps(about)), **result.arrays)
-    write_whole(target, content.getvalue())
+    whole = content.getvalue()
+    write_whole(target, whole + _seal(whole))
+
+
+def _seal(content: bytes) -> bytes:
+    """What stands at the end of a whole point: the format's own sums leave its directory out."""
+    return hashlib.sha256(content).digest()
 
 
 def get(key: str, names: Collection[str] | None = None) -> Result | None:
     """A stored point with all arrays or some, or None when it is missing or not whole."""
-    import numpy as np
-
     from riserstudy.result import Result
 
+    with _opened(_file(key)) as stored:
+        if stored is None:
+            return None
+        wanted = [n for n in stored.files if n != "about" and (names is None or n in names)]
+        arrays = {name: stored[name] for name in wanted}
+        return Result(arrays, json.loads(str(stored["about"]))["facts"])
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[NpzFile | None]:
+    """The arrays of a stored point; None when it is missing or not as it was written."""
+    import numpy as np
+
     try:
-        with np.load(_file(key), allow_pickle=False) as stored:
-            wanted = [n for n in stored.files if n != "about" and (names is None or n in names)]
-            arrays = {name: stored[name] for name in wanted}
-            about = json.loads(str(stored["about"]))
-        return Result(arrays, about["facts"])
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
-        return None
+        whole = path.read_bytes()
+    except OSError:
+        whole = b""
+    content, seal = whole[:-SEAL], whole[-SEAL:]
+    if seal != _seal(content):
+        yield None
+        return
+    with np.load(io.BytesIO(content), allow_pickle=False) as stored:
+        yield stored
 
 
 def has(key: str) -> bool:
@@ -127,11 +151,7 @@ def has(key: str) -> bool:
 
 def about_points() -> Iterator[dict[str, Any]]:
     """What each stored point says of itself, with its key."""
-    import numpy as np
-
     for path in sorted((cache_folder() / "points").glob("*/*.npz")):
-        try:
-            with np.load(path, allow_pickle=False) as stored:
+        with _opened(path) as stored:
+            if stored is not None:
                 yield {"key": path.stem, **json.loads(str(stored["about"]))}
-        except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
-            continue

@@ -1,13 +1,10 @@
 """Only regular text files are read: no links, no devices, nothing that waits, nothing that runs."""
 
 import os
-import pickle
 from itertools import pairwise
 
-import numpy as np
 import pytest
 
-from riserstudy import store
 from riserstudy.errors import InputError
 from riserstudy.scene.load import read_yaml
 from riserstudy.scene.tables import fill_in_tables
@@ -72,29 +69,3 @@ def test_a_bomb_is_refused(kind, tmp_path):
 def test_only_tables_are_read_as_tables(name, tmp_path):
     with pytest.raises(InputError, match="csv"):
         fill_in_tables({"current": {"profile": {"file": name}}}, tmp_path)
-
-
-class Touch:
-    """What, unpickled, leaves a mark."""
-
-    def __init__(self, mark):
-        self.mark = mark
-
-    def __reduce__(self):
-        return os.mkdir, (str(self.mark),)
-
-
-def test_nothing_stored_is_unpickled(tmp_path, monkeypatch):
-    monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path))
-    mark, point = tmp_path / "mark", tmp_path / "points/ab/ab.npz"
-    point.parent.mkdir(parents=True)
-    np.savez(point, about=np.array("{}"), x=np.array([Touch(mark)], dtype=object))
-    assert store.get("ab") is None
-    np.savez(point, about=np.array([Touch(mark)], dtype=object))
-    assert store.get("ab") is None
-    assert list(store.about_points()) == []
-    point.write_bytes(pickle.dumps(Touch(mark)))
-    assert store.get("ab") is None
-    assert not mark.exists()
-    pickle.loads(point.read_bytes())
-    assert mark.exists()
