@@ -16,6 +16,7 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
 .PHONY: help study test test-slow test-page test-cluster test-wheel check docs wheel lock figures bench clean
+.PHONY: test-hostile test-faults test-pythons
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
 export PYTHON
@@ -52,6 +53,15 @@ wheel: $(READY)  ## build the package into dist/
 
 test-wheel: $(READY)  ## install the wheel into an empty environment and run a study of one's own with it
 	@$(IN_ENVIRONMENT) pytest -q -s tests/workflow/test_wheel.py
+
+test-hostile: $(READY)  ## meet hostile input at full count
+	@$(IN_ENVIRONMENT) python tests/fuzz/run.py
+
+test-faults: $(READY)  ## kill runs, fill disks, break caches; write docs/faults.md
+	@$(IN_ENVIRONMENT) python tests/faults/run.py --write docs/faults.md
+
+test-pythons: $(READY)  ## compare one core with two, and Python 3.11, 3.12 and 3.13
+	@$(IN_ENVIRONMENT) python tests/pythons/run.py python3.11 python3.12 python3.13
 
 figures: $(READY)  ## draw the figures, simulating only what they miss
 	@exec $(STUDY) figures

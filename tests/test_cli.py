@@ -1,6 +1,7 @@
 """The command line: exit codes, one message, no file made when refused."""
 
 import json
+import resource
 import subprocess
 import sys
 from pathlib import Path
@@ -98,6 +99,17 @@ def test_an_output_that_cannot_be_written_is_refused_before_anything_runs(
     assert list(tmp_path.iterdir()) == []
 
 
+def test_an_output_never_takes_the_place_of_a_link_a_device_or_the_scene(command, tmp_path):
+    scene, link = tmp_path / "scene.yaml", tmp_path / "link.nc"
+    scene.write_text(Path(SURGE).read_text())
+    link.symlink_to("elsewhere.nc")
+    for target in (scene, link, "/dev/null"):
+        code, _, err = command("run", scene, "-o", target, *QUICK)
+        assert (code, err.count("\n")) == (2, 1)
+    assert scene.read_text() == Path(SURGE).read_text()
+    assert {path.name for path in tmp_path.iterdir()} == {"scene.yaml", "link.nc"}
+
+
 def test_a_run_without_output_is_refused(command):
     assert command("run", SURGE)[0] == 2
 
@@ -112,6 +124,21 @@ def test_a_simulation_that_cannot_be_completed_ends_with_three(command, tmp_path
     heavy = ["--set", "current=null", "--set", "top.tension=30 kN"]  # of a weight of 75 kN
     code, _, err = command("run", CURRENT, "-o", tmp_path / "out.nc", *heavy)
     assert code == 3
+    assert err.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_full_disk_ends_with_three_and_leaves_nothing(command, tmp_path):
+    target, limits = tmp_path / "out.nc", resource.getrlimit(resource.RLIMIT_FSIZE)
+    assert command("run", SURGE, "-o", target, *QUICK)[0] == 0  # kernels are there from now on
+    target.unlink()
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limits[1]))
+    try:
+        code, _, err = command("run", SURGE, "-o", target, *QUICK)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert code == 3
+    assert err.startswith(f"riserstudy: {target} cannot be written")
     assert err.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
 

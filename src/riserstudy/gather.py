@@ -227,12 +227,22 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
 
 
 def write_dataset(dataset: xr.Dataset, target: Path) -> None:
-    """Write a netCDF file whole or not at all."""
-    target.parent.mkdir(parents=True, exist_ok=True)
+    """Write a netCDF file whole or not at all.
+
+    Raises
+    ------
+    SimulationError
+        When it cannot be written, as on a full disk.
+    """
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     try:
+        target.parent.mkdir(parents=True, exist_ok=True)
         dataset.to_netcdf(partial, engine="netcdf4", encoding=_compressed(dataset))
         partial.replace(target)
+    except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
+        raise SimulationError(
+            f"{target} cannot be written: {error}; see whether the disk is full"
+        ) from None
     finally:
         partial.unlink(missing_ok=True)
 

@@ -1,0 +1,195 @@
+"""Faults, each a function of a finished checkout that does the damage and says what came of it.
+
+The docstring is what the table of docs/faults.md says was done.
+"""
+
+import contextlib
+import os
+import random
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+from small import forget, kill, run, start
+
+from riserstudy.folders import kernel_cache
+
+DAY = 86400.0
+
+
+def said(status, text):
+    """Exit status and first line of what a run said, for the table."""
+    line = next((x for x in text.splitlines() if x.startswith("riserstudy:")), "")
+    return f"exit {status}" + (f": {line.removeprefix('riserstudy: ')[:120]}" if line else "")
+
+
+def results_deleted_half_way(folder):
+    """The results folder is deleted while a run is at work."""
+    forget(folder)
+    process = start(folder)
+    while process.poll() is None and not any((folder / "results").glob("*/*.nc")):
+        time.sleep(0.02)
+    shutil.rmtree(folder / "results", ignore_errors=True)
+    text = "".join(process.communicate())
+    return said(process.returncode, text)
+
+
+def two_runs_at_once(folder):
+    """Two runs are started at the same moment."""
+    forget(folder)
+    processes = [start(folder), start(folder)]
+    texts = ["".join(process.communicate()) for process in processes]
+    ends = [said(p.returncode, text) for p, text in zip(processes, texts, strict=True)]
+    return " and ".join(sorted(ends))
+
+
+def broken_store(folder):
+    """Stored points are cut, filled with other bytes or emptied, and the datasets deleted."""
+    points = sorted((folder / ".cache/points").glob("*/*.npz"))
+    for k, point in enumerate(points):
+        content = bytearray(point.read_bytes())
+        content[len(content) // 2] ^= 255
+        point.write_bytes([content, content[: len(content) // 2], b""][k % 3])
+    for dataset in (folder / "results").glob("*/*.nc"):
+        dataset.unlink()
+    return f"{len(points)} points damaged"
+
+
+def broken_kernels(folder):
+    """Compiled kernels are cut short or filled with other bytes, and points and datasets deleted."""
+    shared = folder / ".cache/numba"
+    shared.unlink()
+    own = shared / kernel_cache().name
+    shutil.copytree(kernel_cache(), own)
+    files = sorted(own.rglob("*weight*.nb[ci]"))
+    for k, file in enumerate(files):
+        size = file.stat().st_size
+        file.write_bytes([file.read_bytes()[: size // 2], b"", bytes(size)][k % 3])
+    shutil.rmtree(folder / ".cache/points")
+    for dataset in (folder / "results").glob("*/*.nc"):
+        dataset.unlink()
+    return f"{len(files)} files damaged"
+
+
+def damaged_results(folder):
+    """Dataset, picture, report are cut short, and a half-written file is left behind."""
+    files = [
+        f for f in sorted((folder / "results").rglob("*")) if f.suffix in (".nc", ".png", ".html")
+    ]
+    for file in files:
+        os.truncate(file, file.stat().st_size // 2)
+    (folder / "results/bench/.s3.nc.1").write_bytes(b"half")
+    return f"{len(files)} files cut"
+
+
+def broken_records(folder):
+    """Snakemake's records of earlier runs are cut short, every other one deleted."""
+    files = sorted(f for f in (folder / ".snakemake/metadata").rglob("*") if f.is_file())
+    for k, file in enumerate(files):
+        if k % 2:
+            file.unlink()
+        else:
+            os.truncate(file, file.stat().st_size // 2)
+    return f"{len(files)} records damaged"
+
+
+def clock_set_back(folder):
+    """The clock is set back a day: all results are from tomorrow; then a value is edited, and edited back."""
+    for file in (*(folder / "results").rglob("*"), *(folder / ".cache/points").rglob("*")):
+        os.utime(file, (time.time() + DAY, time.time() + DAY))
+    scene = folder / "config/scenes/bench/s3.yaml"
+    text = scene.read_text()
+    scene.write_text(text.replace("density: 1025", "density: 1000"))
+    before = (folder / "results/bench/s3.nc").read_bytes()
+    status, _ = run(folder)
+    seen = (folder / "results/bench/s3.nc").read_bytes() != before
+    scene.write_text(text)
+    return f"exit {status}, the edit is {'seen' if seen else 'NOT SEEN'}"
+
+
+def clock_set_forward(folder):
+    """The clock was wrong for a while: half the inputs are from tomorrow, results from ten years ago."""
+    for k, file in enumerate(sorted((folder / "config").rglob("*.yaml"))):
+        if k % 2:
+            os.utime(file, (time.time() + DAY, time.time() + DAY))
+    for file in (folder / "results").rglob("*"):
+        os.utime(file, (time.time() - 3650 * DAY,) * 2)
+    return "nothing to see"
+
+
+def read_only_results(folder):
+    """The results folder is mounted read-only, and the datasets are out of date."""
+    scene = folder / "config/scenes/bench/s3.yaml"
+    text = scene.read_text()
+    scene.write_text(text.replace("density: 1025", "density: 1000"))
+    with mounted("--bind", folder / "results", folder / "results"):
+        mount("-o", "remount,bind,ro", folder / "results")
+        end = said(*run(folder))
+    scene.write_text(text)
+    return end
+
+
+def disk_full(folder):
+    """Results, points and records lie on a disk (tmpfs) of which 64 kB are free, then more becomes free."""
+    forget(folder)
+    disk = folder / "disk"
+    disk.mkdir()
+    with mounted("-t", "tmpfs", "-o", "size=64k", "tmpfs", disk):
+        for part in ("results", ".cache/points", ".snakemake", "logs"):
+            (disk / part).mkdir(parents=True)
+            (folder / part).symlink_to(disk / part)
+        ends = [said(*run(folder))]
+        for size in ("200k", "400k"):
+            mount("-o", f"remount,size={size}", disk)
+            ends.append(said(*run(folder)))
+        mount("-o", "remount,size=200m", disk)
+        for part in ("results", ".cache/points", ".snakemake", "logs"):
+            (folder / part).unlink()
+            shutil.copytree(disk / part, folder / part)
+    return "; ".join(ends)
+
+
+@contextlib.contextmanager
+def mounted(*words):
+    """Mount something for a while."""
+    mount(*words)
+    try:
+        yield
+    finally:
+        subprocess.run(["umount", words[-1]], check=True)
+
+
+def mount(*words):
+    """Mount something; PermissionError where that is not allowed."""
+    done = subprocess.run(["mount", *map(str, words)], capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise PermissionError(done.stderr.strip())
+
+
+FAULTS = (
+    results_deleted_half_way,
+    two_runs_at_once,
+    broken_store,
+    broken_kernels,
+    damaged_results,
+    broken_records,
+    clock_set_back,
+    clock_set_forward,
+    read_only_results,
+    disk_full,
+)
+
+
+def killed(folder, times, longest, rng: random.Random):
+    """Kill so many runs one after the other, each from nothing or from what the last one left."""
+    forget(Path(folder))
+    moments = []
+    for _ in range(times):
+        moment = rng.uniform(0.0, longest)
+        process = start(folder)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(moment)
+        kill(process, everything=rng.random() < 0.5)
+        moments.append(moment)
+    return moments
