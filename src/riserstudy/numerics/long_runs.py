@@ -20,6 +20,7 @@ from riserstudy.numerics.accuracy import timed
 from riserstudy.numerics.attempt import Attempt, attempt_on, largest
 from riserstudy.numerics.models import LongCase, LongStudy
 from riserstudy.numerics.references import by_run
+from riserstudy.numerics.scenes import in_tier
 from riserstudy.numerics.stability import FREE, stepped, whole
 from riserstudy.result import Result
 from riserstudy.scene.load import SceneFile, read_scene
@@ -38,7 +39,7 @@ def long_runs(study: LongStudy, config: Path, tier: Tier) -> xr.Dataset:
     import xarray as xr
 
     rows: list[dict[str, Any]] = []
-    for name, case in study.cases.items():
+    for name, case in in_tier(study.cases, tier).items():
         sets = case.set | (case.preview or {} if tier == "preview" else {})
         file = read_scene(config / case.scene).with_values(FREE | sets, f"{WHERE}: {name}")
         rows += candidates(name, case, file, study.repeats, tier)

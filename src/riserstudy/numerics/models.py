@@ -157,7 +157,8 @@ class LongCase(Strict):
     """A long simulation and the candidates to do it by: meshes, steps, methods.
 
     ``graded``: how many meshes of those that a refinement would try. ``own``: the paper's setting; absent:
-    none. ``published_seconds``, ``target_seconds``: absent: none named. ``preview``: set in that tier.
+    none. ``published_seconds``, ``target_seconds``: absent: none named. ``preview``: set in that tier;
+    absent: not part of it.
     """
 
     scene: str
