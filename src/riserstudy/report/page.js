@@ -27,6 +27,12 @@ const makeTablesSortable = async () => {
   }
 };
 
+// Plotly rejects the promise of an animation that another one interrupts, without a reason; nobody waits
+// for it, and the browser would complain.
+window.addEventListener("unhandledrejection", (event) => {
+  if (event.reason === undefined) event.preventDefault();
+});
+
 // A run is drawn when it comes into view.
 const drawRunsInMotion = () => {
   let plotly;
