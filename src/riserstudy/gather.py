@@ -78,7 +78,8 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
         coords="minimal",
         compat="override",
     )
-    flat = flat.isel(point=np.argsort([k for places in layouts for k in places]))
+    order = np.argsort([k for places in layouts for k in places])
+    flat = flat.isel(point=order, missing_dims="ignore")  # nothing to keep: no points either
     for name, extract in FACTS.items():
         flat[name] = ("point", [extract(r.facts) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])
