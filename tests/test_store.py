@@ -5,6 +5,9 @@ import io
 import os
 import pickle
 import random
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -70,3 +73,12 @@ def test_nothing_stored_is_unpickled(tmp_path, monkeypatch):
     assert not mark.exists()
     pickle.loads(point.read_bytes())
     assert mark.exists()
+
+
+def test_the_engine_s_digest_has_every_source_that_a_run_imports():
+    names = "import sys, riserstudy.run; print(*(m.__file__ for m in list(sys.modules.values())"
+    names += " if m.__name__.startswith('riserstudy')), sep='\\n')"
+    ran = subprocess.run([sys.executable, "-c", names], capture_output=True, text=True, check=True)
+    imported = {Path(line) for line in ran.stdout.split()}
+    packages = {file for file in imported if file.name == "__init__.py"}  # which hold no code
+    assert imported - packages <= store.sources_behind("run")

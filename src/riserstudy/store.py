@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import io
 import json
+import re
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -30,25 +31,29 @@ if TYPE_CHECKING:
 SEAL = hashlib.sha256().digest_size  # bytes
 
 
+_IMPORTED = re.compile(r"^ *from riserstudy\.?([\w.]*) import (\w*)", re.MULTILINE)
+
+
 @cache
 def engine_digest() -> str:
     """Digest of all sources that a simulated number depends on."""
-    names = (
-        "hermite",
-        "hermite_kernels",
-        "jit",
-        "build",
-        "mesh",
-        "model",
-        "sea",
-        "settle",
-        "single",
-        "small_angle",
-        "tensioner_law",
-        "run",
-    )
-    files = [PACKAGE / f"{name}.py" for name in names]
-    return digest([*files, *PACKAGE.glob("effects/*.py"), *PACKAGE.glob("solve/*.py")])
+    return digest(sources_behind("run"))
+
+
+def sources_behind(module: str) -> set[Path]:
+    """Source files of a module of the package and of all that it imports, found without running them."""
+    found: set[Path] = set()
+    left = [PACKAGE.joinpath(*module.split("."))]
+    while left:
+        place = left.pop()
+        file = place / "__init__.py" if place.is_dir() else place.with_suffix(".py")
+        if file in found or not file.exists():  # a name of a package may be no module
+            continue
+        found.add(file)
+        for package, name in _IMPORTED.findall(file.read_text("utf-8")):
+            place = PACKAGE.joinpath(*package.split("."))
+            left += [place, place / name]
+    return found
 
 
 def canonical(value: Any) -> Any:
