@@ -10,7 +10,7 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from riserstudy.errors import InputError
 from riserstudy.folders import has_module
@@ -106,18 +106,18 @@ class Samples(Strict):
 
 
 class Derived(Strict):
-    """A dataset derived from studies: those that it reads, and what its function is told besides.
-
-    A bare list is what it reads.
-    """
+    """A dataset derived from studies: those that it reads, and what its function is told besides."""
 
     reads: list[str]
     settings: dict[str, Any] = Field(default_factory=dict, alias="with")
 
-    @model_validator(mode="before")
-    @classmethod
-    def _bare(cls, value: Any) -> Any:
-        return {"reads": value} if isinstance(value, list) else value
+
+def _bare(value: Any) -> Any:
+    """A bare list is what a derived dataset reads."""
+    return {"reads": value} if isinstance(value, list) else value
+
+
+Reads = Annotated[Derived, BeforeValidator(_bare, json_schema_input_type=list[str] | Derived)]
 
 
 Labels = Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
@@ -153,7 +153,7 @@ class StudyFile(Strict):
     paper: str
     readings: dict[str, Labels] = Field(default_factory=dict)
     studies: dict[Name, StudyModel]
-    derived: dict[Name, Derived] = Field(default_factory=dict)
+    derived: dict[Name, Reads] = Field(default_factory=dict)
     measured: Measured | None = None
     schematics: dict[Name, SchematicModel] = Field(default_factory=dict)
     figures: dict[Name, FigureModel] = Field(default_factory=dict)

@@ -35,7 +35,7 @@ class TierModel(Strict):
 
 #: rules beside which each paper gets one of its own name
 RULES = {
-    *("all", "compile", "simulate", "measure", "derive", "figure", "figures"),
+    *("all", "compile", "shard", "simulate", "measure", "derive", "figure", "figures"),
     *("grade", "reproduction", "report", "everything"),
 }
 
