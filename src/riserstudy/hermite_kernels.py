@@ -49,8 +49,9 @@ def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) ->
 
     The waves are met where the beam is at displacements u; across a leaning beam is speed - rise u'.
     """
-    water[:] = sea.current
-    push[:] = 0.0
+    for e in range(water.shape[0]):
+        for g in range(water.shape[1]):
+            water[e, g], push[e, g] = sea.current[e, g], 0.0
     if t <= 0.0:
         return
     grown, rate = 1.0, 0.0

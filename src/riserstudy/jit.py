@@ -2,12 +2,17 @@
 
 numba's cache compares only the file a function stands in, so an edited callee in another file would
 silently run old machine code. The cache folder therefore carries a digest of all kernel sources, and
-the versions that shape machine code.
+the versions that shape machine code. Processes may compile into it side by side.
 """
 
 from __future__ import annotations
 
+import fcntl
+from collections.abc import Callable
+from functools import wraps
+
 import numba
+from numba.core.caching import IndexDataCacheFile
 
 from riserstudy.folders import kernel_cache
 
@@ -15,6 +20,27 @@ from riserstudy.folders import kernel_cache
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
 
 numba.config.CACHE_DIR = str(kernel_cache())
+
+
+def _one_at_a_time(save: Callable[..., None]) -> Callable[..., None]:
+    """Let one process at a time enter compiled code into the cache.
+
+    A function's index is read, added to and written back: of two processes that do so at once one would
+    lose its entry, or give its file the other's name.
+    """
+
+    @wraps(save)
+    def locked(self: IndexDataCacheFile, key: object, data: object) -> None:
+        folder = kernel_cache()
+        folder.mkdir(parents=True, exist_ok=True)
+        with (folder / "lock").open("a") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            save(self, key, data)
+
+    return locked
+
+
+IndexDataCacheFile.save = _one_at_a_time(IndexDataCacheFile.save)
 
 _common = {"cache": True, "nogil": True, "error_model": "numpy", "fastmath": FAST}
 

@@ -15,6 +15,7 @@ from riserstudy.single import EVERYWHERE, keep_stations, single
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
 RUNS = 16  # halvings of mesh or step, at most
+FALL = 1.5  # of differences, by which halving must bring them down to be repeated
 STEPS_A_PERIOD = 24  # of the coarsest step
 SPENT = ("elements", "step", "newton_iterations", "solve_seconds")  # what a run cost
 
@@ -64,7 +65,8 @@ def _as_asked(scene: Scene) -> Result:
 def _refined(scene: Scene) -> Result:
     """Refine mesh or step, whichever errs more, until both errors together are below what is asked for.
 
-    Every run is compared with the one before, which differs in mesh or in step alone.
+    Every run is compared with the one before, which differs in mesh or in step alone. Where halving one
+    did not help, the other is next.
     """
     a = scene.analysis
     target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
@@ -77,7 +79,7 @@ def _refined(scene: Scene) -> Result:
         return single(scene, mesh, step)
     before: dict[str, dict[str, float]] = {}
     error: dict[str, dict[str, float]] = {}
-    way, astray = ways[0], 0
+    way, astray, helps = ways[0], 0, True
     refinements: list[dict[str, Any]] = []
     result: Result | None = None
     for left in range(RUNS, -1, -1):
@@ -100,6 +102,7 @@ def _refined(scene: Scene) -> Result:
         if result is not None:
             now = difference(result, finer)
             error[way] = estimate(now, before.get(way))
+            helps = way not in before or _excess(before[way], target) > FALL * _excess(now, target)
             before[way] = now
         result = finer
         total = {name: sum(e.get(name, 0.0) for e in error.values()) for name in target}
@@ -107,7 +110,12 @@ def _refined(scene: Scene) -> Result:
         unknown = [w for w in ways if w not in error]
         if not unknown and all(total[name] <= limit for name, limit in target.items()):
             break
-        way = unknown[0] if unknown else max(ways, key=lambda w: _excess(error[w], target))
+        if unknown:
+            way = unknown[0]
+        elif len(ways) > 1 and not helps:  # an error that stays, as of a jolt, may be the other's
+            way = ways[1 - ways.index(way)]
+        else:
+            way = max(ways, key=lambda w: _excess(error[w], target))
         mesh = mesh.halved() if way == "mesh" else mesh
         step = 0.5 * step if step and way == "step" else step
     else:

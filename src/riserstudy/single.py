@@ -101,7 +101,7 @@ def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
     state.a[:] = 0.0
     record = new_record([state.clock[0]], [0], state)
     evaluate_once(model.programs, model.spare, record)
-    return record.values.copy(), record.probe[0].copy()
+    return record.value.values.copy(), record.value.probe[0].copy()
 
 
 def _march(
@@ -132,7 +132,7 @@ def _march(
     step = a.duration / count
     times = _times(a.output.start or 0.0, a.duration, a.output.interval)
     stations = _stations(mesh.s, None if where == EVERYWHERE else a.output.stations)
-    record = new_record(times, stations, state)
+    notes = new_record(times, stations, state)
     ledger = new_ledger()
     before = sum(energies(model.programs, model.state))
     if a.method == "explicit":
@@ -151,7 +151,7 @@ def _march(
             count,
             EXPLICIT_BOUND,
             model.fixed,
-            record,
+            notes,
             ledger,
         )
         facts["stable_step"] = limit
@@ -159,18 +159,18 @@ def _march(
         weights = TABLEAUS[a.method]
         stages = Stages(weights, *_stepping(scene, mesh, step, count))
         outcome = march_in_stages(
-            model.programs, model.state, model.spare, stages, model.fixed, record, ledger
+            model.programs, model.state, model.spare, stages, model.fixed, notes, ledger
         )
     else:
         method = _method(scene, mesh, step, count)
         outcome = march(
-            model.programs, model.state, model.spare, method, model.fixed, record, ledger
+            model.programs, model.state, model.spare, method, model.fixed, notes, ledger
         )
     if outcome != DONE:
         raise StepFailed(_why(model, mesh, ledger, step))
     after = sum(energies(model.programs, model.state))
     _audit(facts, ledger, before, after, step)
-    names = quantities(model)
+    names, record = quantities(model), notes.value
     arrays["time"] = record.time
     arrays["s"] = mesh.s[stations]
     for k, name in enumerate(names):

@@ -25,6 +25,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.sea import current_table, wave_of
 
 FloatArray = NDArray[np.float64]
+STIFFENING = 0.01  # change of the top tension, left out by a beam of constant tension, that is told
 CORRECTION = 1e-8  # that ends an iteration (m); on fine elements rounding leaves 1e-10
 AVERAGE_ACCELERATION = Newmark(beta=0.25, gamma=0.5)
 
@@ -75,8 +76,28 @@ def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
             arrays[name + "_max"], arrays[name + "_min"] = history.max(axis=0), history.min(axis=0)
         arrays["lfj_angle"] = moving.rotation[keep, 0]
         facts |= {"step": step, "newton_iterations": moving.iterations}
+        left_out = (
+            _stiffening(scene, mesh, rest.displacement, moving.displacement[keep]) / tension[-1]
+        )
+        if left_out > STIFFENING:
+            facts["warnings"].append(
+                f"top.z is held: bending would change the top tension by about {100 * left_out:.2g} %, "
+                "which the Hermite beam leaves out; take lumped masses"
+            )
     facts["solve_seconds"] = clock.perf_counter() - started
     return Result(arrays, facts)
+
+
+def _stiffening(scene: Scene, mesh: Mesh, rest: FloatArray, moving: FloatArray) -> float:
+    """Largest change of tension (N) by which a held top answers the length that bending takes."""
+    if scene.top.z == "free":
+        return 0.0
+    flexibility = sum(
+        mesh.l0[mesh.section == k].sum() / stiffness(section).axial
+        for k, section in enumerate(scene.riser)
+    )
+    longer = 0.5 * ((np.diff(moving) ** 2 - np.diff(rest) ** 2) / mesh.l0).sum(axis=-1)
+    return float(np.abs(longer).max() / flexibility)
 
 
 def beam_of(scene: Scene, mesh: Mesh) -> Beam:

@@ -1,4 +1,4 @@
-"""Compile every kernel: one small model with all effects in each number of directions."""
+"""Compile every kernel: small models that together have all effects, by number of directions."""
 
 from __future__ import annotations
 
@@ -73,8 +73,8 @@ _ANALYSIS: Tree = {
 }
 
 
-def scenes() -> list[Scene]:
-    """Small scenes that together have every effect."""
+def scenes() -> dict[str, list[Scene]]:
+    """Small scenes that together have every effect, in groups that share few kernels, the largest first."""
     linear: Tree = {"tension": "500 kN", "stiffness": "10 kN/m"}
     axial: Tree = {
         "title": "axial",
@@ -152,12 +152,9 @@ def scenes() -> list[Scene]:
     }
     linear_soil = afloat | {"soil": {"mudline": "0 m", "resistance": {"stiffness": "1 MPa"}}}
     across = {"current": planar["current"] | {"heading": "90 deg"}}
-    several = [axial, planar, gas_in_plane, pistons, linear_axial, tabulated, spatial]
     twisted = [section | {"shear_modulus": "80 GPa"} for section in afloat["riser"]]
     turning = afloat | across | {"vessel": _TURNS, "riser": twisted}
-    several += [afloat, linear_soil, turning]
     short = _ANALYSIS | {"duration": "1 ms", "step": "0.1 ms", "method": "explicit"}
-    explicit = [s | {"analysis": short} for s in several[:2]]
     wavy = planar | {
         "bottom": {"hold": "wellhead", "elevation": "0 m"},
         "top": {"x": "held", "z": "free", "tension": "500 kN"},
@@ -166,11 +163,32 @@ def scenes() -> list[Scene]:
         "platform": None,
         "analysis": _ANALYSIS | {"solver": "hermite"},
     }
-    return [Scene.model_validate(s) for s in [*several, *explicit, wavy]]
+    pipe = ("young_modulus", "outer_diameter", "inner_diameter", "structural_damping", "contents")
+    string = {k: v for k, v in (_SECTION | _WET).items() if k not in pipe}
+    slack = {
+        "title": "string",
+        "gravity": "9.81 m/s^2",
+        "water": planar["water"],
+        "riser": [string | {"axial_stiffness": "1 GN"}],
+        "bottom": {"hold": "wellhead", "elevation": "0 m"},
+        "top": {"x": "platform", "z": "held", "elevation": "101 m"},
+        "platform": {"surge": _HEAVE},
+        "current": planar["current"],
+        "analysis": _ANALYSIS,
+    }
+    groups = {
+        "in space": [spatial, turning],
+        "in a plane": [planar, gas_in_plane, afloat, linear_soil, planar | {"analysis": short}],
+        "along a line": [axial, pistons, linear_axial, tabulated, axial | {"analysis": short}],
+        "without bending": [slack],
+        "finite elements": [wavy],
+    }
+    return {name: [Scene.model_validate(s) for s in group] for name, group in groups.items()}
 
 
 @sound_kernels
-def warm_up() -> None:
-    """Run them."""
-    for scene in scenes():
-        run(scene)
+def warm_up(group: str | None = None) -> None:
+    """Run them, or those of one group."""
+    for name, several in scenes().items():
+        for scene in several if group in (None, name) else ():
+            run(scene)

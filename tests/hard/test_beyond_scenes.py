@@ -28,7 +28,7 @@ def stepped(model, rho, step, count, ledger):
     method = Method(*generalised_alpha(rho), step, count, 1e-9 * LENGTH, 12, 6, 0)
     done = march(model.programs, model.state, model.spare, method, model.fixed, record, ledger)
     assert done == DONE
-    return record
+    return record.value
 
 
 def like(model, fixed, left_out=()):

@@ -180,3 +180,24 @@ def test_the_default_accuracy_grades_the_mesh_towards_held_ends():
     assert off(found["x_static"], x) < 0.002
     assert len(found["l0"]) < 400
     assert found["l0"][-1] < 0.2 * found["l0"].max()
+
+
+@pytest.mark.parametrize("amplitude, told", [(0.2, False), (1.5, True)])
+def test_tension_that_a_held_top_would_add_is_told_and_is_what_lumped_masses_have(amplitude, told):
+    changes = {"platform__surge__amplitude": f"{amplitude} m", "analysis__duration": "30 s"}
+    beam = march(
+        "s2c",
+        80,
+        0.05,
+        analysis__solver="hermite",
+        analysis__method={"beta": 0.25, "gamma": 0.5},
+        **changes,
+    )
+    lumped = march("s2c", 80, 0.05, **changes).arrays
+    warnings = [w for w in beam.facts["warnings"] if w.startswith("top.z is held")]
+    assert bool(warnings) is told
+    if told:
+        top = lumped["effective_tension"][:, -1]
+        at_rest = lumped["effective_tension_static"][-1]
+        share = float(warnings[0].split("about ")[1].split(" %")[0])
+        assert share == pytest.approx(100 * np.abs(top - at_rest).max() / at_rest, rel=0.2)

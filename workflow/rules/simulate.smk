@@ -6,10 +6,11 @@ rule compile:
         PLAN.compiled,
     log:
         "logs/compile.log",
+    threads: 2
     message:
         "compile the kernels"
     shell:
-        "python -m riserstudy.jobs.compile_kernels {output:q} > {log:q} 2>&1"
+        "python -m riserstudy.jobs.compile_kernels {output:q} --threads {threads} > {log:q} 2>&1"
 
 
 rule shard:

@@ -43,8 +43,10 @@ def twice_arctan(half):
 @inner
 def compliance(bending, s):
     """Enter the flexibility of the pipe."""
-    s.flex[: bending.flex.shape[0]] += bending.flex
-    s.flex_up[: bending.flex_up.shape[0]] += bending.flex_up
+    for i in range(bending.flex.shape[0]):
+        s.flex[i] += bending.flex[i]
+    for e in range(bending.flex_up.shape[0]):
+        s.flex_up[e] += bending.flex_up[e]
     return 0.0
 
 

@@ -68,7 +68,8 @@ def _viscous_moments(damping, s):
         swing = _segment_rate(s, e)
         rate[e] += swing
         rate[e + 1] -= swing
-    moment[:] = damping.time * rate
+    for i in range(rate.shape[0]):
+        moment[i] = damping.time * rate[i]
     flexibility_solve(s, moment)
 
 

@@ -77,8 +77,9 @@ def _viscous_moments(damping, s):
         swing = _segment_rate(s, e)
         plus(rate, e, swing)
         plus(rate, e + 1, mul(-1.0, swing))
-    moment[:] = damping.time * rate
     for u in range(3):
+        for i in range(rate.shape[1]):
+            moment[u, i] = damping.time * rate[u, i]
         flexibility_solve(s, moment[u])
 
 

@@ -39,8 +39,8 @@ class SpatialFlexJoint(NamedTuple):
 def place(joint, s):
     """The held direction at this time."""
     held = joint.held
-    held[0] = joint.lean
-    held[1:] = 0.0
+    for c in range(3):
+        held[0, c], held[1, c], held[2, c] = joint.lean[c], 0.0, 0.0
     if joint.follows > 0:
         turned(s.platform, held[0], held[1], held[2])
     return 0.0

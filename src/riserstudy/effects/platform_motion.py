@@ -50,7 +50,8 @@ class Series(NamedTuple):
 @inner
 def drive_position(position, s):
     """Add the displacement at rest."""
-    s.platform[0] += position.displacement
+    for c in range(6):
+        s.platform[0, c] += position.displacement[c]
     return 0.0
 
 

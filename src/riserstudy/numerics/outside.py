@@ -25,7 +25,8 @@ from riserstudy.settle import settle
 from riserstudy.single import EXPLICIT_BOUND, quantities, single
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.explicit import accelerate
-from riserstudy.solve.record import Record, evaluate_and_note, new_record, widen
+from riserstudy.solve.program import Frozen
+from riserstudy.solve.record import evaluate_and_note, new_record, widen
 
 FloatArray = NDArray[np.float64]
 PATIENCE = 8.0  # seconds of a Radau run
@@ -45,11 +46,11 @@ def accelerations(p: Any, s: Any, time: float, fixed: Any) -> None:
 
 
 @kernel
-def note_output(p: Any, s: Any, fixed: Any, record: Any, k: int) -> None:
-    """Write output ``k`` down from the positions and velocities as they are."""
-    move(p, s, record.time[k])
+def note_output(p: Any, s: Any, fixed: Any, record: Any) -> None:
+    """Write the next output down from the positions and velocities as they are."""
+    move(p, s, record.time[record.written[0]])
     accelerate(p, s, fixed)
-    evaluate_and_note(p, s, record, k)
+    evaluate_and_note(p, s, record)
     widen(record)
 
 
@@ -92,9 +93,10 @@ def outside(scene: Scene, mesh: Mesh, integrator: str, step: float) -> Result:
     start = a.output.start or 0.0
     count = math.floor((a.duration - start) / a.output.interval * (1.0 + 1e-12) + 1e-9) + 1
     times = start + a.output.interval * np.arange(count)
-    record = new_record(times, list(range(len(mesh.s))), model.s)
+    notes = new_record(times, list(range(len(mesh.s))), model.s)
     march = by_radau if integrator == RADAU else by_euler
-    steps, evaluations = march(model, record, step)
+    steps, evaluations = march(model, notes, step)
+    record = notes.value
     arrays = still.arrays | {"time": record.time, "s": mesh.s}
     for k, name in enumerate(quantities(model)):
         arrays[name] = record.history[:, k, :]
@@ -111,11 +113,11 @@ class Count(NamedTuple):
     evaluations: int
 
 
-def by_euler(model: Model, record: Record, longest: float) -> Count:
+def by_euler(model: Model, record: Frozen, longest: float) -> Count:
     """Semi-implicit Euler, with steps that end at the outputs."""
     done, now = 0, 0.0
     move_state(model, 0.0)
-    for k, time in enumerate(record.time):
+    for time in record.value.time:
         count = math.ceil((time - now) / longest * (1.0 - 1e-9))
         h = (time - now) / max(1, count)
         if (
@@ -124,13 +126,13 @@ def by_euler(model: Model, record: Record, longest: float) -> Count:
         ):
             raise StepFailed(f"velocities grow without bound before t = {time:.4g} s")
         done, now = done + count, time
-        note_output(model.programs, model.state, model.fixed, record, k)
+        note_output(model.programs, model.state, model.fixed, record)
     return Count(done, done)
 
 
-def by_radau(model: Model, record: Record, tolerance: float) -> Count:
+def by_radau(model: Model, record: Frozen, tolerance: float) -> Count:
     """SciPy's Radau IIA of order 5 with its own steps and a Jacobian by differences."""
-    s = model.s
+    s, times = model.s, record.value.time
     free = np.ones(s.r.shape, bool)
     moments = len(s.dof) - len(s.dim)
     for node, unknown in model.fixed:
@@ -156,12 +158,12 @@ def by_radau(model: Model, record: Record, tolerance: float) -> Count:
     y0 = np.concatenate([s.r[free], s.v[free]])
     # positions count from rest: their own size says nothing of how far they move
     solver = Radau(
-        lambda t, y: rate(t, y + y0), 0.0, 0.0 * y0, float(record.time[-1]),
+        lambda t, y: rate(t, y + y0), 0.0, 0.0 * y0, float(times[-1]),
         rtol=tolerance, atol=absolute, first_step=1e-3,
     )  # fmt: skip
     started, steps, k = clock.perf_counter(), 0, 0
-    while solver.status == "running" or k < len(record.time):
-        if solver.status == "running" and (k == 0 or record.time[k] > solver.t):
+    while solver.status == "running" or k < len(times):
+        if solver.status == "running" and (k == 0 or times[k] > solver.t):
             failure = solver.step()
             steps += 1
             if failure:
@@ -171,9 +173,9 @@ def by_radau(model: Model, record: Record, tolerance: float) -> Count:
                     f"more than {PATIENCE:g} s, at t = {solver.t:.3g} s after {steps} steps"
                 )
             inside = solver.dense_output()
-        while k < len(record.time) and record.time[k] <= solver.t + 1e-9:
-            put(y0 + inside(record.time[k]))
-            note_output(model.programs, model.state, model.fixed, record, k)
+        while k < len(times) and times[k] <= solver.t + 1e-9:
+            put(y0 + inside(times[k]))
+            note_output(model.programs, model.state, model.fixed, record)
             k += 1
     return Count(steps, evaluations)
 

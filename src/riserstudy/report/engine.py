@@ -89,13 +89,16 @@ def costs(effects: xr.Dataset) -> list[str]:
         for name, x in zip(dearest["effect"].values, dearest.values, strict=True)
     ]
     cold = effects.attrs["cold_compile_seconds"]
+    spent = effects.attrs["cold_compile_core_seconds"]
     compiled = (
         f"Compiled: {effects.attrs['compiled_entries']} entries of effects, "
         f"{effects.attrs['compiled_functions']} other functions"
     )
     return [
         f"Dearest effects, by their share of the run time in the scene where it is largest: {listed(named)}.",
-        f"{compiled}; from nothing in {seconds(cold)}." if cold == cold else f"{compiled}.",
+        f"{compiled}; from nothing in {seconds(cold)}, {spent:.0f} core-seconds."
+        if cold == cold
+        else f"{compiled}.",
     ]
 
 

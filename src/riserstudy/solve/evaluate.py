@@ -61,7 +61,7 @@ def load(p, s):
     """Forces but inertia into ``s.force``, those of the string alone into ``s.ends``; after ``shape``."""
     every(p.string, s)
     gather(s)
-    keep_ends(s, 0)
+    keep_ends(s, s.ends[0])
     every(p.device, s)
 
 
@@ -77,7 +77,7 @@ def inertia(p, s):
     """Inertial forces alone, into ``s.force``; directions must have been measured."""
     s.force[:] = 0.0
     every(p.string_inertia, s)
-    keep_ends(s, 1)
+    keep_ends(s, s.ends[1])
     every(p.device_inertia, s)
 
 

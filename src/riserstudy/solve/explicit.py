@@ -14,7 +14,8 @@ from riserstudy.jit import inner, kernel
 from riserstudy.solve.evaluate import load, move, shape, true_moments
 from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.program import every
-from riserstudy.solve.record import evaluate_and_note, interpolate, widen
+from riserstudy.solve.record import due, evaluate_and_note, interpolate, widen
+from riserstudy.solve.state import copy
 
 
 @inner
@@ -66,9 +67,8 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
     v1 = np.zeros((d, n + 1))
     s.rate[0], s.rate[1] = 0.0, 1.0
     start = s.clock[0]
-    k_out = 0
     move(p, s, start)
-    v1[:] = s.v
+    copy(v1, s.v)
     power0 = accelerate(p, s, fixed)
     half = s.v.copy()
     for c in range(d):
@@ -76,7 +76,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
             half[c, i] -= 0.5 * h * s.a[c, i]
     s.flow[:] = 0.0
     every(p.power, s)
-    flow0 = s.flow.copy()
+    lost0, given0 = s.flow[0], s.flow[1]
     for step in range(steps + 1):
         t = start + step * h
         # here s.r is at t, half at t - h/2, s.a at t
@@ -94,11 +94,10 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
                         ledger.failure[1] = i
             ledger.failure[0], ledger.failure[2] = t, h * fastest
             return NOT_CONVERGED
-        if step == steps and not (
-            k_out < record.time.shape[0] and record.time[k_out] <= t + 1e-9 * h
-        ):
+        if step == steps and not due(record, t + 1e-9 * h):
             break
-        r0[:], a0[:] = s.r, s.a
+        copy(r0, s.r)
+        copy(a0, s.a)
         for c in range(d):
             for i in range(n + 1):
                 half[c, i] += h * a0[c, i]
@@ -112,17 +111,21 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
             for i in range(n + 1):
                 v1[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
         ledger.count[3] += 1
-        while k_out < record.time.shape[0] and record.time[k_out] < t + h * (1.0 - 1e-9):
-            interpolate(so, r0, v0, a0, t, s.r, v1, s.a, t + h, record.time[k_out])
-            so.moment[:] = s.moment
-            evaluate_and_note(p, so, record, k_out)
+        while due(record, t + h * (1.0 - 1e-9)):
+            time = record.time[record.written[0]]
+            interpolate(so, r0, v0, a0, t, s.r, v1, s.a, t + h, time)
+            copy(so.moment, s.moment)
+            evaluate_and_note(p, so, record)
             widen(record)
-            k_out += 1
-        given = 0.5 * h * (s.flow[1] + flow0[1])
-        lost = 0.5 * h * (s.flow[0] + flow0[0])
-        enter(ledger, 0.5 * h * (power0 + power1), given, lost, 0.0)
-        power0 = power1
-        flow0[:] = s.flow
+        lost, given = s.flow[0], s.flow[1]
+        enter(
+            ledger,
+            0.5 * h * (power0 + power1),
+            0.5 * h * (given + given0),
+            0.5 * h * (lost + lost0),
+            0.0,
+        )
+        power0, lost0, given0 = power1, lost, given
     s.clock[0] = start + steps * h
-    s.v[:] = v1
+    copy(s.v, v1)
     return DONE

@@ -24,6 +24,7 @@ from riserstudy.solve.newton import account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
+from riserstudy.solve.state import copy, keep, restore
 
 
 class Method(NamedTuple):
@@ -67,22 +68,21 @@ def march(p, s, so, method, fixed, record, ledger):
     moment0 = np.zeros((m, n + 1))
     force = np.zeros((d, n + 1))
     inert0, inert1 = np.zeros((d, n + 1)), np.zeros((d, n + 1))
-    flow0 = np.zeros(2)
 
     memory, pace = new_memory(), new_pace(method)
     balance(p, s, out, work, fixed)
     follower = s.a.copy()  # the auxiliary acceleration
     held0 = account(p, s, force, fixed)
-    inert1[:] = s.force
-    flow0[:] = s.flow
+    copy(inert1, s.force)
+    lost0, given0 = s.flow[0], s.flow[1]
     kinetic0 = every(p.kinetic, s)
     begin = s.clock[0]
-    k_out = note_start(p, s, record, begin)
+    note_start(p, s, record, begin)
 
     while under_way(pace, method):
         t, h = s.clock[0], pace[LENGTH]
-        r0[:], v0[:], a0[:], moment0[:] = s.r, s.v, s.a, s.moment
-        inert0[:] = inert1
+        keep(s, r0, v0, a0, moment0)
+        copy(inert0, inert1)
         s.rate[0] = gamma / (beta * h)
         s.rate[1] = (1.0 - am) / ((1.0 - af) * beta * h * h)
         for c in range(d):
@@ -93,13 +93,13 @@ def march(p, s, so, method, fixed, record, ledger):
         move(p, s, t + h)
 
         if not correct(p, s, method.tolerance, method.iterations, memory, out, work, fixed, ledger):
-            s.r[:], s.v[:], s.a[:], s.moment[:] = r0, v0, a0, moment0
+            restore(s, r0, v0, a0, moment0)
             if not halve(p, s, t, pace, method, memory, ledger):
                 return NOT_CONVERGED
             continue
 
         held = account(p, s, force, fixed)
-        inert1[:] = s.force
+        copy(inert1, s.force)
         kinetic1 = every(p.kinetic, s)
         # Numerical dissipation: work of the inertial forces by the trapezoidal rule that does not
         # come from kinetic energy.
@@ -110,11 +110,12 @@ def march(p, s, so, method, fixed, record, ledger):
                     1.0 - am
                 )
                 numerical -= 0.5 * (inert0[c, i] + inert1[c, i]) * (s.r[c, i] - r0[c, i])
-        given = 0.5 * h * (s.flow[1] + flow0[1])
-        lost = 0.5 * h * (s.flow[0] + flow0[0])
-        enter(ledger, 0.5 * h * (held + held0), given, lost, numerical)
-        flow0[:] = s.flow
-        kinetic0, held0 = kinetic1, held
-        k_out = note_step(p, s, so, r0, v0, a0, moment0, t, h, record, k_out)
+        lost, given = s.flow[0], s.flow[1]
+        half = 0.5 * h
+        enter(
+            ledger, half * (held + held0), half * (given + given0), half * (lost + lost0), numerical
+        )
+        kinetic0, held0, lost0, given0 = kinetic1, held, lost, given
+        note_step(p, s, so, r0, v0, a0, moment0, t, h, record)
         advance(s, pace, method, begin)
     return DONE

@@ -15,7 +15,7 @@ from riserstudy.jit import inner
 from riserstudy.solve.blocktri import solve
 from riserstudy.solve.evaluate import forces, inertia, tangent
 from riserstudy.solve.program import every
-from riserstudy.solve.state import clear_tangent
+from riserstudy.solve.state import clear_tangent, copy
 
 CONFIRM_EVERY = 32  # steps after which C is measured anew
 SAFETY = 4.0  # on the estimate C d^2
@@ -123,7 +123,7 @@ def account(p, s, force, fixed):
     """
     m = len(s.dof) - len(s.dim)
     forces(p, s)
-    force[:] = s.force
+    copy(force, s.force)
     inertia(p, s)
     s.flow[:] = 0.0
     every(p.power, s)

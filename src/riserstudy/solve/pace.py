@@ -28,7 +28,7 @@ def elapsed(step, start):
 def new_pace(method):
     """Length of the next step (s), full steps done, halvings of this one, parts of it left."""
     pace = np.zeros(4)
-    pace[LENGTH] = method.step * elapsed(1, method.start)
+    pace[LENGTH] = method.step * elapsed(1.0, method.start)
     pace[LEFT] = 1.0
     return pace
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from riserstudy.jit import inner, kernel
 from riserstudy.solve.evaluate import inertia, load, move, shape, true_moments
-from riserstudy.solve.program import every
+from riserstudy.solve.program import Frozen, every
 from riserstudy.solve.vec import at, dot
 
 ROUNDING = 1e-10  # of a time (s)
@@ -31,13 +31,14 @@ class Record(NamedTuple):
     values: np.ndarray  # (q, n+1) scratch
     past: np.ndarray  # (2, q, n+1) scratch: the two steps before
     seen: np.ndarray  # (1,) steps that the envelopes have seen
+    written: np.ndarray  # (1,) outputs written down
 
 
-def new_record(time, station, s) -> Record:
-    """Empty record for the sizes of a state."""
+def new_record(time, station, s) -> Frozen:
+    """Empty record for the sizes of a state, as compiled code takes it."""
     d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
     q, k = d + 1 + min(m, 1), len(time)
-    return Record(
+    record = Record(
         time=np.array(time, float),
         station=np.array(station, np.int64),
         history=np.zeros((k, q, len(station))),
@@ -50,7 +51,9 @@ def new_record(time, station, s) -> Record:
         values=np.zeros((q, n + 1)),
         past=np.zeros((2, q, n + 1)),
         seen=np.zeros(1, np.int64),
+        written=np.zeros(1, np.int64),
     )
+    return Frozen(record)
 
 
 @inner
@@ -116,8 +119,10 @@ def widen(record):
 
 
 @inner
-def note(p, s, record, k):
-    """Write the tabulated values down as output k."""
+def note(p, s, record):
+    """Write the tabulated values down as the next output."""
+    k = record.written[0]
+    record.written[0] += 1
     d, n = len(s.dim), s.l0.shape[0]
     m = len(s.dof) - d
     every(p.probe, s)
@@ -139,11 +144,18 @@ def note(p, s, record, k):
 
 
 @inner
-def evaluate_and_note(p, s, record, k):
-    """Output k of a state given by positions, velocities and true accelerations."""
-    move(p, s, record.time[k])
+def due(record, time):
+    """Whether the next output is due before a time."""
+    k = record.written[0]
+    return k < record.time.shape[0] and record.time[k] < time
+
+
+@inner
+def evaluate_and_note(p, s, record):
+    """The next output, of a state given by positions, velocities and true accelerations."""
+    move(p, s, record.time[record.written[0]])
     evaluate(p, s, record)
-    note(p, s, record, k)
+    note(p, s, record)
 
 
 @inner
@@ -175,45 +187,40 @@ def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
 def evaluate_once(p, s, record):
     """Tabulate and note a state as it stands, for callers in Python."""
     evaluate(p, s, record)
-    note(p, s, record, 0)
+    note(p, s, record)
 
 
 @inner
-def between(p, s, so, r0, v0, a0, moment0, t, h, record, k_out):
-    """Write down the outputs due within a step from t to t + h, where ``s`` is; returns the next one.
+def between(p, s, so, r0, v0, a0, moment0, t, h, record):
+    """Write down the outputs due within a step from t to t + h, where ``s`` is.
 
     ``so`` is a second state of the same model, which takes the interpolated positions.
     """
-    while k_out < record.time.shape[0] and record.time[k_out] < t + h * (1.0 - 1e-9):
-        x = (record.time[k_out] - t) / h
-        interpolate(so, r0, v0, a0, t, s.r, s.v, s.a, t + h, record.time[k_out])
+    while due(record, t + h * (1.0 - 1e-9)):
+        time = record.time[record.written[0]]
+        x = (time - t) / h
+        interpolate(so, r0, v0, a0, t, s.r, s.v, s.a, t + h, time)
         for u in range(len(s.dof) - len(s.dim)):
             for i in range(s.l0.shape[0] + 1):
                 so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
-        evaluate_and_note(p, so, record, k_out)
-        k_out += 1
-    return k_out
+        evaluate_and_note(p, so, record)
 
 
 @inner
 def note_start(p, s, record, t):
     """Write down the state that a march begins with, where the outputs begin there."""
-    if record.time[0] > t + ROUNDING:
-        return 0
-    tabulate(s, record.values)
-    widen(record)
-    note(p, s, record, 0)
-    return 1
+    if record.time[0] <= t + ROUNDING:
+        tabulate(s, record.values)
+        widen(record)
+        note(p, s, record)
 
 
 @inner
-def note_step(p, s, so, r0, v0, a0, moment0, t, h, record, k_out):
-    """Write down a step from t to t + h, where ``s`` is evaluated; returns the next output."""
-    k_out = between(p, s, so, r0, v0, a0, moment0, t, h, record, k_out)
+def note_step(p, s, so, r0, v0, a0, moment0, t, h, record):
+    """Write down a step from t to t + h, where ``s`` is evaluated."""
+    between(p, s, so, r0, v0, a0, moment0, t, h, record)
     if t + h >= record.time[0] - ROUNDING:  # envelopes start with the outputs
         tabulate(s, record.values)
         widen(record)
-    if k_out < record.time.shape[0] and record.time[k_out] <= t + h * (1.0 + 1e-9):
-        note(p, s, record, k_out)
-        k_out += 1
-    return k_out
+    if due(record, t + h * (1.0 + 1e-9)):
+        note(p, s, record)

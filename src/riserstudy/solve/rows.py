@@ -6,45 +6,10 @@ A row of size b is a tuple, row by row, of [diagonal | upper | right-hand side],
 
 from __future__ import annotations
 
-from riserstudy.solve.vec import _each, _tuple, unrolled
+from riserstudy.solve.unroll import unrolled
 
 
-def _lines(size):
-    return "(" + "".join(f"r{p}_{q}, " for p in range(size) for q in range(2 * size + 1)) + ")"
-
-
-def _unpack(size):
-    return f"{_lines(size)} = row"
-
-
-def _eliminate(size):
-    text = [_unpack(size)]
-    for p in range(size):
-        for k in range(size):
-            factor = f"low[{p * size + k}]"
-            for q in range(size):
-                text.append(f"r{p}_{q} -= {factor} * upper[{k * size + q}]")
-            text.append(f"r{p}_{2 * size} -= {factor} * right[{k}]")
-    return "\n    ".join([*text, f"return {_lines(size)}"])
-
-
-def _divide(size):
-    width = 2 * size + 1
-    text = [_unpack(size)]
-    for p in range(size):
-        text.append(f"inverse = 1.0 / r{p}_{p}")
-        text.append(f"pivot{p} = r{p}_{p}")
-        text += [f"r{p}_{q} *= inverse" for q in range(p + 1, width)]
-        for k in range(size):
-            if k != p:
-                text += [f"r{k}_{q} -= r{k}_{p} * r{p}_{q}" for q in range(p + 1, width)]
-    upper = "".join(f"r{p}_{q}, " for p in range(size) for q in range(size, 2 * size))
-    right = "".join(f"r{p}_{2 * size}, " for p in range(size))
-    pivots = "".join(f"pivot{p}, " for p in range(size))
-    return "\n    ".join([*text, f"return ({upper}), ({right}), ({pivots})"])
-
-
-@unrolled(_eliminate)
+@unrolled
 def eliminate(right, upper, low, row):
     """The row less ``low`` times the divided row (upper, right) before it."""
     size = len(right)
@@ -58,7 +23,7 @@ def eliminate(right, upper, low, row):
     return tuple(less)
 
 
-@unrolled(_divide)
+@unrolled
 def divide(like, row):
     """The row divided by its diagonal block: upper, right-hand side, pivots; ``like`` tells the size."""
     size = len(like)
@@ -67,26 +32,17 @@ def divide(like, row):
     pivots = []
     for p in range(size):
         pivots.append(r[p][p])
-        r[p] = [x / pivots[-1] for x in r[p]]
-        for k in range(size):
-            if k != p:
-                r[k] = [x - r[k][p] * y for x, y in zip(r[k], r[p], strict=True)]
+        inverse = 1.0 / pivots[p]
+        for q in range(p + 1, width):
+            r[p][q] *= inverse
+            for k in range(size):
+                if k != p:
+                    r[k][q] -= r[k][p] * r[p][q]
     upper = tuple(r[p][q] for p in range(size) for q in range(size, 2 * size))
     return upper, tuple(line[-1] for line in r), tuple(pivots)
 
 
-@unrolled(
-    lambda size: (
-        "return ("
-        + "".join(
-            f"right[{p}] - "
-            + " - ".join(f"upper[{p * size + q}] * after[{q}]" for q in range(size))
-            + ", "
-            for p in range(size)
-        )
-        + ")"
-    )
-)
+@unrolled
 def back(right, upper, after):
     """Solution of a divided row, given that of the row after it."""
     size = len(right)
@@ -95,35 +51,27 @@ def back(right, upper, after):
     )
 
 
-def _read(shape):
-    def body(size):
-        lines, columns = shape(size)
-        items = "".join(f"array[{p}, {q}], " for p in range(lines) for q in range(columns))
-        return f"return ({items})"
-
-    return body
-
-
-@unrolled(_read(lambda size: (size, 2 * size + 1)))
+@unrolled
 def whole_row(like, array):
     """An array (size, 2 size + 1) as a row."""
-    return tuple(x for row in array for x in row)
+    size = len(like)
+    return tuple(array[p, q] for p in range(size) for q in range(2 * size + 1))
 
 
-@unrolled(_read(lambda size: (size, size)))
+@unrolled
 def square_block(like, array):
     """An array (size, size) as a block."""
-    return tuple(x for row in array for x in row)
+    return tuple(array[p, q] for p in range(len(like)) for q in range(len(like)))
 
 
-@unrolled(_each("array[i, #] = a[#]", "; "))
+@unrolled
 def put_line(a, array, i):
     """Store a tuple in line i of an array."""
     for k, x in enumerate(a):
         array[i, k] = x
 
 
-@unrolled(_tuple("array[i, #]"))
+@unrolled
 def line(like, array, i):
     """Line i of an array."""
     return tuple(array[i, k] for k in range(len(like)))

@@ -19,13 +19,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.jit import kernel
+from riserstudy.jit import inner, kernel
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.newton import account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
+from riserstudy.solve.state import copy, keep, restore
 
 _G = 1.0 - sqrt(0.5)
 TABLEAUS = {
@@ -62,6 +63,16 @@ class Stages(NamedTuple):
     start: int  # steps that a graded start replaces by three times as many, 0 for none
 
 
+@inner
+def _work(s):
+    """Power of the inertial forces (W)."""
+    power = 0.0
+    for c in range(len(s.dim)):
+        for i in range(s.r.shape[1]):
+            power += s.force[c, i] * s.v[c, i]
+    return power
+
+
 @kernel
 def march_in_stages(p, s, so, method, fixed, record, ledger):
     """March from the state ``s`` at time ``s.clock[0]``; arguments and outcome are those of `march`."""
@@ -84,16 +95,17 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
     memory, pace = new_memory(), new_pace(method)
     balance(p, s, out, work, fixed)
     power[last, 2] = account(p, s, force, fixed)
-    power[last, :2] = s.flow
-    power[last, 3] = (s.force * s.v).sum()
+    power[last, 0], power[last, 1] = s.flow[0], s.flow[1]
+    power[last, 3] = _work(s)
     kinetic0 = every(p.kinetic, s)
     begin = s.clock[0]
-    k_out = note_start(p, s, record, begin)
+    note_start(p, s, record, begin)
 
     while under_way(pace, method):
         t, h = s.clock[0], pace[LENGTH]
-        r0[:], v[0], a[0], moment0[:] = s.r, s.v, s.a, s.moment
-        power[0] = power[last]
+        keep(s, r0, v[0], a[0], moment0)
+        for k in range(4):
+            power[0, k] = power[last, k]
         s.rate[0] = 1.0 / (diagonal * h)
         s.rate[1] = s.rate[0] * s.rate[0]
         failed = False
@@ -117,16 +129,15 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
             ):
                 failed = True
                 break
-            v[i], a[i] = s.v, s.a
+            copy(v[i], s.v)
+            copy(a[i], s.a)
             power[i, 2] = account(p, s, force, fixed)
-            power[i, :2] = s.flow
-            power[i, 3] = 0.0
-            for c in range(d):
-                for k in range(n + 1):
-                    power[i, 3] += s.force[c, k] * s.v[c, k]
+            power[i, 0], power[i, 1] = s.flow[0], s.flow[1]
+            power[i, 3] = _work(s)
         if failed:
-            s.r[:], s.v[:], s.a[:], s.moment[:] = r0, v[0], a[0], moment0
-            power[last] = power[0]
+            restore(s, r0, v[0], a[0], moment0)
+            for k in range(4):
+                power[last, k] = power[0, k]
             if not halve(p, s, t, pace, method, memory, ledger):
                 return NOT_CONVERGED
             continue
@@ -142,6 +153,6 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
             numerical -= weight * power[i, 3]
         enter(ledger, held, given, lost, numerical)
         kinetic0 = kinetic1
-        k_out = note_step(p, s, so, r0, v[0], a[0], moment0, t, h, record, k_out)
+        note_step(p, s, so, r0, v[0], a[0], moment0, t, h, record)
         advance(s, pace, method, begin)
     return DONE

@@ -190,12 +190,38 @@ def gather(s):
 
 
 @inner
-def keep_ends(s, part):
-    """Remember what the string alone does at its ends, before devices are added."""
+def copy(into, array):
+    """Copy a matrix (assigning slices would compile numpy's rules of broadcasting and their messages)."""
+    for c in range(array.shape[0]):
+        for i in range(array.shape[1]):
+            into[c, i] = array[c, i]
+
+
+@inner
+def keep(s, r0, v0, a0, moment0):
+    """Keep positions, velocities, accelerations and moments as they are."""
+    copy(r0, s.r)
+    copy(v0, s.v)
+    copy(a0, s.a)
+    copy(moment0, s.moment)
+
+
+@inner
+def restore(s, r0, v0, a0, moment0):
+    """Go back to what was kept."""
+    copy(s.r, r0)
+    copy(s.v, v0)
+    copy(s.a, a0)
+    copy(s.moment, moment0)
+
+
+@inner
+def keep_ends(s, ends):
+    """Remember in ``ends`` (2, d) what the string alone does at its ends, before devices are added."""
     n = s.l0.shape[0]
     for k in range(len(s.dim)):
-        s.ends[part, 0, k] = s.force[k, 0]
-        s.ends[part, 1, k] = s.force[k, n]
+        ends[0, k] = s.force[k, 0]
+        ends[1, k] = s.force[k, n]
 
 
 @inner

@@ -6,133 +6,92 @@ row. Written once, an effect so serves axial, planar and spatial models at no co
 
 from __future__ import annotations
 
-from math import sqrt
-
-from numba.core import types
-from numba.extending import overload, register_jitable
+from riserstudy.solve.unroll import root, unrolled
 
 
-def unrolled(body):
-    """Give a function on tuples a compiled twin; ``body(n)`` is its text for a first tuple of length n.
-
-    The plain function stays what Python runs when compiling is switched off.
-    """
-
-    def register(function):
-        names = ", ".join(function.__code__.co_varnames[: function.__code__.co_argcount])
-
-        def twin(arguments):
-            length = next(a.count for a in arguments if isinstance(a, types.BaseTuple))
-            scope = {}
-            exec(f"def twin({names}):\n    {body(length)}", scope)
-            return scope["twin"]
-
-        scope = {"twin": twin}
-        exec(f"def choose({names}):\n    return twin([{names}])", scope)
-        overload(function)(scope["choose"])
-        return function
-
-    return register
-
-
-def _each(item, join=", "):
-    """Text of ``item`` for k = 0 ... n-1 in place of #."""
-    return lambda n: join.join(item.replace("#", str(k)) for k in range(n))
-
-
-def _tuple(item):
-    return lambda n: f"return ({_each(item)(n)},)"
-
-
-def _square(item):
-    return lambda n: (
-        "return (" + "".join(item(i, j) + "," for i in range(n) for j in range(n)) + ")"
-    )
-
-
-@unrolled(_tuple("a[#] + b[#]"))
+@unrolled
 def add(a, b):
     """Sum of two vectors or two blocks."""
     return tuple(x + y for x, y in zip(a, b, strict=True))
 
 
-@unrolled(_tuple("a[#] - b[#]"))
+@unrolled
 def sub(a, b):
     """Difference of two vectors or two blocks."""
     return tuple(x - y for x, y in zip(a, b, strict=True))
 
 
-@unrolled(_tuple("factor * a[#]"))
+@unrolled
 def mul(factor, a):
     """Vector or block times a number."""
     return tuple(factor * x for x in a)
 
 
-@unrolled(lambda n: "return " + _each("a[#] * b[#]", " + ")(n))
+@unrolled
 def dot(a, b):
     """Scalar product."""
     return sum(x * y for x, y in zip(a, b, strict=True))
 
 
-@unrolled(_square(lambda i, j: f"a[{i}] * b[{j}]"))
+@unrolled
 def outer(a, b):
     """Block a bᵀ."""
     return tuple(x * y for x in a for y in b)
 
 
-@unrolled(_square(lambda i, j: str(float(i == j))))
+@unrolled
 def unity(a):
     """Unit block for vectors like ``a``."""
     return tuple(float(i == j) for i in range(len(a)) for j in range(len(a)))
 
 
-@unrolled(lambda n: f"return {(0.0,) * (n - 1) + (1.0,)}")
+@unrolled
 def upward(a):
     """Unit vector up, the last direction, for vectors like ``a``."""
     return (0.0,) * (len(a) - 1) + (1.0,)
 
 
-@unrolled(_tuple("array[#, i]"))
+@unrolled
 def at(like, array, i):
     """Vector i of a component-major array (directions, nodes); ``like`` tells the directions."""
     return tuple(array[k, i] for k in range(len(like)))
 
 
-@unrolled(_each("array[#, i] = a[#]", "; "))
+@unrolled
 def put(array, i, a):
     """Store a vector in a component-major array."""
     for k, x in enumerate(a):
         array[k, i] = x
 
 
-@unrolled(_each("array[#, i] += a[#]", "; "))
+@unrolled
 def plus(array, i, a):
     """Add a vector to a component-major array."""
     for k, x in enumerate(a):
         array[k, i] += x
 
 
-@unrolled(_each("array[i, #] = a[#]", "; "))
+@unrolled
 def put_block(array, i, a):
     """Store a block in row i of an array (rows, directions squared)."""
     for k, x in enumerate(a):
         array[i, k] = x
 
 
-@unrolled(_each("array[i, #] += a[#]", "; "))
+@unrolled
 def plus_block(array, i, a):
     """Add a block to row i of an array (rows, directions squared)."""
     for k, x in enumerate(a):
         array[i, k] += x
 
 
-@register_jitable
+@unrolled
 def norm(a):
     """Length of a vector."""
-    return sqrt(dot(a, a))
+    return root(dot(a, a))
 
 
-@register_jitable
+@unrolled
 def cross(a, b):
     """Vector product of two vectors in space."""
     return (
@@ -142,19 +101,19 @@ def cross(a, b):
     )
 
 
-@register_jitable
+@unrolled
 def skew(a):
     """Block of a vector in space: skew(a) b = a x b."""
     return (0.0, -a[2], a[1], a[2], 0.0, -a[0], -a[1], a[0], 0.0)
 
 
-@register_jitable
+@unrolled
 def transposed(a):
     """A block in space, rows and columns exchanged."""
     return (a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8])
 
 
-@register_jitable
+@unrolled
 def times(a, b):
     """Product of two blocks in space."""
     return (
