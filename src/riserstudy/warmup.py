@@ -131,6 +131,10 @@ def scenes() -> dict[str, list[Scene]]:
         "platform": {"roll": {"amplitude": "1 deg", "period": "10 s"}, "heave": _HEAVE}
         | {"centre_of_rotation": {"elevation": "110 m"}, "cruise": {"speed": "1 m/s"}},
     }
+    pitching = spatial | {
+        "platform": {"pitch": {"amplitude": "1 deg", "period": "10 s"}}
+        | {"centre_of_rotation": {"elevation": "110 m"}},
+    }
     afloat = planar | {
         "title": "afloat",
         "riser": [
@@ -176,11 +180,24 @@ def scenes() -> dict[str, list[Scene]]:
         "current": planar["current"],
         "analysis": _ANALYSIS,
     }
+    adrift = slack | {
+        "title": "adrift",
+        "top": {"x": "vessel", "z": "held", "elevation": "101 m"},
+        "platform": None,
+        "vessel": {"mass": "1e7 kg", "thrusters": _THRUST},
+    }
     groups = {
         "in space": [spatial, turning],
-        "in a plane": [planar, gas_in_plane, afloat, linear_soil, planar | {"analysis": short}],
+        "in a plane": [
+            planar,
+            gas_in_plane,
+            pitching,
+            afloat,
+            linear_soil,
+            planar | {"analysis": short},
+        ],
         "along a line": [axial, pistons, linear_axial, tabulated, axial | {"analysis": short}],
-        "without bending": [slack],
+        "without bending": [slack, adrift],
         "finite elements": [wavy],
     }
     return {name: [Scene.model_validate(s) for s in group] for name, group in groups.items()}

@@ -87,7 +87,9 @@ def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_mor
     assert (there["work_fixed"] <= there["work_asked"]).all()
     assert draw("numerics", "random_scenes", {"random_scenes": found}).axes
     assert (
-        engine({"random_scenes": found}).said[0].startswith("2 random scenes asked for 1 %, 0 of")
+        engine({"random_scenes": found})
+        .said[0]
+        .startswith("2 random scenes asked for 1 %: 0 refused")
     )
 
 
@@ -100,3 +102,13 @@ def test_every_scene_that_may_be_drawn_can_be_meant(tier):
                 one.file.scene()
             except InputError as error:
                 pytest.fail(f"{name}: {error}")
+
+
+def test_a_request_that_takes_long_is_a_row_that_says_so():
+    study = only(MEASURED.random_scenes, "families", CHANG)
+    hasty = study.model_copy(update={"patience": {"preview": 1e-9}})
+    found = random_scenes(hasty, CONFIG, "preview", 1)
+    assert all(message.startswith("not judged: ") for message in found["message"].values)
+    assert found["true"].isnull().all()
+    said = engine({"random_scenes": found}).said[0]
+    assert said.startswith("2 random scenes asked for 1 %: 0 refused, 2 not judged")

@@ -131,12 +131,17 @@ class Family(Strict):
 
 
 class RandomStudy(Strict):
-    """Scenes drawn at random, so many a family, and the accuracy asked of each."""
+    """Scenes drawn at random, so many a family, and the accuracy asked of each.
+
+    ``patience``: seconds a request may take for its true error to be measured, which takes some ten times as
+    long; a scene beyond it is a row that says so.
+    """
 
     caption: str
     accuracy: str
     seed: int
     count: dict[Tiers, Annotated[int, Field(ge=2)]]
+    patience: dict[Tiers, Positive]
     families: dict[str, Family]
 
     @property

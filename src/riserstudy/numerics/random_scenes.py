@@ -14,6 +14,7 @@ import os
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
 WHERE = "config/studies/numerics.yaml: measured.random_scenes"
 FINE = 64  # segments, beyond which a reference halves them instead of quartering
 OTHER = {"analysis.method": "ESDIRK4"}
+NOT_JUDGED = "not judged"
 TIMES = 2  # runs, of which the shortest counts
 LEVELS = tuple(2.0 ** (k / 2) for k in range(24))  # of mesh and step, finer and finer
 COARSE = 6  # segments, and steps a period, of the first level
@@ -67,7 +69,7 @@ def random_scenes(study: RandomStudy, config: Path, tier: Tier, threads: int) ->
     families = in_tier(study.families, tier).items()
     drawn = [one for item in families for one in draw(*item, study, config, tier)]
     with ThreadPoolExecutor(max(1, threads)) as pool:
-        list(pool.map(judge, drawn))
+        list(pool.map(partial(judge, patience=study.patience[tier]), drawn))
     for one in drawn:  # one after another: they are timed
         spend(one)
     return tabulated(study, drawn)
@@ -90,12 +92,21 @@ def draw(
         yield Drawn(name, k % 2 == 1, sets, base.with_values(sets | asked, f"{WHERE}: {name}"))
 
 
-def judge(one: Drawn) -> None:
-    """Run at the accuracy asked for, tell the true error, and find the cheapest that errs no more."""
+def judge(one: Drawn, patience: float) -> None:
+    """Run at the accuracy asked for, tell the true error, and find the cheapest that errs no more.
+
+    A request that took more than ``patience`` (s) is not judged.
+    """
     scene = whole(one.file.scene())
     tried = attempt(lambda: run(scene))
     if tried.result is None:
         one.message = tried.message
+        return
+    took = tried.result.facts["solve_seconds"]
+    if took > patience:
+        one.message = (
+            f"{NOT_JUDGED}: the request took {took:.1f} s, its true error would take far longer"
+        )
         return
     best = reference_of(one.file, scene, tried.result)
     if best.result is None:

@@ -105,7 +105,14 @@ def costs(effects: xr.Dataset) -> list[str]:
 def random_scenes(drawn: xr.Dataset) -> list[str]:
     """Whether an accuracy asked for is reached, honestly estimated, and cheap."""
     asked, count = float(drawn.attrs["requested"]), drawn.sizes["drawn"]
+    left = int(drawn["message"].str.startswith("not judged").sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
+    counts = (
+        f"{counted(count, 'random scene')} asked for {100 * asked:g} %: "
+        f"{count - left - ran.sizes['drawn']} refused, {left} not judged because the request took long"
+    )
+    if not ran.sizes["drawn"]:
+        return [f"{counts}."]
     ratio = (ran["estimated"] / ran["true"]).where(ran["true"] > 0.0)
     work = (ran["work_asked"] / ran["work_fixed"]).dropna("drawn")
     none = ran.sizes["drawn"] - work.sizes["drawn"]
@@ -116,8 +123,7 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
 
     honest = float(((ratio >= HONEST[0]) & (ratio <= HONEST[1])).mean())
     lines = [
-        f"{counted(count, 'random scene')} asked for {100 * asked:g} %, {count - ran.sizes['drawn']} of "
-        f"them refused: the true error is within it in {within(ran)}, of those held out in {within(held)}; "
+        f"{counts}. The true error is within it in {within(ran)}, of those held out in {within(held)}; "
         f"the estimate is half to five times the error in {100 * honest:.0f} %."
     ]
     if work.sizes["drawn"]:
