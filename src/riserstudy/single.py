@@ -17,26 +17,20 @@ from riserstudy.build import AXES, stiffness
 from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.explicit_limit import explicit_limit
+from riserstudy.marching import march_on
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.result import Result
-from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
 from riserstudy.scene.models import Scene
 from riserstudy.settle import rounding, settle
 from riserstudy.small_angle import solve_small_angle
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
-from riserstudy.solve.implicit import Method, generalised_alpha, march
 from riserstudy.solve.ledger import DONE, new_ledger
 from riserstudy.solve.record import Record, evaluate_once, new_record
-from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 from riserstudy.tensioner_law import leaves_table
 
 FloatArray = NDArray[np.float64]
-RHO_INF = 0.8  # default spectral radius
-NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
-ITERATIONS, HALVINGS = 12, 6  # of a step, at most
-GRADED = 4  # steps that a graded start replaces
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
 EVERYWHERE = "everywhere"  # histories at all nodes
 UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
@@ -155,17 +149,8 @@ def _march(
             ledger,
         )
         facts["stable_step"] = limit
-    elif isinstance(a.method, str):
-        weights = TABLEAUS[a.method]
-        stages = Stages(weights, *_stepping(scene, mesh, step, count))
-        outcome = march_in_stages(
-            model.programs, model.state, model.spare, stages, model.fixed, notes, ledger
-        )
     else:
-        method = _method(scene, mesh, step, count)
-        outcome = march(
-            model.programs, model.state, model.spare, method, model.fixed, notes, ledger
-        )
+        outcome = march_on(scene, model, mesh, step, notes, ledger)
     if outcome != DONE:
         raise StepFailed(_why(model, mesh, ledger, step))
     after = sum(energies(model.programs, model.state))
@@ -197,32 +182,6 @@ def _march(
             arrays["platform_sway"] = record.top[:, int(turns_aside)] * turns_aside
         if scene.vessel.yaw and not turns_aside:
             arrays["platform_yaw"] = np.zeros(len(record.time))
-
-
-def _method(scene: Scene, mesh: Mesh, step: float, count: int) -> Method:
-    a = scene.analysis
-    if isinstance(a.method, Newmark):
-        parameters = (0.0, 0.0, a.method.beta, a.method.gamma)
-    else:
-        rho = a.method.rho_inf if isinstance(a.method, GeneralisedAlpha) else RHO_INF
-        parameters = generalised_alpha(rho)
-    return Method(*parameters, *_stepping(scene, mesh, step, count))
-
-
-def _stepping(scene: Scene, mesh: Mesh, step: float, count: int) -> tuple[Any, ...]:
-    """Step, number, Newton's tolerance and limits, graded start."""
-    return step, count, _tolerance(scene, mesh), ITERATIONS, HALVINGS, _graded_start(scene)
-
-
-def _graded_start(scene: Scene) -> int:
-    """Steps of a graded start: where statics do not hold what acts at once, unless the step is given."""
-    a = scene.analysis
-    jolt = a.start not in (None, "equilibrium")
-    return GRADED if jolt and a.step is None else 0
-
-
-def _tolerance(scene: Scene, mesh: Mesh) -> float:
-    return (scene.analysis.newton_tolerance or NEWTON) * float(mesh.l0.sum())
 
 
 def _times(start: float, end: float, interval: float) -> FloatArray:

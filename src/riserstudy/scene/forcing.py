@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from typing import Annotated, Generic, Literal, Self, TypeVar
 
@@ -11,6 +12,8 @@ from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Positive, Strict
 from riserstudy.scene.response import Response
 from riserstudy.scene.sea import WindDrift
+
+SMOOTH = 1e-6  # sine of a phase below which a motion sets in without a jolt
 
 
 class Water(Strict):
@@ -38,6 +41,15 @@ class Harmonic(Strict):
     phase: u.Angle | None = None
     ramp: Annotated[u.Time, POSITIVE] | None = None
 
+    @property
+    def jolts(self) -> list[float]:
+        """Times at which velocity or acceleration jumps (s): a half cosine begins and ends with a kink."""
+        if self.ramp is None:
+            return [0.0]
+        phase = self.phase or 0.0
+        ends = 2.0 * math.pi * self.ramp / self.period + phase
+        return [t for t, at in ((0.0, phase), (self.ramp, ends)) if abs(math.sin(at)) > SMOOTH]
+
 
 class Translation(Harmonic):
     """Harmonic surge, sway or heave."""
@@ -57,6 +69,11 @@ class Cruise(Strict):
     speed: u.Speed
     heading: u.Angle | None = None
     ramp: Annotated[u.Time, POSITIVE] | None = None
+
+    @property
+    def jolts(self) -> list[float]:
+        """Times at which velocity or acceleration jumps (s)."""
+        return [0.0, self.ramp] if self.ramp else [0.0]
 
 
 class Instant(Strict):
@@ -155,6 +172,15 @@ class Platform(Strict):
                 if isinstance(one, Harmonic):
                     rows.append((name, one))
         return rows
+
+    @property
+    def jolts(self) -> list[float]:
+        """Times at which velocity or acceleration of a motion jumps (s)."""
+        moving = [motion for _, motion in self.harmonics]
+        found = [t for motion in (*moving, self.cruise) if motion for t in motion.jolts]
+        if self.response and self.response.ramp is None:
+            found.append(0.0)
+        return found
 
 
 class Point(Strict):

@@ -180,6 +180,19 @@ class Scene(Strict):
         return min(periods, default=None)
 
     @property
+    def jolts(self) -> list[float]:
+        """Times from the start on at which accelerations jump (s), in order.
+
+        At the start they do where statics do not hold what acts then.
+        """
+        a = self.analysis
+        found = self.platform.jolts if self.platform else []
+        sudden = self.vessel or (self.wave and self.wave.ramp is None)
+        if sudden or a.start not in (None, "equilibrium"):
+            found.append(0.0)
+        return sorted({t for t in found if t < (a.duration or 0.0)})
+
+    @property
     def lateral(self) -> str:
         """The line of the scene that calls for lateral freedom, "" when none does."""
         platform = self.platform or Platform()

@@ -208,8 +208,8 @@ def between(p, s, so, r0, v0, a0, moment0, t, h, record):
 
 @inner
 def note_start(p, s, record, t):
-    """Write down the state that a march begins with, where the outputs begin there."""
-    if record.time[0] <= t + ROUNDING:
+    """Write down the state that a march begins with, where an output is due there."""
+    if due(record, t + ROUNDING):
         tabulate(s, record.values)
         widen(record)
         note(p, s, record)

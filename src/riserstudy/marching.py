@@ -1,0 +1,72 @@
+"""March through a scene by its implicit method, from jolt to jolt."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+from riserstudy.mesh import Mesh
+from riserstudy.model import Model
+from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
+from riserstudy.scene.models import Scene
+from riserstudy.solve.evaluate import move_to
+from riserstudy.solve.implicit import Method, generalised_alpha, march
+from riserstudy.solve.ledger import DONE
+from riserstudy.solve.program import Frozen
+from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
+
+RHO_INF = 0.8  # default spectral radius
+NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
+ITERATIONS, HALVINGS = 12, 6  # of a step, at most
+GRADED = 4  # steps that a graded start replaces
+MOMENT = 1e-12  # share of a time, between before and after a jolt
+
+
+def march_on(
+    scene: Scene, model: Model, mesh: Mesh, step: float, record: Frozen, ledger: Any
+) -> int:
+    """March by the scene's implicit method, anew from every jolt on, with a graded start there.
+
+    Returns DONE, or why it stopped; the ledger then tells where.
+
+    Across a jump of a held node's acceleration a step longer than the periods of short segments would make
+    moments that are not there, the larger the finer the mesh. A step that the scene gives is kept.
+    """
+    a = scene.analysis
+    end = a.duration or 0.0
+    jolts = [] if a.step else scene.jolts
+    outcome: int = DONE
+    for begin, until in pairwise([0.0, *(t for t in jolts if t > 0.0), end]):
+        sudden = begin in jolts
+        # from just after a jolt to just before the next
+        begin, until = begin * (1.0 + MOMENT), until * (1.0 - MOMENT) if until < end else end
+        count = max(GRADED if sudden else 1, math.ceil((until - begin) / step * (1.0 - 1e-9)))
+        move_to(model.programs, model.state, begin)
+        limits = (
+            (until - begin) / count,
+            count,
+            (a.newton_tolerance or NEWTON) * float(mesh.l0.sum()),
+            ITERATIONS,
+            HALVINGS,
+            GRADED if sudden else 0,
+        )
+        start, stepped = _method(a.method)
+        outcome = stepped(
+            model.programs, model.state, model.spare, start(*limits), model.fixed, record, ledger
+        )
+        if outcome != DONE:
+            break
+    return outcome
+
+
+def _method(method: Any) -> tuple[Callable[..., Any], Callable[..., int]]:
+    """What describes a run by a method from its step on, and what marches."""
+    if isinstance(method, str):
+        return partial(Stages, TABLEAUS[method]), march_in_stages
+    if isinstance(method, Newmark):
+        return partial(Method, 0.0, 0.0, method.beta, method.gamma), march
+    rho = method.rho_inf if isinstance(method, GeneralisedAlpha) else RHO_INF
+    return partial(Method, *generalised_alpha(rho)), march
