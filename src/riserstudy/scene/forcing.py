@@ -178,8 +178,8 @@ class Platform(Strict):
         """Times at which velocity or acceleration of a motion jumps (s)."""
         moving = [motion for _, motion in self.harmonics]
         found = [t for motion in (*moving, self.cruise) if motion for t in motion.jolts]
-        if self.response and self.response.ramp is None:
-            found.append(0.0)
+        if self.response:
+            found += [0.0, self.response.ramp or 0.0]
         return found
 
 
