@@ -87,7 +87,10 @@ def lag_at(depths: Sequence[float], x: xr.DataArray, period: str | float) -> xr.
 def _lag(x: xr.DataArray, period: str | float, along: str) -> xr.DataArray:
     """Lag of the first harmonic, unwrapped along a dimension (rad)."""
     lag = -xr.apply_ufunc(np.angle, first_harmonic(x, period))
-    return xr.apply_ufunc(np.unwrap, lag, input_core_dims=[[along]], output_core_dims=[[along]])
+    unwrapped: xr.DataArray = xr.apply_ufunc(
+        np.unwrap, lag, input_core_dims=[[along]], output_core_dims=[[along]]
+    )
+    return unwrapped
 
 
 # roll

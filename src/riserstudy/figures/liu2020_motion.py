@@ -65,7 +65,7 @@ def baselines(statics_readings: xr.Dataset, surge_readings: xr.Dataset) -> Figur
     compared = (
         at_rest / at_rest.sel(tensioner_model="gas law"),
         (surging / surging.sel(tensioner_model="gas law")).min("depth"),
-        np.rad2deg((behind + np.pi) % (2.0 * np.pi) - np.pi).min("depth"),
+        (180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)).min("depth"),
     )
     titles = (
         "current of 1 m/s: largest",
