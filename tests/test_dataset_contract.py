@@ -9,6 +9,7 @@ import xarray as xr
 from riserstudy import simulate
 from riserstudy.gather import write_dataset
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation import coordinates
 
 PIPE = {
     "name": "riser",
@@ -240,6 +241,16 @@ def test_stations_are_the_nodes_nearest_to_those_wanted():
     assert found.sizes["s_node"] == 21
     whole = simulate(SceneFile("test.yaml", RIGGED))
     xr.testing.assert_allclose(found["x"], whole["x"].sel(s=found["s"]))
+
+
+def test_a_node_is_found_by_its_arclength():
+    """130 equal segments add up to 533.0000000000013 m."""
+    s = np.append(0.0, np.cumsum(np.full(130, 533.0 / 130)))
+    assert s[-1] != 533.0
+    found = xr.Dataset(coords=coordinates({"s": s[::10], "s_node": s, "time": s / 7.0}))
+    for name in ("s", "s_node"):
+        assert float(found[name].sel({name: 533.0})) == 533.0
+    np.testing.assert_array_equal(found["time"], s / 7.0)
 
 
 def test_stroke_does_not_need_a_station_at_the_top():

@@ -15,7 +15,12 @@ from riserstudy.derived import derive
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.figures import chang2020 as drawn
 from riserstudy.published import chang2020 as checks
-from riserstudy.published.deciding import correlation_ratio, deciding, total_effects
+from riserstudy.published.deciding import (
+    correlation_ratio,
+    deciding,
+    shares_by_option,
+    total_effects,
+)
 from riserstudy.published.grading import ErratumRow, Found, Row, graded, table
 from riserstudy.published.models import Item, read_published
 from riserstudy.published.verdict import error, met, verdict_of_claim, verdict_of_number
@@ -172,6 +177,25 @@ def test_a_dimension_beside_the_samples_can_decide():
     assert deciding(outcome, about).names == ["compared"]
 
 
+def test_shares_are_told_by_option_and_not_by_number():
+    _, about = sampled(64)
+    start, phase = about["assumed_analysis_start"], number(about, "assumed_heave_phase")
+    outcome = xr.where((start == "equilibrium") | (phase > 180.0), True, False)
+    found = shares_by_option(outcome, about, ["analysis.start", "heave.phase"])
+    rest = (phase > 180.0)[start.values == "unstretched"].mean()
+    assert found == {"analysis.start": {"equilibrium": 1.0, "unstretched": rest}}
+
+
+def test_shares_of_a_grid_are_told_by_the_labels_of_its_dimensions():
+    outcome = xr.DataArray(
+        [[True, False], [True, True]],
+        dims=("model", "level"),
+        coords={"model": ["gas law", "linear"], "level": [1.0, 2.0]},
+    )
+    found = shares_by_option(outcome, xr.Dataset(), ["model", "level"])
+    assert found == {"model": {"gas law": 0.5, "linear": 1.0}}
+
+
 def test_nothing_decides_what_never_changes():
     _, about = sampled(16)
     assert deciding(xr.ones_like(about["sample"], bool), about).names == []
@@ -277,6 +301,15 @@ def test_a_claim_is_graded_over_its_samples_and_tells_the_base_case():
         beside={"Settled": {"runs": "other"}},
     )
     assert beside.note.endswith("Base case: 2, true. Settled: 3, true.")
+
+
+def test_a_claim_that_an_option_decides_tells_the_share_under_each():
+    models = np.array(["with", "without"] * 8)
+    space = dataset(np.where(models == "with", 2.0, 0.0)).merge(samples(model=models))
+    about = {"kind": "claim", "check": "claim", "with": {"at_least": 1.0}}
+    found = row({"base": dataset(2.0), "space": space}, **about, over={"runs": "space"})
+    assert found.verdict == "depends"
+    assert "True by model: with: 100 %, without: 0 %." in found.note
 
 
 def test_what_cannot_be_compared_says_why():

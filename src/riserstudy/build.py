@@ -236,8 +236,7 @@ class _Builder:
         mass = self.per_segment(lambda s, k: s.mass or 0.0) * l0
         if np.any(mass):
             self.add("inertia", Inertia(mass, -mass), "riser.mass")
-        if self.d > 1:
-            self.effects += wet(self.scene, self.mesh, self.d)
+        self.effects += wet(self.scene, self.mesh, self.d)
 
     def bending(self, relaxation: float) -> None:
         why = "riser.young_modulus or bending_stiffness"

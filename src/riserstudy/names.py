@@ -9,6 +9,12 @@ from pathlib import Path
 from riserstudy.scene.load import read_yaml
 
 ENDINGS = {"_max": "largest ", "_min": "smallest ", "_static": "static "}
+OVER_TIME = {
+    "_largest": "largest ",
+    "_smallest": "smallest ",
+    "_deviation": "standard deviation of ",
+    "_spectrum": "spectral density of ",
+}
 
 
 @cache
@@ -22,13 +28,21 @@ def variables() -> dict[str, dict[str, str]]:
 
 def attributes(name: str) -> dict[str, str]:
     """CF attributes of a variable."""
-    for ending, word in ENDINGS.items():
+    for ending, word in (ENDINGS | OVER_TIME).items():
         base = name.removesuffix(ending)
         if base != name and base in variables():
             of = variables()[base]
-            return {"units": of["units"], "long_name": word + of["long_name"]}
+            unit = density(of["units"]) if ending == "_spectrum" else of["units"]
+            return {"units": unit, "long_name": word + of["long_name"]}
     of = variables().get(name, {})
     return {key: value for key, value in of.items() if key != "label"}
+
+
+def density(unit: str) -> str:
+    """Unit of a spectral density over frequency: ``N m`` becomes ``N2 m2 Hz-1``."""
+    parts = (re.fullmatch(r"(\D+?)(-?\d+)?", part) for part in unit.split())
+    powers = [f"{p[1]}{2 * int(p[2] or 1)}" for p in parts if p]  # none of the number 1
+    return " ".join([*powers, "Hz-1"])
 
 
 def cf_unit(unit: str) -> str:

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from riserstudy.result import Result
 
 
+S_DIGITS = 9  # decimals of arclengths (m), by which a node is selected
+
+
 @sound_kernels
 def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr.Dataset:
     """Simulate a scene.
@@ -82,14 +85,16 @@ def labelled(result: Result) -> xr.Dataset:
 
 
 def coordinates(arrays: dict[str, Any]) -> dict[str, Any]:
-    """Coordinates of a run."""
+    """Coordinates of a run; arclengths, which are sums of segments, rounded so that 533 m is found."""
     coords: dict[str, Any] = {
-        name: (name, arrays[name]) for name in ("time", "s", "s_node") if name in arrays
+        name: (name, arrays[name].round(S_DIGITS) if name != "time" else arrays[name])
+        for name in ("time", "s", "s_node")
+        if name in arrays
     }
     if (force := arrays.get("tensioner_force_static")) is not None:
         coords["cylinder"] = ("cylinder", list(range(len(force))))
     if "time" not in arrays:
-        coords["s"] = ("s", arrays["s_node"])
+        coords["s"] = ("s", coords["s_node"][1])
     return coords
 
 

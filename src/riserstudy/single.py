@@ -22,13 +22,14 @@ from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
+from riserstudy.scene.tensioners import Tensioners
 from riserstudy.settle import rounding, settle
 from riserstudy.small_angle import solve_small_angle
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.ledger import DONE, new_ledger
 from riserstudy.solve.record import Record, evaluate_once, new_record
-from riserstudy.tensioner_law import leaves_table
+from riserstudy.tensioner_law import leaves_table, stops_touched
 
 FloatArray = NDArray[np.float64]
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
@@ -69,6 +70,7 @@ def single(scene: Scene, mesh: Mesh, step: float | None, stations: str = "asked 
     _check_tension(scene, arrays, facts)
     if scene.top.tensioners:
         facts["warnings"] += leaves_table(scene.top.tensioners, _reaches(arrays))
+        facts["warnings"] += _stops(scene.top.tensioners, arrays)
     facts["solve_seconds"] = clock.perf_counter() - started
     return Result(arrays, facts)
 
@@ -77,6 +79,14 @@ def _reaches(arrays: dict[str, FloatArray]) -> FloatArray:
     """Reach of all cylinders, at rest and whenever it was recorded."""
     names = ("tensioner_stroke_static", "tensioner_stroke")
     return np.concatenate([arrays[name].ravel() for name in names if name in arrays])
+
+
+def _stops(rig: Tensioners, arrays: dict[str, FloatArray]) -> list[str]:
+    """What there is to tell of the end stops, at rest and over time."""
+    told = stops_touched(rig, arrays["tensioner_stroke_static"])
+    if "tensioner_stroke" in arrays:
+        told += stops_touched(rig, arrays["tensioner_stroke"], arrays["time"])
+    return told
 
 
 def quantities(model: Model) -> list[str]:

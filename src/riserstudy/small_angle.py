@@ -186,6 +186,7 @@ def _refuse(scene: Scene) -> None:
         "vessel": scene.vessel,
         "soil": scene.soil,
         "drag coefficient over elevation": any(s.drag and s.drag.table for s in scene.riser),
+        "tangential_drag": any(s.tangential_drag for s in scene.riser),
         "flex_joint_below": any(s.flex_joint_below for s in scene.riser),
         "bottom.hold: free": scene.bottom.hold == "free",
         "a body at an end": scene.bottom.body or top.body,

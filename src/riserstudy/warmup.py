@@ -20,6 +20,7 @@ _SECTION: Tree = {
     "submerged_weight": "1 kN/m",
     "structural_damping": {"ratio": 0.01, "at_period": "10 s"},
 }
+_ALONG: Tree = {"tangential_drag": {"coefficient": 0.02, "diameter": "0.5 m"}}
 _WET: Tree = {
     "lateral_load": "1 N/m",
     "drag": {"coefficient": 1.0, "diameter": "0.5 m"},
@@ -79,7 +80,7 @@ def scenes() -> dict[str, list[Scene]]:
     axial: Tree = {
         "title": "axial",
         "water": {"density": "1000 kg/m^3"},
-        "riser": [_SECTION],
+        "riser": [_SECTION | _ALONG],
         "bottom": {"hold": "wellhead", "elevation": "0 m", "body": _BODY},
         "top": {"z": "free", "body": _BODY, "tensioners": _RIG | {"gas": _GAS}},
         "platform": {"heave": _HEAVE, "position": {"heave": "0.1 m"}},
@@ -91,7 +92,7 @@ def scenes() -> dict[str, list[Scene]]:
         "gravity": "9.81 m/s^2",
         "water": axial["water"] | {"seabed": "0 m", "surface": "90 m"},
         "wave": {"height": "1 m", "period": "8 s", "above_mean_level": "stretched"},
-        "riser": [_SECTION | _WET],
+        "riser": [_SECTION | _WET | _ALONG],
         "bottom": axial["bottom"] | {"rotation": {"stiffness": "10 kN*m/deg"}},
         "top": axial["top"]
         | {"x": "platform", "rotation": "fixed", "tension": "100 kN"}
@@ -119,7 +120,7 @@ def scenes() -> dict[str, list[Scene]]:
     linear_axial = axial | {"top": axial["top"] | {"tensioners": _RIG | {"linear": linear}}}
     spatial = planar | {
         "title": "spatial",
-        "riser": [_SECTION | _BY_DEPTH],
+        "riser": [_SECTION | _BY_DEPTH | _ALONG],
         "top": {
             "x": "platform",
             "z": "platform",
@@ -173,7 +174,7 @@ def scenes() -> dict[str, list[Scene]]:
         "title": "string",
         "gravity": "9.81 m/s^2",
         "water": planar["water"],
-        "riser": [string | {"axial_stiffness": "1 GN"}],
+        "riser": [string | _ALONG | {"axial_stiffness": "1 GN"}],
         "bottom": {"hold": "wellhead", "elevation": "0 m"},
         "top": {"x": "platform", "z": "held", "elevation": "101 m"},
         "platform": {"surge": _HEAVE},

@@ -1,7 +1,8 @@
-"""What fluid around and inside does to the riser string: contents, added mass, force of waves, drag."""
+"""What fluid around and inside does to the riser string: contents, added mass, force of waves, drags."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import zip_longest
 from typing import Any
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.drag_over_depth import DragOverDepth
+from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.mesh import Mesh
@@ -22,9 +24,10 @@ FloatArray = NDArray[np.float64]
 
 
 def wet(scene: Scene, mesh: Mesh, d: int) -> Iterator[Effect]:
-    """Their effects in ``d`` directions, at least two."""
+    """Their effects in ``d`` directions; along a line there is none but tangential drag."""
     rho = scene.water.density if scene.water else 0.0
-    effects = [*_masses(scene, mesh, d, rho), *_drag(scene, mesh, d, rho)]
+    across = [*_masses(scene, mesh, d, rho), *_drag(scene, mesh, d, rho)] if d > 1 else []
+    effects = [*across, *_tangential(scene, mesh, rho)]
     yield from [e for e in effects if not isinstance(e.record, DragOverDepth)]
     yield from _waterline(scene, effects, len(mesh.l0))
     # after the waterline, which changes their scale
@@ -73,6 +76,16 @@ def _drag(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
             yield Effect("drag", Drag(whole, whole, scratch, horizontal), "riser.drag")
 
 
+def _tangential(scene: Scene, mesh: Mesh, rho: float) -> Iterator[Effect]:
+    """Drag along the pipe."""
+    around = [s.tangential_drag for s in scene.riser]
+    scale = over(
+        mesh, [0.5 * rho * math.pi * a.coefficient * a.diameter if a else 0.0 for a in around]
+    )
+    if np.any(scale):
+        yield Effect("tangential drag", TangentialDrag(scale), "riser.tangential_drag")
+
+
 def _waterline(scene: Scene, effects: list[Effect], n: int) -> Iterator[Effect]:
     """What wets segments in part, by changing the arrays of the others, where there is a surface."""
     if scene.water is None or scene.water.surface is None:
@@ -81,7 +94,8 @@ def _waterline(scene: Scene, effects: list[Effect], n: int) -> Iterator[Effect]:
     def records(name: str) -> list[Any]:
         return [effect.record for effect in effects if effect.name == name]
 
-    drags, added = records("drag"), records("added mass")
+    drags = records("drag") + records("tangential drag")
+    added = records("added mass")
     rows = zip_longest(
         [drag.scale if isinstance(drag, DragOverDepth) else drag.low for drag in drags],
         [record.mass for record in added],
@@ -92,7 +106,11 @@ def _waterline(scene: Scene, effects: list[Effect], n: int) -> Iterator[Effect]:
         drag, mass, minus, wave = (np.zeros(n) if a is None else a for a in row)
         full = np.stack([drag, mass, wave])
         record = Waterline(scene.water.surface, full, np.ones(n), drag, mass, minus, wave)
-        yield Effect("waterline", record, "water.surface, riser.drag, riser.added_mass")
+        yield Effect(
+            "waterline",
+            record,
+            "water.surface, riser.drag, riser.tangential_drag, riser.added_mass",
+        )
 
 
 def over(mesh: Mesh, value: Sequence[float]) -> FloatArray:

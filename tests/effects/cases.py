@@ -39,6 +39,7 @@ from riserstudy.effects.soil import LinearSoil, SoftClay
 from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
 from riserstudy.effects.tabulated_law import TabulatedLaw
+from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.thrusters import Thrusters
 from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
@@ -155,6 +156,9 @@ CASES = {
         lambda d: [current(d)],
     ),
     DragOverDepth: Case(depths, lambda d: [current(d)]),
+    TangentialDrag: Case(
+        lambda d: TangentialDrag(2e4 * SEGMENTS), lambda d: [current(d)] if d > 1 else []
+    ),
     Current: Case(current),
     Wave: Case(wave),
     WaveForce: Case(
@@ -240,8 +244,7 @@ CASES = {
     Torsion: Case(lambda d: Torsion(N + 1, 2e5), directions=(3,), loose=1),
     Waterline: Case(
         lambda d: Waterline(45.0, np.ones((3, N)), np.ones(N), *np.ones((4, N))),
-        lambda d: [wave(d, CONSTANT)],
-        (2, 3),
+        lambda d: [wave(d, CONSTANT)] if d > 1 else [],
     ),
     Pull: Case(lambda d: Pull(2, np.linspace(3e5, 2e6, d))),
     Support: Case(

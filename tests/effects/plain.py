@@ -42,6 +42,7 @@ from riserstudy.effects.soil import LinearSoil, SoftClay
 from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
 from riserstudy.effects.tabulated_law import TabulatedLaw
+from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.thrusters import Thrusters
 from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
@@ -126,6 +127,16 @@ def pressed(record, s, tangent=None):
 
 def drag(record, s, tangent=None):
     return {"force": spread(record.low, pressed(record, s, tangent), record.up)}
+
+
+def tangential_drag(record, s):
+    _, tangent = along(s)
+    slip = s.water - s.v
+    u = (0.5 * (slip[:, :-1] + slip[:, 1:]) * tangent).sum(axis=0)
+    half, out = 0.5 * record.low * np.abs(u) * u * tangent, np.zeros_like(s.force)
+    out[:, :-1] += half
+    out[:, 1:] += half
+    return {"force": out}
 
 
 def drag_over_depth(record, s):
@@ -527,6 +538,7 @@ VERSIONS = {
     Inertia: [("string_inertia", inertia)],
     AddedMass: [("string_inertia", added_mass)],
     Drag: [("string", drag)],
+    TangentialDrag: [("string", tangential_drag)],
     DragOverDepth: [("drive string", drag_over_depth)],
     Current: [("drive", current)],
     Wave: [("drive", wave)],

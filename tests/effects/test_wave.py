@@ -123,3 +123,36 @@ def test_an_irregular_sea_has_its_height_and_its_spectrum(enhancement):
     else:
         w = peak * np.linspace(0.5, 2.0, 3001)
         assert abs(w[jonswap(w, peak, enhancement).argmax()] / peak - 1.0) < 1e-3
+
+
+#: JONSWAP of waveresponse 1.4.1 (Hs 5 m, Tp 10 s, m2 s/rad), scaled by DNV's 1 - 0.287 ln(gamma)
+OTHERS_FREQUENCY = np.array([0.4, 0.5, 0.55, 0.6, 0.66, 0.7, 0.8, 1.0, 1.5, 2.5])  # rad/s
+OTHERS = {
+    1.0: [5.89103390e-02, 1.72553630, 2.87790580, 3.48265284, 3.48248478, 3.21833224,
+          2.30938288, 1.00207688, 1.54290940e-01, 1.24063344e-02],
+    2.0: [4.71911604e-02, 1.39592295, 2.65714378, 4.90065226, 5.04504132, 3.51641541,
+          1.86279279, 8.02730479e-01, 1.23597344e-01, 9.93830211e-03],
+    3.3: [3.87244378e-02, 1.15363800, 2.41598108, 6.04153664, 6.35161696, 3.61088102,
+          1.53622925, 6.58709477e-01, 1.01422263e-01, 8.15523262e-03],
+    7.0: [2.60103872e-02, 7.83180361e-01, 1.89303923, 7.47745540, 8.11324921, 3.39639409,
+          1.03961328, 4.42440780e-01, 6.81231203e-02, 5.47769176e-03],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("enhancement", OTHERS)
+def test_the_spectrum_is_that_of_another_library(enhancement):
+    """Shape to nine digits; and a share of energy that DNV's factor has right to its own accuracy."""
+    peak = 2.0 * np.pi / 10.0
+    scale = 5.0 / 16.0 * 5.0**2 * peak**4 * (1.0 - 0.287 * np.log(enhancement))
+    ours = scale * jonswap(OTHERS_FREQUENCY, peak, enhancement)
+    np.testing.assert_allclose(ours, OTHERS[enhancement], rtol=2e-8)  # the digits given
+    w = peak * np.geomspace(0.2, 60.0, 200_001)
+    energy = np.trapezoid(scale * jonswap(w, peak, enhancement), w)
+    # exact for 1 (Pierson-Moskowitz: Hs^2/16); the logarithm is a fit for 1 to 7
+    assert energy == pytest.approx(5.0**2 / 16.0, rel=1e-6 if enhancement == 1.0 else 0.02)
+
+
+@pytest.mark.parametrize("enhancement", [2.0, 3.3, 7.0])
+def test_the_peak_stands_over_that_of_pierson_and_moskowitz_by_the_enhancement(enhancement):
+    w = np.array([0.7])
+    assert jonswap(w, 0.7, enhancement) / jonswap(w, 0.7, 1.0) == pytest.approx(enhancement)

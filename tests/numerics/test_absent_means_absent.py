@@ -16,6 +16,7 @@ from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.platform_motion import Position
 from riserstudy.effects.pull import Pull
+from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 from riserstudy.ledger import ledger
@@ -31,6 +32,7 @@ N = 20
 LINE, NODES, FIELD = np.zeros(N), np.zeros(N + 1), np.zeros((2, N + 1))
 ZERO_LOAD = {
     "drag": lambda: Drag(LINE.copy(), LINE.copy(), FIELD.copy(), 0),
+    "tangential drag": lambda: TangentialDrag(LINE.copy()),
     "added mass": lambda: AddedMass(LINE.copy(), LINE.copy(), 0),
     "inertia": lambda: Inertia(LINE.copy(), LINE.copy()),
     "wave force": lambda: WaveForce(LINE.copy(), FIELD.copy()),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
@@ -35,29 +36,61 @@ def surge(surge_case: xr.Dataset) -> xr.Dataset:
     depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
     riser = surge_case["x"].sel(s=surge_case["s"] <= RING + 1e-6)
     x = riser.interp(s=RING - depth, method="cubic").assign_coords(depth=depth)
-    return described(_moved(x.drop_vars("s")), PAPER, "displacement under surge at four depths")
+    lag = lag_at(DEPTHS, riser, SURGE_PERIOD)
+    return described(
+        _moved(x.drop_vars("s"), lag), PAPER, "displacement under surge at four depths"
+    )
 
 
 def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
     """The same for every sample of what the paper leaves open."""
     x = surge_open["x"].assign_coords(depth=RING - surge_open["s"]).swap_dims(s="depth")
-    found = _moved(x.drop_vars("s").sortby("depth")).assign(sampled(surge_open))
+    x = x.drop_vars("s").sortby("depth")
+    found = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
     return described(found, PAPER, "displacement under surge over what the paper leaves open")
 
 
-def _moved(x: xr.DataArray) -> xr.Dataset:
-    """Amplitude, and lag behind the platform in cycles of unwrapped phase down the riser."""
-    lag = -xr.apply_ufunc(np.angle, first_harmonic(x, SURGE_PERIOD))
-    unwrapped = xr.apply_ufunc(
-        np.unwrap, lag, input_core_dims=[["depth"]], output_core_dims=[["depth"]]
-    )
+def _moved(x: xr.DataArray, lag: xr.DataArray) -> xr.Dataset:
+    """Amplitude and lag behind the platform down the riser, and how settled the motion is."""
     return xr.Dataset(
         {
             "displacement_amplitude": half_swing(x, SURGE_PERIOD),
-            "displacement_lag": unwrapped,
+            "displacement_lag": lag,
             "settling": settling(x, SURGE_PERIOD),
         }
     )
+
+
+def lag_at(depths: Sequence[float], x: xr.DataArray, period: str | float) -> xr.DataArray:
+    """Lag of the first harmonic at depths below the ring, counted on from node to node from there.
+
+    Between depths far apart the lag may grow by more than half a turn, between nodes it does not.
+
+    Parameters
+    ----------
+    depths : below the ring (m), in any order.
+    x : displacement over ``time``, ``s`` and more, at the nodes of the riser (m).
+    period : as in ``first_harmonic``.
+
+    Returns
+    -------
+    Lag over ``depth`` and what else the displacement has (rad), within half a turn at the ring.
+    """
+    depth = xr.DataArray(list(depths), dims="depth", name="depth")
+    down = x.sel(s=x["s"] <= RING + 1e-6).sortby("s", ascending=False)
+    near = _lag(down, period, "s").interp(s=RING - depth, method="linear")
+    exact = _lag(down.interp(s=RING - depth, method="cubic"), period, "depth")
+    turns = np.round((near - exact) / (2.0 * np.pi))
+    return (exact + 2.0 * np.pi * turns).drop_vars("s").assign_coords(depth=depth)
+
+
+def _lag(x: xr.DataArray, period: str | float, along: str) -> xr.DataArray:
+    """Lag of the first harmonic, unwrapped along a dimension (rad)."""
+    lag = -xr.apply_ufunc(np.angle, first_harmonic(x, period))
+    unwrapped: xr.DataArray = xr.apply_ufunc(
+        np.unwrap, lag, input_core_dims=[[along]], output_core_dims=[[along]]
+    )
+    return unwrapped
 
 
 # roll
@@ -73,13 +106,8 @@ def roll(roll_runs: xr.Dataset) -> xr.Dataset:
 
 def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
     """The same about an assumed centre, and the lag of the riser down its length."""
-    depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
-    x = roll_base["x"].interp(s=RING - depth, method="cubic").assign_coords(depth=depth)
-    lag = -xr.apply_ufunc(np.angle, first_harmonic(x.drop_vars("s"), "roll_period"))
-    unwrapped = xr.apply_ufunc(
-        np.unwrap, lag, input_core_dims=[["depth"]], output_core_dims=[["depth"]]
-    )
-    found = xr.Dataset({"max_bending_moment": _largest(roll_base), "displacement_lag": unwrapped})
+    lag = lag_at(DEPTHS, roll_base["x"], "roll_period")
+    found = xr.Dataset({"max_bending_moment": _largest(roll_base), "displacement_lag": lag})
     return described(found, PAPER, "largest bending moment under roll, centre of rotation assumed")
 
 

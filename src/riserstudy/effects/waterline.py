@@ -29,7 +29,8 @@ class Waterline(NamedTuple):
     surface: float  # elevation of the mean level (m)
     full: np.ndarray  # (3, n) drag (kg/m), added mass, mass that waves accelerate (kg)
     wet: np.ndarray  # (n,) share of each segment that the others were last given
-    drag: np.ndarray  # (n,) the array of `Drag`, or the scale of `DragOverDepth`, which comes later
+    # (n,) the array of `Drag` or `TangentialDrag`, or the scale of `DragOverDepth`, which comes later
+    drag: np.ndarray
     added: np.ndarray  # (n,) those of `AddedMass`
     minus: np.ndarray  # (n,)
     carried: np.ndarray  # (n,) that of `WaveForce`

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.figures.liu2020_motion import (
@@ -119,7 +120,20 @@ def fig11(statics: xr.Dataset) -> Figure:
 
 def fig12(statics: xr.Dataset) -> Figure:
     """Bending moment in three currents, on the tensioners and on a constant tension."""
-    return _at_rest(statics, "bending_moment_static", 1e-3, "bending moment (kN m)")
+    figure = _at_rest(statics, "bending_moment_static", 1e-3, "bending moment (kN m)")
+    _enlarged(figure.axes[0], figure.axes[1].get_xlim())
+    return figure
+
+
+def _enlarged(ax: Axes, limits: tuple[float, float]) -> None:
+    """The curves of a panel once more within limits that a few of them leave by far."""
+    inset = ax.inset_axes((0.13, 0.12, 0.62, 0.62))
+    for line in ax.get_lines():
+        inset.plot(*line.get_data(), line.get_linestyle(), color=line.get_color(), linewidth=1.1)
+    inset.set_xlim(*limits)
+    inset.set_ylim(*ax.get_ylim())
+    inset.set_title("enlarged", loc="right", fontsize="small")
+    inset.tick_params(labelsize="small")
 
 
 def _at_rest(statics: xr.Dataset, name: str, scale: float, label: str) -> Figure:

@@ -56,22 +56,31 @@ def fig18(surge_case: xr.Dataset) -> Figure:
 
 
 def baselines(statics_readings: xr.Dataset, surge_readings: xr.Dataset) -> Figure:
-    """Share of the samples in which the riser on tensioners moves less, by what stands without them."""
-    figure, axes = panels(1, 2, 3.6, sharey=True)
+    """Samples in which the riser on tensioners moves less and lags, by what stands without them."""
+    figure, axes = panels(1, 3, 3.6, sharey=True)
     at_rest = statics_readings["largest_displacement"].sel(surface_speed=1.0)
     surging = surge_readings["displacement_amplitude"]
-    ratios = (
+    lag = surge_readings["displacement_lag"]
+    behind = lag.sel(tensioner_model="gas law", drop=True) - lag
+    compared = (
         at_rest / at_rest.sel(tensioner_model="gas law"),
         (surging / surging.sel(tensioner_model="gas law")).min("depth"),
+        (180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)).min("depth"),
     )
-    titles = ("current of 1 m/s: largest", "surge: least over four depths")
-    for ax, ratio, title in zip(axes, ratios, titles, strict=True):
+    titles = (
+        "current of 1 m/s: largest",
+        "surge: least of four depths",
+        "surge: least of four depths",
+    )
+    over = "displacement without over with (-)"
+    labels, same = (over, over, "lag of that with tensioners (deg)"), (1.0, 1.0, 0.0)
+    for ax, values, title, x, even in zip(axes, compared, titles, labels, same, strict=True):
         for colour, (model, label) in zip(COLOURS[1:], BASELINES.items(), strict=False):
-            values = np.sort(ratio.sel(tensioner_model=model).values)
-            share = np.arange(1, len(values) + 1) / len(values)
-            ax.step(values, 100.0 * share, color=colour, where="post", label=label)
-        ax.axvline(1.0, color="black", linewidth=0.9)
-        ax.set_xlabel("displacement without over with tensioners (-)")
+            risen = np.sort(values.sel(tensioner_model=model).values)
+            share = np.arange(1, len(risen) + 1) / len(risen)
+            ax.step(risen, 100.0 * share, color=colour, where="post", label=label)
+        ax.axvline(even, color="black", linewidth=0.9)
+        ax.set_xlabel(x)
         ax.set_title(title, loc="right", fontsize="small")
     axes[0].set_ylabel("share of the samples below (%)")
     key_below(figure, axes[0], 3)

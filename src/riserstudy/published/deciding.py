@@ -126,6 +126,28 @@ def listed(names: Iterable[str]) -> str:
     return f"{', '.join(most)} and {last}" if most else last
 
 
+def shares_by_option(
+    outcome: xr.DataArray, about: xr.Dataset, names: Iterable[str]
+) -> dict[str, dict[str, float]]:
+    """Share of a boolean outcome that is true under each option, by input.
+
+    Inputs that are no named options, ranges and numbers, are left out.
+
+    Parameters
+    ----------
+    outcome, about : as in ``deciding``.
+    names : of the inputs.
+    """
+    known, true = inputs(outcome, about), outcome.values.ravel()
+    found: dict[str, dict[str, float]] = {}
+    for name in names:
+        values = known[name]
+        options = list(dict.fromkeys(str(value) for value in values))
+        if _numbers(np.array(options)) is None:
+            found[name] = {o: float(true[values.astype(str) == o].mean()) for o in options}
+    return found
+
+
 def inputs(outcome: xr.DataArray, about: xr.Dataset) -> dict[str, NDArray[np.generic]]:
     """Values of every input in each cell of the outcome, flat: dimensions and what samples assumed."""
     found: dict[str, xr.DataArray] = {}

@@ -6,7 +6,7 @@ import csv
 import io
 import json
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, fields
 from functools import partial
 from importlib import import_module
@@ -16,7 +16,7 @@ import xarray as xr
 from scipy.stats import binomtest
 
 from riserstudy.errors import SimulationError
-from riserstudy.published.deciding import deciding, listed
+from riserstudy.published.deciding import deciding, listed, shares_by_option
 from riserstudy.published.models import Checked, Erratum, Item, PublishedFile
 from riserstudy.published.verdict import (
     Verdict,
@@ -175,7 +175,16 @@ def _explained(
     if verdict != "depends":
         return "", f"{share[0].upper()}{share[1:]}."
     names, why = deciding(hits, about)
-    return f"{listed(names) if names else 'no single input or pair'}; {share}", why
+    said = [why, *_by_option(hits, about, names, word)]
+    name = listed(names) if names else "no single input or pair"
+    return f"{name}; {share}", " ".join(text for text in said if text)
+
+
+def _by_option(hits: xr.DataArray, about: xr.Dataset, names: list[str], word: str) -> Iterator[str]:
+    """How often it comes out under each option of deciding inputs, a sentence an input."""
+    for name, shares in shares_by_option(hits, about, names).items():
+        each = ", ".join(f"{option}: {100 * share:.0f} %" for option, share in shares.items())
+        yield f"{word.capitalize()} by {name}: {each}."
 
 
 def _band(hits: xr.DataArray) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.published.grading import Found
+from riserstudy.published.verdict import ALMOST_ALWAYS
 
 #: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
 WITHOUT = ["constant", "vertical force at the ring", "riser's top on the platform"]
@@ -188,6 +189,26 @@ def forces(force: xr.Dataset, calibrated: xr.Dataset) -> dict[str, Any]:
             needed.sel(current_profile="exponential 50 m", counted="all cylinders")
         ),
     }
+
+
+def baselines(readings: xr.Dataset, surge: xr.Dataset) -> dict[str, Any]:
+    """Shares of samples in which static (Q2) and dynamic claims (Q8, Q9) are true, by baseline.
+
+    Named are the baselines with which Q2 and Q8 are both almost always true.
+    """
+    claims = {"Q2": moves_less(readings), "Q8": surges_less(surge), "Q9": lags(surge)}
+    shares: dict[str, dict[str, float]] = {}
+    for claim, found in claims.items():
+        if found.true is None:
+            raise TypeError(f"{claim} judges nothing")
+        rate = found.true.mean([dim for dim in found.true.dims if dim != "tensioner_model"])
+        shares[claim] = {model: float(rate.sel(tensioner_model=model)) for model in WITHOUT}
+    both = [m for m in WITHOUT if min(shares["Q2"][m], shares["Q8"][m]) >= ALMOST_ALWAYS]
+    told = [
+        f"{claim} " + ", ".join(f"{model} {100 * share:.0f} %" for model, share in each.items())
+        for claim, each in shares.items()
+    ]
+    return {"shares": "; ".join(told), "both": " and ".join(both) or "none"}
 
 
 def stresses(roll: xr.Dataset) -> dict[str, Any]:

@@ -47,7 +47,7 @@ class Scene(Strict):
 
     def fitted(self) -> Self:
         """The scene, once its checked parts are seen to fit together; ValueError where they do not."""
-        wet = [s for s in self.riser if s.drag or s.added_mass]
+        wet = [s for s in self.riser if s.drag or s.tangential_drag or s.added_mass]
         if wet and self.water is None:
             raise ValueError(f"riser section {wet[0].name!r} has drag or added mass: needs water")
         if self.current and self.water is None:

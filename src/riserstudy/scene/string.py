@@ -52,6 +52,13 @@ class Drag(Strict):
         return self.coefficient
 
 
+class TangentialDrag(Strict):
+    """Drag along the pipe, on its circumference: C_t rho pi D / 2 times the square of the slip along it."""
+
+    coefficient: Coefficient
+    diameter: Annotated[u.Length, POSITIVE]
+
+
 class AddedMass(Strict):
     """Added mass, C_a rho pi D^2 / 4. Absent direction: across the pipe; horizontal: of x and y alone."""
 
@@ -95,8 +102,8 @@ class Section(Strict):
 
     Stiffness comes from modulus and diameters, or is given; without bending stiffness the section is a
     string. Mass is given, or that of a wall of some density. Sections with a shear modulus are twisted by a
-    vessel that turns, and resist its yaw. Absent mass, weight, drag, added mass,
-    contents, damping, load or joint: none.
+    vessel that turns, and resist its yaw. Absent mass, weight, drag, tangential drag,
+    added mass, contents, damping, load or joint: none.
     """
 
     name: str
@@ -113,6 +120,7 @@ class Section(Strict):
     submerged_weight: u.ForcePerLength | None = None
     lateral_load: u.ForcePerLength | None = None
     drag: Drag | None = None
+    tangential_drag: TangentialDrag | None = None
     added_mass: AddedMass | None = None
     contents: Contents | None = None
     structural_damping: StructuralDamping | None = None

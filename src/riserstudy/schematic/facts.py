@@ -60,6 +60,7 @@ def section_text(section: Section, wet: bool) -> str:
             f"{amount(weight, 'N')}/m{' in water' if wet else ''}" if weight else "",
             f"filled, {section.contents.density:.4g} kg/m³" if section.contents else "",
             f"drag on {drag.diameter:.3g} m" if drag else "",
+            "drag along the pipe" if section.tangential_drag else "",
             f"line load {amount(section.lateral_load, 'N')}/m" if section.lateral_load else "",
         ]
     )
