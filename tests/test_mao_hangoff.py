@@ -152,6 +152,34 @@ def test_the_amplitude_is_freed_of_a_drift():
     assert float(fit["share"]) == pytest.approx(1.0)
 
 
+def of_two_readings(heavy, light, moment):
+    """Runs whose LMRP trails so far (m) with 140 and 120 t, and their moment (kN m), a column a reading."""
+    x = np.zeros((2, 2, 2, 2))  # over reading, mass, time, s
+    x[:, 0, 1, 0], x[:, 1, 1, 0] = -np.array(light), -np.array(heavy)
+    dims = ("riser_weight", "lmrp_mass", "time", "s")
+    bending = np.broadcast_to(1e3 * np.array(moment)[:, None, None, None], x.shape)
+    coords = {"riser_weight": ["thin", "thick"], "lmrp_mass": [120.0, 140.0]}
+    return xr.Dataset(
+        {"x": (dims, x), "bending_moment": (dims, bending)},
+        coords | {"time": [0.0, 130.0], "s": [0.0, 1.0]},
+    )
+
+
+def test_readings_that_come_near_print_are_named():
+    print_of = {"heavy": 58.2, "light": 62.7, "moment": 52.0, "within": 0.02}
+    runs = of_two_readings(heavy=(58.0, 40.0), light=(62.5, 43.1), moment=(70.0, 52.5))
+    told = checks.readings_near(runs, **print_of)
+    assert told["count"] == 2
+    assert told["x_heavy"] == told["x_light"] == "1 (thin)"
+    assert told["moment"] == "1 (thick)"
+    assert told["ratio"] == "2 (thick; thin)"  # the nearer one first
+    assert told["all"] == "none"
+    assert told["best"] == "thick"
+    assert told["worst"] == pytest.approx(1.0 - 40.0 / 58.2)
+    met = checks.readings_near(of_two_readings((58, 58), (62.5, 10), (52, 52)), **print_of)
+    assert met["all"] == "1 (thin)"
+
+
 def test_all_numbers_claims_and_errata_of_the_dossier_are_there():
     known = {*FILE.studies, *FILE.derived}
     file = read_published(CONFIG, PAPER, known)
