@@ -9,7 +9,7 @@ import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from riserstudy.derived import derive
-from riserstudy.derived.mao_hangoff import speed_limits, towed
+from riserstudy.derived.mao_hangoff import towed
 from riserstudy.errors import InputError
 from riserstudy.figures import draw
 from riserstudy.gather import dataset_of, results_of
@@ -17,7 +17,7 @@ from riserstudy.published import mao_hangoff as checks
 from riserstudy.published.grading import ErratumRow, errata, grade, table
 from riserstudy.published.models import read_published
 from riserstudy.quantities.towed import at_top, displacement
-from riserstudy.study import Numbers, Study, StudyModel, read_studies
+from riserstudy.study import Derived, Numbers, Study, StudyModel, read_studies
 
 CONFIG = Path(__file__).parents[1] / "config"
 PAPER = "mao_hangoff"
@@ -124,11 +124,32 @@ def test_displacement_counts_along_the_track_whichever_way_it_goes():
 
 
 def test_speed_limits_lie_where_a_limit_is_used_up():
-    made = speed_limits(small_steady())
+    how = FILE.derived["speed_limits"]
+    made = derive(PAPER, "speed_limits", {"steady": small_steady()}, how.settings)
+    assert json.loads(made.attrs["origins"])["with.joint_angle"] == "assumed"
     use, speed = made["use_of_limit"].max("limit"), made["speed_limit"]
     at = use.isel(riser_length=0, lmrp_mass=0, current_speed=0)
     found = float(speed.isel(riser_length=0, lmrp_mass=0, current_speed=0))
     assert np.interp(found, at["platform_speed"], at) == pytest.approx(1.0, rel=0.05)
+    # against 1 m/s the water comes 1.944 kn faster
+    faster = made["speed_through_water"] - speed
+    assert float(abs(faster.sel(current_speed=0.0)).max()) == 0.0
+    assert faster.sel(current_speed=1.0).values == pytest.approx(1.943844, rel=1e-6)
+
+
+def test_half_the_limit_of_the_joint_doubles_its_use():
+    steady, settings = small_steady(), FILE.derived["speed_limits"].settings
+    whole = derive(PAPER, "speed_limits", {"steady": steady}, settings)["use_of_limit"]
+    strict = settings | {"joint_angle": "4.5 deg", "yield_stress": "1110 MPa"}
+    halved = derive(PAPER, "speed_limits", {"steady": steady}, strict)["use_of_limit"]
+    ratio = (halved / whole).isel(platform_speed=-1)
+    for limit, factor in (("joint angle", 2.0), ("clearance", 1.0), ("stress", 0.5)):
+        assert ratio.sel(limit=limit).values == pytest.approx(factor, rel=1e-9)
+
+
+def test_an_assumption_without_evidence_is_refused_in_settings_too():
+    with pytest.raises(ValueError, match="an assumption without evidence"):
+        Derived.model_validate({"reads": ["steady"], "with": {"keel": {"assumed": "25 m"}}})
 
 
 def small_steady():

@@ -223,7 +223,10 @@ def open_choices(open_lmrp_mass: xr.Dataset) -> Figure:
 
 
 def speed_limits(speed_limits: xr.Dataset) -> Figure:
-    """Largest speed over length and LMRP mass for each current, coloured by what governs."""
+    """Largest speed through water, and over ground, over length and LMRP mass for each current.
+
+    Coloured by the limit that governs.
+    """
     currents = speed_limits["current_speed"].values
     figure, axes = panels(1, len(currents), 3.8, sharey=True)
     names = [str(name) for name in speed_limits["limit"].values]
@@ -237,11 +240,12 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
                 colour = COLOURS[which] if which >= 0 else GREY
                 ax.barh(i, 1.0, left=j - 0.5, height=1.0, color=colour, alpha=0.35, ec="white")
                 more = "" if which >= 0 else ">"
-                text = f"{more}{float(one['speed_limit']):.1f}"
+                through, ground = float(one["speed_through_water"]), float(one["speed_limit"])
+                text = f"{more}{through:.1f}\n({more}{ground:.1f})"
                 ax.text(j, i, text, ha="center", va="center", fontsize="small")
         ax.set_xticks(range(len(lengths)), [f"{x:g}" for x in lengths])
         ax.set_yticks(range(len(masses)), [f"{x:g}" for x in masses])
-        ax.set_title(f"kn against {current:g} m/s", loc="right", fontsize="small")
+        ax.set_title(f"current against: {current:g} m/s", loc="right", fontsize="small")
         ax.set_xlim(-0.5, len(lengths) - 0.5)
         ax.set_ylim(-0.5, len(masses) - 0.5)
         ax.set_xlabel("riser length (m)")
@@ -251,7 +255,9 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         axes[0].bar(
             0, 0, color=colour, alpha=0.35, label=f"{name} governs" if name in names else name
         )
-    key_below(figure, axes[0], 4)
+    axes[0].bar(0, 0, color="none", label="kn through water at the surface")
+    axes[0].bar(0, 0, color="none", label="(kn over ground)")
+    key_below(figure, axes[0], 3)
     return figure
 
 
