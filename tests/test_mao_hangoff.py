@@ -17,6 +17,7 @@ from riserstudy.published import mao_hangoff as checks
 from riserstudy.published.grading import ErratumRow, errata, grade, table
 from riserstudy.published.models import read_published
 from riserstudy.quantities.towed import at_top, displacement
+from riserstudy.scene.load import read_scene
 from riserstudy.study import Derived, Numbers, Study, StudyModel, read_studies
 
 CONFIG = Path(__file__).parents[1] / "config"
@@ -92,6 +93,19 @@ def test_every_study_is_sampled_at_256_points_in_the_standard_tier():
             assert model.axes["sample"].count["standard"] >= 256
 
 
+def test_variants_of_the_case_without_open_inputs_are_the_scenes_of_those_names():
+    study = planned("hangoff_ref")
+    scenes = CONFIG / "scenes" / PAPER
+    names = [name for name, _ in study.axes["variant"]]
+    assert names == sorted(
+        (path.stem for path in scenes.glob("hangoff_ref*.yaml")), key=names.index
+    )
+    base = read_scene(scenes / "hangoff_ref.yaml")
+    for name, sets in study.axes["variant"]:
+        made, own = base.with_values(sets, "test").tree, read_scene(scenes / f"{name}.yaml").tree
+        assert made | {"title": ""} == own | {"title": ""}
+
+
 # datasets
 
 
@@ -104,6 +118,10 @@ def test_the_grids_are_as_promised():
     x = made["lmrp_displacement"].isel(time=-1)
     assert (x < 0).all()
     assert (np.diff(x) > 0).all()  # the heavier, the less far
+    cross = made["lmrp_displacement_cross"]
+    assert cross.dims == ("lmrp_mass", "time")
+    assert (cross == 0.0).all()
+    assert cross.attrs["units"] == "m"
 
 
 def test_risers_of_several_lengths_keep_their_own_tops():
@@ -184,6 +202,19 @@ def of_two_readings(heavy, light, moment):
         {"x": (dims, x), "bending_moment": (dims, bending)},
         coords | {"time": [0.0, 130.0], "s": [0.0, 1.0]},
     )
+
+
+def test_a_distance_that_grows_with_the_square_of_the_speed_has_the_power_of_two():
+    speeds = {"0 deg": 1.5, "45 deg": 0.75, "90 deg": -1.0, "135 deg": -2.75, "180 deg": -3.5}
+    x = np.zeros((5, 2, 2))
+    x[:, 1, 0] = [-(speed**2) for speed in speeds.values()]
+    coords = {"track": list(speeds), "time": [0.0, 130.0], "s": [0.0, 1.0]}
+    runs = xr.Dataset({"x": (("track", "time", "s"), x)}, coords)
+    sets = {name: {"current.profile.surface_speed": f"{v} m/s"} for name, v in speeds.items()}
+    runs["track"].attrs["sets"] = json.dumps(sets)
+    found = checks.load_power(runs)
+    assert found["power"] == pytest.approx(2.0)
+    assert (found["slow"], found["fast"]) == (1.5, 3.5)
 
 
 def test_readings_that_come_near_print_are_named():

@@ -65,32 +65,38 @@ def riser_length(riser_length_runs: xr.Dataset) -> xr.Dataset:
 
 
 def track_angle(track_angle_runs: xr.Dataset) -> xr.Dataset:
-    """Fig 13; with ``lmrp_displacement_cross``, across the track."""
-    made = towed(track_angle_runs, "track_angle")
-    # A track along the current has no motion across it.
-    y = track_angle_runs["y"].fillna(0.0)
-    cross = y.isel(s=0, drop=True) - y.isel(s=-1, drop=True)
-    made["lmrp_displacement_cross"] = cross.assign_attrs(attributes("lmrp_displacement_cross"))
-    return made
+    """Fig 13."""
+    return towed(track_angle_runs, "track_angle")
 
 
 def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
     """Shape, moment and axial motion of runs, over their axes.
 
-    ``lmrp_displacement`` and ``lmrp_rise`` over time, ``displacement_along`` over time and s,
-    ``max_bending_moment`` at 130 s over s. s counts from the LMRP; there is nothing above a top.
+    ``lmrp_displacement``, ``lmrp_displacement_cross`` and ``lmrp_rise`` over time,
+    ``displacement_along`` over time and s, ``max_bending_moment`` at 130 s over s. s counts from the LMRP;
+    there is nothing above a top.
     """
     along = displacement(runs)
     made = xr.Dataset(
         {
             "displacement_along": along,
             "lmrp_displacement": along.isel(s=0, drop=True),
+            "lmrp_displacement_cross": _across(runs),
             "max_bending_moment": abs(runs["bending_moment"].sel(time=STATED, drop=True)),
             "lmrp_rise": rise(runs, 0.0),
             "ufj_angle": runs["ufj_angle"],
         }
     )
     return _described(made, name, "displacements along the track from the upper flex joint")
+
+
+def _across(runs: xr.Dataset) -> xr.DataArray:
+    """Displacement of the LMRP across the track (m); none where a run has no motion across it."""
+    if "y" not in runs:
+        return xr.zeros_like(runs["x"].isel(s=0, drop=True))
+    y = runs["y"].fillna(0.0)
+    across: xr.DataArray = y.isel(s=0, drop=True) - y.isel(s=-1, drop=True)
+    return across
 
 
 def _described(made: xr.Dataset, name: str, title: str) -> xr.Dataset:

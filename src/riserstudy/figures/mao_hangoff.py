@@ -21,6 +21,8 @@ RISE = "rise of the LMRP (m)"
 TIME = "time (s)"
 STATED = 130.0  # s, the time of Fig 9
 TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
+START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
+UPPER = 400.0  # m below the joint, where moments are while the top starts to move
 DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
 #: printed values; config/published/mao_hangoff.yaml, N1 to N3
 X_HEAVY, X_LIGHT, LARGEST = 58.2, 62.7, 52.0
@@ -28,6 +30,25 @@ MARKS = ("o", "s", "^", "D", "v", "P")
 
 
 # printed figures
+
+
+def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
+    """Shape and moment in the first 12 s of the case without open inputs, by both integrators."""
+    figure, axes = panels(1, 2, 3.8)
+    runs = hangoff_ref_start
+    shapes, moments = -displacement(runs), runs["bending_moment"] / 1e3
+    depth = float(runs["s"][-1]) - runs["s"]
+    for ax, curves in zip(axes, (shapes, moments), strict=True):
+        for colour, time in zip(COLOURS, START, strict=False):
+            at = curves.sel(time=time)
+            ax.plot(at.sel(integrator="implicit"), depth, color=colour, label=f"{time:g} s")
+            ax.plot(at.sel(integrator="explicit"), depth, ".", color=colour, ms=4)
+    axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit, dots")
+    _down(axes[0], ASTERN)
+    _down(axes[1], "bending moment (kN m)")
+    axes[1].set_ylim(UPPER, 0.0)
+    axes[1].legend(fontsize="small")
+    return figure
 
 
 def fig07(pe_pipe: xr.Dataset) -> Figure:
@@ -67,14 +88,25 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
     return figure
 
 
-def fig09(base: xr.Dataset, base_runs: xr.Dataset) -> Figure:
-    """The evacuation of Table 2: shape, moment, shapes in time, axial motion."""
+def fig09(base: xr.Dataset, base_runs: xr.Dataset, variants: xr.Dataset) -> Figure:
+    """The evacuation of Table 2: shape, moment, shapes in time, axial motion; the paper's own setting."""
     figure, axes = panels(2, 2, 3.6)
     depth = float(base["s"][-1]) - base["s"]
     axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=COLOURS[0])
     axes[0].axvline(X_HEAVY, label="printed at the LMRP: 58.2 m", **PRINTED)
     axes[1].plot(base["max_bending_moment"] / 1e3, depth, color=COLOURS[0])
     axes[1].axvline(LARGEST, label="printed largest: 52 kN m", **PRINTED)
+    own = variants.sel(variant="mesh and step of the paper")
+    shape = -displacement(own).sel(time=STATED).dropna("s")
+    moment = abs(own["bending_moment"]).sel(time=STATED).dropna("s") / 1e3
+    for ax, curve in zip(axes, (shape, moment), strict=False):
+        ax.plot(
+            curve,
+            float(curve["s"][-1]) - curve["s"],
+            ":",
+            color=COLOURS[1],
+            label="mesh and step of the paper",
+        )
     axes[0].set_title("130 s", loc="right", fontsize="small")
     for colour, time in zip(COLOURS, TIMES, strict=False):
         shape = -base["displacement_along"].sel(time=time)
@@ -167,14 +199,16 @@ def trends(
     current_speed: xr.Dataset,
     platform_speed: xr.Dataset,
     riser_length: xr.Dataset,
+    track_angle: xr.Dataset,
 ) -> Figure:
-    """Displacement, moment and joint angle at 130 s over all four axes."""
-    figure, axes = panels(3, 4, 2.3)
+    """Displacement along and across the track, moment and joint angle at 130 s over all five axes."""
+    figure, axes = panels(3, 5, 2.3)
     columns: dict[str, tuple[xr.Dataset, str]] = {
         "lmrp_mass": (lmrp_mass, "LMRP mass (t)"),
         "current_speed": (current_speed, "current (m/s)"),
         "platform_speed": (platform_speed, "platform (kn)"),
         "riser_length": (riser_length, "riser length (m)"),
+        "track_angle": (track_angle, "track angle (deg)"),
     }
     for k, (axis, (runs, label)) in enumerate(columns.items()):
         at = runs.sel(time=STATED)
@@ -183,10 +217,16 @@ def trends(
             runs["max_bending_moment"].max("s") / 1e3,
             180.0 / np.pi * abs(at["ufj_angle"]),
         )
-        for ax, curve in zip(axes[k::4], curves, strict=True):
+        for ax, curve in zip(axes[k :: len(columns)], curves, strict=True):
             ax.plot(curve[axis], curve, marker=".", color=COLOURS[k])
-        axes[8 + k].set_xlabel(label)
-    for ax, label in zip(axes[::4], ("LMRP astern (m)", "M (kN m)", "joint (deg)"), strict=True):
+        across = at["lmrp_displacement_cross"]
+        if float(abs(across).max()) > 0.0:
+            axes[k].plot(across[axis], across, "--", color=COLOURS[k], label="across")
+            axes[k].legend(fontsize="small")
+        axes[2 * len(columns) + k].set_xlabel(label)
+    for ax, label in zip(
+        axes[:: len(columns)], ("LMRP astern (m)", "M (kN m)", "joint (deg)"), strict=True
+    ):
         ax.set_ylabel(label)
     return figure
 

@@ -14,6 +14,8 @@ import xarray as xr
 
 from riserstudy.published.grading import Found
 from riserstudy.quantities.towed import at_top, displacement
+from riserstudy.scene.origin import unwrap
+from riserstudy.scene.units import to_si
 
 STATED = 130.0  # s, the time of Fig 9
 SURFACE_ZONE = 150.0  # m below the joint, where C_D is large
@@ -374,6 +376,9 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
         "free": "joint free",
         "above": "joint 20 m above the sea",
         "deep": "joint 30 m below the sea",
+        "weightless": "LMRP without weight",
+        "dragged": "LMRP with drag and added mass",
+        "lever": "LMRP with lever arm and rotary inertia",
     }
     top = at_top(moments)
     for short, name in names.items():
@@ -389,6 +394,18 @@ def tracks(runs: xr.Dataset) -> dict[str, Any]:
     """Distance x (m) at five angles of the track."""
     x = _distance(runs)
     return {f"x{angle}": float(_at_angle(x, "track", angle)) for angle in (0, 45, 90, 135, 180)}
+
+
+def load_power(runs: xr.Dataset) -> dict[str, Any]:
+    """Power of the speed with which x grows, from tracks at 0 and 180 deg with both speeds in one profile."""
+    x, sets = tracks(runs), unwrap(json.loads(runs["track"].attrs["sets"]))[0]
+    slow, fast = (
+        abs(to_si(sets[f"{angle} deg"]["current.profile.surface_speed"], "m/s"))
+        for angle in (0, 180)
+    )
+    ratio = x["x180"] / x["x0"]
+    power = float(np.log(ratio) / np.log(fast / slow))
+    return {"slow": slow, "fast": fast, "ratio": ratio, "power": power}
 
 
 def flows(runs: xr.Dataset) -> dict[str, Any]:
