@@ -9,7 +9,7 @@ import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from riserstudy.derived import derive
-from riserstudy.derived.mao_hangoff import speed_limits, towed
+from riserstudy.derived.mao_hangoff import towed
 from riserstudy.errors import InputError
 from riserstudy.figures import draw
 from riserstudy.gather import dataset_of, results_of
@@ -17,7 +17,8 @@ from riserstudy.published import mao_hangoff as checks
 from riserstudy.published.grading import ErratumRow, errata, grade, table
 from riserstudy.published.models import read_published
 from riserstudy.quantities.towed import at_top, displacement
-from riserstudy.study import Numbers, Study, StudyModel, read_studies
+from riserstudy.scene.load import read_scene
+from riserstudy.study import Derived, Numbers, Study, StudyModel, read_studies
 
 CONFIG = Path(__file__).parents[1] / "config"
 PAPER = "mao_hangoff"
@@ -92,6 +93,19 @@ def test_every_study_is_sampled_at_256_points_in_the_standard_tier():
             assert model.axes["sample"].count["standard"] >= 256
 
 
+def test_variants_of_the_case_without_open_inputs_are_the_scenes_of_those_names():
+    study = planned("hangoff_ref")
+    scenes = CONFIG / "scenes" / PAPER
+    names = [name for name, _ in study.axes["variant"]]
+    assert names == sorted(
+        (path.stem for path in scenes.glob("hangoff_ref*.yaml")), key=names.index
+    )
+    base = read_scene(scenes / "hangoff_ref.yaml")
+    for name, sets in study.axes["variant"]:
+        made, own = base.with_values(sets, "test").tree, read_scene(scenes / f"{name}.yaml").tree
+        assert made | {"title": ""} == own | {"title": ""}
+
+
 # datasets
 
 
@@ -104,6 +118,10 @@ def test_the_grids_are_as_promised():
     x = made["lmrp_displacement"].isel(time=-1)
     assert (x < 0).all()
     assert (np.diff(x) > 0).all()  # the heavier, the less far
+    cross = made["lmrp_displacement_cross"]
+    assert cross.dims == ("lmrp_mass", "time")
+    assert (cross == 0.0).all()
+    assert cross.attrs["units"] == "m"
 
 
 def test_risers_of_several_lengths_keep_their_own_tops():
@@ -124,11 +142,32 @@ def test_displacement_counts_along_the_track_whichever_way_it_goes():
 
 
 def test_speed_limits_lie_where_a_limit_is_used_up():
-    made = speed_limits(small_steady())
+    how = FILE.derived["speed_limits"]
+    made = derive(PAPER, "speed_limits", {"steady": small_steady()}, how.settings)
+    assert json.loads(made.attrs["origins"])["with.joint_angle"] == "assumed"
     use, speed = made["use_of_limit"].max("limit"), made["speed_limit"]
     at = use.isel(riser_length=0, lmrp_mass=0, current_speed=0)
     found = float(speed.isel(riser_length=0, lmrp_mass=0, current_speed=0))
     assert np.interp(found, at["platform_speed"], at) == pytest.approx(1.0, rel=0.05)
+    # against 1 m/s the water comes 1.944 kn faster
+    faster = made["speed_through_water"] - speed
+    assert float(abs(faster.sel(current_speed=0.0)).max()) == 0.0
+    assert faster.sel(current_speed=1.0).values == pytest.approx(1.943844, rel=1e-6)
+
+
+def test_half_the_limit_of_the_joint_doubles_its_use():
+    steady, settings = small_steady(), FILE.derived["speed_limits"].settings
+    whole = derive(PAPER, "speed_limits", {"steady": steady}, settings)["use_of_limit"]
+    strict = settings | {"joint_angle": "4.5 deg", "yield_stress": "1110 MPa"}
+    halved = derive(PAPER, "speed_limits", {"steady": steady}, strict)["use_of_limit"]
+    ratio = (halved / whole).isel(platform_speed=-1)
+    for limit, factor in (("joint angle", 2.0), ("clearance", 1.0), ("stress", 0.5)):
+        assert ratio.sel(limit=limit).values == pytest.approx(factor, rel=1e-9)
+
+
+def test_an_assumption_without_evidence_is_refused_in_settings_too():
+    with pytest.raises(ValueError, match="an assumption without evidence"):
+        Derived.model_validate({"reads": ["steady"], "with": {"keel": {"assumed": "25 m"}}})
 
 
 def small_steady():
@@ -150,6 +189,47 @@ def test_the_amplitude_is_freed_of_a_drift():
     assert float(fit["amplitude"]) == pytest.approx(1.5, rel=1e-9)
     assert float(fit["drift"]) == pytest.approx(0.02 + 1e-4 * 200.0, rel=1e-9)
     assert float(fit["share"]) == pytest.approx(1.0)
+
+
+def of_two_readings(heavy, light, moment):
+    """Runs whose LMRP trails so far (m) with 140 and 120 t, and their moment (kN m), a column a reading."""
+    x = np.zeros((2, 2, 2, 2))  # over reading, mass, time, s
+    x[:, 0, 1, 0], x[:, 1, 1, 0] = -np.array(light), -np.array(heavy)
+    dims = ("riser_weight", "lmrp_mass", "time", "s")
+    bending = np.broadcast_to(1e3 * np.array(moment)[:, None, None, None], x.shape)
+    coords = {"riser_weight": ["thin", "thick"], "lmrp_mass": [120.0, 140.0]}
+    return xr.Dataset(
+        {"x": (dims, x), "bending_moment": (dims, bending)},
+        coords | {"time": [0.0, 130.0], "s": [0.0, 1.0]},
+    )
+
+
+def test_a_distance_that_grows_with_the_square_of_the_speed_has_the_power_of_two():
+    speeds = {"0 deg": 1.5, "45 deg": 0.75, "90 deg": -1.0, "135 deg": -2.75, "180 deg": -3.5}
+    x = np.zeros((5, 2, 2))
+    x[:, 1, 0] = [-(speed**2) for speed in speeds.values()]
+    coords = {"track": list(speeds), "time": [0.0, 130.0], "s": [0.0, 1.0]}
+    runs = xr.Dataset({"x": (("track", "time", "s"), x)}, coords)
+    sets = {name: {"current.profile.surface_speed": f"{v} m/s"} for name, v in speeds.items()}
+    runs["track"].attrs["sets"] = json.dumps(sets)
+    found = checks.load_power(runs)
+    assert found["power"] == pytest.approx(2.0)
+    assert (found["slow"], found["fast"]) == (1.5, 3.5)
+
+
+def test_readings_that_come_near_print_are_named():
+    print_of = {"heavy": 58.2, "light": 62.7, "moment": 52.0, "within": 0.02}
+    runs = of_two_readings(heavy=(58.0, 40.0), light=(62.5, 43.1), moment=(70.0, 52.5))
+    told = checks.readings_near(runs, **print_of)
+    assert told["count"] == 2
+    assert told["x_heavy"] == told["x_light"] == "1 (thin)"
+    assert told["moment"] == "1 (thick)"
+    assert told["ratio"] == "2 (thick; thin)"  # the nearer one first
+    assert told["all"] == "none"
+    assert told["best"] == "thick"
+    assert told["worst"] == pytest.approx(1.0 - 40.0 / 58.2)
+    met = checks.readings_near(of_two_readings((58, 58), (62.5, 10), (52, 52)), **print_of)
+    assert met["all"] == "1 (thin)"
 
 
 def test_all_numbers_claims_and_errata_of_the_dossier_are_there():

@@ -19,7 +19,7 @@ from riserstudy.numerics.models import Measured
 from riserstudy.plots import NEEDS, FigureModel, default_figures
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, check, read_scene, read_yaml
-from riserstudy.scene.origin import Origin
+from riserstudy.scene.origin import Origin, unwrap
 from riserstudy.shown import RunInMotion, SchematicModel
 from riserstudy.store import canonical
 
@@ -106,10 +106,19 @@ class Samples(Strict):
 
 
 class Derived(Strict):
-    """A dataset derived from studies: those that it reads, and what its function is told besides."""
+    """A dataset derived from studies: those that it reads, and what its function is told besides.
+
+    What it is told may say where it comes from, as values of scenes do: ``assumed`` with a range and why.
+    """
 
     reads: list[str]
     settings: dict[str, Any] = Field(default_factory=dict, alias="with")
+
+    @model_validator(mode="after")
+    def _origins_are_whole(self) -> Self:
+        for path, found, allowed in unwrap(self.settings)[2]:
+            raise ValueError(f"with.{path}: {found}; {allowed}")
+        return self
 
 
 def _bare(value: Any) -> Any:

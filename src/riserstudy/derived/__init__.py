@@ -6,6 +6,8 @@ import json
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from riserstudy.scene.origin import unwrap
+
 if TYPE_CHECKING:
     import xarray as xr
 
@@ -18,13 +20,17 @@ def derive(
 ) -> xr.Dataset:
     """Derived dataset ``name`` of a paper, by the function of that name in the paper's module.
 
-    ``settings`` are what the study file tells it besides the datasets.
+    ``settings`` are what the study file tells it besides the datasets; the attribute ``settings`` keeps them
+    with ranges and reasons.
 
     Its attribute ``origins`` joins those of its sources: where a calibrated value went must stay known.
     """
     function = getattr(import_module(f"riserstudy.derived.{paper}"), name)
-    dataset: xr.Dataset = function(**datasets, **(settings or {}))
-    origins: dict[str, str] = {}
+    plain, told, _ = unwrap(settings or {})
+    dataset: xr.Dataset = function(**datasets, **plain)
+    origins = {f"with.{path}": origin.status for path, origin in told.items()}
+    if settings:
+        dataset.attrs["settings"] = json.dumps(settings)
     for source in datasets.values():
         for path, status in json.loads(source.attrs.get("origins", "{}")).items():
             origins[path] = status if origins.get(path) != "calibrated" else "calibrated"

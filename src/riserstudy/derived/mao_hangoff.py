@@ -14,15 +14,12 @@ from numpy.typing import NDArray
 from riserstudy.derived.shared import described, scenes_of
 from riserstudy.names import attributes
 from riserstudy.quantities.towed import at_top, displacement
+from riserstudy.scene.units import to_si
 from riserstudy.sea import current_table
 
 FloatArray = NDArray[np.float64]
 STATED = 130.0  # s, the time of Fig 9
-JOINT = 8800.0  # N m/deg (Table 2)
-#: what a captain keeps to, all assumed: 9 deg at the joint; 4.4 m from the vertical at the keel, of a
-#: moonpool 10 m wide and a riser with lines 1.2 m wide; 0.67 of the yield of X80, 555 MPa
-LIMITS = {"joint angle": 9.0, "clearance": 4.4, "stress": 0.67 * 555e6}
-KEEL = 25.0  # m below the joint, assumed
+KNOT = 1852.0 / 3600.0  # m/s
 
 
 def base(base_runs: xr.Dataset) -> xr.Dataset:
@@ -68,32 +65,38 @@ def riser_length(riser_length_runs: xr.Dataset) -> xr.Dataset:
 
 
 def track_angle(track_angle_runs: xr.Dataset) -> xr.Dataset:
-    """Fig 13; with ``lmrp_displacement_cross``, across the track."""
-    made = towed(track_angle_runs, "track_angle")
-    # A track along the current has no motion across it.
-    y = track_angle_runs["y"].fillna(0.0)
-    cross = y.isel(s=0, drop=True) - y.isel(s=-1, drop=True)
-    made["lmrp_displacement_cross"] = cross.assign_attrs(attributes("lmrp_displacement_cross"))
-    return made
+    """Fig 13."""
+    return towed(track_angle_runs, "track_angle")
 
 
 def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
     """Shape, moment and axial motion of runs, over their axes.
 
-    ``lmrp_displacement`` and ``lmrp_rise`` over time, ``displacement_along`` over time and s,
-    ``max_bending_moment`` at 130 s over s. s counts from the LMRP; there is nothing above a top.
+    ``lmrp_displacement``, ``lmrp_displacement_cross`` and ``lmrp_rise`` over time,
+    ``displacement_along`` over time and s, ``max_bending_moment`` at 130 s over s. s counts from the LMRP;
+    there is nothing above a top.
     """
     along = displacement(runs)
     made = xr.Dataset(
         {
             "displacement_along": along,
             "lmrp_displacement": along.isel(s=0, drop=True),
+            "lmrp_displacement_cross": _across(runs),
             "max_bending_moment": abs(runs["bending_moment"].sel(time=STATED, drop=True)),
             "lmrp_rise": rise(runs, 0.0),
             "ufj_angle": runs["ufj_angle"],
         }
     )
     return _described(made, name, "displacements along the track from the upper flex joint")
+
+
+def _across(runs: xr.Dataset) -> xr.DataArray:
+    """Displacement of the LMRP across the track (m); none where a run has no motion across it."""
+    if "y" not in runs:
+        return xr.zeros_like(runs["x"].isel(s=0, drop=True))
+    y = runs["y"].fillna(0.0)
+    across: xr.DataArray = y.isel(s=0, drop=True) - y.isel(s=-1, drop=True)
+    return across
 
 
 def _described(made: xr.Dataset, name: str, title: str) -> xr.Dataset:
@@ -117,18 +120,44 @@ def rise(runs: xr.Dataset, s: float) -> xr.DataArray:
 # beyond the paper
 
 
-def speed_limits(steady: xr.Dataset) -> xr.Dataset:
-    """Largest speed that keeps all limits, over length, LMRP mass and current, and what governs it."""
-    pipe = json.loads(steady.attrs["scene"])["riser"][0]
-    outer, inner = (float(pipe[name].split()[0]) for name in ("outer_diameter", "inner_diameter"))
+def speed_limits(
+    steady: xr.Dataset,
+    joint_angle: str,
+    clearance: str,
+    keel: str,
+    yield_stress: str,
+    share_of_yield: float,
+) -> xr.Dataset:
+    """Largest speed that keeps all limits, over length, LMRP mass and current, and what governs it.
+
+    ``speed_limit`` is the platform's, over ground; ``speed_through_water`` adds the current that it drives
+    against, at the surface (both in knots).
+
+    Parameters
+    ----------
+    steady : shapes, tensions and moments over the axes and ``platform_speed``.
+    joint_angle : largest angle of the flex joint, with its unit.
+    clearance : how far from below the joint the riser may be at the keel, with its unit.
+    keel : depth of the keel below the joint, with its unit.
+    yield_stress, share_of_yield : stress is kept below this share of it.
+
+    Raises
+    ------
+    ValueError
+        When one of them is no quantity of its kind.
+    """
+    scene = json.loads(steady.attrs["scene"])
+    pipe = scene["riser"][0]
+    outer, inner = (to_si(pipe[name], "m") for name in ("outer_diameter", "inner_diameter"))
     area = 0.25 * np.pi * (outer**2 - inner**2)
     modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
     moment = abs(steady["bending_moment"])
     stress = (abs(steady["effective_tension"]) / area + moment / modulus).max("s")
+    angle = at_top(moment) / to_si(scene["top"]["rotation"]["stiffness"], "N*m/rad")
     used = {
-        "joint angle": at_top(moment) / JOINT / LIMITS["joint angle"],
-        "clearance": _at_the_keel(steady) / LIMITS["clearance"],
-        "stress": stress / LIMITS["stress"],
+        "joint angle": angle / to_si(joint_angle, "rad"),
+        "clearance": _at_the_keel(steady, to_si(keel, "m")) / to_si(clearance, "m"),
+        "stress": stress / (share_of_yield * to_si(yield_stress, "N/m^2")),
     }
     names = xr.DataArray(list(used), dims="limit", name="limit")
     use = xr.concat(list(used.values()), names, coords="minimal", compat="override")
@@ -141,15 +170,16 @@ def speed_limits(steady: xr.Dataset) -> xr.Dataset:
         vectorize=True,
     )
     made = xr.Dataset({"use_of_limit": use, "speed_limit": speed, "governing_limit": governing})
+    made["speed_through_water"] = speed + use["current_speed"] / KNOT
     return _described(made, "speed_limits", "largest steady speed within limits")
 
 
-def _at_the_keel(steady: xr.Dataset) -> xr.DataArray:
+def _at_the_keel(steady: xr.Dataset, keel: float) -> xr.DataArray:
     """Distance of the riser from below the joint, at the keel (m)."""
     found = []
     for length in steady["riser_length"].values:
         x = steady["x"].sel(riser_length=length).dropna("s")
-        edge = float(x["s"][-1]) - KEEL
+        edge = float(x["s"][-1]) - keel
         found.append(abs(x.interp(s=edge) - x.isel(s=-1, drop=True)).drop_vars("s"))
     return xr.concat(found, steady["riser_length"])
 

@@ -21,6 +21,7 @@ RISE = "rise of the LMRP (m)"
 TIME = "time (s)"
 STATED = 130.0  # s, the time of Fig 9
 TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
+START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
 DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
 #: printed values; config/published/mao_hangoff.yaml, N1 to N3
 X_HEAVY, X_LIGHT, LARGEST = 58.2, 62.7, 52.0
@@ -28,6 +29,24 @@ MARKS = ("o", "s", "^", "D", "v", "P")
 
 
 # printed figures
+
+
+def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
+    """Shape and moment in the first 12 s of the case without open inputs, by both integrators."""
+    figure, axes = panels(1, 2, 3.8)
+    runs = hangoff_ref_start
+    shapes, moments = -displacement(runs), runs["bending_moment"] / 1e3
+    depth = float(runs["s"][-1]) - runs["s"]
+    for ax, curves in zip(axes, (shapes, moments), strict=True):
+        for colour, time in zip(COLOURS, START, strict=False):
+            at = curves.sel(time=time)
+            ax.plot(at.sel(integrator="implicit"), depth, color=colour, label=f"{time:g} s")
+            ax.plot(at.sel(integrator="explicit"), depth, ".", color=colour, ms=4)
+    axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit, dots")
+    _down(axes[0], ASTERN)
+    _down(axes[1], "bending moment (kN m)")
+    axes[1].legend(fontsize="small")
+    return figure
 
 
 def fig07(pe_pipe: xr.Dataset) -> Figure:
@@ -67,14 +86,25 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
     return figure
 
 
-def fig09(base: xr.Dataset, base_runs: xr.Dataset) -> Figure:
-    """The evacuation of Table 2: shape, moment, shapes in time, axial motion."""
+def fig09(base: xr.Dataset, base_runs: xr.Dataset, variants: xr.Dataset) -> Figure:
+    """The evacuation of Table 2: shape, moment, shapes in time, axial motion; the paper's own setting."""
     figure, axes = panels(2, 2, 3.6)
     depth = float(base["s"][-1]) - base["s"]
     axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=COLOURS[0])
     axes[0].axvline(X_HEAVY, label="printed at the LMRP: 58.2 m", **PRINTED)
     axes[1].plot(base["max_bending_moment"] / 1e3, depth, color=COLOURS[0])
     axes[1].axvline(LARGEST, label="printed largest: 52 kN m", **PRINTED)
+    own = variants.sel(variant="mesh and step of the paper")
+    shape = -displacement(own).sel(time=STATED).dropna("s")
+    moment = abs(own["bending_moment"]).sel(time=STATED).dropna("s") / 1e3
+    for ax, curve in zip(axes, (shape, moment), strict=False):
+        ax.plot(
+            curve,
+            float(curve["s"][-1]) - curve["s"],
+            ":",
+            color=COLOURS[1],
+            label="mesh and step of the paper",
+        )
     axes[0].set_title("130 s", loc="right", fontsize="small")
     for colour, time in zip(COLOURS, TIMES, strict=False):
         shape = -base["displacement_along"].sel(time=time)
@@ -167,14 +197,16 @@ def trends(
     current_speed: xr.Dataset,
     platform_speed: xr.Dataset,
     riser_length: xr.Dataset,
+    track_angle: xr.Dataset,
 ) -> Figure:
-    """Displacement, moment and joint angle at 130 s over all four axes."""
-    figure, axes = panels(3, 4, 2.3)
+    """Displacement along and across the track, moment and joint angle at 130 s over all five axes."""
+    figure, axes = panels(3, 5, 2.3)
     columns: dict[str, tuple[xr.Dataset, str]] = {
         "lmrp_mass": (lmrp_mass, "LMRP mass (t)"),
         "current_speed": (current_speed, "current (m/s)"),
         "platform_speed": (platform_speed, "platform (kn)"),
         "riser_length": (riser_length, "riser length (m)"),
+        "track_angle": (track_angle, "track angle (deg)"),
     }
     for k, (axis, (runs, label)) in enumerate(columns.items()):
         at = runs.sel(time=STATED)
@@ -183,10 +215,16 @@ def trends(
             runs["max_bending_moment"].max("s") / 1e3,
             180.0 / np.pi * abs(at["ufj_angle"]),
         )
-        for ax, curve in zip(axes[k::4], curves, strict=True):
+        for ax, curve in zip(axes[k :: len(columns)], curves, strict=True):
             ax.plot(curve[axis], curve, marker=".", color=COLOURS[k])
-        axes[8 + k].set_xlabel(label)
-    for ax, label in zip(axes[::4], ("LMRP astern (m)", "M (kN m)", "joint (deg)"), strict=True):
+        across = at["lmrp_displacement_cross"]
+        if float(abs(across).max()) > 0.0:
+            axes[k].plot(across[axis], across, "--", color=COLOURS[k], label="across")
+            axes[k].legend(fontsize="small")
+        axes[2 * len(columns) + k].set_xlabel(label)
+    for ax, label in zip(
+        axes[:: len(columns)], ("LMRP astern (m)", "M (kN m)", "joint (deg)"), strict=True
+    ):
         ax.set_ylabel(label)
     return figure
 
@@ -223,7 +261,10 @@ def open_choices(open_lmrp_mass: xr.Dataset) -> Figure:
 
 
 def speed_limits(speed_limits: xr.Dataset) -> Figure:
-    """Largest speed over length and LMRP mass for each current, coloured by what governs."""
+    """Largest speed through water, and over ground, over length and LMRP mass for each current.
+
+    Coloured by the limit that governs.
+    """
     currents = speed_limits["current_speed"].values
     figure, axes = panels(1, len(currents), 3.8, sharey=True)
     names = [str(name) for name in speed_limits["limit"].values]
@@ -237,11 +278,12 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
                 colour = COLOURS[which] if which >= 0 else GREY
                 ax.barh(i, 1.0, left=j - 0.5, height=1.0, color=colour, alpha=0.35, ec="white")
                 more = "" if which >= 0 else ">"
-                text = f"{more}{float(one['speed_limit']):.1f}"
+                through, ground = float(one["speed_through_water"]), float(one["speed_limit"])
+                text = f"{more}{through:.1f}\n({more}{ground:.1f})"
                 ax.text(j, i, text, ha="center", va="center", fontsize="small")
         ax.set_xticks(range(len(lengths)), [f"{x:g}" for x in lengths])
         ax.set_yticks(range(len(masses)), [f"{x:g}" for x in masses])
-        ax.set_title(f"kn against {current:g} m/s", loc="right", fontsize="small")
+        ax.set_title(f"current against: {current:g} m/s", loc="right", fontsize="small")
         ax.set_xlim(-0.5, len(lengths) - 0.5)
         ax.set_ylim(-0.5, len(masses) - 0.5)
         ax.set_xlabel("riser length (m)")
@@ -251,7 +293,9 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         axes[0].bar(
             0, 0, color=colour, alpha=0.35, label=f"{name} governs" if name in names else name
         )
-    key_below(figure, axes[0], 4)
+    axes[0].bar(0, 0, color="none", label="kn through water at the surface")
+    axes[0].bar(0, 0, color="none", label="(kn over ground)")
+    key_below(figure, axes[0], 3)
     return figure
 
 

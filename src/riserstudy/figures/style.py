@@ -28,7 +28,7 @@ def panels(
     figure = Figure((width, height * rows), dpi=150, layout="constrained")
     grid = figure.subplots(rows, columns, sharex=sharex, sharey=sharey, squeeze=False)
     axes = list(grid.flat)
-    for letter, ax in zip("abcdefghijkl", axes, strict=False):
+    for letter, ax in zip("abcdefghijklmno", axes, strict=False):
         ax.grid(True, color="0.9", linewidth=0.6)
         ax.set_axisbelow(True)
         if len(axes) > 1:

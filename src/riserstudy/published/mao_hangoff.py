@@ -14,6 +14,8 @@ import xarray as xr
 
 from riserstudy.published.grading import Found
 from riserstudy.quantities.towed import at_top, displacement
+from riserstudy.scene.origin import unwrap
+from riserstudy.scene.units import to_si
 
 STATED = 130.0  # s, the time of Fig 9
 SURFACE_ZONE = 150.0  # m below the joint, where C_D is large
@@ -21,6 +23,8 @@ TIMES = [10.0, 40.0, 70.0, 100.0, 130.0]  # s, of Fig 9c
 SETTLED = 70.0  # s, by then every ramp of the heave has ended
 NEARLY = 0.99  # of the largest, which counts as the largest
 SMALL = 0.05  # change that counts as small
+PRINTED = ("x_heavy", "x_light", "moment")  # the three numbers that the paper prints
+NAMED = 5  # readings told by name, the nearest of them
 
 
 # printed numbers
@@ -40,14 +44,22 @@ def all_numbers(
     runs: xr.Dataset, heavy: float, light: float, moment: float, within: float
 ) -> Found:
     """Whether one reading meets the three numbers within a share; value: its worst miss."""
-    x, m = _distance(runs), _moment(runs).sel(lmrp_mass=140.0, drop=True)
-    misses = [
-        abs(x.sel(lmrp_mass=140.0, drop=True) / heavy - 1.0),
-        abs(x.sel(lmrp_mass=120.0, drop=True) / light - 1.0),
-        abs(m / 1e3 / moment - 1.0),
-    ]
-    worst = xr.concat(misses, "number").max("number")
+    misses = _misses(runs, heavy, light, moment)
+    worst = xr.concat([misses[name] for name in PRINTED], "number").max("number")
     return Found(worst, worst <= within)
+
+
+def _misses(runs: xr.Dataset, heavy: float, light: float, moment: float) -> xr.Dataset:
+    """Relative miss of every printed number, and of the ratio that two of them have."""
+    x, m = _distance(runs), _moment(runs).sel(lmrp_mass=140.0, drop=True) / 1e3
+    x_heavy, x_light = (x.sel(lmrp_mass=mass, drop=True) for mass in (140.0, 120.0))
+    found = {
+        "x_heavy": x_heavy / heavy,
+        "x_light": x_light / light,
+        "moment": m / moment,
+        "ratio": x_light / x_heavy / (light / heavy),
+    }
+    return abs(xr.Dataset(found) - 1.0)
 
 
 # Fig 9: the base case
@@ -299,10 +311,52 @@ def _period(heave: xr.Dataset) -> xr.DataArray:
 # errata
 
 
-def lighter(runs: xr.Dataset) -> dict[str, Any]:
-    """Distance x (m) for the three masses of Fig 10."""
+def readings_near(
+    runs: xr.Dataset, heavy: float, light: float, moment: float, within: float
+) -> dict[str, Any]:
+    """Which named readings come within a share of each number and of the ratio, and which of all.
+
+    Parameters
+    ----------
+    runs : over the axes of readings and ``lmrp_mass``.
+    heavy, light : printed distances with 140 and 120 t (m).
+    moment : printed largest moment (kN m).
+    within : share of a number that counts as near.
+    """
+    misses = _misses(runs, heavy, light, moment)
+    told: dict[str, Any] = {str(name): _near(miss, within) for name, miss in misses.items()}
+    worst = misses.to_dataarray("number").max("number")
+    three = misses[list(PRINTED)].to_dataarray("number").max("number").stack(reading=worst.dims)
+    least = three.isel(reading=int(three.argmin("reading")))
+    return told | {
+        "count": worst.size,
+        "printed_ratio": light / heavy,
+        "all": _near(worst, within),
+        "best": _of_reading(least["reading"].item()),
+        "worst": float(least),
+    }
+
+
+def _near(miss: xr.DataArray, within: float) -> str:
+    """How many cells miss by no more, and the nearest by name."""
+    cells = miss.stack(reading=miss.dims)
+    near = cells[cells.values <= within]
+    near = near[near.values.argsort()]
+    if not near.size:
+        return "none"
+    names = "; ".join(_of_reading(key) for key in near["reading"].values[:NAMED])
+    return f"{near.size}{', nearest' if near.size > NAMED else ''} ({names})"
+
+
+def _of_reading(labels: tuple[str, ...]) -> str:
+    return " / ".join(labels)
+
+
+def lighter(runs: xr.Dataset, heavy: float, light: float) -> dict[str, Any]:
+    """Distance x (m) for the three masses of Fig 10, and how much it grows from 140 to 120 t."""
     x = _distance(runs)
-    return {f"x{mass:g}": float(x.sel(lmrp_mass=mass)) for mass in (120.0, 130.0, 140.0)}
+    found = {f"x{mass:g}": float(x.sel(lmrp_mass=mass)) for mass in (120.0, 130.0, 140.0)}
+    return found | {"growth": found["x120"] / found["x140"] - 1.0, "printed": light / heavy - 1.0}
 
 
 def variants(runs: xr.Dataset) -> dict[str, Any]:
@@ -322,6 +376,9 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
         "free": "joint free",
         "above": "joint 20 m above the sea",
         "deep": "joint 30 m below the sea",
+        "weightless": "LMRP without weight",
+        "dragged": "LMRP with drag and added mass",
+        "lever": "LMRP with lever arm and rotary inertia",
     }
     top = at_top(moments)
     for short, name in names.items():
@@ -337,6 +394,18 @@ def tracks(runs: xr.Dataset) -> dict[str, Any]:
     """Distance x (m) at five angles of the track."""
     x = _distance(runs)
     return {f"x{angle}": float(_at_angle(x, "track", angle)) for angle in (0, 45, 90, 135, 180)}
+
+
+def load_power(runs: xr.Dataset) -> dict[str, Any]:
+    """Power of the speed with which x grows, from tracks at 0 and 180 deg with both speeds in one profile."""
+    x, sets = tracks(runs), unwrap(json.loads(runs["track"].attrs["sets"]))[0]
+    slow, fast = (
+        abs(to_si(sets[f"{angle} deg"]["current.profile.surface_speed"], "m/s"))
+        for angle in (0, 180)
+    )
+    ratio = x["x180"] / x["x0"]
+    power = float(np.log(ratio) / np.log(fast / slow))
+    return {"slow": slow, "fast": fast, "ratio": ratio, "power": power}
 
 
 def flows(runs: xr.Dataset) -> dict[str, Any]:
