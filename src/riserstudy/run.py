@@ -7,6 +7,7 @@ from typing import Any
 
 from riserstudy.coarsest import coarsest_mesh, massless, period
 from riserstudy.comparison import difference, estimate
+from riserstudy.coupling import steps_in
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed
 from riserstudy.mesh import even
 from riserstudy.result import Result
@@ -72,7 +73,7 @@ def _refined(scene: Scene) -> Result:
     target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
     target["tension"] = target["moment"]
     mesh = coarsest_mesh(scene)
-    step = period(scene) / STEPS_A_PERIOD if a.duration else None
+    step = _longest_step(scene) if a.duration else None
     ways = [] if massless(scene) else ["mesh"]
     ways += ["step"] if step else []
     if not ways:  # a massless spring at rest is exact
@@ -127,6 +128,13 @@ def _refined(scene: Scene) -> Result:
     finer.facts["refinements"] = refinements
     keep_stations(finer, a.output.stations if a.output else None)
     return finer
+
+
+def _longest_step(scene: Scene) -> float:
+    """The step that a refinement starts from (s): in turns of platform and riser, a whole part of one."""
+    step = period(scene) / STEPS_A_PERIOD
+    coupling = scene.vessel and scene.vessel.coupling
+    return coupling.interval / steps_in(coupling.interval, step) if coupling else step
 
 
 def _excess(error: dict[str, float], target: dict[str, float]) -> float:
