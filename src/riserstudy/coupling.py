@@ -70,9 +70,7 @@ def sides_of(scene: Scene, model: Model, steps: int) -> Sides:
     loose = loose_nodes(scene, d)
     held = [(i, u) for i in range(2 + loose) for u in range(m + d) if (i, u - m) not in free]
     # a metre of string without mass or stiffness, with the platform for its top
-    platform = Model(
-        np.ones(1), d, m, effects, held, (OWN, OTHER), probes=names, loose=loose
-    )
+    platform = Model(np.ones(1), d, m, effects, held, (OWN, OTHER), probes=names, loose=loose)
     platform.s.r[:, :2] = s.r[:, [top]]
     platform.s.r[-1, 0] -= 1.0
 
@@ -141,13 +139,16 @@ def _turn(
     platform, riser = sides.platform, sides.riser
     starts = [(side, _kept(side.s)) for side in (platform, riser)]
     tolerance = coupling.tolerance or method.tolerance
-    aside = new_ledger()
+    alone, aside = (
+        new_ledger(),
+        new_ledger(),
+    )  # of the platform; of rounds that are gone through again
     for rounds in range(1, MOST_ROUNDS + 1):
         for side, start in starts:
             _restore(side.s, start)
-        outcome, seen = _step_by_step(platform, method, sides.lent.time, aside)
+        outcome, seen = _step_by_step(platform, method, sides.lent.time, alone)
         if outcome != DONE:
-            ledger.failure[:] = aside.failure[0], sides.told.node, aside.failure[2]
+            ledger.failure[:] = alone.failure[0], sides.told.node, alone.failure[2]
             return outcome, rounds
         moved = _tell(sides, seen)
         move_to(riser.programs, riser.state, float(sides.told.time[0]))

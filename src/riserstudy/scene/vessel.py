@@ -110,7 +110,9 @@ class Coupling(Strict):
     def fits(self, analysis: Analysis) -> None:
         """Refuse, with a ValueError, what cannot be done in turns."""
         if analysis.duration is None:
-            raise ValueError("vessel.coupling: at rest nothing is exchanged; needs analysis.duration")
+            raise ValueError(
+                "vessel.coupling: at rest nothing is exchanged; needs analysis.duration"
+            )
         if isinstance(analysis.method, str):
             raise ValueError(
                 f"vessel.coupling: analysis.method {analysis.method} does not work in turns; "
