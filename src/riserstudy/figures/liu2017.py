@@ -196,7 +196,7 @@ def calibration(calibration: xr.Dataset) -> Figure:
 
 
 def coupling(coupling: xr.Dataset) -> Figure:
-    """What solving platform and riser in turns changes, and the riser's iterations that it takes."""
+    """What solving platform and riser in turns changes, and the riser's iterations and time that it takes."""
     figure, axes = panels(1, 3, 3.6)
     one, turns = coupling.sel(exchange=AS_ONE), coupling.drop_sel(exchange=AS_ONE)
     ways = [str(way) for way in turns["exchange"].values]
@@ -210,12 +210,13 @@ def coupling(coupling: xr.Dataset) -> Figure:
         ax.set_ylim(bottom=LEAST)
         ax.set_xlabel(TIME)
         ax.set_ylabel(f"difference in {what}")
-    work = turns["newton_iterations"] / one["newton_iterations"]
-    axes[2].barh(ways, work, color=COLOURS[: len(ways)])
+    cost = turns[["newton_iterations", "solve_seconds"]] / one
+    axes[2].barh(ways, cost["newton_iterations"], color=COLOURS[: len(ways)], alpha=0.6)
+    axes[2].plot(cost["solve_seconds"], ways, "o", color="black")
     axes[2].axvline(1.0, **PRINTED)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("iterations of the riser (-)")
-    axes[2].set_title("as one: 1", loc="right", fontsize="small")
+    axes[2].set_xlabel("cost over that as one (-)")
+    axes[2].set_title("bars: iterations, dots: time", loc="right", fontsize="small")
     key_below(figure, axes[0], len(ways))
     return figure
 
