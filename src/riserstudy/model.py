@@ -98,7 +98,7 @@ class Model:
             loose=own.r.shape[1] - len(own.l0) - 1,
         )
         for mine, theirs in ((own, other.s), (self.spare.value, other.spare.value)):
-            for name in ("clock", "r", "v", "a", "moment", "blend"):
+            for name in ("clock", "r", "v", "a", "moment", "blend", "reach"):
                 getattr(theirs, name)[:] = getattr(mine, name)
         return other
 

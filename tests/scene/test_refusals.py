@@ -214,6 +214,9 @@ NOT_IN_TURNS = {
     "steps that leave none to compare with": (
         STEPPED | {"analysis.step": "0.26 s"}, "from 4 times analysis.step on",
     ),
+    "turns of too many steps": (
+        STEPPED | {"analysis.step": "9 us"}, "more than 100000 steps",
+    ),
     "a body at the vessel": (
         {
             "top.telescopic_joint": None,

@@ -13,6 +13,7 @@ from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
 
 ALONG_X = 1e-12  # sine of a heading that is in the plane of x and z
 MOST_TURNS = 1_000_000  # of platform and riser, each some hundred microseconds and its steps
+MOST_STEPS_A_TURN = 100_000  # whose motions and forces are kept
 STEPS_A_TURN = 4  # at least, of a run whose error is told by two with twice and four times the step
 
 
@@ -136,6 +137,11 @@ class Coupling(Strict):
             raise ValueError(
                 f"vessel.coupling.interval {self.interval:g} s asks for more than {MOST_TURNS} turns; "
                 "take a longer one"
+            )
+        if analysis.step and self.interval / analysis.step > MOST_STEPS_A_TURN:
+            raise ValueError(
+                f"vessel.coupling.interval {self.interval:g} s has more than {MOST_STEPS_A_TURN} steps of "
+                f"{analysis.step:g} s; take a shorter one"
             )
         if analysis.step and STEPS_A_TURN * analysis.step > self.interval * (1.0 + 1e-9):
             raise ValueError(
