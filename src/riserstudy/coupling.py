@@ -33,7 +33,6 @@ from riserstudy.vessel import floating, loose_nodes, unknowns
 
 FloatArray = NDArray[np.float64]
 MOST_ROUNDS = 50  # of a turn that is repeated
-JUST_AFTER = 1e-3  # of a step: a record that begins there does not note the begin of a march
 
 
 class Sides(NamedTuple):
@@ -154,7 +153,10 @@ def _turn(
         move_to(riser.programs, riser.state, float(sides.told.time[0]))
         if coupling.scheme == "staggered" or (rounds > 1 and moved <= tolerance):
             ledger.count[1:3] += aside.count[1:3]
-            return _march_on(riser, method, record, ledger), rounds
+            outcome = march(
+                riser.programs, riser.state, riser.spare, method, riser.fixed, record, ledger
+            )
+            return int(outcome), rounds
         outcome, seen = _step_by_step(riser, method, sides.told.time, aside)
         if outcome != DONE:
             ledger.failure[:] = aside.failure
@@ -174,16 +176,6 @@ def _step_by_step(
     seen = new_record(times, [0], side.s)
     outcome = march(side.programs, side.state, side.spare, method, side.fixed, seen, ledger)
     return int(outcome), seen.value
-
-
-def _march_on(riser: Model, method: Method, record: Frozen, ledger: Ledger) -> int:
-    """March the riser's side for the record, which goes on from where the last turn left it."""
-    times, first = record.value.time, record.value.time[0]
-    if record.value.written[0]:  # or the begin of this march would be noted again
-        times[0] = riser.s.clock[0] + JUST_AFTER * method.step
-    outcome = march(riser.programs, riser.state, riser.spare, method, riser.fixed, record, ledger)
-    times[0] = first
-    return int(outcome)
 
 
 def _tell(sides: Sides, seen: Record) -> float:

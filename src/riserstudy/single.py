@@ -18,7 +18,7 @@ from riserstudy.coupling import march_in_turns, sides_of, steps_in
 from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.explicit_limit import explicit_limit
-from riserstudy.marching import march_on
+from riserstudy.marching import march_on, method_of
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.result import Result
@@ -140,7 +140,7 @@ def _march(
     ledger = new_ledger()
     before = sum(energies(model.programs, model.state))
     if coupling:
-        turn = _method(scene, mesh, step, steps)
+        turn, _ = method_of(scene, mesh, step, steps)
         outcome, facts["coupling"] = march_in_turns(
             sides, coupling, turn, a.duration, notes, ledger
         )
