@@ -45,21 +45,24 @@ def march_on(
         begin, until = begin * (1.0 + MOMENT), until * (1.0 - MOMENT) if until < end else end
         count = max(GRADED if sudden else 1, math.ceil((until - begin) / step * (1.0 - 1e-9)))
         move_to(model.programs, model.state, begin)
-        limits = (
-            (until - begin) / count,
-            count,
-            (a.newton_tolerance or NEWTON) * float(mesh.l0.sum()),
-            ITERATIONS,
-            HALVINGS,
-            GRADED if sudden else 0,
-        )
-        start, stepped = _method(a.method)
+        length, graded = (until - begin) / count, GRADED if sudden else 0
+        method, stepped = method_of(scene, mesh, length, count, graded)
         outcome = stepped(
-            model.programs, model.state, model.spare, start(*limits), model.fixed, record, ledger
+            model.programs, model.state, model.spare, method, model.fixed, record, ledger
         )
         if outcome != DONE:
             break
     return outcome
+
+
+def method_of(
+    scene: Scene, mesh: Mesh, step: float, count: int, graded: int = 0
+) -> tuple[Any, Callable[..., int]]:
+    """What describes a march of so many steps by the scene's implicit method, and what marches."""
+    a = scene.analysis
+    start, stepped = _method(a.method)
+    tolerance = (a.newton_tolerance or NEWTON) * float(mesh.l0.sum())
+    return start(step, count, tolerance, ITERATIONS, HALVINGS, graded), stepped
 
 
 def _method(method: Any) -> tuple[Callable[..., Any], Callable[..., int]]:

@@ -82,6 +82,26 @@ class Model:
         for state in (self.state, self.spare):
             set_compliance(self.programs, state, self.hinged)
 
+    def extended(self, effects: Sequence[Effect], fixed: Sequence[tuple[int, int]]) -> Model:
+        """A model in the same state with more effects, and more (node, unknown) pairs left alone."""
+        own = self.s
+        cylinders = len(own.reach)
+        other = Model(
+            own.l0,
+            len(own.dim),
+            len(own.dof) - len(own.dim),
+            [*self.effects, *effects],
+            [*((int(node), int(unknown)) for node, unknown in self.fixed), *fixed],
+            (float(own.share[0]), float(own.share[1])),
+            cylinders,
+            probes=list(self.probes),
+            loose=own.r.shape[1] - len(own.l0) - 1,
+        )
+        for mine, theirs in ((own, other.s), (self.spare.value, other.spare.value)):
+            for name in ("clock", "r", "v", "a", "moment", "blend", "reach"):
+                getattr(theirs, name)[:] = getattr(mine, name)
+        return other
+
     def _program(self, role: str) -> np.ndarray:
         calls = []
         for effect, record in zip(self.effects, self.records, strict=True):

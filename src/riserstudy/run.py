@@ -7,6 +7,7 @@ from typing import Any
 
 from riserstudy.coarsest import coarsest_mesh, massless, period
 from riserstudy.comparison import difference, estimate
+from riserstudy.coupling import steps_in
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed
 from riserstudy.mesh import even
 from riserstudy.result import Result
@@ -39,19 +40,23 @@ def run(scene: Scene) -> Result:
 
 
 def _as_asked(scene: Scene) -> Result:
-    """A run with the scene's own mesh and step; its error from two coarser runs."""
+    """A run with the scene's own mesh and step; its error from two coarser runs.
+
+    These go first, so that the time of the run itself is not that of loading kernels.
+    """
     a = scene.analysis
     elements = a.mesh.elements if a.mesh else 1
-    result = single(scene, even(scene, elements), a.step)
     if elements == 1 and not a.step:
-        return result
-    runs = [result]
+        return single(scene, even(scene, elements), a.step)
+    runs: list[Result] = []
     for k in (2, 4):
         step = k * a.step if a.step and a.method != "explicit" else a.step
         try:
             runs.insert(0, single(scene, even(scene, max(1, elements // k)), step, EVERYWHERE))
         except SimulationError:  # a coarse mesh may buckle, a long step fail
             break
+    result = single(scene, even(scene, elements), a.step)
+    runs.append(result)
     if len(runs) == 1:
         result.facts["warnings"].append("no error estimate: the coarser run cannot be completed")
         result.facts["error_estimate"] = {}
@@ -72,7 +77,7 @@ def _refined(scene: Scene) -> Result:
     target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
     target["tension"] = target["moment"]
     mesh = coarsest_mesh(scene)
-    step = period(scene) / STEPS_A_PERIOD if a.duration else None
+    step = _longest_step(scene) if a.duration else None
     ways = [] if massless(scene) else ["mesh"]
     ways += ["step"] if step else []
     if not ways:  # a massless spring at rest is exact
@@ -127,6 +132,13 @@ def _refined(scene: Scene) -> Result:
     finer.facts["refinements"] = refinements
     keep_stations(finer, a.output.stations if a.output else None)
     return finer
+
+
+def _longest_step(scene: Scene) -> float:
+    """The step that a refinement starts from (s): in turns of platform and riser, a whole part of one."""
+    step = period(scene) / STEPS_A_PERIOD
+    coupling = scene.vessel and scene.vessel.coupling
+    return coupling.interval / steps_in(coupling.interval, step) if coupling else step
 
 
 def _excess(error: dict[str, float], target: dict[str, float]) -> float:

@@ -59,11 +59,13 @@ _CLAY: Tree = {
     "straight_up_to": 0.1,
 }
 _THRUST: Tree = {"gain": "10 kN/m", "command": "1 m", "lag": "1 s"}
+_COUPLED: Tree = {"scheme": "iterated", "interval": "0.5 s"}
 _TURNS: Tree = {
     "mass": "1e7 kg",
     "sway": {"added_mass": "1e7 kg"},
     "yaw": {"inertia": "1e10 kg*m^2"},
     "thrusters": _THRUST | {"yaw": {"gain": "1e8 N*m/rad"}},
+    "coupling": _COUPLED,
 }
 _HEAVE: Tree = {"amplitude": "1 m", "period": "10 s"}
 _ANALYSIS: Tree = {
@@ -151,7 +153,7 @@ def scenes() -> dict[str, list[Scene]]:
             | {"tension": "500 kN"},
         },
         "platform": None,
-        "vessel": {"mass": "1e7 kg", "thrusters": _THRUST},
+        "vessel": {"mass": "1e7 kg", "thrusters": _THRUST, "coupling": _COUPLED},
         "soil": {"mudline": "0 m", "resistance": _CLAY},
         "analysis": _ANALYSIS | {"output": {"interval": "0.15 s", "stress_in": "above"}},
     }
@@ -185,7 +187,7 @@ def scenes() -> dict[str, list[Scene]]:
         "title": "adrift",
         "top": {"x": "vessel", "z": "held", "elevation": "101 m"},
         "platform": None,
-        "vessel": {"mass": "1e7 kg", "thrusters": _THRUST},
+        "vessel": {"mass": "1e7 kg", "thrusters": _THRUST, "coupling": _COUPLED},
     }
     groups = {
         "in space": [spatial, turning],

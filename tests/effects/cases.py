@@ -24,6 +24,7 @@ from riserstudy.effects.drag import Drag
 from riserstudy.effects.drag_over_depth import DragOverDepth
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
+from riserstudy.effects.exchange import LentForce, ToldMotion
 from riserstudy.effects.flex_joint import FlexJoint
 from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
@@ -125,6 +126,10 @@ def tabulated(d: int) -> TabulatedLaw:
 def series(d: int) -> Series:
     coefficient = np.random.default_rng(3).normal(size=(4, 5)) * [[1e-3], [1e-2], [0.1], [1.0]]
     return Series(2, np.array([0.0, 2.0, 3.0, 5.5, 8.0, 10.0]), coefficient)
+
+
+def stirred(*shape: int) -> np.ndarray:
+    return np.random.default_rng(4).normal(size=shape)
 
 
 def vessel(d: int) -> Vessel:
@@ -241,6 +246,16 @@ CASES = {
     Vessel: Case(vessel, directions=(2, 3), loose=1),
     Munk: Case(lambda d: Munk(N, N + 1, 50.0, 0.4, -3e7, pair(0.5, 0.3)), directions=(3,), loose=1),
     Thrusters: Case(thrusters, directions=(2, 3), loose=1),
+    LentForce: Case(
+        lambda d: LentForce(
+            2, np.array([0.0, 3.0, 5.5, 8.0]), 1e5 * stirred(4, d - 1), 2 * CYLINDERS
+        ),
+        directions=(2, 3),
+    ),
+    ToldMotion: Case(
+        lambda d: ToldMotion(N, np.array([0.0, 3.0, 5.5, 8.0]), stirred(3, 4, d - 1)),
+        directions=(2, 3),
+    ),
     Torsion: Case(lambda d: Torsion(N + 1, 2e5), directions=(3,), loose=1),
     Waterline: Case(
         lambda d: Waterline(45.0, np.ones((3, N)), np.ones(N), *np.ones((4, N))),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 from cases import flexibility, nodes
-from scipy.interpolate import PPoly
+from scipy.interpolate import CubicHermiteSpline, PPoly
 from scipy.spatial.transform import Rotation
 
 from riserstudy.build import AXES
@@ -27,6 +27,7 @@ from riserstudy.effects.drag import Drag
 from riserstudy.effects.drag_over_depth import DragOverDepth
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
+from riserstudy.effects.exchange import LentForce, ToldMotion
 from riserstudy.effects.flex_joint import FlexJoint
 from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
@@ -429,6 +430,30 @@ def pull(record, s):
     return {"force": out}
 
 
+def lent_force(record, s):
+    out = np.zeros_like(s.force)
+    for c, load in enumerate(record.load.T):
+        out[c, record.node] = np.interp(s.clock[0], record.time, load)
+    return {"force": out}
+
+
+def lent_force_reports(record, s):
+    out = s.probe.copy()
+    moves = [(s.v[c, record.node], s.a[c, record.node]) for c in range(record.load.shape[1])]
+    out[record.probe : record.probe + 2 * len(moves)] = np.ravel(moves)
+    return {"probe": out}
+
+
+def told_motion(record, s):
+    out = {name: getattr(s, name).copy() for name in "rva"}
+    for c in range(record.path.shape[2]):
+        path = CubicHermiteSpline(record.time, record.path[0, :, c], record.path[1, :, c])
+        out["r"][c, record.node] = path(s.clock[0])
+        out["v"][c, record.node] = path(s.clock[0], 1)
+        out["a"][c, record.node] = np.interp(s.clock[0], record.time, record.path[2, :, c])
+    return out
+
+
 def carried(platform, point):
     """Position, velocity, acceleration (3, 3) of a point turned with the platform, by differences."""
 
@@ -567,6 +592,8 @@ VERSIONS = {
     Vessel: [("device", vessel), ("device_inertia", vessel_inertia)],
     Munk: [("device", munk)],
     Thrusters: [("device", thrusters), ("device_inertia", thrusters_inertia)],
+    LentForce: [("device", lent_force), ("probe", lent_force_reports)],
+    ToldMotion: [("place", told_motion)],
     Torsion: [("device", torsion)],
     Waterline: [("drive", waterline)],
     Pull: [("device", pull)],

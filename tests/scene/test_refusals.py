@@ -24,6 +24,13 @@ MESH = {"elements": 10}
 WATER = {"density": "1025 kg/m^3", "seabed": "0 m", "surface": "533 m"}
 WAVE = {"height": "6 m", "period": "8 s", "above_mean_level": "none"}
 
+COUPLING = "vessel.coupling"
+
+
+def turns(**values):
+    return {"scheme": "staggered", "interval": "1 s"} | values
+
+
 #: scene, path, value, field of the message, what else the message says
 REFUSED = {
     # units
@@ -143,6 +150,17 @@ REFUSED = {
         {"length": "15 m", "bending_stiffness": "1 N*m^2", "stop": {"stroke": "9 m", "stiffness": "1 N/m"}},
         "top.telescopic_joint", "needs its tension",
     ),
+    "turns of no length": (DRIVE_OFF, "vessel.coupling", turns(interval="0 s"), COUPLING + ".interval", "0"),
+    "turns of no known scheme": (
+        DRIVE_OFF, "vessel.coupling", turns(scheme="loose"), COUPLING + ".scheme", "staggered",
+    ),
+    "a tolerance of turns that are not repeated": (
+        DRIVE_OFF, "vessel.coupling", turns(tolerance="1 mm"), COUPLING, "tolerance: a staggered exchange",
+    ),
+    "turns longer than the run": (
+        DRIVE_OFF, "vessel.coupling", turns(interval="151 s"), "", "up to analysis.duration, 150 s",
+    ),
+    "a million turns": (DRIVE_OFF, "vessel.coupling", turns(interval="0.1 ms"), "", "1000000 turns"),
     # analysis
     "an accuracy of nothing": (SURGE, "analysis.accuracy", "0 %", "analysis.accuracy", "greater than 0"),
     "an accuracy below nothing": (SURGE, "analysis.accuracy", "-1 %", "analysis.accuracy", "greater"),
@@ -183,6 +201,46 @@ def test_input_that_cannot_be_meant_is_refused_with_field_and_reason(case):
     assert Path(error.where).name == path.name or error.where == "overrides"
     assert error.found
     assert error.allowed
+
+
+STEPPED = {"analysis.mesh": MESH, "analysis.step": "0.25 s"}
+#: what is set beside turns of platform and riser, what the message says
+NOT_IN_TURNS = {
+    "statics": ({"analysis.duration": None, "analysis.output": None}, "needs analysis.duration"),
+    "explicit stepping": (STEPPED | {"analysis.method": "explicit"}, "analysis.method explicit"),
+    "stages": (STEPPED | {"analysis.method": "TR-BDF2"}, "analysis.method TR-BDF2"),
+    "a beam of small slopes": (STEPPED | {"analysis.solver": "hermite"}, "analysis.solver hermite"),
+    "a jolt": ({"analysis.start": "undeflected"}, "analysis.start undeflected"),
+    "steps that leave none to compare with": (
+        STEPPED | {"analysis.step": "0.26 s"}, "from 4 times analysis.step on",
+    ),
+    "turns of too many steps": (
+        STEPPED | {"analysis.step": "9 us"}, "more than 100000 steps",
+    ),
+    "a body at the vessel": (
+        {
+            "top.telescopic_joint": None,
+            "top.z": "free",
+            "top.elevation": None,
+            "top.tension": "3 MN",
+            "top.body": {"name": "ring", "mass": "1 t"},
+        },
+        "top.body acts on the platform",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", NOT_IN_TURNS)
+def test_what_platform_and_riser_cannot_do_in_turns_is_refused(case):
+    values, reason = NOT_IN_TURNS[case]
+    load_scene(DRIVE_OFF, **values)
+    with pytest.raises(InputError, match=r"vessel\.coupling") as refusal:
+        load_scene(DRIVE_OFF, **{**values, "vessel.coupling": turns()})
+    assert reason in str(refusal.value)
+
+
+def test_turns_of_four_steps_are_long_enough():
+    load_scene(DRIVE_OFF, **STEPPED, **{"vessel.coupling": turns()})
 
 
 @pytest.mark.parametrize(

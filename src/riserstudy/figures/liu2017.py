@@ -19,6 +19,8 @@ TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
 TIME, SURGE = "time (s)", "surge of the platform (m)"
 SHOWN = 100.0  # s
 DEGREES = 180.0 / np.pi
+AS_ONE = "as one"  # of platform and riser
+LEAST = 1e-8  # difference that is shown (m, deg)
 DEADLINE, UFJ_LIMIT = 50.0, 12.0  # s and degrees; config/published/liu2017.yaml, N1
 FORCE_AT_LIMIT = -3.02 * np.sin(np.deg2rad(UFJ_LIMIT))  # MN, which Fig 6 implies
 
@@ -190,6 +192,32 @@ def calibration(calibration: xr.Dataset) -> Figure:
     ax.set_ylabel("hull drag (kN s²/m²)")
     ax.set_title("lines: 12° at 50 s", loc="right", fontsize="small")
     ax.legend(handles=handles, fontsize="small", loc="upper left")
+    return figure
+
+
+def coupling(coupling: xr.Dataset) -> Figure:
+    """What solving platform and riser in turns changes, and the riser's iterations and time that it takes."""
+    figure, axes = panels(1, 3, 3.6)
+    one, turns = coupling.sel(exchange=AS_ONE), coupling.drop_sel(exchange=AS_ONE)
+    ways = [str(way) for way in turns["exchange"].values]
+    for colour, way in zip(COLOURS, ways, strict=False):
+        off = abs(turns.sel(exchange=way)[["platform_surge", "ufj_angle"]] - one)
+        off = off.where(off > 0.0)
+        axes[0].plot(off["time"], off["platform_surge"], color=colour, label=way)
+        axes[1].plot(off["time"], off["ufj_angle"] * DEGREES, color=colour)
+    for ax, what in zip(axes, ("surge (m)", "upper flex joint (deg)"), strict=False):
+        ax.set_yscale("log")
+        ax.set_ylim(bottom=LEAST)
+        ax.set_xlabel(TIME)
+        ax.set_ylabel(f"difference in {what}")
+    cost = turns[["newton_iterations", "solve_seconds"]] / one
+    axes[2].barh(ways, cost["newton_iterations"], color=COLOURS[: len(ways)], alpha=0.6)
+    axes[2].plot(cost["solve_seconds"], ways, "o", color="black")
+    axes[2].axvline(1.0, **PRINTED)
+    axes[2].invert_yaxis()
+    axes[2].set_xlabel("cost over that as one (-)")
+    axes[2].set_title("bars: iterations, dots: time", loc="right", fontsize="small")
+    key_below(figure, axes[0], len(ways))
     return figure
 
 

@@ -134,6 +134,9 @@ class Scene(Strict):
                 "vessel.yaw: explicit stepping does not know the forces of a turning hull; "
                 "take an implicit method"
             )
+        if self.vessel and self.vessel.coupling:
+            self.vessel.coupling.fits(self.analysis)
+            self._fits_an_exchange()
         if self.vessel and self.vessel.hull_drag and self.water is None:
             raise ValueError("vessel.hull_drag needs water")
         if (self.bottom.hold == "foot") != (self.soil is not None):
@@ -150,6 +153,18 @@ class Scene(Strict):
             raise ValueError(
                 f"analysis.output.stress_in: no section {gauged!r} with young_modulus and diameters"
             )
+
+    def _fits_an_exchange(self) -> None:
+        """What is exchanged is the force of the string's end: nothing else may act there across."""
+        top = self.top
+        if top.telescopic_joint:
+            return
+        for name in ("body", "lateral_force", "tensioners"):
+            if getattr(top, name) is not None:
+                raise ValueError(
+                    f"vessel.coupling: top.{name} acts on the platform beside the riser; put a "
+                    "telescopic_joint between, or leave coupling out"
+                )
 
     def _fits_the_sea(self) -> None:
         response = self.platform and self.platform.response

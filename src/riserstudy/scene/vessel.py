@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
+from riserstudy.scene.analysis import Analysis
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
 
 ALONG_X = 1e-12  # sine of a heading that is in the plane of x and z
+MOST_TURNS = 1_000_000  # of platform and riser, each some hundred microseconds and its steps
+MOST_STEPS_A_TURN = 100_000  # whose motions and forces are kept
+STEPS_A_TURN = 4  # at least, of a run whose error is told by two with twice and four times the step
 
 
 class Wind(Strict):
@@ -86,12 +90,73 @@ class Yaw(Strict):
     hull_drag: Annotated[u.RotationalDrag, NOT_NEGATIVE] | None = None
 
 
+class Coupling(Strict):
+    """Platform and riser solved one after the other, in turns of an interval.
+
+    staggered: the platform moves over the interval under the force that the riser had at its begin, then
+    the riser follows. iterated: the same interval again, with the force that the riser then had, until the
+    platform's motion changes by less than the tolerance; absent tolerance: that of Newton's iteration.
+    """
+
+    scheme: Literal["staggered", "iterated"]
+    interval: Annotated[u.Time, POSITIVE]
+    tolerance: Annotated[u.Length, POSITIVE] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.tolerance is not None and self.scheme == "staggered":
+            raise ValueError("tolerance: a staggered exchange repeats nothing; leave it out")
+        return self
+
+    def fits(self, analysis: Analysis) -> None:
+        """Refuse, with a ValueError, what cannot be done in turns."""
+        if analysis.duration is None:
+            raise ValueError(
+                "vessel.coupling: at rest nothing is exchanged; needs analysis.duration"
+            )
+        if isinstance(analysis.method, str):
+            raise ValueError(
+                f"vessel.coupling: analysis.method {analysis.method} does not work in turns; "
+                "take generalised-alpha or Newmark's method"
+            )
+        if analysis.solver:
+            raise ValueError(
+                f"vessel.coupling: analysis.solver {analysis.solver} has no vessel; leave it out"
+            )
+        if analysis.start not in (None, "equilibrium"):
+            raise ValueError(
+                f"vessel.coupling: analysis.start {analysis.start} takes steps that do not fit into "
+                "turns; start from equilibrium"
+            )
+        if self.interval > analysis.duration:
+            raise ValueError(
+                f"vessel.coupling.interval {self.interval:g} s: allowed is up to analysis.duration, "
+                f"{analysis.duration:g} s"
+            )
+        if analysis.duration / self.interval > MOST_TURNS:
+            raise ValueError(
+                f"vessel.coupling.interval {self.interval:g} s asks for more than {MOST_TURNS} turns; "
+                "take a longer one"
+            )
+        if analysis.step and self.interval / analysis.step > MOST_STEPS_A_TURN:
+            raise ValueError(
+                f"vessel.coupling.interval {self.interval:g} s has more than {MOST_STEPS_A_TURN} steps of "
+                f"{analysis.step:g} s; take a shorter one"
+            )
+        if analysis.step and STEPS_A_TURN * analysis.step > self.interval * (1.0 + 1e-9):
+            raise ValueError(
+                f"vessel.coupling.interval {self.interval:g} s: allowed is from {STEPS_A_TURN} times "
+                "analysis.step on, for runs with longer steps tell the error"
+            )
+
+
 class Vessel(Strict):
     """A platform that floats freely from its place at rest, with the riser's top.
 
     Absent added mass, hull drag (by velocity relative to the current at the surface), wind, wave drift,
     thrusters: none. Absent sway: it moves along x alone; yaw: it keeps its heading; heading: its hull lies
     along x. Where everything acts along x it does not sway or turn, and is not given the freedom to.
+    Absent coupling: platform and riser are solved as one system.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -103,6 +168,7 @@ class Vessel(Strict):
     wind: Wind | None = None
     wave_drift: WaveDrift | None = None
     thrusters: Thrusters | None = None
+    coupling: Coupling | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

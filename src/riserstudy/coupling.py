@@ -1,0 +1,204 @@
+"""A platform and its riser solved one after the other, in turns, instead of as one.
+
+In a turn the platform moves alone, under a force that the riser lends it; then the riser follows, its top
+told where the platform was at each step. Staggered, the force is that of the turn's begin. Iterated, the
+turn is repeated with the force that the riser then had at each step, until the platform no longer moves
+otherwise.
+
+The riser's side is the whole model, platform included, with the top held where it is told to be. What
+holds it there makes up for the force that was lent and was not the riser's, so its work is the energy that
+the exchange makes, and the balance of energy closes with it.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.effects.exchange import LentForce, ToldMotion
+from riserstudy.errors import SimulationError
+from riserstudy.model import Effect, Model
+from riserstudy.scene.models import Scene
+from riserstudy.scene.vessel import Coupling
+from riserstudy.solve.evaluate import forces_and_tangent, move_to
+from riserstudy.solve.implicit import Method, march
+from riserstudy.solve.ledger import DONE, Ledger, new_ledger
+from riserstudy.solve.program import Frozen
+from riserstudy.solve.record import Record, new_record
+from riserstudy.solve.state import OTHER, OWN, State
+from riserstudy.vessel import floating, loose_nodes, unknowns
+
+FloatArray = NDArray[np.float64]
+MOST_ROUNDS = 50  # of a turn that is repeated
+
+
+class Sides(NamedTuple):
+    """The two models, and what they give to each other."""
+
+    platform: Model
+    lent: LentForce
+    riser: Model
+    told: ToldMotion
+    reaction: list[int]  # probes of the riser's model: its force on the platform, by direction
+
+
+def steps_in(interval: float, step: float) -> int:
+    """Number of equal steps of a turn, none longer than a step (s) asked for."""
+    return max(1, int(np.ceil(interval / step * (1.0 - 1e-9))))
+
+
+def sides_of(scene: Scene, model: Model, steps: int) -> Sides:
+    """The two sides of a scene whose model is at rest, for turns of so many steps."""
+    s, top = model.s, len(model.s.l0)
+    d, m = len(s.dim), len(s.dof) - len(s.dim)
+    names: list[str] = []
+
+    def probe(*new: str) -> int:
+        names.extend(new)
+        return len(names) - len(new)
+
+    effects = list(floating(scene, d, 1, probe))
+    free = unknowns(scene, d, 1)
+    count = sum(node == 1 for node, _ in free)
+    times = np.arange(steps + 1, dtype=np.float64)
+    lent = LentForce(1, times.copy(), np.zeros((steps + 1, count)), probe(*"va" * count))
+    effects.append(Effect("exchange", lent, "vessel.coupling"))
+    loose = loose_nodes(scene, d)
+    held = [(i, u) for i in range(2 + loose) for u in range(m + d) if (i, u - m) not in free]
+    # a metre of string without mass or stiffness, with the platform for its top
+    platform = Model(np.ones(1), d, m, effects, held, (OWN, OTHER), probes=names, loose=loose)
+    platform.s.r[:, :2] = s.r[:, [top]]
+    platform.s.r[-1, 0] -= 1.0
+
+    told = ToldMotion(top, times.copy(), np.zeros((3, steps + 1, count)))
+    told.path[0] = s.r[:count, top]
+    riser = model.extended(
+        [Effect("exchange", told, "vessel.coupling")], [(top, m + c) for c in range(count)]
+    )
+    reaction = [model.probes[f"riser_reaction_{axis}"] for axis in "xy"[:count]]
+    return Sides(platform, lent, riser, told, reaction)
+
+
+def march_in_turns(
+    sides: Sides,
+    coupling: Coupling,
+    method: Method,
+    duration: float,
+    record: Frozen,
+    ledger: Ledger,
+) -> tuple[int, dict[str, Any]]:
+    """March both sides from the state of the riser's; outputs go to ``record``, work to ``ledger``.
+
+    Parameters
+    ----------
+    method : of a turn; the last one may be shorter.
+    duration : of all turns (s).
+
+    Returns
+    -------
+    The outcome of `march`, and what is to be told of the exchange.
+
+    Raises
+    ------
+    SimulationError
+        When a turn that is repeated does not settle.
+    """
+    riser = sides.riser
+    forces_and_tangent(riser.programs, riser.state)
+    count = int(np.ceil(duration / coupling.interval * (1.0 - 1e-9)))
+    times = np.append(coupling.interval * np.arange(count), duration)
+    sides.lent.load[:] = _reaction(sides)
+    most, rounds = 0, 0
+    for begin, end in pairwise(times):
+        for table in (sides.lent, sides.told):
+            table.time[:] = np.linspace(begin, end, method.steps + 1)
+        one = method._replace(step=(end - begin) / method.steps)
+        outcome, needed = _turn(sides, coupling, one, record, ledger)
+        if outcome != DONE:
+            break
+        sides.lent.load[:] = _reaction(sides)
+        most, rounds = max(most, needed), rounds + needed
+    about = {
+        "scheme": coupling.scheme,
+        "interval": coupling.interval,
+        "turns": count,
+        "rounds": rounds,
+        "most_rounds": most,
+    }
+    return outcome, about
+
+
+def _turn(
+    sides: Sides, coupling: Coupling, method: Method, record: Frozen, ledger: Ledger
+) -> tuple[int, int]:
+    """One turn: its outcome, and how often it was gone through."""
+    platform, riser = sides.platform, sides.riser
+    starts = [(side, _kept(side.s)) for side in (platform, riser)]
+    tolerance = coupling.tolerance or method.tolerance
+    alone, aside = (
+        new_ledger(),
+        new_ledger(),
+    )  # of the platform; of rounds that are gone through again
+    for rounds in range(1, MOST_ROUNDS + 1):
+        for side, start in starts:
+            _restore(side.s, start)
+        outcome, seen = _step_by_step(platform, method, sides.lent.time, alone)
+        if outcome != DONE:
+            ledger.failure[:] = alone.failure[0], sides.told.node, alone.failure[2]
+            return outcome, rounds
+        moved = _tell(sides, seen)
+        move_to(riser.programs, riser.state, float(sides.told.time[0]))
+        if coupling.scheme == "staggered" or (rounds > 1 and moved <= tolerance):
+            ledger.count[1:3] += aside.count[1:3]
+            outcome = march(
+                riser.programs, riser.state, riser.spare, method, riser.fixed, record, ledger
+            )
+            return int(outcome), rounds
+        outcome, seen = _step_by_step(riser, method, sides.told.time, aside)
+        if outcome != DONE:
+            ledger.failure[:] = aside.failure
+            return outcome, rounds
+        sides.lent.load[:] = seen.probe[:, sides.reaction]
+    raise SimulationError(
+        f"vessel.coupling: the turn from {sides.told.time[0]:.6g} s on does not settle in {MOST_ROUNDS} "
+        f"rounds, the last changed it by {moved:.3g} m; take a shorter interval or a greater tolerance, "
+        "or leave coupling out"
+    )
+
+
+def _step_by_step(
+    side: Model, method: Method, times: FloatArray, ledger: Ledger
+) -> tuple[int, Record]:
+    """March one side, and what it reports at the begin and after each step."""
+    seen = new_record(times, [0], side.s)
+    outcome = march(side.programs, side.state, side.spare, method, side.fixed, seen, ledger)
+    return int(outcome), seen.value
+
+
+def _tell(sides: Sides, seen: Record) -> float:
+    """Tell the riser's top where the platform was; by how much that has changed (m)."""
+    path, first = sides.told.path, sides.lent.probe
+    before = path[0].copy()
+    count = path.shape[2]
+    path[0] = seen.top[:, :count]
+    path[1] = seen.probe[:, first : first + 2 * count : 2]
+    path[2] = seen.probe[:, first + 1 : first + 2 * count : 2]
+    return float(np.abs(path[0] - before).max())
+
+
+def _reaction(sides: Sides) -> FloatArray:
+    """Force of the riser on the platform, as its model was last evaluated, shape (c,), N."""
+    ends, count = sides.riser.s.ends, sides.told.path.shape[2]
+    return np.asarray(ends[0, 1, :count] + ends[1, 1, :count])
+
+
+def _kept(s: State) -> list[FloatArray]:
+    return [array.copy() for array in (s.r, s.v, s.a, s.moment, s.clock)]
+
+
+def _restore(s: State, kept: list[FloatArray]) -> None:
+    for array, old in zip((s.r, s.v, s.a, s.moment, s.clock), kept, strict=True):
+        array[:] = old

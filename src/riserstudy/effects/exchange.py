@@ -1,0 +1,95 @@
+r"""What a platform and a riser that are solved one after the other give to each other.
+
+The platform is lent the riser's force, straight between the times of a table; the riser's top is told the
+platform's motion, the cubic through positions and velocities at the times of a table,
+
+.. math::
+
+   r = r_0 + x\,\Delta + x (1 - x) \big[(1 - x)(h v_0 - \Delta) + x (\Delta - h v_1)\big],\qquad
+   \Delta = r_1 - r_0,
+
+with its derivative as velocity. The acceleration goes straight, so that it is the platform's at each time.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class LentForce(NamedTuple):
+    """Force on a node over time, in its first directions; reports how the node moves."""
+
+    node: int
+    time: np.ndarray  # (k,) rising (s)
+    load: np.ndarray  # (k, c) (N)
+    probe: int  # first of its probes: velocity (m/s) and acceleration (m/s2) of each direction
+
+
+class ToldMotion(NamedTuple):
+    """Motion of a node over time, in its first directions."""
+
+    node: int
+    time: np.ndarray  # (k,) rising (s)
+    path: np.ndarray  # (3, k, c) position (m), velocity (m/s), acceleration (m/s2)
+
+
+@inner
+def _piece(time, now):
+    """Piece of a table that holds a time, its length, and the share of it that is over."""
+    last = time.shape[0] - 1
+    inside = min(max(now, time[0]), time[last])
+    k = min(max(np.searchsorted(time, inside, side="right") - 1, 0), last - 1)
+    h = time[k + 1] - time[k]
+    return k, h, (inside - time[k]) / h
+
+
+@inner
+def force(lent, s):
+    """The load as it is now."""
+    k, _, x = _piece(lent.time, s.clock[0])
+    for c in range(lent.load.shape[1]):
+        s.force[c, lent.node] += (1.0 - x) * lent.load[k, c] + x * lent.load[k + 1, c]
+    return 0.0
+
+
+@inner
+def power(lent, s):
+    """Power that it supplies (W)."""
+    k, _, x = _piece(lent.time, s.clock[0])
+    for c in range(lent.load.shape[1]):
+        load = (1.0 - x) * lent.load[k, c] + x * lent.load[k + 1, c]
+        s.flow[1] += load * s.v[c, lent.node]
+    return 0.0
+
+
+@inner
+def probe(lent, s):
+    """Report velocity and acceleration of the node."""
+    for c in range(lent.load.shape[1]):
+        s.probe[lent.probe + 2 * c] = s.v[c, lent.node]
+        s.probe[lent.probe + 2 * c + 1] = s.a[c, lent.node]
+    return 0.0
+
+
+@inner
+def place(told, s):
+    """Put the node where it is told to be, with the velocity and acceleration it has there."""
+    k, h, x = _piece(told.time, s.clock[0])
+    path, i = told.path, told.node
+    for c in range(path.shape[2]):
+        d = path[0, k + 1, c] - path[0, k, c]
+        slope, twist = h * path[1, k, c] - d, d - h * path[1, k + 1, c]
+        bump = slope * (1.0 - x) + twist * x
+        s.r[c, i] = path[0, k, c] + x * d + x * (1.0 - x) * bump
+        s.v[c, i] = (d + (1.0 - 2.0 * x) * bump + x * (1.0 - x) * (twist - slope)) / h
+        s.a[c, i] = (1.0 - x) * path[2, k, c] + x * path[2, k + 1, c]
+    return 0.0
+
+
+register(LentForce, device=force, power=power, probe=probe)
+register(ToldMotion, place=place)
