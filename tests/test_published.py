@@ -442,3 +442,20 @@ def test_a_line_differs_from_a_curve_and_not_from_itself():
     found = checks.line_differs(other, at_least=0.05)
     assert float(found.value) == pytest.approx(0.1)
     assert bool(found.true)
+
+
+@pytest.mark.parametrize("paper", ["chang2020", "fem_riser", "liu2017", "liu2020", "mao_hangoff"])
+def test_the_base_of_a_claim_is_in_every_tier(paper):
+    studies = read_studies(CONFIG, paper).studies.values()
+    thinned = [
+        (name, axis.preview)
+        for study in studies
+        for name, axis in study.axes.items()
+        if getattr(axis, "preview", None)
+    ]
+    for item in published(paper).items:
+        for name, value in (item.base or {}).items():
+            for axis, values in thinned:
+                assert axis != name or value in values, (
+                    f"{item.id}: {name} {value} is not in preview"
+                )
