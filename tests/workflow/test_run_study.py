@@ -109,6 +109,20 @@ def test_a_workflow_that_cannot_start_says_why(folder):
     assert "no_such_target" in complained
 
 
+def test_a_copy_of_a_checkout_in_use_leaves_the_run_there_alone(folder, tmp_path):
+    (folder / "step.sh").write_text("echo $$ > job; while ! test -e go; do sleep 0.1; done\n")
+    first = start(folder)
+    wait_for((folder / "job").exists)
+    copy = tmp_path / "a copy"
+    shutil.copytree(folder, copy)
+    (copy / "step.sh").write_text("true\n")
+    status, _, complained = finish(start(copy))
+    assert (status, complained) == (0, "")
+    assert first.poll() is None
+    (folder / "go").touch()
+    assert finish(first)[0] == 0
+
+
 @pytest.mark.parametrize("victim", ["the run", "all"])
 def test_a_second_run_stops_and_a_killed_run_is_resumed(folder, victim):
     (folder / "step.sh").write_text("echo $$ > job; sleep 60\n")

@@ -144,6 +144,11 @@ def write(lock: TextIO, text: str) -> None:
     lock.flush()
 
 
+def mark(run: str) -> str:
+    """What processes of a run carry: a copy of this folder has the same lock file, but not this run."""
+    return f"{run} in {ROOT}"
+
+
 def end_processes(run: str | None) -> None:
     """End every process of a run and wait until all are gone."""
     while run is not None and (processes := list(processes_of(run))):
@@ -156,8 +161,8 @@ def end_processes(run: str | None) -> None:
 def processes_of(run: str) -> Iterator[psutil.Process]:
     """Find the living processes that carry a run's name."""
     for process in psutil.process_iter(["environ", "status"]):
-        named = (process.info["environ"] or {}).get(RUN_NAME) == run
-        if named and process.info["status"] != psutil.STATUS_ZOMBIE:
+        named = (process.info["environ"] or {}).get(RUN_NAME)
+        if named == mark(run) and process.info["status"] != psutil.STATUS_ZOMBIE:
             yield process
 
 
@@ -195,7 +200,7 @@ def environment(run: str) -> dict[str, str]:
     """Environment of a run: its name, and our tools first on the path."""
     tools = Path(sys.executable).parent
     path = os.environ.get("PATH", os.defpath)
-    return os.environ | {RUN_NAME: run, "PATH": f"{tools}{os.pathsep}{path}"}
+    return os.environ | {RUN_NAME: mark(run), "PATH": f"{tools}{os.pathsep}{path}"}
 
 
 def locked() -> bool:
