@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from riserstudy.effects.exchange import LentForce, ToldMotion
 from riserstudy.errors import SimulationError
+from riserstudy.marching import steps_in
 from riserstudy.model import Effect, Model
 from riserstudy.scene.models import Scene
 from riserstudy.scene.vessel import Coupling
@@ -43,11 +44,6 @@ class Sides(NamedTuple):
     riser: Model
     told: ToldMotion
     reaction: list[int]  # probes of the riser's model: its force on the platform, by direction
-
-
-def steps_in(interval: float, step: float) -> int:
-    """Number of equal steps of a turn, none longer than a step (s) asked for."""
-    return max(1, int(np.ceil(interval / step * (1.0 - 1e-9))))
 
 
 def sides_of(scene: Scene, model: Model, steps: int) -> Sides:
@@ -108,7 +104,7 @@ def march_in_turns(
     """
     riser = sides.riser
     forces_and_tangent(riser.programs, riser.state)
-    count = int(np.ceil(duration / coupling.interval * (1.0 - 1e-9)))
+    count = steps_in(duration, coupling.interval)
     times = np.append(coupling.interval * np.arange(count), duration)
     sides.lent.load[:] = _reaction(sides)
     most, rounds = 0, 0
@@ -138,10 +134,8 @@ def _turn(
     platform, riser = sides.platform, sides.riser
     starts = [(side, _kept(side.s)) for side in (platform, riser)]
     tolerance = coupling.tolerance or method.tolerance
-    alone, aside = (
-        new_ledger(),
-        new_ledger(),
-    )  # of the platform; of rounds that are gone through again
+    alone = new_ledger()  # of the platform
+    aside = new_ledger()  # of rounds that are gone through again
     for rounds in range(1, MOST_ROUNDS + 1):
         for side, start in starts:
             _restore(side.s, start)

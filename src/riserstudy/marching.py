@@ -25,6 +25,11 @@ GRADED = 4  # steps that a graded start replaces
 MOMENT = 1e-12  # share of a time, between before and after a jolt
 
 
+def steps_in(time: float, step: float) -> int:
+    """Number of equal steps over a time (s), none longer than a step (s) asked for."""
+    return max(1, math.ceil(time / step * (1.0 - 1e-9)))
+
+
 def march_on(
     scene: Scene, model: Model, mesh: Mesh, step: float, record: Frozen, ledger: Any
 ) -> int:
@@ -43,7 +48,7 @@ def march_on(
         sudden = begin in jolts
         # from just after a jolt to just before the next
         begin, until = begin * (1.0 + MOMENT), until * (1.0 - MOMENT) if until < end else end
-        count = max(GRADED if sudden else 1, math.ceil((until - begin) / step * (1.0 - 1e-9)))
+        count = max(GRADED if sudden else 1, steps_in(until - begin, step))
         move_to(model.programs, model.state, begin)
         length, graded = (until - begin) / count, GRADED if sudden else 0
         method, stepped = method_of(scene, mesh, length, count, graded)

@@ -7,8 +7,8 @@ from typing import Any
 
 from riserstudy.coarsest import coarsest_mesh, massless, period
 from riserstudy.comparison import difference, estimate
-from riserstudy.coupling import steps_in
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed
+from riserstudy.marching import steps_in
 from riserstudy.mesh import even
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene

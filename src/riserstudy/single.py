@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from riserstudy.build import AXES, stiffness
-from riserstudy.coupling import march_in_turns, sides_of, steps_in
+from riserstudy.coupling import march_in_turns, sides_of
 from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.explicit_limit import explicit_limit
-from riserstudy.marching import march_on, method_of
+from riserstudy.marching import march_on, method_of, steps_in
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.result import Result
@@ -142,7 +142,7 @@ def _march(
         state.r[:], state.moment[:] = still.s.r, still.s.moment
     move_to(model.programs, model.state, 0.0)
     if not coupling:
-        count = max(1, math.ceil(a.duration / step * (1.0 - 1e-9)))
+        count = steps_in(a.duration, step)
         step = a.duration / count
     times = _times(a.output.start or 0.0, a.duration, a.output.interval)
     stations = _stations(mesh.s, None if where == EVERYWHERE else a.output.stations)
