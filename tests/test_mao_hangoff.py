@@ -170,6 +170,44 @@ def test_an_assumption_without_evidence_is_refused_in_settings_too():
         Derived.model_validate({"reads": ["steady"], "with": {"keel": {"assumed": "25 m"}}})
 
 
+@pytest.mark.parametrize(
+    "length, mass, pull, stiffness, damping",
+    [(1200, 60, 3768617, 37686, 25808), (1800, 140, 6079379, 60794, 41633)],
+)
+def test_tensioners_of_a_hang_off_are_set_to_its_weight(length, mass, pull, stiffness, damping):
+    """By hand: 2714.06 N/m and 318.212 kg/m of pipe, and an LMRP of solid steel."""
+    rig = hung_off(length, mass).top.tensioners
+    found = rig.linear.tension, rig.linear.stiffness, rig.damping
+    assert found == pytest.approx((pull, stiffness, damping), rel=2e-5)
+
+
+def test_cylinders_that_work_share_the_weight():
+    rig = hung_off(1800, 140, {"top.tensioners.count": 6, "top.tensioners.failed": [0, 3]})
+    assert rig.top.tensioners.linear.tension == pytest.approx(6079379 / 4, rel=2e-5)
+
+
+def hung_off(length, mass, more=None):
+    sets = {"riser[0].length": f"{length} m", "bottom.body.mass": f"{mass} t"}
+    scene = read_scene(CONFIG / "scenes" / PAPER / "hang_off.yaml")
+    return scene.with_values(sets | (more or {}), "test").scene()
+
+
+def test_heave_that_loses_tension_lies_where_the_straight_line_from_rest_does():
+    """1 MN at rest: half of it left at 1 m of heave, less than nothing at 2 m."""
+    lowest = xr.DataArray([0.5e6, -0.5e6], {"heave_amplitude": [1.0, 2.0]}, "heave_amplitude")
+    tension = lowest.expand_dims(mode=["soft", "hard"], s_node=[0.0], axis=(0, 1))
+    runs = xr.Dataset(
+        {"effective_tension_max": tension, "effective_tension_min": tension * [[[1.0]], [[4.0]]]}
+    )
+    runs["effective_tension_static"] = xr.full_like(tension, 1e6)
+    lost = derive(PAPER, "tension_limits", {"hang_off": runs})["heave_that_loses_tension"]
+    # hard: 2 MN at 1 m, more than at rest, and -2 MN at 2 m
+    assert lost.values == pytest.approx([1.5, 1.5])
+    runs["effective_tension_min"] = tension - 1e6
+    early = derive(PAPER, "tension_limits", {"hang_off": runs})["heave_that_loses_tension"]
+    assert early.values == pytest.approx([2.0 / 3.0] * 2)
+
+
 def small_steady():
     axes = dict(FILE.studies["steady"].axes)
     axes["riser_length"] = axes["riser_length"].model_copy(update={"preview": [1200.0]})

@@ -17,6 +17,7 @@ SURGE, HEAVE, CHANG = (
 LIU = SCENES / "liu2020/heave.yaml"
 DRIVE_OFF = SCENES / "liu2017/ref_0.yaml"
 
+RIG = {"count": 1, "mid_stroke": "riser unstretched"}
 STROKE = {"shortest": "-7 m", "longest": "20 m", "stop_stiffness": "1e9 N/m"}
 POINTS = [{"time": f"{t} s", "value": "0 m"} for t in (0, 1, 1, 2)]
 PROFILE = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 100, 50)]
@@ -124,7 +125,14 @@ REFUSED = {
     "a piston without gravity": (LIU, "gravity", None, "", "pistons need gravity"),
     "two laws of a tensioner": (
         CHANG, "top.tensioners.linear", {"tension": "1 MN", "stiffness": "1 kN/m"}, "top.tensioners",
-        "one of gas, two_chamber_gas, linear and table",
+        "one of gas, two_chamber_gas, linear, table and carried",
+    ),
+    "a weight carried where it stands": (
+        CHANG, "top.tensioners", {**RIG, "carried": {"doubles_over": "100 m"}}, "", "hold: free",
+    ),
+    "damping of carried weight told twice": (
+        CHANG, "top.tensioners", {**RIG, "carried": {"doubles_over": "9 m"}, "damping": "1 N*s/m"},
+        "top.tensioners", "leave out damping",
     ),
     "both ends free": (HEAVE, "top", {"z": "free"}, "", "both ends are free"),
     "a top on no platform": (SURGE, "platform", None, "", "needs platform"),

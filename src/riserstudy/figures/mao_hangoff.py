@@ -12,8 +12,26 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.figures.mao_hangoff_limits import hang_off, speed_limits
 from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
 from riserstudy.quantities.towed import displacement
+
+__all__ = [
+    "fig04",
+    "fig07",
+    "fig08",
+    "fig09",
+    "fig10",
+    "fig11",
+    "fig12",
+    "fig13",
+    "fig14",
+    "hang_off",
+    "open_choices",
+    "readings",
+    "speed_limits",
+    "trends",
+]
 
 ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
 MOMENT = "bending moment at 130 s (kN m)"
@@ -257,70 +275,6 @@ def open_choices(open_lmrp_mass: xr.Dataset) -> Figure:
         axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=3, label=str(weight))
         axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
     key_below(figure, axes[0], 2)
-    return figure
-
-
-def speed_limits(speed_limits: xr.Dataset) -> Figure:
-    """Largest speed through water, and over ground, over length and LMRP mass for each current.
-
-    Coloured by the limit that governs.
-    """
-    currents = speed_limits["current_speed"].values
-    figure, axes = panels(1, len(currents), 3.8, sharey=True)
-    names = [str(name) for name in speed_limits["limit"].values]
-    for ax, current in zip(axes, currents, strict=True):
-        at = speed_limits.sel(current_speed=current)
-        lengths, masses = at["riser_length"].values, at["lmrp_mass"].values
-        for i, mass in enumerate(masses):
-            for j, length in enumerate(lengths):
-                one = at.sel(lmrp_mass=mass, riser_length=length)
-                which = int(one["governing_limit"])
-                colour = COLOURS[which] if which >= 0 else GREY
-                ax.barh(i, 1.0, left=j - 0.5, height=1.0, color=colour, alpha=0.35, ec="white")
-                more = "" if which >= 0 else ">"
-                through, ground = float(one["speed_through_water"]), float(one["speed_limit"])
-                text = f"{more}{through:.1f}\n({more}{ground:.1f})"
-                ax.text(j, i, text, ha="center", va="center", fontsize="small")
-        ax.set_xticks(range(len(lengths)), [f"{x:g}" for x in lengths])
-        ax.set_yticks(range(len(masses)), [f"{x:g}" for x in masses])
-        ax.set_title(f"current against: {current:g} m/s", loc="right", fontsize="small")
-        ax.set_xlim(-0.5, len(lengths) - 0.5)
-        ax.set_ylim(-0.5, len(masses) - 0.5)
-        ax.set_xlabel("riser length (m)")
-        ax.grid(visible=False)
-    axes[0].set_ylabel("LMRP mass (t)")
-    for colour, name in zip((*COLOURS[: len(names)], GREY), (*names, "none reached"), strict=True):
-        axes[0].bar(
-            0, 0, color=colour, alpha=0.35, label=f"{name} governs" if name in names else name
-        )
-    axes[0].bar(0, 0, color="none", label="kn through water at the surface")
-    axes[0].bar(0, 0, color="none", label="(kn over ground)")
-    key_below(figure, axes[0], 3)
-    return figure
-
-
-def hang_off(tension_limits: xr.Dataset) -> Figure:
-    """Tension range over period, and the heave that loses tension, soft and hard."""
-    figure, axes = panels(1, 2, 3.8)
-    unit = tension_limits.sel(heave_amplitude=1.0)["tension_range"] / 2e6
-    lost = tension_limits["heave_that_loses_tension"]
-    largest = float(tension_limits["heave_amplitude"].max())
-    for colour, name in zip(COLOURS, unit["configuration"].values, strict=False):
-        for line, mode in (("-", "hard"), ("--", "soft")):
-            at = {"configuration": name, "mode": mode}
-            label = str(name) if mode == "hard" else None
-            axes[0].plot(unit["heave_period"], unit.sel(at), line, color=colour, label=label)
-            axes[1].plot(lost["heave_period"], lost.sel(at), line, color=colour, marker=".")
-    axes[0].plot([], [], "-", color=GREY, label="hard: locked to the platform")
-    axes[0].plot([], [], "--", color=GREY, label="soft: on tensioners")
-    axes[0].set_ylabel("amplitude of top tension, 1 m heave (MN)")
-    axes[1].set_ylabel("heave amplitude that loses tension (m)")
-    axes[1].set_title(f"no point: not up to {largest:g} m", loc="right", fontsize="small")
-    axes[1].set_ylim(0, 1.1 * largest)
-    axes[1].set_xlim(axes[0].get_xlim())
-    for ax in axes:
-        ax.set_xlabel("heave period (s)")
-    key_below(figure, axes[0], 3)
     return figure
 
 

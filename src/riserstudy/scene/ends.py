@@ -28,7 +28,8 @@ class BodyAddedMass(Strict):
 class Body(Strict):
     """A concentrated mass: LMRP, tension ring. Absent weight, drag, added mass: none.
 
-    Its weight in water is given, or follows from mass, gravity and the volume of water it displaces.
+    Its weight in water is given, or follows from mass, gravity and the volume of water it displaces, or the
+    density of what it is made of.
     Absent centre_below: a point at the riser's end. With it the body turns rigidly with the lower end,
     its centre that far below; absent rotary_inertia about the centre, for axes across the riser: none.
     """
@@ -37,6 +38,7 @@ class Body(Strict):
     mass: Annotated[u.Mass, NOT_NEGATIVE]
     submerged_weight: u.Force | None = None
     displaced_volume: Annotated[u.Volume, NOT_NEGATIVE] | None = None
+    density: Annotated[u.Density, POSITIVE] | None = None
     drag_area: Areas | None = None
     added_mass: BodyAddedMass | None = None
     centre_below: Annotated[u.Length, POSITIVE] | None = None
@@ -44,8 +46,8 @@ class Body(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if self.submerged_weight is not None and self.displaced_volume is not None:
-            raise ValueError("give submerged_weight or displaced_volume, not both")
+        if [self.submerged_weight, self.displaced_volume, self.density].count(None) < 2:
+            raise ValueError("give one of submerged_weight, displaced_volume and density")
         if self.rotary_inertia is not None and self.centre_below is None:
             raise ValueError("rotary_inertia needs centre_below")
         if self.centre_below is not None and not self.horizontal_mass:
@@ -71,9 +73,10 @@ class Body(Strict):
 
     def weight(self, gravity: float, water: float) -> float:
         """Weight in water of a density (N)."""
-        if self.displaced_volume is None:
+        displaced = self.mass / self.density if self.density else self.displaced_volume
+        if displaced is None:
             return self.submerged_weight or 0.0
-        return (self.mass - water * self.displaced_volume) * gravity
+        return (self.mass - water * displaced) * gravity
 
 
 class FlexJoint(Strict):

@@ -15,7 +15,7 @@ from riserstudy.scene import units as u
 from riserstudy.scene.analysis import Analysis
 from riserstudy.scene.base import POSITIVE, Strict
 from riserstudy.scene.buoyancy import Buoyancy
-from riserstudy.scene.ends import Bottom, Top
+from riserstudy.scene.ends import Body, Bottom, Top
 from riserstudy.scene.forcing import Current, Platform, Shape, Water
 from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.string import Section
@@ -61,11 +61,10 @@ class Scene(Strict):
         rig = self.top.tensioners
         if rig and rig.piston_mass and self.gravity is None:
             raise ValueError("pistons need gravity")
-        bodies = [end.body for end in (self.bottom, self.top) if end.body]
-        if any(body.displaced_volume is not None for body in bodies) and (
+        if any(body.displaced_volume is not None or body.density for body in self.bodies) and (
             self.gravity is None or self.water is None
         ):
-            raise ValueError("displaced_volume needs gravity and water")
+            raise ValueError("a body's displaced_volume or density needs gravity and water")
         if self.bottom.hold == "free" and self.top.z == "free" and not self.top.tensioners:
             raise ValueError("both ends are free: hold one, or hang the top on tensioners")
         if self.analysis.duration and not (
@@ -97,7 +96,34 @@ class Scene(Strict):
                     f"analysis.output.stations: {s:g} m is not on the riser; "
                     f"allowed is from 0 to {length:g} m"
                 )
-        return self._loaded()._with_rigid_body()
+        return self._loaded()._carried()._with_rigid_body()
+
+    @property
+    def bodies(self) -> list[Body]:
+        """What is attached to the riser's ends."""
+        return [end.body for end in (self.bottom, self.top) if end.body]
+
+    def _carried(self) -> Self:
+        """The scene with the straight lines of tensioners that are set to the weight on them."""
+        rig = self.top.tensioners
+        if rig is None or rig.carried is None:
+            return self
+        if self.bottom.hold != "free":
+            raise ValueError("tensioners.carried needs a riser that hangs: 'bottom.hold: free'")
+        if self.gravity is None:
+            raise ValueError("tensioners.carried needs gravity")
+        water = self.water.density if self.water else 0.0
+        weight = sum(body.weight(self.gravity, water) for body in self.bodies)
+        mass = sum(body.mass for body in self.bodies)
+        for section in self.riser:
+            inside = section.contents_mass
+            length = section.total_length
+            weight += ((section.submerged_weight or 0.0) + inside * self.gravity) * length
+            mass += ((section.mass or 0.0) + inside) * length
+        if weight <= 0.0:
+            raise ValueError(f"tensioners.carried: {weight:g} N hangs on them; must be above 0 N")
+        top = self.top.model_copy(update={"tensioners": rig.carrying(weight, mass)})
+        return self.model_copy(update={"top": top})
 
     def _loaded(self) -> Self:
         """The scene with the weights and the top tension that a buoyant factor stands for."""

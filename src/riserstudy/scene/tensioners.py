@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+from riserstudy.scene.carried import Carried
 
 
 class Gas(Strict):
@@ -125,6 +126,7 @@ class Tensioners(Strict):
     linearised: Linearised | None = None
     linear: Linear | None = None
     table: Annotated[list[TableRow], Field(min_length=2)] | None = None
+    carried: Carried | None = None
     damping: Annotated[u.Damping, NOT_NEGATIVE] | None = None
     stroke: Stroke | None = None
     arrangement: Arrangement | None = None
@@ -135,8 +137,11 @@ class Tensioners(Strict):
         wrong = [c for c in self.failed or [] if c >= self.count]
         if wrong or len(set(self.failed or [])) == self.count:
             raise ValueError(f"failed: {self.failed} of {self.count} cylinders; they count from 0")
-        if [self.gas, self.two_chamber_gas, self.linear, self.table].count(None) != 3:
-            raise ValueError("needs one of gas, two_chamber_gas, linear and table")
+        laws = [self.gas, self.two_chamber_gas, self.linear, self.table, self.carried]
+        if laws.count(None) != len(laws) - 1:
+            raise ValueError("needs one of gas, two_chamber_gas, linear, table and carried")
+        if self.carried and self.damping is not None:
+            raise ValueError("carried tells its damping by damping_ratio: leave out damping")
         if self.table:
             self._serves(self.table)
         if self.linearised and self.any_gas is None:
@@ -188,6 +193,20 @@ class Tensioners(Strict):
                 f"{what}.shortest {shortest:g} m closes the low-pressure volume, "
                 f"which is empty at {-pushing.volume / pushing.area:g} m"
             )
+
+    def carrying(self, weight: float, mass: float) -> Tensioners:
+        """These with the straight lines that a weight (N) and its mass (kg) stand for."""
+        if self.carried is None:
+            return self
+        share = 1.0 / sum(self.working)
+        pull, stiffness, damping = self.carried.line(weight, mass)
+        return self.model_copy(
+            update={
+                "carried": None,
+                "linear": Linear.model_construct(tension=share * pull, stiffness=share * stiffness),
+                "damping": None if damping is None else share * damping,
+            }
+        )
 
     @property
     def working(self) -> list[float]:
