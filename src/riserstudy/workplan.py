@@ -19,12 +19,14 @@ from pydantic import Field, model_validator
 from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, digest, kernel_cache
 from riserstudy.grid import Point
-from riserstudy.numerics.scenes import scenes_of
+from riserstudy.numerics.scenes import MeasuredStudy, scenes_of
 from riserstudy.published.models import PublishedFile, published_path, read_published
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, check, read_yaml
 from riserstudy.store import canonical, key_of
 from riserstudy.study import Name, Study, StudyFile, Tier, read_studies, scene_file, threads_worth
+
+ALL_CORES = 64  # more than there are: Snakemake gives what it has
 
 
 class TierModel(Strict):
@@ -191,14 +193,19 @@ class Workplan:
 
     def measured_digest(self, wildcards: Any) -> str:
         """Scenes and settings of a measured dataset, the engine, and the code that measures."""
-        measured = self.files[wildcards.paper].measured
-        if measured is None:
-            raise KeyError(wildcards.paper)
-        model = getattr(measured, wildcards.study)
+        model = self._measured(wildcards)
         scenes = scenes_of(model, self.config, self.tier, self.studies)
         about = [self.tier, model.model_dump_json(), {n: key_of(f.scene()) for n, f in scenes}]
         code = digest((PACKAGE / "numerics").iterdir())
         return f"{hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]}-{code}"
+
+    def _measured(self, wildcards: Any) -> MeasuredStudy:
+        model: MeasuredStudy = getattr(self.files[wildcards.paper].measured, wildcards.study)
+        return model
+
+    def measured_threads(self, wildcards: Any) -> int:
+        """All there are for a dataset that tells times: nothing may run beside it."""
+        return ALL_CORES if self._measured(wildcards).timed else 1
 
     def figure_inputs(self, wildcards: Any) -> list[str]:
         """Datasets that a figure reads; a schematic shows a scene and reads none."""

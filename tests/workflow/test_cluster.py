@@ -60,7 +60,7 @@ def test_shards_on_slurm_one_of_them_killed_give_the_numbers_of_one_local_job(
 ):
     fresh.edit("config/config.yaml", "tier: standard", "tier: standard\npoints_per_job: 5")
     run = start(fresh, slurm, "chang2020", "--config", "points_per_job=5")
-    while not (job := process_of(["riserstudy.jobs.shard", "quasi_static"])):
+    while not (job := process_of(["riserstudy.jobs", "shard", "quasi_static"])):
         assert run.poll() is None, (fresh / "said").read_text()
         time.sleep(0.05)
     job.kill()

@@ -8,6 +8,7 @@ from shlex import quote
 from snakemake.exceptions import WorkflowError
 
 from riserstudy.errors import InputError
+from riserstudy.jobs import start_server
 from riserstudy.workplan import Workplan
 
 # A job on a cluster starts Snakemake anew; all points were checked before it was submitted.
@@ -19,6 +20,12 @@ except InputError as error:
 
 # Jobs use the Python that runs Snakemake, whether or not its environment was activated.
 shell.prefix(f"PATH={quote(str(Path(sys.executable).parent))}:$PATH; ")
+
+
+onstart:
+    if workflow.local_exec:
+        start_server(PLAN.compiled)
+
 
 DATASETS = PLAN.dataset_files()
 FIGURES = PLAN.figure_files()

@@ -16,7 +16,7 @@ rule figure:
     message:
         "draw {wildcards.paper}/{wildcards.figure}"
     shell:
-        "python -m riserstudy.jobs.draw {wildcards.paper} {wildcards.figure}"
+        "python -m riserstudy.jobs draw {wildcards.paper} {wildcards.figure}"
         " {output.png:q} {output.pdf:q} {input:q} > {log:q} 2>&1"
 
 

@@ -14,7 +14,7 @@ rule grade:
     message:
         "grade {wildcards.paper}"
     shell:
-        "python -m riserstudy.jobs.grade {wildcards.paper} {output.table:q} {output.errata:q}"
+        "python -m riserstudy.jobs grade {wildcards.paper} {output.table:q} {output.errata:q}"
         " {input:q} > {log:q} 2>&1"
 
 
@@ -30,5 +30,5 @@ rule reproduction:
     message:
         "join the graded tables"
     shell:
-        "python -m riserstudy.jobs.join_tables {output.table:q} {input.tables:q} > {log:q} 2>&1"
-        " && python -m riserstudy.jobs.join_tables {output.errata:q} {input.errata:q} >> {log:q} 2>&1"
+        "python -m riserstudy.jobs join_tables {output.table:q} {input.tables:q} > {log:q} 2>&1"
+        " && python -m riserstudy.jobs join_tables {output.errata:q} {input.errata:q} >> {log:q} 2>&1"

@@ -1,4 +1,4 @@
-# Datasets about the engine itself. They are timed, so no other job runs beside them.
+# Datasets about the engine itself. No other job runs beside those that tell times.
 
 
 rule measure:
@@ -10,7 +10,7 @@ rule measure:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
         study=PLAN.measured_pattern,
-    threads: 64
+    threads: PLAN.measured_threads
     params:
         digest=PLAN.measured_digest,
         tier=PLAN.tier,

@@ -18,5 +18,5 @@ rule report:
     message:
         "make the report"
     shell:
-        "python -m riserstudy.jobs.report {output:q} --papers {params.papers} --compiled {input.compiled:q}"
+        "python -m riserstudy.jobs report {output:q} --papers {params.papers} --compiled {input.compiled:q}"
         " --files {input.datasets:q} {input.figures:q} {input.tables:q} > {log:q} 2>&1"

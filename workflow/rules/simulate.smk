@@ -10,7 +10,7 @@ rule compile:
     message:
         "compile the kernels"
     shell:
-        "python -m riserstudy.jobs.compile_kernels {output:q} --threads {threads} > {log:q} 2>&1"
+        "python -m riserstudy.jobs compile_kernels {output:q} --threads {threads} > {log:q} 2>&1"
 
 
 rule shard:
@@ -31,7 +31,7 @@ rule shard:
     message:
         "simulate {wildcards.paper}/{wildcards.study}, part {wildcards.shard} of {wildcards.shards}"
     shell:
-        "python -m riserstudy.jobs.shard {wildcards.paper} {wildcards.study} {wildcards.shard}"
+        "python -m riserstudy.jobs shard {wildcards.paper} {wildcards.study} {wildcards.shard}"
         " {wildcards.shards} {output:q} --tier {params.tier} --threads {threads}"
         " --expect {params.digest} > {log:q} 2>&1"
 
@@ -53,7 +53,7 @@ rule simulate:
     message:
         "simulate {wildcards.paper}/{wildcards.study}"
     shell:
-        "python -m riserstudy.jobs.simulate {wildcards.paper} {wildcards.study} {output:q}"
+        "python -m riserstudy.jobs simulate {wildcards.paper} {wildcards.study} {output:q}"
         " --tier {params.tier} --threads {threads} --expect {params.digest} > {log:q} 2>&1"
 
 
@@ -72,5 +72,5 @@ rule derive:
     message:
         "derive {wildcards.paper}/{wildcards.study}"
     shell:
-        "python -m riserstudy.jobs.derive {wildcards.paper} {wildcards.study} {output:q} {input:q}"
+        "python -m riserstudy.jobs derive {wildcards.paper} {wildcards.study} {output:q} {input:q}"
         " --settings {params.settings:q} > {log:q} 2>&1"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -10,6 +10,13 @@ from riserstudy.scene.base import Positive, Strict
 
 Tiers = Literal["preview", "standard", "reference"]
 Factors = Annotated[list[Positive], Field(min_length=1)]
+
+
+class EngineStudy(Strict):
+    """What is measured. ``timed``: no other job may run beside it."""
+
+    timed: ClassVar[bool] = True
+    caption: str
 
 
 class Case(Strict):
@@ -43,14 +50,13 @@ class Method(Strict):
     preview: bool | None = None
 
 
-class StabilityStudy(Strict):
+class StabilityStudy(EngineStudy):
     """Every case by every method over a ladder of steps, as factors on what the default chooses.
 
     ``explicit_ladder`` counts in predicted stable steps instead. ``budget``: node-steps that a run may
     take; more count as refused, so that nothing hangs. Explicit methods get ``explicit_budget``.
     """
 
-    caption: str
     methods: dict[str, Method]
     ladder: dict[Tiers, Factors]
     explicit_ladder: Factors
@@ -59,10 +65,10 @@ class StabilityStudy(Strict):
     cases: dict[str, Case]
 
 
-class LimitStudy(Strict):
+class LimitStudy(EngineStudy):
     """Predicted against measured stable step of explicit stepping, over variants of scenes."""
 
-    caption: str
+    timed = False
     duration: str
     variants: dict[str, LimitCase]
 
@@ -76,14 +82,13 @@ class LimitCase(Strict):
     preview: bool | None = None
 
 
-class EffectsStudy(Strict):
+class EffectsStudy(EngineStudy):
     """Every change of effects that fits, on every kind of scene of the other chapters.
 
     ``repeats``: rounds of runs, of which the shortest time counts. ``budget``: node-steps that a scene may
     take; longer ones are cut short.
     """
 
-    caption: str
     repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
     budget: Positive
 
@@ -102,13 +107,12 @@ class Ladder(Strict):
     preview: bool | None = None
 
 
-class AccuracyStudy(Strict):
+class AccuracyStudy(EngineStudy):
     """Error against time, every method on every rung of a scene's ladder, and accuracy asked for.
 
     ``budget``: node-steps that a run may take; more are left out.
     """
 
-    caption: str
     repeats: Annotated[int, Field(ge=1)]
     budget: Positive
     asked: dict[Literal["preview", "standard", "reference"], list[float]]
@@ -130,14 +134,13 @@ class Family(Strict):
     preview: bool | None = None
 
 
-class RandomStudy(Strict):
+class RandomStudy(EngineStudy):
     """Scenes drawn at random, so many a family, and the accuracy asked of each.
 
     ``patience``: seconds a request may take for its true error to be measured, which takes some ten times as
     long; a scene beyond it is a row that says so.
     """
 
-    caption: str
     accuracy: str
     seed: int
     count: dict[Tiers, Annotated[int, Field(ge=2)]]
@@ -178,10 +181,9 @@ class LongCase(Strict):
     steps: Factors
 
 
-class LongStudy(Strict):
+class LongStudy(EngineStudy):
     """Long simulations, each candidate timed so many times."""
 
-    caption: str
     repeats: Annotated[int, Field(ge=1)]
     wanted: Positive
     cases: dict[str, LongCase]
@@ -198,19 +200,18 @@ class EnergyCase(Strict):
     preview: bool | None = None
 
 
-class EnergyStudy(Strict):
+class EnergyStudy(EngineStudy):
     """Where energy goes over time, at so many instants, by every method."""
 
-    caption: str
+    timed = False
     instants: dict[Tiers, Annotated[int, Field(ge=1)]]
     methods: dict[str, Method]
     cases: dict[str, EnergyCase]
 
 
-class TiersStudy(Strict):
+class TiersStudy(EngineStudy):
     """Scenes behind published numbers at the accuracy of each tier; ``default`` is that of no accuracy."""
 
-    caption: str
     accuracies: dict[Tiers, str]
     scenes: dict[str, Family]
 

@@ -1,0 +1,131 @@
+"""A process with libraries and kernels loaded; every job of a run is a fork of it.
+
+To import them costs a job 1 to 3 s, often more than its work. The server lives as long as its standard
+input is open, so it ends with the Snakemake that started it, however that ends; a job lives as long as
+the process that asked for it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import gc
+import json
+import os
+import runpy
+import select
+import signal
+import socket
+import sys
+import threading
+import traceback
+from contextlib import suppress
+from importlib import import_module
+from pathlib import Path
+from typing import NoReturn
+
+# What jobs import first thing, and in the midst of their work. Not the jobs' own modules: those are run.
+LOADED = (
+    "matplotlib.backends.backend_agg",
+    "matplotlib.backends.backend_pdf",
+    "matplotlib.pyplot",
+    "netCDF4",
+    "xarray",
+    "riserstudy.derived",
+    "riserstudy.figures",
+    "riserstudy.gather",
+    "riserstudy.published.grading",
+    "riserstudy.schematic",
+    "riserstudy.warmup",
+    "riserstudy.workplan",
+)
+
+
+def serve(address: Path, compiled: Path) -> None:
+    """Fork a job for everyone who asks, until standard input ends."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the jobs and for Snakemake
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the system buries the dead
+    address.unlink(missing_ok=True)
+    with socket.socket(socket.AF_UNIX) as listener:
+        listener.bind(str(address))
+        listener.listen(128)
+        load(LOADED)
+        warm = False
+        while True:
+            ready, _, _ = select.select([listener, sys.stdin], [], [])
+            if sys.stdin in ready:
+                break
+            asker, _ = listener.accept()
+            if not warm and compiled.exists():
+                load_kernels()
+                warm = True
+            with asker:
+                if os.fork() == 0:
+                    listener.close()
+                    be(asker)
+    address.unlink(missing_ok=True)
+
+
+def load(modules: tuple[str, ...]) -> None:
+    """Import modules."""
+    for module in modules:
+        import_module(module)
+    gc.freeze()  # what a fork never touches stays shared
+
+
+def load_kernels() -> None:
+    """Load what is compiled. What cannot be loaded fails in the job that needs it, which tells why."""
+    from riserstudy.warmup import warm_up
+
+    with suppress(Exception):
+        warm_up()
+    gc.freeze()
+
+
+def be(asker: socket.socket) -> NoReturn:
+    """Become the job that is asked for; tell its exit status."""
+    status = 1
+    try:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+        _, streams, _, _ = socket.recv_fds(asker, 1, 3)
+        for number, stream in enumerate(streams):
+            os.dup2(stream, number)
+            os.close(stream)
+        with asker.makefile("rb") as lines:
+            asked = json.loads(lines.readline())
+        threading.Thread(target=end_with, args=(asker,), daemon=True).start()
+        os.environ.clear()
+        os.environ.update(asked["environ"])
+        sys.argv[1:] = asked["arguments"]
+        runpy.run_module(f"riserstudy.jobs.{asked['job']}", run_name="__main__", alter_sys=True)
+        status = 0
+    except SystemExit as told:
+        status = exit_status(told)
+    except BaseException:
+        traceback.print_exc()
+    with suppress(OSError):
+        sys.stdout.flush()
+        sys.stderr.flush()
+        asker.sendall(str(status).encode())
+    os._exit(status)
+
+
+def exit_status(told: SystemExit) -> int:
+    """Status of an end by ``sys.exit``, which prints a text and calls it 1."""
+    if isinstance(told.code, str):
+        print(told.code, file=sys.stderr)
+    return told.code if isinstance(told.code, int) else int(told.code is not None)
+
+
+def end_with(asker: socket.socket) -> None:
+    """End this job when nobody waits for it any more."""
+    if not asker.recv(1):
+        os.kill(os.getpid(), signal.SIGKILL)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("address", type=Path, help="the socket it listens at")
+    parser.add_argument("compiled", type=Path, help="the file that tells that kernels are compiled")
+    options = parser.parse_args()
+    serve(options.address, options.compiled)
