@@ -49,5 +49,9 @@ class PhysicallyUnstable(SimulationError):
     """An equilibrium that would not stand: no finer mesh or step can cure it."""
 
 
+class TakesTooLong(SimulationError):
+    """An accuracy that would take longer to reach than was allowed."""
+
+
 class StepFailed(SimulationError):
     """A time step that could not be completed, which a finer mesh and step may cure."""

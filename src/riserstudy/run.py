@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import time as clock
 from typing import Any
 
 from riserstudy.coarsest import coarsest_mesh, massless, period
 from riserstudy.comparison import difference, estimate
-from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed
+from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.marching import steps_in
 from riserstudy.mesh import even
 from riserstudy.result import Result
@@ -21,7 +22,7 @@ STEPS_A_PERIOD = 24  # of the coarsest step
 SPENT = ("elements", "step", "newton_iterations", "solve_seconds")  # what a run cost
 
 
-def run(scene: Scene) -> Result:
+def run(scene: Scene, patience: float = math.inf) -> Result:
     """Simulate a scene.
 
     With mesh and step in the scene they are used, and runs on half and a quarter of the segments, with
@@ -32,9 +33,11 @@ def run(scene: Scene) -> Result:
     ------
     SimulationError
         When no equilibrium is found or a step fails: time, node, effect and remedy.
+    TakesTooLong
+        When the next refinement would take more than is left of ``patience`` (s).
     """
     started = clock.perf_counter()
-    result = _refined(scene) if scene.analysis.mesh is None else _as_asked(scene)
+    result = _refined(scene, patience) if scene.analysis.mesh is None else _as_asked(scene)
     result.facts["wall_seconds"] = clock.perf_counter() - started
     return result
 
@@ -67,7 +70,7 @@ def _as_asked(scene: Scene) -> Result:
     return result
 
 
-def _refined(scene: Scene) -> Result:
+def _refined(scene: Scene, patience: float) -> Result:
     """Refine mesh or step, whichever errs more, until both errors together are below what is asked for.
 
     Every run is compared with the one before, which differs in mesh or in step alone. Where halving one
@@ -121,14 +124,17 @@ def _refined(scene: Scene) -> Result:
             way = ways[1 - ways.index(way)]
         else:
             way = max(ways, key=lambda w: _excess(error[w], target))
+        if _spent(refinements) + 2.0 * finer.facts["solve_seconds"] > patience:
+            raise TakesTooLong(
+                f"takes longer than {patience:g} s; {_worst(total)} estimated by then"
+            )
         mesh = mesh.halved() if way == "mesh" else mesh
         step = 0.5 * step if step and way == "step" else step
     else:
-        worst = ", ".join(f"{name} {100 * value:.2g} %" for name, value in total.items())
         finer.facts["warnings"].append(
-            f"accuracy not reached after {RUNS} refinements: {worst} estimated"
+            f"accuracy not reached after {RUNS} refinements: {_worst(total)} estimated"
         )
-    finer.facts["solve_seconds"] = sum(one["solve_seconds"] for one in refinements)
+    finer.facts["solve_seconds"] = _spent(refinements)
     finer.facts["refinements"] = refinements
     keep_stations(finer, a.output.stations if a.output else None)
     return finer
@@ -139,6 +145,14 @@ def _longest_step(scene: Scene) -> float:
     step = period(scene) / STEPS_A_PERIOD
     coupling = scene.vessel and scene.vessel.coupling
     return coupling.interval / steps_in(coupling.interval, step) if coupling else step
+
+
+def _spent(refinements: list[dict[str, Any]]) -> float:
+    return float(sum(one["solve_seconds"] for one in refinements))
+
+
+def _worst(error: dict[str, float]) -> str:
+    return ", ".join(f"{name} {100 * value:.2g} %" for name, value in error.items())
 
 
 def _excess(error: dict[str, float], target: dict[str, float]) -> float:

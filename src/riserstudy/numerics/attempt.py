@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.comparison import difference
-from riserstudy.errors import PhysicallyUnstable, RiserStudyError
+from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
 from riserstudy.mesh import Mesh
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
@@ -55,6 +55,8 @@ def attempt(run: Callable[[], Result]) -> Attempt:
         result = run()
     except PhysicallyUnstable as error:
         refused, message = Outcome.UNSTABLE, str(error)
+    except TakesTooLong as error:
+        refused, message = Outcome.TOO_LONG, str(error)
     except RiserStudyError as error:
         refused, message = Outcome.REFUSED, str(error)
     return Attempt(result, refused, message, clock.perf_counter() - started)

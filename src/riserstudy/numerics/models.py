@@ -210,8 +210,12 @@ class EnergyStudy(EngineStudy):
 
 
 class TiersStudy(EngineStudy):
-    """Scenes behind published numbers at the accuracy of each tier; ``default`` is that of no accuracy."""
+    """Scenes behind published numbers at the accuracy of each tier; ``default`` is that of no accuracy.
 
+    ``patience``: seconds a run may take; one beyond it is a row that says so.
+    """
+
+    patience: dict[Tiers, Positive]
     accuracies: dict[Tiers, str]
     scenes: dict[str, Family]
 

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from riserstudy.assumptions import sample
 from riserstudy.coarsest import massless, period
 from riserstudy.mesh import Mesh, even
-from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, mesh_of
+from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, mesh_of
 from riserstudy.numerics.models import Family, RandomStudy
 from riserstudy.numerics.references import QUANTITIES, Reference, by_run
 from riserstudy.numerics.scenes import in_tier
@@ -95,18 +95,13 @@ def draw(
 def judge(one: Drawn, patience: float) -> None:
     """Run at the accuracy asked for, tell the true error, and find the cheapest that errs no more.
 
-    A request that took more than ``patience`` (s) is not judged.
+    A request that takes more than ``patience`` (s) is not judged: its true error would take far longer.
     """
     scene = whole(one.file.scene())
-    tried = attempt(lambda: run(scene))
+    tried = attempt(lambda: run(scene, patience))
     if tried.result is None:
-        one.message = tried.message
-        return
-    took = tried.result.facts["solve_seconds"]
-    if took > patience:
-        one.message = (
-            f"{NOT_JUDGED}: the request took {took:.1f} s, its true error would take far longer"
-        )
+        late = f"{NOT_JUDGED}: " if tried.refused is Outcome.TOO_LONG else ""
+        one.message = f"{late}{tried.message}"
         return
     best = reference_of(one.file, scene, tried.result)
     if best.result is None:
