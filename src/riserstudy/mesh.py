@@ -1,4 +1,4 @@
-"""Where the nodes are: equal segments, or base segments graded towards held ends, halved per level."""
+"""Where the nodes are: equal segments, or segments graded towards layers of bending, halved per level."""
 
 from __future__ import annotations
 
@@ -60,13 +60,22 @@ class Mesh(NamedTuple):
             return self._replace(
                 l0=np.repeat(self.l0 / cuts, cuts), section=np.repeat(self.section, cuts)
             )
-        counts = 2 * np.bincount(self.section[: self.ring])
+        return self._scaled(2.0)
+
+    def _scaled(self, times: float) -> Mesh:
+        """A graded mesh with so many times the segments in the riser."""
+        natural = np.bincount(self.section[: self.ring])
+        counts = np.maximum(1, np.round(times * natural).astype(int))
         counts[: int(self.body)] = 1
         l0, section = _laid(self.mapping, list(counts))
         return self._replace(
             l0=np.append(l0, self.l0[self.ring :]),
             section=np.append(section, self.section[self.ring :]),
         )
+
+    def with_about(self, elements: int) -> Mesh:
+        """A graded mesh of about so many segments, spread as these are."""
+        return self._scaled(elements / self.ring)
 
 
 def _laid(
@@ -79,6 +88,16 @@ def _laid(
         for k, place in zip(counts, mapping, strict=True)
     ]
     return np.concatenate(pieces), np.repeat(np.arange(len(counts)), counts)
+
+
+def prescribed(scene: Scene, elements: int) -> Mesh:
+    """Segments as the scene's own mesh has them, equal or finer towards ends, but so many."""
+    layers = scene.analysis.mesh and scene.analysis.mesh.layers
+    if not layers:
+        return even(scene, elements)
+    length = sum(section.total_length for section in scene.riser)
+    ends = [Layer(0.0, layers.bottom or math.inf), Layer(length, layers.top or math.inf)]
+    return graded(scene, ends).with_about(elements)
 
 
 def even(scene: Scene, elements: int) -> Mesh:

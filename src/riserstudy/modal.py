@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from riserstudy.build import AXES, directions, stiffness
 from riserstudy.coarsest import massless
 from riserstudy.errors import SimulationError
-from riserstudy.mesh import even
+from riserstudy.mesh import prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
 from riserstudy.solve.modes import natural_modes
@@ -45,7 +45,7 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
 
     scene = _without_lag(scene)
     most = len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS
-    mesh = even(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
+    mesh = prescribed(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
     bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
     d = max(directions(scene), 2 if bends and scene.top.x is not None else 1)
     model, _ = settle(scene, mesh, d)

@@ -10,7 +10,7 @@ from riserstudy.coarsest import coarsest_mesh, massless, period
 from riserstudy.comparison import difference, estimate
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.marching import steps_in
-from riserstudy.mesh import even
+from riserstudy.mesh import prescribed
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.single import EVERYWHERE, keep_stations, single
@@ -50,15 +50,17 @@ def _as_asked(scene: Scene) -> Result:
     a = scene.analysis
     elements = a.mesh.elements if a.mesh else 1
     if elements == 1 and not a.step:
-        return single(scene, even(scene, elements), a.step)
+        return single(scene, prescribed(scene, elements), a.step)
     runs: list[Result] = []
     for k in (2, 4):
         step = k * a.step if a.step and a.method != "explicit" else a.step
         try:
-            runs.insert(0, single(scene, even(scene, max(1, elements // k)), step, EVERYWHERE))
+            runs.insert(
+                0, single(scene, prescribed(scene, max(1, elements // k)), step, EVERYWHERE)
+            )
         except SimulationError:  # a coarse mesh may buckle, a long step fail
             break
-    result = single(scene, even(scene, elements), a.step)
+    result = single(scene, prescribed(scene, elements), a.step)
     runs.append(result)
     if len(runs) == 1:
         result.facts["warnings"].append("no error estimate: the coarser run cannot be completed")

@@ -15,10 +15,21 @@ MOST_STEPS = 1_000_000_000
 MOST_VALUES = 300_000_000  # of a history at all its times and places: 2.4 GB
 
 
+class Layers(Strict):
+    """Lengths at the riser's ends in which bending is confined, about sqrt(EI/T). Absent end: none."""
+
+    bottom: Annotated[u.Length, POSITIVE] | None = None
+    top: Annotated[u.Length, POSITIVE] | None = None
+
+
 class Mesh(Strict):
-    """Equal segments within each section, at least this many in all."""
+    """Segments, equal within each section, at least so many in all.
+
+    With ``layers`` about so many, the finer the closer to an end that has one.
+    """
 
     elements: Annotated[int, Field(ge=1, le=20000)]
+    layers: Layers | None = None
 
 
 class GeneralisedAlpha(Strict):
