@@ -35,9 +35,9 @@ LOADED = (
     "riserstudy.gather",
     "riserstudy.published.grading",
     "riserstudy.schematic",
-    "riserstudy.warmup",
     "riserstudy.workplan",
 )
+MANY = 8  # jobs, from which on it pays to load kernels that may not be asked for
 
 
 def serve(address: Path, compiled: Path) -> None:
@@ -48,16 +48,20 @@ def serve(address: Path, compiled: Path) -> None:
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(str(address))
         listener.listen(128)
-        load(LOADED)
-        warm = False
+        for module in LOADED:
+            import_module(module)
+        gc.freeze()  # what a fork never touches stays shared
+        jobs, groups = 0, kernel_groups()
         while True:
-            ready, _, _ = select.select([listener, sys.stdin], [], [])
+            may_load = groups and jobs >= MANY and compiled.exists()
+            ready, _, _ = select.select([listener, sys.stdin], [], [], 0.0 if may_load else None)
+            if not ready:
+                load_kernels(groups.pop(0))
+                continue
             if sys.stdin in ready:
                 break
             asker, _ = listener.accept()
-            if not warm and compiled.exists():
-                load_kernels()
-                warm = True
+            jobs += 1
             with asker:
                 if os.fork() == 0:
                     listener.close()
@@ -65,19 +69,19 @@ def serve(address: Path, compiled: Path) -> None:
     address.unlink(missing_ok=True)
 
 
-def load(modules: tuple[str, ...]) -> None:
-    """Import modules."""
-    for module in modules:
-        import_module(module)
-    gc.freeze()  # what a fork never touches stays shared
+def kernel_groups() -> list[str]:
+    """Names of what is compiled together."""
+    from riserstudy.warmup import scenes
+
+    return list(scenes())
 
 
-def load_kernels() -> None:
-    """Load what is compiled. What cannot be loaded fails in the job that needs it, which tells why."""
+def load_kernels(group: str) -> None:
+    """Load a group of what is compiled; what cannot be loaded fails in the job that needs it, and is told."""
     from riserstudy.warmup import warm_up
 
     with suppress(Exception):
-        warm_up()
+        warm_up(group)
     gc.freeze()
 
 
