@@ -11,6 +11,7 @@ import os
 import runpy
 import socket
 import sys
+from contextlib import suppress
 
 
 def main(job: str, arguments: list[str]) -> int:
@@ -30,10 +31,12 @@ def main(job: str, arguments: list[str]) -> int:
 
 def hand_over(server: socket.socket, job: str, arguments: list[str]) -> int:
     """Have the server run the job with our streams and environment; wait for its exit status."""
-    socket.send_fds(server, [b"\n"], [0, 1, 2])
     asked = {"job": job, "arguments": arguments, "environ": {**os.environ}}
-    server.sendall(json.dumps(asked).encode() + b"\n")
-    told = server.recv(16)
+    told = b""
+    with suppress(ConnectionError):
+        socket.send_fds(server, [b"\n"], [0, 1, 2])
+        server.sendall(json.dumps(asked).encode() + b"\n")
+        told = server.recv(16)
     if not told:  # a crash, or the system's want of memory
         print(f"riserstudy: the process of {job} was killed", file=sys.stderr)
     return int(told or 1)
