@@ -7,6 +7,7 @@ import xarray as xr
 
 from riserstudy.derived.liu2020_motion import (
     rao,
+    rao_readings,
     rao_table,
     roll,
     roll_assumed,
@@ -28,12 +29,14 @@ from riserstudy.derived.shared import (
 
 __all__ = [
     "codes",
+    "codes_readings",
     "current_profiles",
     "dat_force",
     "dat_force_calibrated",
     "heave",
     "heave_readings",
     "rao",
+    "rao_readings",
     "rao_table",
     "roll",
     "roll_assumed",
@@ -92,7 +95,32 @@ def codes(check_riser: xr.Dataset) -> xr.Dataset:
     names = xr.DataArray(list(found), dims="code", name="code")
     table = xr.concat(found.values(), names).to_dataset(name="displacement")
     table = table.squeeze("surface_speed", drop=True)
+    table["codes_apart"] = _apart(table["displacement"])
     return described(table, PAPER, "displacement of the riser of Fig 10 by three methods")
+
+
+def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
+    """How far three methods are apart for every sample of what the paper leaves open."""
+    apart = xr.zeros_like(check_open["elements"], dtype=float)
+    for place, scene in scenes_of(check_open):
+        beam = beamlike(scene)
+        at = np.linspace(0.0, beam.length, 201)
+        ours = check_open["x_static"].sel(place).dropna("s_node")
+        curves = [
+            ours.interp(s_node=at, method="cubic").values,
+            by_hermite_elements(beam, at),
+            by_collocation(beam, at),
+        ]
+        apart.loc[place] = _apart(xr.DataArray(curves, dims=("code", "depth")))
+    found = apart.squeeze("surface_speed", drop=True).to_dataset(name="codes_apart")
+    found = found.assign(sampled(check_open))
+    return described(found, PAPER, "difference of three methods over what the paper leaves open")
+
+
+def _apart(moved: xr.DataArray) -> xr.DataArray:
+    """Largest difference between methods over the largest displacement."""
+    largest = abs(moved).max(["depth", "code"])
+    return (moved.max("code") - moved.min("code")).max("depth") / largest
 
 
 def heave(heave_runs: xr.Dataset) -> xr.Dataset:

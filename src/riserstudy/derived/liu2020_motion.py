@@ -112,10 +112,13 @@ def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
 
 
 def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
-    """Largest bending moment for every sample of what the paper leaves open."""
-    found = _largest(roll_open).to_dataset(name="max_bending_moment").assign(sampled(roll_open))
+    """The same for every sample of what the paper leaves open, the lag at nodes near the four depths."""
+    x = roll_open["x"].assign_coords(depth=RING - roll_open["s"]).swap_dims(s="depth")
+    lag = _lag(x.drop_vars("s").sortby("depth"), "roll_period", "depth")
+    near = lag.sel(depth=list(DEPTHS), method="nearest")
+    found = xr.Dataset({"max_bending_moment": _largest(roll_open), "displacement_lag": near})
     return described(
-        found, PAPER, "largest bending moment under roll over what the paper leaves open"
+        found.assign(sampled(roll_open)), PAPER, "roll over what the paper leaves open"
     )
 
 
@@ -150,24 +153,40 @@ def rao_table(rao_runs: xr.Dataset) -> xr.Dataset:
 
 
 def rao(rao_runs: xr.Dataset) -> xr.Dataset:
-    """Largest stress amplitude along the riser by each motion, and each motion's share of their sum.
+    """Largest stress amplitude along the riser by each motion, and each motion's share of their sum."""
+    return described(
+        _by_motion(rao_runs),
+        PAPER,
+        "stress amplitude by each motion of the platform in waves of 3 m",
+    )
+
+
+def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of what the paper leaves open."""
+    found = _by_motion(rao_open).assign(sampled(rao_open))
+    return described(found, PAPER, "stress amplitude by motion over what the paper leaves open")
+
+
+def _by_motion(runs: xr.Dataset) -> xr.Dataset:
+    stress = stress_amplitude(runs)
+    return xr.Dataset({"stress_amplitude": stress, "stress_share": stress / stress.sum("motion")})
+
+
+def stress_amplitude(runs: xr.Dataset) -> xr.DataArray:
+    """Largest half swing of stress along the riser over the last wave (Pa).
 
     Stress is that of either outermost fibre, T/A + M D/(2 I) and T/A - M D/(2 I).
     """
-    _, scene = next(scenes_of(rao_runs.isel({dim: [0] for dim in rao_runs["point_key"].dims})))
+    _, scene = next(scenes_of(runs.isel({dim: [0] for dim in runs["point_key"].dims})))
     area, modulus = section(scene)
-    axial = rao_runs["effective_tension"] / area
-    bending = rao_runs["bending_moment"].fillna(0.0) / modulus  # none under heave alone
-    on_riser = rao_runs["s"] < RING + 1e-6
+    axial = runs["effective_tension"] / area
+    bending = runs["bending_moment"].fillna(0.0) / modulus  # none under heave alone
+    on_riser = runs["s"] < RING + 1e-6
     sides = [
         half_swing((axial + sign * bending).isel(s=on_riser.values), "wave_period").max("s")
         for sign in (1.0, -1.0)
     ]
-    stress = sides[0].where(sides[0] > sides[1], sides[1])
-    found = xr.Dataset({"stress_amplitude": stress, "stress_share": stress / stress.sum("motion")})
-    return described(
-        found, PAPER, "stress amplitude by each motion of the platform in waves of 3 m"
-    )
+    return sides[0].where(sides[0] > sides[1], sides[1])
 
 
 def section(scene: Scene) -> tuple[float, float]:

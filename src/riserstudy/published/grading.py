@@ -110,8 +110,10 @@ def graded(paper: str, item: Item, module: ModuleType, datasets: Datasets) -> Ro
         verdict = verdict_of_number(bool(_hits(item, base)), sampled, calibrated)
     about = datasets[next(iter((item.over or item.reads).values()))]
     depends_on, said = _explained(item, hits, about, verdict) if hits.ndim else ("", "")
-    cases = [_case(item, "Base case", base) if item.published is None else ""]
-    cases += [_case(item, name, look(reads)) for name, reads in item.beside.items()]
+    cases = [_case(item, "Base case", base, about) if item.published is None else ""]
+    for name, reads in item.beside.items():
+        about = datasets[next(iter(reads.values()))]
+        cases.append(_case(item, name, _at_base(item, look(reads)), about))
     return _row(paper, item, simulated, off, verdict, depends_on, [said, *cases, item.note])
 
 
@@ -127,12 +129,29 @@ def _hits(item: Item, found: Found) -> xr.DataArray:
     return hits
 
 
-def _case(item: Item, name: str, found: Found) -> str:
-    """One further case as a sentence."""
+def _at_base(item: Item, found: Found) -> Found:
+    """The cells of a further case that lie at the base where it has the same dimensions."""
+    return found.at({dim: value for dim, value in item.base.items() if dim in found.value.dims})
+
+
+def _case(item: Item, name: str, found: Found, about: xr.Dataset) -> str:
+    """One further case as a sentence, of one cell or many."""
     hits = _hits(item, found)
     words = ("met", "missed") if item.kind == "number" else ("true", "false")
     unit = f" {item.unit}" if item.unit not in ("", "1") else ""
-    return f"{name}: {float(found.value):.3g}{unit}, {words[0] if bool(hits.all()) else words[1]}."
+    if not hits.ndim:
+        hit = words[0] if bool(hits) else words[1]
+        return f"{name}: {float(found.value):.3g}{unit}, {hit}."
+    low, high = float(found.value.min()), float(found.value.max())
+    names = deciding(hits, about).names
+    by = f", decided by {listed(names)}" if names else ""
+    return f"{name}: {low:.3g} to {high:.3g}{unit}, {_told(hits, words[0])}{by}."
+
+
+def _told(hits: xr.DataArray, word: str) -> str:
+    """How many samples are hits."""
+    percent = f"{100 * float(hits.mean()):.0f} %{_band(hits)}"
+    return f"{word} in {int(hits.sum())} of {hits.size} samples ({percent})"
 
 
 def errata(file: PublishedFile, datasets: Datasets) -> list[ErratumRow]:
@@ -170,8 +189,7 @@ def _explained(
 ) -> tuple[str, str]:
     """What decides, and the share of the samples, as text."""
     word = "met" if item.kind == "number" else "true"
-    percent = f"{100 * float(hits.mean()):.0f} %{_band(hits)}"
-    share = f"{word} in {int(hits.sum())} of {hits.size} samples ({percent})"
+    share = _told(hits, word)
     if verdict != "depends":
         return "", f"{share[0].upper()}{share[1:]}."
     names, why = deciding(hits, about)

@@ -27,9 +27,7 @@ def constant_tension(readings: xr.Dataset) -> Found:
 
 def codes_agree(codes: xr.Dataset, at_most: float) -> Found:
     """Three methods give nearly the same displacement; value: largest difference over the largest."""
-    moved = codes["displacement"]
-    largest = abs(moved).max(["depth", "code"])
-    apart = (moved.max("code") - moved.min("code")).max("depth") / largest
+    apart = codes["codes_apart"]
     return Found(apart, apart <= at_most)
 
 
@@ -115,6 +113,11 @@ def lags(surge: xr.Dataset) -> Found:
 
 
 # Figs 19 and 20: roll
+
+
+def rolls_down(motion: xr.Dataset, amplitude: float, period: float) -> Found:
+    """Under one roll each depth lags behind the one above; value: least lag (degrees)."""
+    return travels_down(motion.sel(roll_amplitude=amplitude, roll_period=period, drop=True))
 
 
 def largest_moment(roll: xr.Dataset, amplitude: float, period: float) -> Found:

@@ -43,7 +43,8 @@ class Item(Checked):
 
     ``over`` names the datasets that take the place of ``reads`` where the check runs over what the
     paper leaves open; without it the check's own dimensions are that space, and ``base`` picks the cell
-    that counts as the simulated value. ``beside`` names datasets of further cases, told in the note.
+    that counts as the simulated value. ``beside`` names datasets of further cases, told in the note:
+    one cell, or many with their range and the share of hits.
     ``impossible`` says why nothing can be compared.
     """
 
