@@ -135,23 +135,25 @@ HEADED = [*towards(0, 1.0), *towards(90, 2.0), *towards(180, 3.0), *towards(-90,
 )
 def test_between_headings_the_response_is_linear_all_around(degrees, factor):
     frequency = np.array([2.0 * math.pi / 10.0])
-    found = operator(made(operators=HEADED), "heave", frequency, math.radians(degrees))
+    headed = made(operators=HEADED, headings="towards")
+    found = operator(headed, "heave", frequency, math.radians(degrees))
     plain = operator(made(), "heave", frequency)
     np.testing.assert_allclose(found, factor * plain, rtol=1e-12)
 
 
 def test_the_wave_says_where_it_goes():
     swell = {"amplitude": "1 m", "period": "10 s"}
-    of_the_response = made(operators=HEADED, wave=swell, heading="90 deg")
+    to = {"operators": HEADED, "headings": "towards"}
+    of_the_response = made(**to, wave=swell, heading="90 deg")
     assert harmonics(of_the_response, of_the_response.wave).amplitude[0] == pytest.approx(1.0)
     of_the_scene = RegularWave.model_validate(
         swell | {"heading": "180 deg", "above_mean_level": "none"}
     )
-    assert harmonics(made(operators=HEADED), of_the_scene).amplitude[0] == pytest.approx(1.5)
+    assert harmonics(made(**to), of_the_scene).amplitude[0] == pytest.approx(1.5)
 
 
 def test_a_heading_that_the_operators_do_not_reach_is_refused():
-    half = made(operators=[*towards(0, 1.0), *towards(90, 2.0)])
+    half = made(operators=[*towards(0, 1.0), *towards(90, 2.0)], headings="towards")
     with pytest.raises(InputError, match="go to -45 deg"):
         operator(half, "heave", np.array([0.6]), math.radians(-45.0))
 
@@ -171,6 +173,11 @@ def test_waves_beyond_the_operators_are_refused():
         ({"operators": [{"period": "5 s", "pitch": "1 m/m", "pitch_phase": "0 deg"}, ROWS[1]]}, "rad/m"),
         ({"motions": ["surge"]}, "no surge"),
         ({"operators": [*towards(0, 1.0), *ROWS]}, "in every line or in none"),
+        ({"operators": HEADED}, "'towards' or 'from'"),
+        ({"operators": ROWS, "headings": "from"}, "'towards' or 'from'"),
+        ({"operators": [ROWS[2], {"frequency": "1 Hz", "heave": "0 m/m", "heave_phase": "0 deg"}]},
+         "in every line"),
+        ({"operators": [ROWS[0], ROWS[1] | {"frequency": "0.1 Hz"}]}, "needs one of period and frequency"),
         ({"operators": [*towards(0, 1.0), *towards(90, 1.0)[1:]]}, "same periods"),
         ({"heading": "90 deg"}, "has its own"),
         ({"phases": "upwards"}, "lead"),

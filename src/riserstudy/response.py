@@ -49,7 +49,7 @@ def operator(
     if None in tables:
         return _over_frequency(response, tables[None], motion, frequency)
     turns = {
-        known + turn: rows
+        math.remainder(known, 2.0 * math.pi) + turn: rows
         for known, rows in tables.items()
         if known is not None
         for turn in (-2.0 * math.pi, 0.0, 2.0 * math.pi)
@@ -58,12 +58,14 @@ def operator(
     below = max((known for known in turns if known <= heading + CLOSE), default=math.nan)
     above = min((known for known in turns if known >= heading - CLOSE), default=math.nan)
     if not above - below <= WIDEST + CLOSE:
-        listed = ", ".join(f"{math.degrees(known or 0.0):g}" for known in tables)
+        listed = ", ".join(
+            f"{math.degrees(math.remainder(known or 0.0, 2.0 * math.pi)):g}" for known in tables
+        )
         raise InputError(
             "scene",
             "platform.response.operators",
             f"waves that go to {math.degrees(heading):.4g} deg lie between no two headings",
-            f"allowed are headings up to a quarter turn apart; the operators have {listed} deg",
+            f"allowed are headings up to a quarter turn apart; those of the operators go to {listed} deg",
         )
     share = (heading - below) / (above - below) if above - below > CLOSE else 0.0
     ends = [_over_frequency(response, turns[known], motion, frequency) for known in (below, above)]
@@ -74,8 +76,7 @@ def _over_frequency(
     response: Response, rows: list[Operator], motion: str, frequency: FloatArray
 ) -> NDArray[np.complex128]:
     sign = 1.0 if response.phases == "lead" else -1.0
-    rows = rows[::-1]  # frequencies rise
-    at = np.array([2.0 * math.pi / row.period for row in rows])
+    at = np.array([row.circular for row in rows])
     values = np.array(
         [getattr(row, motion) * np.exp(1j * sign * getattr(row, f"{motion}_phase")) for row in rows]
     )
@@ -92,7 +93,8 @@ def harmonics(response: Response, wave: Swell | Storm) -> Harmonics:
         When the operators do not reach a period or the heading of the wave.
     """
     amplitude, frequency, phase = components_of(wave)
-    low, high = response.operators[0].period, response.operators[-1].period
+    known = next(iter(response.by_heading.values()))
+    low, high = 2.0 * math.pi / known[-1].circular, 2.0 * math.pi / known[0].circular
     periods = 2.0 * math.pi / frequency
     beyond = periods[(periods < low * (1.0 - 1e-9)) | (periods > high * (1.0 + 1e-9))]
     if beyond.size:

@@ -21,10 +21,8 @@ ABOVE = {"none": NONE, "constant": CONSTANT, "stretched": STRETCHED}
 def current_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
     """Elevations (m) and speeds (m/s) of a profile."""
     if isinstance(current.profile, list):
-        return (
-            np.array([point.elevation for point in current.profile]),
-            np.array([point.speed for point in current.profile]),
-        )
+        elevations, speeds = current.table(water)
+        return np.array(elevations), np.array(speeds)
     spans = [levels(part, water) for part in current.parts]
     z = np.linspace(min(low for low, _ in spans), max(high for _, high in spans), PROFILE_POINTS)
     speed = np.zeros_like(z)

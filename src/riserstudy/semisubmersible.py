@@ -30,7 +30,8 @@ from pydantic import Field
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE, Coefficient, Strict
-from riserstudy.scene.load import check, read_yaml
+from riserstudy.scene.check import check
+from riserstudy.scene.load import read_yaml
 
 DENSITY, GRAVITY = 1025.0, 9.81
 PERIODS = np.concatenate([np.arange(2.0, 30.0, 0.5), np.arange(30.0, 61.0, 2.0)])  # s, of tables

@@ -18,7 +18,8 @@ from riserstudy.grid import Grid, Point
 from riserstudy.numerics.models import Measured
 from riserstudy.plots import NEEDS, FigureModel, default_figures
 from riserstudy.scene.base import Strict
-from riserstudy.scene.load import SceneFile, check, read_scene, read_yaml
+from riserstudy.scene.check import check
+from riserstudy.scene.load import SceneFile, read_scene, read_yaml
 from riserstudy.scene.origin import Origin, unwrap
 from riserstudy.shown import RunInMotion, SchematicModel
 from riserstudy.store import canonical

@@ -22,7 +22,8 @@ from riserstudy.grid import Point
 from riserstudy.numerics.scenes import MeasuredStudy, scenes_of
 from riserstudy.published.models import PublishedFile, published_path, read_published
 from riserstudy.scene.base import Strict
-from riserstudy.scene.load import SceneFile, check, read_yaml
+from riserstudy.scene.check import check
+from riserstudy.scene.load import SceneFile, read_yaml
 from riserstudy.store import canonical, key_of
 from riserstudy.study import Name, Study, StudyFile, Tier, read_studies, scene_file, threads_worth
 

@@ -1,5 +1,6 @@
 """A platform's response as a scene says it: by a table, in its own waves or those of the scene."""
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -7,9 +8,11 @@ import pytest
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError
+from riserstudy.response import operator
 
 ROOT = Path(__file__).parents[2]
 SCENE = ROOT / "config/scenes/liu2020/heave.yaml"
+SYSTEM = ROOT / "config/scenes/liu2020/system.yaml"
 TABLE = {"file": "../../platforms/medium.csv"}
 WAVE = {"height": "3 m", "period": "12 s"}
 RESPONSE = {
@@ -57,6 +60,7 @@ def write(path, lines):
 
 
 HEADING = "period (s),heave (m/m),heave_phase (deg)"
+FREQUENCY = HEADING.replace("period (s)", "frequency (Hz)")
 
 
 @pytest.mark.parametrize(
@@ -67,10 +71,42 @@ HEADING = "period (s),heave (m/m),heave_phase (deg)"
         ([HEADING + ",heave (m/m)", "5,1,0,1", "9,1,0,1"], "line 1", "period"),
         ([HEADING, "5,1", "9,1,0"], "line 2", "allowed are 3"),
         ([HEADING, "5,much,0", "9,1,0"], "line 2", "numbers"),
-        (["period (s),heave (m/m)", "5,1", "9,1"], "platform.response.operators[0]", "go together"),
+        (["period (s),heave (m/m)", "5,1", "9,1"], "table.csv: line 2", "go together"),
         ([HEADING, "9,1,0", "5,1,0"], "platform.response", "rise"),
-        ([HEADING, "5,-1,0", "9,1,0"], "platform.response.operators[0].heave", "greater"),
-        ([HEADING.replace("(s)", "(m)"), "5,1,0", "9,1,0"], "platform.response", "dimension"),
+        ([HEADING, "5,-1,0", "9,1,0"], "table.csv: line 2: heave", "greater"),
+        ([HEADING, "5,1,0", "0,1,0"], "table.csv: line 3: period", "greater"),
+        (
+            [HEADING.replace("(s)", "(m)"), "5,1,0", "9,1,0"],
+            "table.csv: line 2: period",
+            "dimension",
+        ),
+        (
+            [HEADING.replace("(s)", "(Hz)"), "5,1,0", "9,1,0"],
+            "table.csv: line 2: period",
+            "dimension",
+        ),
+        (
+            [FREQUENCY.replace("Hz", "s"), "5,1,0", "9,1,0"],
+            "table.csv: line 2: frequency",
+            "dimension",
+        ),
+        ([FREQUENCY.replace("Hz", "1/s"), "5,1,0", "9,1,0"], "table.csv: line 2: frequency", "rad"),
+        ([FREQUENCY, "0.2,1,0", "0.1,1,0"], "platform.response", "frequencies must rise"),
+        (
+            [FREQUENCY + ",period (s)", "0.1,1,0,10", "0.2,1,0,5"],
+            "line 1",
+            "period (unit) or frequency",
+        ),
+        (
+            [HEADING + ",heading (m)", "5,1,0,0", "9,1,0,0"],
+            "table.csv: line 2: heading",
+            "dimension",
+        ),
+        (
+            [HEADING + ",heading (deg)", "5,1,0,0", "9,1,0,0"],
+            "platform.response",
+            "'towards' or 'from'",
+        ),
     ],
 )
 def test_tables_that_cannot_be_meant_are_refused(tmp_path, lines, field, reason):
@@ -78,6 +114,42 @@ def test_tables_that_cannot_be_meant_are_refused(tmp_path, lines, field, reason)
         loaded(operators=write(tmp_path / "table.csv", lines))
     assert field in str(refusal.value)
     assert reason in str(refusal.value)
+
+
+def test_headings_without_a_heading_are_refused(tmp_path):
+    table = write(tmp_path / "table.csv", [HEADING, "5,1,0", "9,1,0"])
+    with pytest.raises(InputError, match="'towards' or 'from'"):
+        loaded(operators=table, headings="from")
+
+
+@pytest.mark.parametrize("unit, factor", [("Hz", 1.0), ("rad/s", 2.0 * math.pi)])
+@pytest.mark.parametrize("headings, turn", [("towards", 0.0), ("from", 180.0)])
+@pytest.mark.parametrize("phases, sign", [("lead", 1.0), ("lag", -1.0)])
+def test_a_table_says_the_same_in_every_convention(
+    tmp_path, unit, factor, headings, turn, phases, sign
+):
+    """Written in one convention, read, and asked at its own lines: what it was written from."""
+    random = np.random.default_rng(7)
+    periods, towards = np.array([20.0, 12.0, 5.0]), np.array([0.0, 90.0, 180.0, 270.0])
+    r = random.normal(size=(4, 3)) + 1j * random.normal(size=(4, 3))
+    lines = [f"frequency ({unit}),heading (deg),pitch (deg/m),pitch_phase (deg)"]
+    for h, row in zip(towards, r, strict=True):
+        for period, value in zip(periods, row, strict=True):
+            size, phase = math.degrees(abs(value)), sign * math.degrees(np.angle(value))
+            lines.append(f"{factor / period},{h + turn},{size},{phase}")
+    platform = {
+        "response": {
+            "operators": write(tmp_path / "table.csv", lines),
+            "phases": phases,
+            "headings": headings,
+            "wave": WAVE,
+        },
+        "centre_of_rotation": {"elevation": "540 m"},
+    }
+    response = load_scene(SYSTEM, platform=platform).scene().platform.response
+    for h, row in zip(towards, r, strict=True):
+        found = operator(response, "pitch", 2.0 * math.pi / periods, math.radians(h))
+        np.testing.assert_allclose(found, row, rtol=1e-9)
 
 
 def test_a_response_without_wave_is_refused():

@@ -9,7 +9,7 @@ import xarray as xr
 
 from riserstudy.derived.along import amplitude_at, angles, extreme, period_of, place, stress_factor
 from riserstudy.names import attributes
-from riserstudy.scene.load import check
+from riserstudy.scene.check import check
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import RegularWave
 from riserstudy.scene.units import to_si

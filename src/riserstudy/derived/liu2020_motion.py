@@ -19,6 +19,7 @@ from riserstudy.derived.shared import (
 )
 from riserstudy.response import operator
 from riserstudy.scene.models import Scene
+from riserstudy.scene.units import to_si
 
 PAPER = "liu2020"
 RING = 533.0  # m, arclength of the riser's top
@@ -154,39 +155,35 @@ def rao_table(rao_runs: xr.Dataset) -> xr.Dataset:
 
 def rao(rao_runs: xr.Dataset) -> xr.Dataset:
     """Largest stress amplitude along the riser by each motion, and each motion's share of their sum."""
+    swing = half_swing(fibre_stress(rao_runs), "wave_period").max(["s", "side"])
     return described(
-        _by_motion(rao_runs),
-        PAPER,
-        "stress amplitude by each motion of the platform in waves of 3 m",
+        _shared(swing), PAPER, "stress amplitude by each motion of the platform in waves of 3 m"
     )
 
 
 def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open."""
-    found = _by_motion(rao_open).assign(sampled(rao_open))
+    """The same for every sample of what the paper leaves open, each in waves of its own period."""
+    stress, periods = fibre_stress(rao_open), rao_open["assumed_platform_response_wave_period"]
+    swings = [
+        half_swing(stress.isel(sample=k), to_si(str(period), "s")).max(["s", "side"])
+        for k, period in enumerate(periods.values)
+    ]
+    found = _shared(xr.concat(swings, stress["sample"])).assign(sampled(rao_open))
     return described(found, PAPER, "stress amplitude by motion over what the paper leaves open")
 
 
-def _by_motion(runs: xr.Dataset) -> xr.Dataset:
-    stress = stress_amplitude(runs)
+def _shared(stress: xr.DataArray) -> xr.Dataset:
     return xr.Dataset({"stress_amplitude": stress, "stress_share": stress / stress.sum("motion")})
 
 
-def stress_amplitude(runs: xr.Dataset) -> xr.DataArray:
-    """Largest half swing of stress along the riser over the last wave (Pa).
-
-    Stress is that of either outermost fibre, T/A + M D/(2 I) and T/A - M D/(2 I).
-    """
+def fibre_stress(runs: xr.Dataset) -> xr.DataArray:
+    """Stress along the riser of either outermost fibre, T/A + M D/(2 I) and T/A - M D/(2 I) (Pa)."""
     _, scene = next(scenes_of(runs.isel({dim: [0] for dim in runs["point_key"].dims})))
     area, modulus = section(scene)
-    axial = runs["effective_tension"] / area
-    bending = runs["bending_moment"].fillna(0.0) / modulus  # none under heave alone
-    on_riser = runs["s"] < RING + 1e-6
-    sides = [
-        half_swing((axial + sign * bending).isel(s=on_riser.values), "wave_period").max("s")
-        for sign in (1.0, -1.0)
-    ]
-    return sides[0].where(sides[0] > sides[1], sides[1])
+    on_riser = runs.isel(s=(runs["s"] < RING + 1e-6).values)
+    bending = on_riser["bending_moment"].fillna(0.0) / modulus  # none under heave alone
+    side = xr.DataArray([1.0, -1.0], dims="side")
+    return on_riser["effective_tension"] / area + side * bending
 
 
 def section(scene: Scene) -> tuple[float, float]:

@@ -11,7 +11,8 @@ from pydantic import Field
 
 from riserstudy.build import stiffness
 from riserstudy.scene.base import Strict
-from riserstudy.scene.load import SceneFile, check, read_yaml
+from riserstudy.scene.check import check
+from riserstudy.scene.load import SceneFile, read_yaml
 from riserstudy.scene.models import Scene
 
 SEA_WATER = "1025 kg/m^3"

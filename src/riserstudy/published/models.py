@@ -10,7 +10,8 @@ from pydantic import Field, model_validator
 from riserstudy.errors import InputError
 from riserstudy.folders import has_module
 from riserstudy.scene.base import Strict
-from riserstudy.scene.load import check, read_yaml
+from riserstudy.scene.check import check
+from riserstudy.scene.load import read_yaml
 
 Option = str | float | list[float] | list[str]
 

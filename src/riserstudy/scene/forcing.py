@@ -184,10 +184,17 @@ class Platform(Strict):
 
 
 class Point(Strict):
-    """One point of a current profile."""
+    """One point of a current profile, at an elevation or a depth below the mean level of the water."""
 
-    elevation: u.Length
+    elevation: u.Length | None = None
+    depth: Annotated[u.Length, NOT_NEGATIVE] | None = None
     speed: u.Speed
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if (self.elevation is None) == (self.depth is None):
+            raise ValueError("needs one of elevation and depth")
+        return self
 
 
 class Shape(Strict):
@@ -232,6 +239,20 @@ class Current(Strict):
     heading: u.Angle | None = None
     ramp: Annotated[u.Time, POSITIVE] | None = None
 
+    def table(self, water: Water | None) -> tuple[list[float], list[float]]:
+        """Rising elevations (m) and speeds (m/s) of a profile by points."""
+        points = self.profile if isinstance(self.profile, list) else []
+        if self.by_depth:
+            points = points[::-1]
+        surface = (water and water.surface) or 0.0
+        z = [surface - (p.depth or 0.0) if p.elevation is None else p.elevation for p in points]
+        return z, [point.speed for point in points]
+
+    @property
+    def by_depth(self) -> bool:
+        """Whether its points count from the mean level of the water."""
+        return isinstance(self.profile, list) and self.profile[0].depth is not None
+
     @property
     def parts(self) -> list[Shape | WindDrift]:
         """Named profiles that add up; none where it is a table."""
@@ -242,6 +263,10 @@ class Current(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         points = self.profile if isinstance(self.profile, list) else []
-        if any(a.elevation >= b.elevation for a, b in pairwise(points)):
-            raise ValueError("profile: elevations must rise from point to point")
+        if len({point.depth is None for point in points}) > 1:
+            raise ValueError("profile: elevation in every line, or depth in every line")
+        for name in ("elevation", "depth"):
+            values = [x for point in points if (x := getattr(point, name)) is not None]
+            if any(a >= b for a, b in pairwise(values)):
+                raise ValueError(f"profile: {name}s must rise from point to point")
         return self

@@ -10,20 +10,19 @@ from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
-from pydantic import BaseModel, ValidationError
 from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
 from riserstudy.errors import InputError
 from riserstudy.folders import digest, remembered
+from riserstudy.scene.check import check
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
 from riserstudy.scene.tables import fill_in_tables
 from riserstudy.scene.text import read_text
 
-T = TypeVar("T", bound=BaseModel)
 MOST_BYTES = 1_000_000  # of an input file
 DEEPEST = 20  # nesting levels
 MANY = 1000  # brackets, which may be nested; the reader's time grows as their square
@@ -184,60 +183,6 @@ def _set(tree: dict[str, Any], path: str, value: Any, layer: str) -> None:
         raise InputError(
             layer, path, f"no {last!r} there", "allowed are paths of the scene"
         ) from None
-
-
-def check(model: type[T], tree: Any, source: object) -> T:
-    """Validate data against a pydantic model; the first fault becomes an InputError."""
-    try:
-        return model.model_validate(tree)
-    except ValidationError as error:
-        raise _readable(error, source) from None
-
-
-def _readable(error: ValidationError, source: object) -> InputError:
-    """The fault that says most; of a field with alternatives, those of the nearest alternative."""
-    alternatives: dict[tuple[str, ...], list[Any]] = {}
-    for fault in error.errors():
-        chosen = tuple(str(step) for step in fault["loc"] if _names_alternative(step))
-        alternatives.setdefault(chosen, []).append(fault)
-
-    def distance(faults: list[Any]) -> tuple[bool, int, int]:
-        another_kind = any(
-            fault["type"].endswith(("_type", "literal_error"))
-            and _names_alternative(fault["loc"][-1])
-            for fault in faults
-        )
-        other_keys = sum(fault["type"] in ("extra_forbidden", "missing") for fault in faults)
-        return another_kind, other_keys, len(faults)
-
-    faults = alternatives.get(()) or min(alternatives.values(), key=distance)
-    first = max(faults, key=lambda fault: (fault["type"] == "extra_forbidden", len(fault["loc"])))
-    where = ""
-    for step in first["loc"]:
-        if isinstance(step, int):
-            where += f"[{step}]"
-        elif not _names_alternative(step):
-            where += f".{step}" if where else step
-    kind, found = first["type"], first["input"]
-    shown = repr(found) if not isinstance(found, dict | list) else "what stands there"
-    if kind == "extra_forbidden":
-        return InputError(
-            source, where, "unknown key", "see `riserstudy schema` for what is allowed"
-        )
-    if kind == "missing":
-        return InputError(source, where, "missing", "it has no default: add it")
-    message = first["msg"].removeprefix("Value error, ")
-    if kind == "value_error" and ";" in message:
-        found_text, allowed = message.split(";", 1)
-        return InputError(source, where, found_text.strip(), allowed.strip())
-    if kind == "value_error":
-        return InputError(source, where, "does not fit together", message)
-    return InputError(source, where, shown[:120], message[0].lower() + message[1:])
-
-
-def _names_alternative(step: object) -> bool:
-    """Whether a step of a fault's place names one of several models, which is no field."""
-    return isinstance(step, str) and (step[:1].isupper() or "[" in step)
 
 
 def read_scene(path: str | Path, *, keep: bool = False) -> SceneFile:

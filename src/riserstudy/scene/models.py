@@ -206,6 +206,8 @@ class Scene(Strict):
                 raise ValueError("wave needs a riser section with drag or added mass")
             if any(s.added_mass and s.added_mass.direction for s in self.riser):
                 raise ValueError("a wave needs added_mass across the pipe: leave out its direction")
+        if self.current and self.current.by_depth and (self.water and self.water.surface) is None:
+            raise ValueError("current.profile: depths need water.surface")
         for part in self.current.parts if self.current else []:
             own = isinstance(part, Shape) and None not in (part.seabed, part.surface)
             if not own and not levels:

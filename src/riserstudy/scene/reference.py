@@ -11,7 +11,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from riserstudy.scene.models import Scene
-from riserstudy.scene.tables import OPTIONAL, PLACES
+from riserstudy.scene.tables import PLACES
 from riserstudy.scene.units import Percent, Unit
 
 HEAD = """\
@@ -54,11 +54,12 @@ into the first line of a scene, with the path from there:
 
 def scene_reference() -> str:
     """The page as Markdown."""
-    tables = [
-        f"`{'.'.join((*way, name))}` ({', '.join(f'`{c}`' for c in columns)}"
-        f"{', and `heading` or any motion such as `heave` with `heave_phase`' if name in OPTIONAL else ''})"
-        for way, name, columns, _ in PLACES
-    ]
+    tables = []
+    for place in PLACES:
+        columns = ", ".join(" or ".join(f"`{n}`" for n in names) for names in place.columns)
+        more = ", and `heading` or any motion such as `heave` with `heave_phase`"
+        named = f"`{'.'.join((*place.way, place.name))}`"
+        tables.append(f"{named} ({columns}{more if place.optional else ''})")
     parts = [HEAD % "; ".join(tables)]
     for model in models():
         parts.append(f"## {title(model)}\n\n{_prose(model)}\n")

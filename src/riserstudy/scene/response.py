@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from typing import Annotated, Literal, Self
 
@@ -19,14 +20,15 @@ Tilt = Annotated[u.AnglePerLength, NOT_NEGATIVE] | None
 
 
 class Operator(Strict):
-    """Response to waves of one period: a metre of wave amplitude gives so much, at a phase.
+    """Response to waves of one period or frequency: a metre of wave amplitude gives so much, at a phase.
 
-    An absent motion is none. Heading: where these waves go, from x towards y; absent: the same response
-    in waves from everywhere.
+    Frequencies are in Hz or rad/s. An absent motion is none. Heading: of these waves, from x towards y;
+    absent: the same response in waves from everywhere.
     """
 
     heading: u.Angle | None = None
-    period: Annotated[u.Time, POSITIVE]
+    period: Annotated[u.Time, POSITIVE] | None = None
+    frequency: Annotated[u.Frequency, POSITIVE] | None = None
     surge: Shift = None
     surge_phase: u.Angle | None = None
     sway: Shift = None
@@ -42,10 +44,17 @@ class Operator(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
+        if (self.period is None) == (self.frequency is None):
+            raise ValueError("needs one of period and frequency")
         for name in MOTIONS:
             if (getattr(self, name) is None) != (getattr(self, f"{name}_phase") is None):
                 raise ValueError(f"{name} and {name}_phase go together")
         return self
+
+    @property
+    def circular(self) -> float:
+        """Circular frequency of the waves (rad/s)."""
+        return self.frequency or 2.0 * math.pi / (self.period or math.inf)
 
     @property
     def motions(self) -> set[str]:
@@ -57,12 +66,14 @@ class Response(Strict):
     """Platform motion from response amplitude operators, as points or a CSV table ``{file: name.csv}``.
 
     Phases lead or lag the crest of the wave at the platform, whose surface is amplitude cos(w t - phase)
-    there. Absent wave: that of the scene; motions: all of the table; ramp: all at once. Operators for
-    several headings are linear between them; heading: where the response's own wave goes, absent along x.
+    there. Headings of operators tell where waves go to (towards) or come from; between them operators
+    are linear. Absent wave: that of the scene; motions: all of the table; ramp: all at once; heading,
+    where the response's own wave goes: along x.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]
     phases: Literal["lead", "lag"]
+    headings: Literal["towards", "from"] | None = None
     motions: Annotated[list[Motion], Field(min_length=1)] | None = None
     wave: Swell | Storm | None = None
     heading: u.Angle | None = None
@@ -71,12 +82,20 @@ class Response(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         tables = list(self.by_heading.values())
-        if any(a.period >= b.period for rows in tables for a, b in pairwise(rows)):
-            raise ValueError("operators: periods must rise from line to line")
-        if len(tables[0]) < 2 or any(_periods(rows) != _periods(tables[0]) for rows in tables):
+        kinds = {row.period is None for row in self.operators}
+        if len(kinds) > 1:
+            raise ValueError("operators: period in every line, or frequency in every line")
+        if any(a.circular >= b.circular for rows in tables for a, b in pairwise(rows)):
+            kind = "frequencies" if kinds == {True} else "periods"
+            raise ValueError(f"operators: {kind} must rise from line to line")
+        if len(tables[0]) < 2 or any(_frequencies(t) != _frequencies(tables[0]) for t in tables):
             raise ValueError("operators: every heading must have the same periods, at least two")
         if len(tables) > 1 and None in self.by_heading:
             raise ValueError("operators: heading must stand in every line or in none")
+        if (self.headings is None) != (None in self.by_heading):
+            raise ValueError(
+                "headings: 'towards' or 'from' goes with a heading in every line of the operators"
+            )
         if self.heading is not None and self.wave is None:
             raise ValueError("heading: the wave of the scene has its own")
         if any(a.motions != b.motions for a, b in pairwise(self.operators)):
@@ -88,11 +107,13 @@ class Response(Strict):
 
     @property
     def by_heading(self) -> dict[float | None, list[Operator]]:
-        """Operators of each heading (rad), None where they hold for all, in order of the table."""
+        """Operators by where waves go (rad), None where they hold for all; frequencies rise."""
+        turn = math.pi if self.headings == "from" else 0.0
         tables: dict[float | None, list[Operator]] = {}
         for row in self.operators:
-            tables.setdefault(row.heading, []).append(row)
-        return tables
+            towards = None if row.heading is None else row.heading + turn
+            tables.setdefault(towards, []).append(row)
+        return {h: rows if rows[0].frequency else rows[::-1] for h, rows in tables.items()}
 
     @property
     def moving(self) -> list[str]:
@@ -101,5 +122,5 @@ class Response(Strict):
         return [name for name in MOTIONS if name in wanted]
 
 
-def _periods(rows: list[Operator]) -> list[float]:
-    return [row.period for row in rows]
+def _frequencies(rows: list[Operator]) -> list[float]:
+    return [row.circular for row in rows]

@@ -26,9 +26,9 @@ def scene_schema() -> dict[str, Any]:
         fields = model.get("properties", {})
         for name, field in fields.items():
             fields[name] = _with_origins(field)
-    for way, name, *_ in PLACES:
-        fields = models[way[-1].capitalize()]["properties"]
-        fields[name]["anyOf"].append(TABLE)
+    for place in PLACES:
+        fields = models[place.way[-1].capitalize()]["properties"]
+        fields[place.name]["anyOf"].append(TABLE)
     for status in COMPANIONS:
         schema["$defs"][status.capitalize()] = _origin(status)
     return {"$schema": DIALECT, **schema}

@@ -9,54 +9,77 @@ import csv
 import io
 import re
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from riserstudy.errors import InputError
-from riserstudy.scene.response import MOTIONS
+from riserstudy.scene.base import Strict
+from riserstudy.scene.check import check
+from riserstudy.scene.forcing import Moved, Point, Tilted
+from riserstudy.scene.response import MOTIONS, SHIFTS, Operator
+from riserstudy.scene.tensioners import TableRow
 from riserstudy.scene.text import read_text
 
 MOST_ROWS = 100_000
 MOST_BYTES = 10_000_000
 _HEADING = re.compile(r"\s*(\w+)\s*\(([^)]+)\)\s*")
 
-#: columns that a table may have besides, in any order
-OPTIONAL = {
-    "operators": ["heading", *(f"{name}{end}" for name in MOTIONS for end in ("", "_phase"))]
-}
 
-#: where a table may stand: path of its parent, name, columns, and where its rows go
+class Place(NamedTuple):
+    """Where a table may stand, and what it holds."""
+
+    way: tuple[str, ...]  # path of its parent
+    name: str
+    row: type[Strict]
+    columns: tuple[tuple[str, ...], ...]  # in this order, each under one of its names
+    optional: tuple[str, ...] = ()  # further columns, in any order
+    key: str = ""  # where its rows go, below its name
+
+
 PLACES = (
-    (("current",), "profile", ("elevation", "speed"), None),
+    Place(("current",), "profile", Point, (("elevation", "depth"), ("speed",))),
     *(
-        (("platform",), motion, ("time", "value"), "points")
-        for motion in ("surge", "sway", "heave", "roll", "pitch", "yaw")
+        Place(
+            ("platform",),
+            motion,
+            Moved if motion in SHIFTS else Tilted,
+            (("time",), ("value",)),
+            key="points",
+        )
+        for motion in MOTIONS
     ),
-    (("platform", "response"), "operators", ("period",), None),
-    (("top", "tensioners"), "table", ("reach", "force"), None),
+    Place(
+        ("platform", "response"),
+        "operators",
+        Operator,
+        (("period", "frequency"),),
+        ("heading", *(f"{name}{end}" for name in MOTIONS for end in ("", "_phase"))),
+    ),
+    Place(("top", "tensioners"), "table", TableRow, (("reach",), ("force",))),
 )
 
 
 def fill_in_tables(tree: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """The tree with every ``{file: name.csv}`` replaced by its rows.
+    """The tree with every ``{file: name.csv}`` replaced by its checked rows.
 
     Raises
     ------
     InputError
-        With table, line and column of what cannot be read.
+        With table, line and column of what cannot be read or meant.
     """
     filled = dict(tree)
-    for way, name, columns, key in PLACES:
-        if way[0] not in filled:
+    for place in PLACES:
+        if place.way[0] not in filled:
             continue
         parent: Any = filled
-        for step in way:
+        for step in place.way:
             parent = parent.get(step) if isinstance(parent, dict) else None
-        here = parent.get(name) if isinstance(parent, dict) else None
+        here = parent.get(place.name) if isinstance(parent, dict) else None
         if not (isinstance(here, dict) and set(here) == {"file"}):
             continue
-        rows = read_table(_place(folder, here["file"]), columns, OPTIONAL.get(name, []))
-        filled = _with(filled, (*way, name), rows if key is None else {key: rows})
+        rows = read_table(_file(folder, here["file"]), place)
+        filled = _with(filled, (*place.way, place.name), {place.key: rows} if place.key else rows)
     return filled
 
 
@@ -66,7 +89,7 @@ def _with(tree: dict[str, Any], way: tuple[str, ...], value: Any) -> dict[str, A
     return {**tree, step: _with(tree[step], tuple(further), value) if further else value}
 
 
-def _place(folder: Path, name: object) -> Path:
+def _file(folder: Path, name: object) -> Path:
     """Where a table stands; only tables are read, so that no scene shows what else is on a machine."""
     if not isinstance(name, str) or not name.endswith(".csv"):
         allowed = "allowed is the path of a .csv file, seen from the scene"
@@ -74,43 +97,63 @@ def _place(folder: Path, name: object) -> Path:
     return folder / name
 
 
-def read_table(
-    path: Path, columns: tuple[str, ...], optional: Sequence[str] = ()
-) -> list[dict[str, str]]:
-    """Rows of a CSV table, each value with the unit of its column."""
-    text = read_text(path, MOST_BYTES)
+def read_table(path: Path, place: Place) -> list[Strict]:
+    """Rows of a CSV table, checked; read once as long as it stays the same: many points share one."""
     try:
-        lines = list(csv.reader(io.StringIO(text, newline=""), strict=True))
-    except csv.Error as error:
-        raise InputError(path, "", f"no CSV: {error}", "allowed is a CSV file") from None
-    wanted = ", ".join(f"{name} (unit)" for name in columns)
-    headings = [_HEADING.fullmatch(cell) for cell in (lines[0] if lines else [])]
-    found = [m.group(1) for m in headings if m]
-    more = found[len(columns) :]
-    fits = found[: len(columns)] == list(columns) and len(found) == len(headings)
-    if not fits or len(set(more)) != len(more) or not set(more) <= set(optional):
-        wanted += f", and any of {', '.join(optional)}" if optional else ""
-        shown = ", ".join(lines[0]) if lines else "nothing"
-        raise InputError(path, "line 1", repr(shown), f"allowed are the columns {wanted}")
+        stat = path.stat()
+        stamp = stat.st_mtime_ns, stat.st_size
+    except (OSError, ValueError):
+        stamp = 0, 0  # reading it tells what is wrong
+    return _read(path, stamp, place)
+
+
+@lru_cache(64)
+def _read(path: Path, stamp: tuple[int, int], place: Place) -> list[Strict]:
+    lines = _lines(path)
+    columns, units = _heading(path, lines[0] if lines else [], place)
     if len(lines) > MOST_ROWS:
         raise InputError(path, "", f"{len(lines)} lines", f"allowed are {MOST_ROWS}")
-    units = [m.group(2).strip() for m in headings if m]
     rows = []
     for number, cells in enumerate(lines[1:], start=2):
         if not cells:
             continue
-        if len(cells) != len(found):
-            raise InputError(
-                path, f"line {number}", f"{len(cells)} values", f"allowed are {len(found)}"
-            )
-        for cell in cells:
-            try:
-                float(cell)
-            except ValueError:
-                raise InputError(
-                    path, f"line {number}", repr(cell), "allowed are numbers"
-                ) from None
-        rows.append(
-            {c: f"{cell.strip()} {u}" for c, cell, u in zip(found, cells, units, strict=True)}
-        )
+        if len(cells) != len(columns):
+            allowed = f"allowed are {len(columns)}"
+            raise InputError(path, f"line {number}", f"{len(cells)} values", allowed)
+        values = zip(columns, (_number(path, number, cell) for cell in cells), units, strict=True)
+        row = {column: f"{value} {unit}" for column, value, unit in values}
+        rows.append(check(place.row, row, f"{path}: line {number}"))
     return rows
+
+
+def _lines(path: Path) -> list[list[str]]:
+    text = read_text(path, MOST_BYTES)
+    try:
+        return list(csv.reader(io.StringIO(text, newline=""), strict=True))
+    except csv.Error as error:
+        raise InputError(path, "", f"no CSV: {error}", "allowed is a CSV file") from None
+
+
+def _heading(path: Path, cells: Sequence[str], place: Place) -> tuple[list[str], list[str]]:
+    """Names and units of the columns."""
+    named = [m for m in map(_HEADING.fullmatch, cells) if m]
+    found, first = [m.group(1) for m in named], len(place.columns)
+    more = found[first:]
+    fits = len(found) == len(cells) >= first
+    fits = fits and all(
+        name in allowed for name, allowed in zip(found, place.columns, strict=False)
+    )
+    if not fits or len(set(more)) != len(more) or not set(more) <= set(place.optional):
+        wanted = ", ".join(" or ".join(f"{n} (unit)" for n in names) for names in place.columns)
+        wanted += f", and any of {', '.join(place.optional)}" if place.optional else ""
+        shown = ", ".join(cells) if cells else "nothing"
+        raise InputError(path, "line 1", repr(shown), f"allowed are the columns {wanted}")
+    return found, [m.group(2).strip() for m in named]
+
+
+def _number(path: Path, line: int, cell: str) -> str:
+    try:
+        float(cell)
+    except ValueError:
+        raise InputError(path, f"line {line}", repr(cell), "allowed are numbers") from None
+    return cell.strip()

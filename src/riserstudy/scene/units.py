@@ -21,6 +21,8 @@ ATMOSPHERE = 101325.0  # Pa, what a gauge pressure leaves out
 #: the rest of planning a study. Written by workflow/scripts/make_reference.py.
 USUAL = Path(__file__).with_name("usual_units.json")
 
+CYCLES = (["hertz"], ["millihertz"])
+
 _NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 # Names, products and small exponents: pint would work out 9**9**9**9.
 _EXPONENT = r"(?:\s*(?:\^|\*\*)\s*-?\d{1,2}(?!\d))?"
@@ -93,6 +95,8 @@ def factor(name: str, unit: str) -> float:
         given, wanted = _registry().parse_units(name), _registry().parse_units(unit)
         same = _angle_power(given._units) == _angle_power(wanted._units)
         value = _registry().Quantity(1.0, given).to(wanted).magnitude
+        if unit == "rad/s" and list(given._units) in CYCLES:  # to pint a cycle is no angle
+            same, value = True, value * math.tau
     except pint.DimensionalityError:
         hint = " (for a force write tf)" if name == "t" and unit == "N" else ""
         raise ValueError(f"has another dimension{hint}") from None
@@ -170,5 +174,6 @@ Time = Annotated[float, Unit("s")]
 Speed = Annotated[float, Unit("m/s")]
 Acceleration = Annotated[float, Unit("m/s^2")]
 Angle = Annotated[float, Unit("rad")]
+Frequency = Annotated[float, Unit("rad/s")]
 Ratio = Annotated[float, Unit("m/m")]
 AnglePerLength = Annotated[float, Unit("rad/m")]
