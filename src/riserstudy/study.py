@@ -54,13 +54,13 @@ class Steps(Strict):
 
 
 class Numbers(Strict):
-    """An axis of numbers put at a path of the scene, with a unit ("1": none).
+    """An axis of numbers put at a path of the scene, or at several, with a unit ("1": none).
 
     On the way a number is multiplied by ``factor`` and ``offset`` is added, where the axis counts in
     another direction or from elsewhere than the path. Absent: as it is.
     """
 
-    path: str
+    path: str | Annotated[list[str], Field(min_length=1)]
     unit: str
     factor: float | None = None
     offset: float | None = None
@@ -81,11 +81,17 @@ class Numbers(Strict):
         every = self.values.values if isinstance(self.values, Steps) else self.values
         return self.preview if tier == "preview" and self.preview else every
 
+    @property
+    def paths(self) -> list[str]:
+        """Where its numbers are put."""
+        return [self.path] if isinstance(self.path, str) else self.path
+
     def overrides(self, number: float) -> dict[str, Any]:
         """What a value sets."""
         value = number if self.factor is None else number * self.factor
         value += self.offset or 0.0
-        return {self.path: value if self.unit == "1" else f"{value!r} {self.unit}"}
+        text = value if self.unit == "1" else f"{value!r} {self.unit}"
+        return dict.fromkeys(self.paths, text)
 
 
 class Samples(Strict):

@@ -15,6 +15,7 @@ from riserstudy.derived.liu2020_motion import (
     storm,
     surge,
     surge_readings,
+    waves,
 )
 from riserstudy.derived.liu2020_statics import dat_force, dat_force_calibrated, statics_readings
 from riserstudy.derived.methods import beamlike, by_collocation, by_hermite_elements
@@ -46,6 +47,7 @@ __all__ = [
     "surge",
     "surge_readings",
     "tension_readings",
+    "waves",
 ]
 
 PAPER = "liu2020"

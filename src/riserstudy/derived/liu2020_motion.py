@@ -172,6 +172,13 @@ def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
     return described(found, PAPER, "stress amplitude by motion over what the paper leaves open")
 
 
+def waves(wave_runs: xr.Dataset) -> xr.Dataset:
+    """Largest stress amplitude along the riser by all motions at once, waves on the riser or not."""
+    swing = half_swing(fibre_stress(wave_runs), "wave_period").max(["s", "side"])
+    found = swing.to_dataset(name="stress_amplitude")
+    return described(found, PAPER, "stress amplitude in waves of 3 m that act on the riser too")
+
+
 def _shared(stress: xr.DataArray) -> xr.Dataset:
     return xr.Dataset({"stress_amplitude": stress, "stress_share": stress / stress.sum("motion")})
 

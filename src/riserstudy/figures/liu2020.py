@@ -19,6 +19,7 @@ from riserstudy.figures.liu2020_motion import (
     fig23,
     fig24,
     sea,
+    waves,
 )
 from riserstudy.figures.style import COLOURS, GREY, field, key_below, panels
 
@@ -43,11 +44,14 @@ __all__ = [
     "fig24",
     "heave_limit",
     "sea",
+    "waves",
 ]
 
 MODELS = {"gas law": "-", "linear": "--"}
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
+#: pulls along cylinders, and their lines
+ALONG = {"gas law": "-", "linear": "--", "constant": ":"}
 CONSTANT = ("vertical force at the ring", "riser's top on the platform")
 #: N that the text gives at these speeds; config/published/liu2020.yaml, N2a to N2c
 PUSHED = (337.0, 3166.0, 8765.0)
@@ -114,12 +118,12 @@ def fig10(codes: xr.Dataset) -> Figure:
 
 
 def fig11(statics: xr.Dataset) -> Figure:
-    """Displacement in three currents, on the tensioners and on a constant tension."""
+    """Displacement in currents, on the tensioners and on a constant tension."""
     return _at_rest(statics, "x_static", 1.0, "lateral displacement (m)")
 
 
 def fig12(statics: xr.Dataset) -> Figure:
-    """Bending moment in three currents, on the tensioners and on a constant tension."""
+    """Bending moment in currents, on the tensioners and on a constant tension."""
     figure = _at_rest(statics, "bending_moment_static", 1e-3, "bending moment (kN m)")
     _enlarged(figure.axes[0], figure.axes[1].get_xlim())
     return figure
@@ -137,9 +141,9 @@ def _enlarged(ax: Axes, limits: tuple[float, float]) -> None:
 
 
 def _at_rest(statics: xr.Dataset, name: str, scale: float, label: str) -> Figure:
-    figure, axes = panels(1, 2, 4.2, sharey=True)
+    figure, axes = panels(2, 2, 4.2, sharey=True)
     lines = ("-", "--")
-    for ax, other in zip(axes, CONSTANT, strict=True):
+    for ax, other in zip(axes, CONSTANT, strict=False):
         for line, model in zip(lines, ("gas law", other), strict=True):
             for colour, speed in zip(COLOURS, SPEEDS, strict=False):
                 run = statics[name].sel(
@@ -154,11 +158,27 @@ def _at_rest(statics: xr.Dataset, name: str, scale: float, label: str) -> Figure
                     color=colour,
                     label=f"{speed:g} m/s, {name_of}",
                 )
-        ax.set_xlabel(label)
         ax.set_title(
             f"232 t as a {other}" if "force" in other else other, loc="right", fontsize="small"
         )
-    axes[0].set_ylabel(DEPTH)
+    fast = scale * statics[name].sel(surface_speed=1.0).where(statics["s_node"] < 533.1, drop=True)
+    depth = 533.0 - fast["s_node"]
+    for colour, profile in zip(COLOURS, fast["current_profile"].values, strict=False):
+        for line, model in zip(lines, ("gas law", CONSTANT[1]), strict=True):
+            curve = fast.sel(current_profile=profile, tensioner_model=model)
+            shown = profile if model == "gas law" else None
+            axes[2].plot(curve, depth, line, color=colour, label=shown)
+    for (model, line), colour in zip(ALONG.items(), COLOURS, strict=False):
+        curve = fast.sel(current_profile="linear", tensioner_model=model)
+        axes[3].plot(curve, depth, line, color=colour, label=model)
+    axes[2].set_title(f"1 m/s; dashed: {CONSTANT[1]}", loc="right", fontsize="small")
+    axes[3].set_title("1 m/s, linear profile, along cylinders", loc="right", fontsize="small")
+    for ax in axes[2:]:
+        ax.legend(fontsize="x-small")
+    for ax in axes:
+        ax.set_xlabel(label)
+    for ax in axes[::2]:
+        ax.set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     key_below(figure, axes[0], 3)
     return figure
@@ -214,7 +234,7 @@ def fig14(heave_case: xr.Dataset) -> Figure:
 
 def fig15(heave: xr.Dataset) -> Figure:
     """Amplitude of the axial force over heave amplitude and period."""
-    figure, axes = panels(1, 2, 3.8, sharey=True)
+    figure, axes = panels(1, 3, 3.8)
     kinds = {"gas law": "axial_force_amplitude", "linear": "axial_force_amplitude_linear"}
     periods = [p for p in (5.0, 15.0, 30.0) if p in heave["heave_period"]]
     for model, name in kinds.items():
@@ -249,6 +269,13 @@ def fig15(heave: xr.Dataset) -> Figure:
     axes[1].set_xlabel(PERIOD)
     axes[1].margins(x=0.1)
     axes[1].set_title("heave amplitudes; dashed: linear", loc="right", fontsize="small")
+    for colour, amplitude in zip(COLOURS, heave["heave_amplitude"].values, strict=False):
+        change = 100.0 * heave["settling"].sel(heave_amplitude=amplitude)
+        axes[2].plot(change["heave_period"], change, color=colour, label=f"{amplitude:g} m")
+    axes[2].set_yscale("log")
+    axes[2].set_xlabel(PERIOD)
+    axes[2].set_ylabel("change of the amplitude in the last period (%)")
+    axes[2].legend(fontsize="small", ncols=2)
     return figure
 
 

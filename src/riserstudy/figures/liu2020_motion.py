@@ -182,6 +182,22 @@ def _by_motion(values: xr.DataArray, label: str) -> Figure:
     return figure
 
 
+def waves(waves: xr.Dataset) -> Figure:
+    """Stress amplitude with waves on the riser and without."""
+    figure, (ax,) = panels(height=3.8)
+    stress = waves["stress_amplitude"] / 1e6
+    lines = ("-", "--", "-.", ":")
+    for colour, line, reading in zip(COLOURS, lines, stress["waves"].values, strict=False):
+        curve = stress.sel(waves=reading)
+        label = reading if "alone" in reading else f"on the riser too, {reading}"
+        ax.plot(curve["wave_period"], curve, line, color=colour, label=label)
+    ax.set_xlabel(WAVE)
+    ax.set_ylabel("stress amplitude (MPa)")
+    ax.set_title("surge, heave and pitch at once", loc="right", fontsize="small")
+    key_below(figure, ax, 2)
+    return figure
+
+
 def sea(storm: xr.Dataset) -> Figure:
     """Histories and spectra of three hours."""
     figure, axes = panels(3, 2, 2.3)

@@ -214,6 +214,27 @@ def baselines(readings: xr.Dataset, surge: xr.Dataset) -> dict[str, Any]:
     return {"shares": "; ".join(told), "both": " and ".join(both) or "none"}
 
 
+def waves_on_the_riser(waves: xr.Dataset) -> dict[str, Any]:
+    """Stress amplitude with waves on the riser too over that by the platform's motion alone.
+
+    Named are the least and the most over wave periods with their periods (s), and the most by which what
+    waves do above the mean level tells readings apart (%).
+    """
+    stress = waves["stress_amplitude"]
+    alone = "on the platform alone"
+    readings = stress.drop_sel(waves=alone)
+    ratio = stress.sel(waves="stretched to the surface") / stress.sel(waves=alone)
+    period = ratio["wave_period"].values
+    apart = readings.max("waves") / readings.min("waves") - 1.0
+    return {
+        "least": float(ratio.min()),
+        "least_at": period[ratio.values.argmin()],
+        "most": float(ratio.max()),
+        "most_at": period[ratio.values.argmax()],
+        "above": 100.0 * float(apart.max()),
+    }
+
+
 def stresses(roll: xr.Dataset) -> dict[str, Any]:
     """Stress of the printed moment in both readings (MPa)."""
     outer, inner = 21.0 * INCH, 19.0 * INCH

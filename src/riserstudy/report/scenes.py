@@ -71,7 +71,8 @@ def _values(
     plain = "published" if tree.get("paper") else "given"
     study = file.studies[name]
     written = flat(read_scene(config / study.scene).tree)
-    varied = {axis.path: label for label, axis in study.axes.items() if isinstance(axis, Numbers)}
+    numbers = {label: axis for label, axis in study.axes.items() if isinstance(axis, Numbers)}
+    varied = {path: label for label, axis in numbers.items() for path in axis.paths}
     values = {}
     for path, value in flat(tree).items():
         if path in ("title", "paper", "note"):
