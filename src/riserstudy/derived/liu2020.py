@@ -107,9 +107,9 @@ def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
     for place, scene in scenes_of(check_open):
         beam = beamlike(scene)
         at = np.linspace(0.0, beam.length, 201)
-        ours = check_open["x_static"].sel(place).dropna("s_node")
+        ours = check_open["x"].sel(place).dropna("s")
         curves = [
-            ours.interp(s_node=at, method="cubic").values,
+            ours.interp(s=at, method="cubic").values,
             by_hermite_elements(beam, at),
             by_collocation(beam, at),
         ]
