@@ -244,8 +244,10 @@ def of_two_readings(heavy, light, moment):
 
 
 def test_a_distance_that_grows_with_the_square_of_the_speed_has_the_power_of_two():
-    speeds = {"0 deg": 1.5, "45 deg": 0.75, "90 deg": -1.0, "135 deg": -2.75, "180 deg": -3.5}
-    x = np.zeros((5, 2, 2))
+    speeds = {"90 deg": -1.0}
+    for angle, speed in ((0, 1.5), (45, 0.75), (135, -2.75), (180, -3.5)):
+        speeds |= {f"{angle} deg, 2.5 m/s": speed, f"{angle} deg, 3 m/s": 10.0}
+    x = np.zeros((len(speeds), 2, 2))
     x[:, 1, 0] = [-(speed**2) for speed in speeds.values()]
     coords = {"track": list(speeds), "time": [0.0, 130.0], "s": [0.0, 1.0]}
     runs = xr.Dataset({"x": (("track", "time", "s"), x)}, coords)
@@ -302,8 +304,9 @@ def little(name, model):
 def datasets():
     made = {}
     for name, model in FILE.studies.items():
-        # errata tell every flow
-        readings = FEW | {"flow": FILE.readings["flow"]} if name == "readings" else FEW
+        readings = FEW | {"track": FILE.readings["track"]}
+        if name == "readings":  # errata tell every flow
+            readings |= {"flow": FILE.readings["flow"]}
         study = Study(PAPER, name, little(name, model), CONFIG, "preview", "5 %", readings)
         made[name] = dataset_of(study, results_of(study, 1, lambda text: None)[0])
     for name, how in FILE.derived.items():

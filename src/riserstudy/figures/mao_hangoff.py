@@ -43,6 +43,7 @@ START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
 DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
 #: printed values; config/published/mao_hangoff.yaml, N1 to N3
 X_HEAVY, X_LIGHT, LARGEST = 58.2, 62.7, 52.0
+ONE_PROFILE = ("0 deg, 2.5 m/s", "45 deg, 2.5 m/s", "90 deg")  # tracks of Fig 13
 MARKS = ("o", "s", "^", "D", "v", "P")
 
 
@@ -167,7 +168,7 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     shapes = displacement(track_one_profile).sel(time=STATED)
     moments = abs(track_one_profile["bending_moment"].sel(time=STATED)) / 1e3
     z = track_one_profile["z"].isel(s=0)
-    for colour, track in zip(COLOURS, ("0 deg", "45 deg", "90 deg"), strict=False):
+    for colour, track in zip(COLOURS, ONE_PROFILE, strict=False):
         depth = float(shapes["s"][-1]) - shapes["s"]
         axes[0].plot(-shapes.sel(track=track), depth, "--", color=colour)
         axes[1].plot(moments.sel(track=track), depth, "--", color=colour)

@@ -206,10 +206,15 @@ def _by_option(hits: xr.DataArray, about: xr.Dataset, names: list[str], word: st
 
 
 def _band(hits: xr.DataArray) -> str:
-    """95 % confidence band of a share of many samples, by Wilson; too wide for evenly spread ones."""
-    if "sample" not in hits.dims or hits.size < MANY:
+    """95 % confidence band of a share of many samples, by Wilson; too wide for evenly spread ones.
+
+    All cells of a sample count as one draw.
+    """
+    count = hits.sizes.get("sample", 0)
+    if count < MANY:
         return ""
-    band = binomtest(int(hits.sum()), hits.size).proportion_ci(method="wilson")
+    true = round(float(hits.mean()) * count)
+    band = binomtest(true, count).proportion_ci(method="wilson")
     return f", {100 * band.low:.0f} to {100 * band.high:.0f} %"
 
 

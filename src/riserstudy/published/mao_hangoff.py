@@ -206,22 +206,22 @@ def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float) -> F
     return Found(last_over_first(x, axis), true)
 
 
-def other_way_at_90_degrees(runs: xr.Dataset, axis: str) -> Found:
+def other_way_at_90_degrees(runs: xr.Dataset) -> Found:
     """At 90 deg the LMRP is on another side than at 0 and 45 deg; value: place at 90 over that at 0 deg."""
     place = displacement(runs).sel(time=STATED, drop=True).isel(s=0, drop=True)
-    at0, at45, at90 = (at_angle(place, axis, angle) for angle in (0, 45, 90))
+    at0, at45, at90 = (at_angle(place, angle) for angle in (0, 45, 90))
     return Found(at90 / at0, (at0 * at45 > 0) & (at0 * at90 < 0))
 
 
-def falls_with_angle(runs: xr.Dataset, axis: str, considerably: float) -> Found:
+def falls_with_angle(runs: xr.Dataset, considerably: float) -> Found:
     """Distance x falls from 0 over 45 to 90 deg, 0 deg considerably largest; value: x at 90 over 0 deg."""
     x = distance(runs)
-    at0, at45, at90 = (at_angle(x, axis, angle) for angle in (0, 45, 90))
+    at0, at45, at90 = (at_angle(x, angle) for angle in (0, 45, 90))
     return Found(at90 / at0, (at0 >= considerably * at45) & (at45 > at90))
 
 
-def grows_beyond_90_degrees(runs: xr.Dataset, axis: str) -> Found:
+def grows_beyond_90_degrees(runs: xr.Dataset) -> Found:
     """Distance x grows from 90 over 135 to 180 deg; value: x at 180 over 90 deg."""
     x = distance(runs)
-    at90, at135, at180 = (at_angle(x, axis, angle) for angle in (90, 135, 180))
+    at90, at135, at180 = (at_angle(x, angle) for angle in (90, 135, 180))
     return Found(at180 / at90, (at135 > at90) & (at180 > at135))

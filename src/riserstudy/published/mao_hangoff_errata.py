@@ -21,6 +21,7 @@ from riserstudy.quantities.towed import at_top
 from riserstudy.scene.origin import unwrap
 from riserstudy.scene.units import to_si
 
+CURRENT = 2.5  # m/s, of tracks that are told
 NAMED = 5  # readings told by name, the nearest of them
 
 
@@ -104,16 +105,20 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
 
 
 def tracks(runs: xr.Dataset) -> dict[str, Any]:
-    """Distance x (m) at five angles of the track."""
+    """Distance x (m) at five angles of the track, in a current of 2.5 m/s."""
     x = distance(runs)
-    return {f"x{angle}": float(at_angle(x, "track", angle)) for angle in (0, 45, 90, 135, 180)}
+    return {f"x{angle}": float(_in_current(at_angle(x, angle))) for angle in (0, 45, 90, 135, 180)}
+
+
+def _in_current(values: xr.DataArray) -> xr.DataArray:
+    return values.sel(track_current=CURRENT) if "track_current" in values.dims else values
 
 
 def load_power(runs: xr.Dataset) -> dict[str, Any]:
     """Power of the speed with which x grows, from tracks at 0 and 180 deg with both speeds in one profile."""
     x, sets = tracks(runs), unwrap(json.loads(runs["track"].attrs["sets"]))[0]
     slow, fast = (
-        abs(to_si(sets[f"{angle} deg"]["current.profile.surface_speed"], "m/s"))
+        abs(to_si(sets[f"{angle} deg, {CURRENT:g} m/s"]["current.profile.surface_speed"], "m/s"))
         for angle in (0, 180)
     )
     ratio = x["x180"] / x["x0"]

@@ -40,10 +40,17 @@ def last_over_first(values: xr.DataArray, axis: str) -> xr.DataArray:
     return values.isel({axis: -1}, drop=True) / values.isel({axis: 0}, drop=True)
 
 
-def at_angle(values: xr.DataArray, axis: str, angle: float) -> xr.DataArray:
-    """Values at an angle of the track (deg), which may be a label."""
-    label = f"{angle:g} deg" if axis == "track" else angle
-    return values.sel({axis: label}, drop=True)
+def at_angle(runs: xr.DataArray, angle: float) -> xr.DataArray:
+    """Values at an angle of the track (deg), over the speed of the current (m/s)."""
+    found = {}
+    for label in runs["track"].values:
+        degrees, _, speed = str(label).partition(" deg, ")
+        if degrees == f"{angle:g}":
+            found[float(speed.split()[0])] = runs.sel(track=label, drop=True)
+    if not found:  # across the current its speed does not count
+        return runs.sel(track=f"{angle:g} deg", drop=True)
+    speeds = xr.DataArray(list(found), dims="track_current", name="track_current")
+    return xr.concat(found.values(), speeds)
 
 
 def misses_of_print(runs: xr.Dataset, heavy: float, light: float, moment: float) -> xr.Dataset:
