@@ -55,8 +55,8 @@ def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
         tension, slope = linear_law(rig, gravity)
         why = "top.tensioners.linearised" if rig.any_gas else "top.tensioners.linear"
         yield Effect("linear tensioner", LinearSpring(tension * each, slope * each), why)
-    if rig.damping:
-        record = CylinderDamping(rig.damping * each)
+    if rig.damper:
+        record = CylinderDamping(rig.damper * each)
         yield Effect("tensioner damping", record, "top.tensioners.damping")
     if rig.stroke:
         stop = rig.stroke

@@ -132,9 +132,8 @@ REFUSED = {
     "a weight carried where it stands": (
         CHANG, "top.tensioners", {**RIG, "carried": {"doubles_over": "100 m"}}, "", "hold: free",
     ),
-    "damping of carried weight told twice": (
-        CHANG, "top.tensioners", {**RIG, "carried": {"doubles_over": "9 m"}, "damping": "1 N*s/m"},
-        "top.tensioners", "leave out damping",
+    "a ratio of damping without a weight": (
+        CHANG, "top.tensioners.damping", {"ratio": 0.1}, "top.tensioners", "damping.ratio needs carried",
     ),
     "both ends free": (HEAVE, "top", {"z": "free"}, "", "both ends are free"),
     "a top on no platform": (SURGE, "platform", None, "", "needs platform"),

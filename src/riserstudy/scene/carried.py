@@ -9,25 +9,25 @@ from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE, Strict
 
 
+class DampingRatio(Strict):
+    """Damping of cylinders that carry a weight, as a share of critical, the weight being one mass on them."""
+
+    ratio: Annotated[float, POSITIVE]
+
+    def damping(self, stiffness: float, mass: float) -> float:
+        """Damping (N s/m) of a mass (kg) on a stiffness (N/m)."""
+        return 2.0 * self.ratio * math.sqrt(stiffness * mass)
+
+
 class Carried(Strict):
-    """Straight lines that carry all that hangs on them, in place of ``linear`` and ``damping``.
+    """Straight lines that carry all that hangs on them, in place of ``linear``.
 
     At mid-stroke the working cylinders together pull the weight in water of riser, contents and bodies;
-    the pull would double over ``doubles_over`` of reach. ``damping_ratio`` is of critical, with all that
-    hangs as one mass on that stiffness. Absent damping_ratio: none.
+    the pull would double over ``doubles_over`` of reach.
     """
 
     doubles_over: Annotated[u.Length, POSITIVE]
-    damping_ratio: Annotated[float, POSITIVE] | None = None
 
-    def line(self, weight: float, mass: float) -> tuple[float, float, float | None]:
-        """Pull at mid-stroke (N), stiffness (N/m) and damping (N s/m) of all cylinders.
-
-        Parameters
-        ----------
-        weight, mass : of all that hangs (N, kg).
-        """
-        stiffness = weight / self.doubles_over
-        if self.damping_ratio is None:
-            return weight, stiffness, None
-        return weight, stiffness, 2.0 * self.damping_ratio * math.sqrt(stiffness * mass)
+    def stiffness(self, weight: float) -> float:
+        """Stiffness (N/m) of all cylinders under a weight (N)."""
+        return weight / self.doubles_over

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
-from riserstudy.scene.carried import Carried
+from riserstudy.scene.carried import Carried, DampingRatio
 
 
 class Gas(Strict):
@@ -127,7 +127,7 @@ class Tensioners(Strict):
     linear: Linear | None = None
     table: Annotated[list[TableRow], Field(min_length=2)] | None = None
     carried: Carried | None = None
-    damping: Annotated[u.Damping, NOT_NEGATIVE] | None = None
+    damping: Annotated[u.Damping, NOT_NEGATIVE] | DampingRatio | None = None
     stroke: Stroke | None = None
     arrangement: Arrangement | None = None
     failed: list[Annotated[int, Field(ge=0)]] | None = None
@@ -140,8 +140,8 @@ class Tensioners(Strict):
         laws = [self.gas, self.two_chamber_gas, self.linear, self.table, self.carried]
         if laws.count(None) != len(laws) - 1:
             raise ValueError("needs one of gas, two_chamber_gas, linear, table and carried")
-        if self.carried and self.damping is not None:
-            raise ValueError("carried tells its damping by damping_ratio: leave out damping")
+        if isinstance(self.damping, DampingRatio) and self.carried is None:
+            raise ValueError("damping.ratio needs carried; give N*s/m for other laws")
         if self.table:
             self._serves(self.table)
         if self.linearised and self.any_gas is None:
@@ -195,18 +195,21 @@ class Tensioners(Strict):
             )
 
     def carrying(self, weight: float, mass: float) -> Tensioners:
-        """These with the straight lines that a weight (N) and its mass (kg) stand for."""
+        """These with the straight lines and the damping that a weight (N) and its mass (kg) stand for."""
         if self.carried is None:
             return self
         share = 1.0 / sum(self.working)
-        pull, stiffness, damping = self.carried.line(weight, mass)
-        return self.model_copy(
-            update={
-                "carried": None,
-                "linear": Linear.model_construct(tension=share * pull, stiffness=share * stiffness),
-                "damping": None if damping is None else share * damping,
-            }
-        )
+        stiffness = self.carried.stiffness(weight)
+        line = Linear.model_construct(tension=share * weight, stiffness=share * stiffness)
+        damping = self.damping
+        if isinstance(damping, DampingRatio):
+            damping = share * damping.damping(stiffness, mass)
+        return self.model_copy(update={"carried": None, "linear": line, "damping": damping})
+
+    @property
+    def damper(self) -> float:
+        """Damping of one cylinder (N s/m), 0 without."""
+        return self.damping if isinstance(self.damping, float) else 0.0
 
     @property
     def working(self) -> list[float]:

@@ -132,7 +132,7 @@ def tensioner_text(rig: Tensioners) -> str:
         law = f"{amount(line.tension, 'N')} and {amount(line.stiffness, 'N/m')} each"
     failed = f"{len(rig.failed)} failed" if rig.failed else ""
     made_linear = "made linear" if rig.linearised else ""
-    damped = f"damper {amount(rig.damping, 'N s/m')}" if rig.damping else ""
+    damped = f"damper {amount(rig.damper, 'N s/m')}" if rig.damper else ""
     stops = (
         f"stops at {rig.stroke.shortest:.3g} and {rig.stroke.longest:+.3g} m" if rig.stroke else ""
     )
