@@ -33,6 +33,11 @@ def run(gain, nodes):
     return Result(arrays, FACTS)
 
 
+def test_numbers_are_put_at_every_path_of_their_axis():
+    axis = Numbers(path=["wave.period", "platform.heave.period"], unit="s", values=[9.0])
+    assert axis.overrides(9.0) == {"wave.period": "9.0 s", "platform.heave.period": "9.0 s"}
+
+
 @pytest.mark.parametrize("nodes", [(9, 9, 9, 9), (9, 5, 9, 5), (5, 9, 17, 9)])
 def test_every_run_stands_at_its_place_on_the_finest_mesh(nodes):
     runs = [run(gain, count) for gain, count in zip(GAINS.ravel(), nodes, strict=True)]

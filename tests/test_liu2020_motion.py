@@ -1,13 +1,18 @@
 """What is derived and graded in the chapter on Liu et al. 2020."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.derived.liu2020_motion import lag_at, storm
+from riserstudy import load_scene
+from riserstudy.derived import liu2020_motion
+from riserstudy.derived.liu2020_motion import lag_at, rao_readings, section, storm
 from riserstudy.names import attributes, density
-from riserstudy.published.liu2020 import WITHOUT, baselines
+from riserstudy.published.liu2020 import WITHOUT, baselines, waves_on_the_riser
 
+SYSTEM = Path(__file__).parents[1] / "config/scenes/liu2020/system.yaml"
 DEPTHS = (100.0, 200.0, 300.0, 400.0)
 
 
@@ -63,6 +68,61 @@ def test_a_spectral_density_is_the_square_over_hertz(unit, squared):
 
 def test_names_that_only_end_alike_are_not_taken_for_statistics():
     assert attributes("nothing_spectrum") == {}
+
+
+def test_the_stress_of_a_sample_is_that_of_the_last_wave_of_its_own_period(monkeypatch):
+    """Bending of a known swing beside it, whose record begins with a jump before the last wave."""
+    time = np.arange(0.0, 30.01, 0.25)
+    periods, sizes = np.array([6.0, 25.0]), {"surge": 4e3, "pitch": 1e3}
+    moment = np.stack(
+        [
+            [size * np.cos(2.0 * np.pi / period * time) for size in sizes.values()]
+            for period in periods
+        ]
+    )
+    moment[:, :, 0] = 1e6
+    s = [0.0, 533.0, 545.0]
+    along = np.array(
+        [0.5, 1.0, 7.0]
+    )  # above the ring stands the joint, whose stress does not count
+    dims = ("sample", "motion", "time", "s")
+    runs = xr.Dataset(
+        {
+            "bending_moment": (dims, moment[..., None] * along),
+            "effective_tension": (dims, np.full((2, 2, len(time), 3), 2e6)),
+            "assumed_platform_response_wave_period": ("sample", [f"{p} s" for p in periods]),
+            "point_key": (("sample", "motion"), np.zeros((2, 2))),
+        },
+        {"sample": [0, 1], "motion": list(sizes), "time": time, "s": s},
+    )
+    scene = load_scene(SYSTEM).scene()
+    monkeypatch.setattr(liu2020_motion, "scenes_of", lambda _: iter([({}, scene)]))
+    found = rao_readings(runs)
+    modulus = section(scene)[1]
+    for motion, size in sizes.items():
+        swing = found["stress_amplitude"].sel(motion=motion)
+        # a quarter of a second of 6 s misses 1 % of the lowest
+        np.testing.assert_allclose(swing, size / modulus, rtol=0.01)
+    np.testing.assert_allclose(found["stress_share"].sel(motion="surge"), 0.8, rtol=1e-9)
+
+
+def test_what_waves_add_on_the_riser_is_told_over_the_platform_alone():
+    stress = xr.DataArray(
+        [[2.0, 4.0], [6.0, 2.0], [6.0, 2.0], [6.3, 2.0]],
+        {
+            "waves": [
+                "on the platform alone",
+                "none above the mean level",
+                "constant above the mean level",
+                "stretched to the surface",
+            ],
+            "wave_period": [6.0, 20.0],
+        },
+    )
+    told = waves_on_the_riser(stress.to_dataset(name="stress_amplitude"))
+    assert told == pytest.approx(
+        {"least": 0.5, "least_at": 20.0, "most": 3.15, "most_at": 6.0, "above": 5.0}
+    )
 
 
 def readings(**true):

@@ -303,6 +303,23 @@ def test_a_claim_is_graded_over_its_samples_and_tells_the_base_case():
     assert beside.note.endswith("Base case: 2, true. Settled: 3, true.")
 
 
+def test_a_case_of_many_cells_is_told_by_its_range_its_share_and_what_decides():
+    levers = ["in", "in", "out", "out"] * 4
+    space = dataset([2.0, 2.01, 5.0, 7.0] * 4).merge(samples(lever=levers))
+    tuned = {"base": dataset(2.0, **{"top.tension": "calibrated"}), "space": space}
+    found = number_row(tuned, beside={"Nothing tuned": {"runs": "space"}})
+    assert found.verdict == "calibrated"
+    told = "Nothing tuned: 2 to 7, met in 8 of 16 samples (50 %), decided by lever."
+    assert found.note == told
+
+
+def test_a_case_of_many_cells_is_told_at_the_base():
+    space = dataset([2.0, 5.0]).rename(sample="reading").assign_coords(reading=["a", "b"])
+    both = {"base": space, "space": space}
+    found = number_row(both, base={"reading": "a"}, beside={"Again": {"runs": "space"}})
+    assert found.note.endswith("Again: 2, met.")
+
+
 def test_a_claim_that_an_option_decides_tells_the_share_under_each():
     models = np.array(["with", "without"] * 8)
     space = dataset(np.where(models == "with", 2.0, 0.0)).merge(samples(model=models))

@@ -267,14 +267,15 @@ def fig15(heave: xr.Dataset) -> Figure:
     axes[0].set_ylabel("amplitude of the axial force (kN)")
     axes[0].legend(fontsize="small")
     axes[1].set_xlabel(PERIOD)
-    axes[1].margins(x=0.1)
+    axes[1].margins(x=0.16)
     axes[1].set_title("heave amplitudes; dashed: linear", loc="right", fontsize="small")
     for colour, amplitude in zip(COLOURS, heave["heave_amplitude"].values, strict=False):
         change = 100.0 * heave["settling"].sel(heave_amplitude=amplitude)
         axes[2].plot(change["heave_period"], change, color=colour, label=f"{amplitude:g} m")
     axes[2].set_yscale("log")
     axes[2].set_xlabel(PERIOD)
-    axes[2].set_ylabel("change of the amplitude in the last period (%)")
+    axes[2].set_ylabel("change in the last period (%)")
+    axes[2].set_title("how settled, by heave amplitude", loc="right", fontsize="small")
     axes[2].legend(fontsize="small", ncols=2)
     return figure
 
