@@ -37,7 +37,7 @@ def effects(study: EffectsStudy, studies: list[Study], tier: Tier, compiled: Pat
     free: dict[str, Freedom] = {}
     for name, file in bases(studies, tier):
         try:
-            one = found[name] = ablate(file, repeats, study.budget)
+            one = found[name] = ablate(file, repeats, study.budget[tier])
             scene = one.file.scene()
             if scene.analysis.solver is None:
                 free[name] = freedom(scene, settle(scene, one.mesh)[0])

@@ -90,7 +90,7 @@ class EffectsStudy(EngineStudy):
     """
 
     repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
-    budget: Positive
+    budget: dict[Tiers, Positive]
 
 
 class Ladder(Strict):
