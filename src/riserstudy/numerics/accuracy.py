@@ -76,7 +76,7 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
                         value[f"error_{q}"][at] = error
                     for cost in COSTS:
                         value[cost][at] = one.result.facts.get(cost, np.nan)
-        asked += [spent(file, name, share, best) for share in study.asked[tier]]
+        asked += [spent(file, name, share, best, study.patience) for share in study.asked[tier]]
     dims = ("scene", "method", "mesh_level", "step_level")
     data: dict[str, Any] = {
         name: (dims, array.astype(str) if array.dtype == object else array)
@@ -148,14 +148,16 @@ def timed(one: Callable[[], Attempt], repeats: int) -> Attempt:
     return tried
 
 
-def spent(file: SceneFile, name: str, share: float, best: Reference) -> dict[str, Any]:
-    """What asking for an accuracy came to, for a scene."""
+def spent(
+    file: SceneFile, name: str, share: float, best: Reference, patience: float
+) -> dict[str, Any]:
+    """What asking for an accuracy came to, for a scene, within so many seconds."""
     scene = whole(file.with_values({"analysis.accuracy": f"{100 * share!r} %"}, WHERE).scene())
-    attempt(lambda: run(scene))  # warms up
-    tried = attempt(lambda: run(scene))
+    attempt(lambda: run(scene, 0.0))  # warms up
+    tried = attempt(lambda: run(scene, patience))
     row: dict[str, Any] = {"request_scene": name, "requested": share, "request_seconds": np.nan}
     row |= {f"{kind}_{q}": np.nan for kind in ("estimated", "reached") for q in QUANTITIES}
-    row |= {"request_elements": 0, "request_step": np.nan}
+    row |= {"request_elements": 0, "request_step": np.nan, "request_message": tried.message}
     if tried.result is None:
         return row
     facts = tried.result.facts

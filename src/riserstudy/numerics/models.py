@@ -110,9 +110,11 @@ class Ladder(Strict):
 class AccuracyStudy(EngineStudy):
     """Error against time, every method on every rung of a scene's ladder, and accuracy asked for.
 
-    ``budget``: node-steps that a run may take; more are left out.
+    ``budget``: node-steps that a run may take; more are left out. ``patience``: seconds that a request for an
+    accuracy may take; one beyond it is a row that says so.
     """
 
+    patience: Positive
     repeats: Annotated[int, Field(ge=1)]
     budget: Positive
     asked: dict[Literal["preview", "standard", "reference"], list[float]]
