@@ -5,12 +5,11 @@ They are part of the package, so that a checkout and a folder of one's own run t
 
 from __future__ import annotations
 
+import atexit
 import os
 import subprocess
 import sys
 from pathlib import Path
-
-_servers: list[subprocess.Popen[bytes]] = []
 
 
 def start_server(compiled: str) -> None:
@@ -23,5 +22,5 @@ def start_server(compiled: str) -> None:
     with log_file.open("wb") as log:
         command = [sys.executable, "-m", "riserstudy.jobs.server", str(address), compiled]
         server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=log, stderr=log)
-    _servers.append(server)
+    atexit.register(server.communicate)  # which closes its input and waits for it
     os.environ["RISERSTUDY_JOBS"] = str(address)

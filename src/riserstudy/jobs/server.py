@@ -21,6 +21,7 @@ import traceback
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
+from types import FrameType
 from typing import NoReturn
 
 # What jobs import first thing, and in the midst of their work. Not the jobs' own modules: those are run.
@@ -43,7 +44,7 @@ MANY = 8  # jobs, from which on it pays to load kernels that may not be asked fo
 def serve(address: Path, compiled: Path) -> None:
     """Fork a job for everyone who asks, until standard input ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the jobs and for Snakemake
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the system buries the dead
+    signal.signal(signal.SIGCHLD, bury)
     address.unlink(missing_ok=True)
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(str(address))
@@ -67,6 +68,13 @@ def serve(address: Path, compiled: Path) -> None:
                     listener.close()
                     be(asker)
     address.unlink(missing_ok=True)
+
+
+def bury(_signal: int, _frame: FrameType | None) -> None:
+    """Take note of jobs that ended: their time counts as the server's."""
+    with suppress(ChildProcessError):
+        while os.waitpid(-1, os.WNOHANG)[0]:
+            pass
 
 
 def kernel_groups() -> list[str]:
