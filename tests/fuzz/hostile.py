@@ -25,9 +25,10 @@ SHORT = {
 NOWHERE = "absent/out.nc"
 OUT = "out.nc"
 TABLES = {
-    "current.profile": "elevation (m), speed (m/s)\n0, 0\n200, 0.5\n400, 1\n533, 1.2\n",
+    "current.profile": "depth (m), speed (m/s)\n0, 1.2\n133, 1\n333, 0.5\n533, 0\n",
     "platform.heave": "time (s), value (m)\n" + "".join(f"{t}, {t % 3 - 1}\n" for t in range(12)),
-    "platform.response": "period (s), surge (m/m), surge_phase (deg)\n5, 0.1, 90\n10, 0.5, 80\n30, 1, 90\n",
+    "platform.response": "frequency (Hz), heading (deg), surge (m/m), surge_phase (deg)\n"
+    "0.03, 180, 1, 90\n0.1, 180, 0.5, 80\n0.2, 180, 0.1, 90\n",
 }
 WORDS = (
     *(Path(__file__).with_name("words.txt").read_text("unicode_escape").splitlines()),
@@ -61,7 +62,7 @@ def table(rng, folder):
     }
     if place == "platform.response":
         wave = "{height: 2 m, period: 9 s}"
-        value = f"{{operators: {value}, phases: lead, wave: {wave}}}"
+        value = f"{{operators: {value}, phases: lead, headings: from, wave: {wave}}}"
     settings |= {place: value, "analysis.duration": "2 s", "analysis.output": "{interval: 0.5 s}"}
     words = [word for path, text in settings.items() for word in ("--set", f"{path}={text}")]
     return ["run", "case.yaml", "-o", OUT if run else NOWHERE, *words]
