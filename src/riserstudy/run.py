@@ -127,9 +127,8 @@ def _refined(scene: Scene, patience: float) -> Result:
         else:
             way = max(ways, key=lambda w: _excess(error[w], target))
         if _spent(refinements) + 2.0 * finer.facts["solve_seconds"] > patience:
-            raise TakesTooLong(
-                f"takes longer than {patience:g} s; {_worst(total)} estimated by then"
-            )
+            by_then = f"{_worst(total)} estimated" if error else "nothing estimated"
+            raise TakesTooLong(f"takes longer than {patience:g} s; {by_then} by then")
         mesh = mesh.halved() if way == "mesh" else mesh
         step = 0.5 * step if step and way == "step" else step
     else:

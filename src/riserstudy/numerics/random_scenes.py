@@ -98,6 +98,7 @@ def judge(one: Drawn, patience: float) -> None:
     A request that takes more than ``patience`` (s) is not judged: its true error would take far longer.
     """
     scene = whole(one.file.scene())
+    attempt(lambda: run(scene, 0.0))  # loads its kernels, which is not the request's time
     tried = attempt(lambda: run(scene, patience))
     if tried.result is None:
         late = f"{NOT_JUDGED}: " if tried.refused is Outcome.TOO_LONG else ""
