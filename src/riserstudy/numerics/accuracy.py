@@ -67,7 +67,7 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
         for j, method in enumerate(methods.values()):
             for k in range(len(ladder.elements)):
                 for m in range(most[1]):
-                    one = rung(file, method, ladder, (k, m), study)
+                    one = rung(file, method, ladder, (k, m), study.budget, study.repeats[tier])
                     at = (i, j, k, m)
                     value["message"][at] = one.message
                     if one.result is None:
@@ -99,7 +99,12 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
 
 
 def rung(
-    file: SceneFile, method: Method, ladder: Ladder, at: tuple[int, int], study: AccuracyStudy
+    file: SceneFile,
+    method: Method,
+    ladder: Ladder,
+    at: tuple[int, int],
+    budget: float,
+    repeats: int,
 ) -> Attempt:
     """One rung, timed several times; explicit steps are shares of the predicted stable one."""
     k, m = at
@@ -114,7 +119,7 @@ def rung(
             return Attempt(None, None, "one step alone", 0.0)
         limit = attempt_limit(own, mesh)
         step = 0.9 * limit if limit else step
-    return timed(lambda: once(own, mesh, step, method, study.budget), study.repeats)
+    return timed(lambda: once(own, mesh, step, method, budget), repeats)
 
 
 def once(scene: Scene, mesh: Mesh, step: float, method: Method, budget: float) -> Attempt:

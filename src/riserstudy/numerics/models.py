@@ -115,7 +115,7 @@ class AccuracyStudy(EngineStudy):
     """
 
     patience: Positive
-    repeats: Annotated[int, Field(ge=1)]
+    repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
     budget: Positive
     asked: dict[Literal["preview", "standard", "reference"], list[float]]
     methods: dict[str, Method]
