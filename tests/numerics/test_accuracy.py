@@ -22,7 +22,7 @@ def surge():
     ladder = ladder.model_copy(
         update={"set": ladder.set | SHORT, "elements": [16, 32], "steps": [0.4, 0.2, 0.1]}
     )
-    few = {"scenes": {"S2c": ladder}, "repeats": 1, "asked": {"standard": [0.05]}}
+    few = {"scenes": {"S2c": ladder}, "repeats": {"standard": 1}, "asked": {"standard": [0.05]}}
     return accuracy(STUDY.model_copy(update=few), CONFIG, "standard")
 
 
