@@ -4,8 +4,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 
-from riserstudy.gather import dataset_of
+from riserstudy.gather import dataset_of, write_dataset
 from riserstudy.result import Result
 from riserstudy.study import Numbers, Study, StudyModel
 
@@ -49,3 +50,14 @@ def test_every_run_stands_at_its_place_on_the_finest_mesh(nodes):
     np.testing.assert_allclose(dataset["x"].values, expected, rtol=1e-12, atol=1e-9)
     np.testing.assert_allclose(dataset["x_max"].values, expected[:, :, -1], rtol=1e-12, atol=1e-9)
     assert dataset["elements"].shape == GAINS.shape
+
+
+def test_a_file_keeps_ten_digits_of_large_arrays_and_all_of_small_ones(tmp_path):
+    rng = np.random.default_rng(3)
+    large = rng.standard_normal(2000) * 10.0 ** rng.integers(-9, 9, 2000)
+    dataset = xr.Dataset({"large": ("n", large), "small": ("k", large[:100])})
+    write_dataset(dataset, tmp_path / "a.nc")
+    found = xr.load_dataset(tmp_path / "a.nc")
+    np.testing.assert_allclose(found["large"], large, rtol=1e-9)
+    np.testing.assert_array_equal(found["small"], large[:100])
+    assert (found["large"] != large).any()
