@@ -21,7 +21,7 @@ def tiers(tiers: xr.Dataset) -> Figure:
         of = tiers.sel(scene=scene)
         style: dict[str, Any] = {
             "color": COLOURS[k % len(COLOURS)],
-            "marker": "os^Dv<>"[k % 7],
+            "marker": "os^Dv<>"[(k + k // len(COLOURS)) % 7],
             "markersize": 5,
         }
         left.plot(at, of["wall_seconds"], label=str(scene), **style)
