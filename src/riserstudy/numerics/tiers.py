@@ -42,7 +42,7 @@ def tiers(study: TiersStudy, config: Path, tier: Tier) -> xr.Dataset:
     message = np.full(shape, "", object)
     for i, (name, case) in enumerate(scenes.items()):
         file = case_file(config, name, case)
-        once(file, study.accuracies[names[0]], 1.0)  # loads its kernels
+        once(file, study.accuracies[names[0]], 0.0)  # loads its kernels
         for k, of in enumerate(names):
             tried = once(file, study.accuracies[of], study.patience[tier])
             message[i, k] = tried.message
