@@ -118,13 +118,14 @@ def components(sea: Storm) -> tuple[FloatArray, FloatArray]:
 
 
 def jonswap(w: FloatArray, peak: float, enhancement: float) -> FloatArray:
-    """JONSWAP spectrum over circular frequency, without its scale.
+    """JONSWAP spectrum over circular frequency, up to its scale.
 
     References
     ----------
     Hasselmann et al. 1973, Measurements of wind-wave growth and swell decay during the Joint North Sea
     Wave Project, Deutsche Hydrographische Zeitschrift A8(12), equation 2.4.1.
     """
-    width = np.where(w <= peak, 0.07, 0.09)
-    bump = np.exp(-0.5 * ((w - peak) / (width * peak)) ** 2)
-    return np.asarray(w**-5.0 * np.exp(-1.25 * (peak / w) ** 4) * enhancement**bump)
+    # Brings dask with it, half a second to import: a scene without a sea does not wait for it.
+    from wavespectra.construct.frequency import jonswap as spectrum
+
+    return np.asarray(spectrum(w, peak, gamma=enhancement))
