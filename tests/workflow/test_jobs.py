@@ -1,9 +1,12 @@
 """Jobs as forks of a process that has everything loaded."""
 
 import os
+import select
+import socket
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import psutil
 import pytest
@@ -12,16 +15,34 @@ JOBS = (sys.executable, "-m", "riserstudy.jobs")
 JOIN = (*JOBS, "join_tables")
 
 
-@pytest.fixture
-def server(tmp_path):
+def listen(folder):
+    """A socket where jobs are asked for."""
+    listener = socket.socket(socket.AF_UNIX)
+    listener.bind(str(folder / ".jobs"))
+    listener.listen()
+    return listener
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
     """A server at work in a folder of its own."""
-    command = [*JOBS[:2], "riserstudy.jobs.server", ".jobs", "not compiled"]
-    with subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.PIPE) as process:
-        until(lambda: (tmp_path / ".jobs").exists())
-        yield process
-        process.stdin.close()
-        process.wait(20)
-        assert not (tmp_path / ".jobs").exists()
+    folder = tmp_path_factory.mktemp("jobs")
+    with listen(folder) as listener:
+        number = listener.fileno()
+        command = [*JOBS[:2], "riserstudy.jobs.server", str(number), "not compiled"]
+        pipe = subprocess.PIPE
+        process = subprocess.Popen(command, cwd=folder, stdin=pipe, pass_fds=[number])
+    yield process
+    process.communicate(timeout=20)
+
+
+@pytest.fixture
+def folder(server):
+    """The server's folder, with nothing in it."""
+    folder = Path(psutil.Process(server.pid).cwd())
+    for path in folder.glob("[!.]*"):
+        path.unlink()
+    return folder
 
 
 def until(happened):
@@ -49,38 +70,38 @@ def waiting_job(server, folder):
     return asker, psutil.Process(server.pid).children()[0]
 
 
-def test_a_fork_of_the_server_does_the_job(server, tmp_path):
-    asker, job = waiting_job(server, tmp_path)
+def test_a_fork_of_the_server_does_the_job(server, folder):
+    asker, job = waiting_job(server, folder)
     assert asker.poll() is None
-    (tmp_path / "source").write_text("a,b\n1,2\n")
+    (folder / "source").write_text("a,b\n1,2\n")
     assert asker.wait(20) == 0
-    assert (tmp_path / "joined").read_text() == "a,b\n1,2\n"
+    assert (folder / "joined").read_text() == "a,b\n1,2\n"
     until(lambda: not job.is_running())
 
 
-def test_what_a_job_says_and_its_exit_status_reach_the_asker(server, tmp_path):
-    (tmp_path / "one").write_text("a,b\n")
-    (tmp_path / "other").write_text("a,c\n")
-    with ask(tmp_path, *JOIN, "joined", "one", "other") as asker:
+def test_what_a_job_says_and_its_exit_status_reach_the_asker(folder):
+    (folder / "one").write_text("a,b\n")
+    (folder / "other").write_text("a,c\n")
+    with ask(folder, *JOIN, "joined", "one", "other") as asker:
         assert asker.stderr.read() == "joined: tables with different columns cannot be joined\n"
     assert asker.returncode == 1
-    with ask(tmp_path, *JOIN, "joined", "missing") as asker:
+    with ask(folder, *JOIN, "joined", "missing") as asker:
         assert "FileNotFoundError" in asker.stderr.read()
     assert asker.returncode == 1
-    with ask(tmp_path, *JOIN) as asker:
+    with ask(folder, *JOIN) as asker:
         assert "usage: " in asker.stderr.read()
     assert asker.returncode == 2
 
 
-def test_a_killed_job_is_told(server, tmp_path):
-    asker, job = waiting_job(server, tmp_path)
+def test_a_killed_job_is_told(server, folder):
+    asker, job = waiting_job(server, folder)
     job.kill()
     assert asker.wait(20) == 1
     assert "was killed" in asker.stderr.read()
 
 
-def test_a_job_ends_with_its_asker(server, tmp_path):
-    asker, job = waiting_job(server, tmp_path)
+def test_a_job_ends_with_its_asker(server, folder):
+    asker, job = waiting_job(server, folder)
     asker.kill()
     until(lambda: not job.is_running())
 
@@ -89,6 +110,17 @@ def test_a_job_without_a_server_runs_by_itself(tmp_path):
     (tmp_path / "one").write_text("a,b\n1,2\n")
     (tmp_path / ".jobs").write_text("left behind")
     with ask(tmp_path, *JOIN, "joined", "one") as asker:
+        assert asker.stderr.read() == ""
+    assert asker.returncode == 0
+    assert (tmp_path / "joined").exists()
+
+
+def test_a_job_that_no_server_took_runs_by_itself(tmp_path):
+    (tmp_path / "one").write_text("a,b\n1,2\n")
+    listener = listen(tmp_path)
+    with ask(tmp_path, *JOIN, "joined", "one") as asker:
+        until(lambda: select.select([listener], [], [], 0)[0])
+        listener.close()  # as when the server is killed
         assert asker.stderr.read() == ""
     assert asker.returncode == 0
     assert (tmp_path / "joined").exists()

@@ -7,9 +7,12 @@ from __future__ import annotations
 
 import atexit
 import os
+import socket
 import subprocess
 import sys
 from pathlib import Path
+
+TAKEN = b"+"  # what a job is told by the process that will do it
 
 
 def start_server(compiled: str) -> None:
@@ -18,9 +21,17 @@ def start_server(compiled: str) -> None:
     ``compiled`` is the file that tells that kernels are compiled.
     """
     address, log_file = Path(".snakemake/jobs"), Path("logs/server.log")
+    address.unlink(missing_ok=True)
     log_file.parent.mkdir(exist_ok=True)
-    with log_file.open("wb") as log:
-        command = [sys.executable, "-m", "riserstudy.jobs.server", str(address), compiled]
-        server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=log, stderr=log)
+    # Bound here, so that the first job finds it and waits, instead of loading everything once more.
+    with socket.socket(socket.AF_UNIX) as listener, log_file.open("wb") as log:
+        listener.bind(str(address))
+        listener.listen(128)
+        number = listener.fileno()
+        command = [sys.executable, "-m", "riserstudy.jobs.server", str(number), compiled]
+        server = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=log, stderr=log, pass_fds=[number]
+        )
+    atexit.register(address.unlink, missing_ok=True)
     atexit.register(server.communicate)  # which closes its input and waits for it
     os.environ["RISERSTUDY_JOBS"] = str(address)

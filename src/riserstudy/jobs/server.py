@@ -24,6 +24,8 @@ from pathlib import Path
 from types import FrameType
 from typing import NoReturn
 
+from riserstudy.jobs import TAKEN
+
 # What jobs import first thing, and in the midst of their work. Not the jobs' own modules: those are run.
 LOADED = (
     "matplotlib.backends.backend_agg",
@@ -41,33 +43,28 @@ LOADED = (
 MANY = 8  # jobs, from which on it pays to load kernels that may not be asked for
 
 
-def serve(address: Path, compiled: Path) -> None:
+def serve(listener: socket.socket, compiled: Path) -> None:
     """Fork a job for everyone who asks, until standard input ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the jobs and for Snakemake
     signal.signal(signal.SIGCHLD, bury)
-    address.unlink(missing_ok=True)
-    with socket.socket(socket.AF_UNIX) as listener:
-        listener.bind(str(address))
-        listener.listen(128)
-        for module in LOADED:
-            import_module(module)
-        gc.freeze()  # what a fork never touches stays shared
-        jobs, groups = 0, kernel_groups()
-        while True:
-            may_load = groups and jobs >= MANY and compiled.exists()
-            ready, _, _ = select.select([listener, sys.stdin], [], [], 0.0 if may_load else None)
-            if not ready:
-                load_kernels(groups.pop(0))
-                continue
-            if sys.stdin in ready:
-                break
-            asker, _ = listener.accept()
-            jobs += 1
-            with asker:
-                if os.fork() == 0:
-                    listener.close()
-                    be(asker)
-    address.unlink(missing_ok=True)
+    for module in LOADED:
+        import_module(module)
+    gc.freeze()  # what a fork never touches stays shared
+    jobs, groups = 0, kernel_groups()
+    while True:
+        may_load = groups and jobs >= MANY and compiled.exists()
+        ready, _, _ = select.select([listener, sys.stdin], [], [], 0.0 if may_load else None)
+        if not ready:
+            load_kernels(groups.pop(0))
+            continue
+        if sys.stdin in ready:
+            break
+        asker, _ = listener.accept()
+        jobs += 1
+        with asker:
+            if os.fork() == 0:
+                listener.close()
+                be(asker)
 
 
 def bury(_signal: int, _frame: FrameType | None) -> None:
@@ -105,6 +102,7 @@ def be(asker: socket.socket) -> NoReturn:
             os.close(stream)
         with asker.makefile("rb") as lines:
             asked = json.loads(lines.readline())
+        asker.sendall(TAKEN)
         threading.Thread(target=end_with, args=(asker,), daemon=True).start()
         os.environ.clear()
         os.environ.update(asked["environ"])
@@ -137,7 +135,7 @@ def end_with(asker: socket.socket) -> None:
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("address", type=Path, help="the socket it listens at")
+    parser.add_argument("listener", type=int, help="number of the socket that was passed on")
     parser.add_argument("compiled", type=Path, help="the file that tells that kernels are compiled")
     options = parser.parse_args()
-    serve(options.address, options.compiled)
+    serve(socket.socket(fileno=options.listener), options.compiled)
