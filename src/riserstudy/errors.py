@@ -38,6 +38,10 @@ class InputError(RiserStudyError):
         place = f"{shown(where)}: {shown(field)}" if field else shown(where)
         super().__init__(f"{place}: {shown(found)}; {shown(allowed)}")
 
+    def __reduce__(self) -> tuple[type[InputError], tuple[str, str, str, str]]:
+        """What another process is told."""
+        return type(self), (self.where, self.field, self.found, self.allowed)
+
 
 class SimulationError(RiserStudyError):
     """A simulation that cannot be completed: when, where, why, and what may help."""

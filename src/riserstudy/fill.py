@@ -6,17 +6,16 @@ What is made goes to the store and is let go, so memory does not grow with the n
 from __future__ import annotations
 
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 
 from riserstudy import store
 from riserstudy.errors import SimulationError
 from riserstudy.grid import Point
+from riserstudy.processes import each
 from riserstudy.sound import sound_kernels
 from riserstudy.study import Study
 
 
-@sound_kernels
-def fill(study: Study, points: Iterable[Point], threads: int) -> int:
+def fill(study: Study, points: Iterable[Point], processes: int) -> int:
     """Simulate those of some points that the store lacks, and count them.
 
     Raises
@@ -27,6 +26,7 @@ def fill(study: Study, points: Iterable[Point], threads: int) -> int:
     each_once = {point.key: point for point in points}
     missing = [point for key, point in each_once.items() if store.get(key, ()) is None]
 
+    @sound_kernels
     def one(point: Point) -> SimulationError | None:
         from riserstudy.run import run
 
@@ -38,8 +38,7 @@ def fill(study: Study, points: Iterable[Point], threads: int) -> int:
         store.put(point.key, result, file)
         return None
 
-    with ThreadPoolExecutor(max(1, threads)) as pool:
-        told = list(pool.map(one, missing))
+    told = each(one, missing, processes)
     failures = [(point, why) for point, why in zip(missing, told, strict=True) if why]
     if failures:
         point, first = failures[0]

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -32,11 +31,13 @@ from riserstudy.numerics.attempt import (
 )
 from riserstudy.numerics.models import Case, StabilityStudy
 from riserstudy.numerics.scenes import case_file, in_tier
+from riserstudy.processes import each
 from riserstudy.result import Result
 from riserstudy.run import run
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
+from riserstudy.sound import sound_kernels
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -233,11 +234,11 @@ def stability(study: StabilityStudy, config: Path, tier: Tier, threads: int) -> 
     """All cases, as a dataset over case, method and rung of the ladder."""
     cases = in_tier(study.cases, tier)
 
+    @sound_kernels
     def one(item: tuple[str, Case]) -> Told:
         return tell(study, item[1], case_file(config, *item), tier)
 
-    with ThreadPoolExecutor(max(1, threads)) as pool:
-        told = dict(zip(cases, pool.map(one, cases.items()), strict=True))
+    told = dict(zip(cases, each(one, list(cases.items()), threads), strict=True))
     return tabulated(study, cases, told, tier)
 
 

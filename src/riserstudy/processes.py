@@ -1,0 +1,67 @@
+"""Do a task for many items in several processes: threads would wait for each other's Python.
+
+Processes are forks: they have what is loaded, and take no items but by number. They end with the one
+that started them, however that ends.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing import get_context, parent_process
+from threading import Thread
+from typing import Any, TypeVar
+
+from riserstudy.errors import SimulationError
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+_work: tuple[Callable[[Any], Any], Sequence[Any]]
+
+
+def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator[R]:
+    """What a task returns for each item, in order.
+
+    The first item is done here: what it loads, the others need not load once each.
+
+    Raises
+    ------
+    SimulationError
+        When a process is killed.
+    """
+    yield from map(task, items[:1])
+    rest = items[1:]
+    count = min(processes, len(rest))
+    if count <= 1:
+        yield from map(task, rest)
+        return
+    with ProcessPoolExecutor(count, get_context("fork"), _begin, (task, rest)) as pool:
+        try:
+            yield from pool.map(_do, range(len(rest)))
+        except BrokenProcessPool:
+            raise SimulationError(
+                "a process was killed, by the system for want of memory perhaps; "
+                "run it again: what was done is kept"
+            ) from None
+
+
+def _begin(task: Callable[[Any], Any], items: Sequence[Any]) -> None:
+    global _work  # noqa: PLW0603  a process has one
+    _work = task, items
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the one that started this
+    Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _do(number: int) -> Any:
+    task, items = _work
+    return task(items[number])
+
+
+def _end_with_parent() -> None:
+    if parent := parent_process():
+        parent.join()
+    os._exit(1)
