@@ -27,7 +27,7 @@ FEW = 3  # stations between which no curve is drawn
 NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
 
 
-def results_of(study: Study, threads: int, tell: Callable[[str], None]) -> tuple[list[Result], int]:
+def results_of(study: Study, processes: int, tell: Callable[[str], None]) -> tuple[list[Result], int]:
     """Results of all points in order, and how many had to be simulated.
 
     Raises
@@ -38,7 +38,7 @@ def results_of(study: Study, threads: int, tell: Callable[[str], None]) -> tuple
     needed = _arrays_for(study.model.keep)
     kept = {point.key: store.get(point.key, needed) for point in study.plan}
     absent = [point for point in study.plan if kept[point.key] is None]
-    made = fill(study, absent, threads)
+    made = fill(study, absent, processes)
     kept |= {point.key: store.get(point.key, needed) for point in absent}
     tell(
         f"{study.paper}/{study.name}: {made} points simulated, "
