@@ -27,7 +27,9 @@ FEW = 3  # stations between which no curve is drawn
 NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
 
 
-def results_of(study: Study, processes: int, tell: Callable[[str], None]) -> tuple[list[Result], int]:
+def results_of(
+    study: Study, processes: int, tell: Callable[[str], None]
+) -> tuple[list[Result], int]:
     """Results of all points in order, and how many had to be simulated.
 
     Raises

@@ -50,7 +50,7 @@ def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator
 
 
 def _begin(task: Callable[[Any], Any], items: Sequence[Any]) -> None:
-    global _work  # noqa: PLW0603  a process has one
+    global _work
     _work = task, items
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the one that started this
     Thread(target=_end_with_parent, daemon=True).start()
