@@ -235,11 +235,11 @@ def test_consistency_of_surge_with_the_exact_rod_is_within_small_angle_error():
 
 def test_consistency_of_a_small_surge_with_the_exact_rod():
     """Without axial strain and with slopes of 1e-3 the exact rod has to be the small-angle one."""
-    amplitude, times = 0.02, 0.5 * np.arange(61)
+    amplitude, times = 0.02, 0.5 * np.arange(41)
     stiff = RISER._replace(axial_stiffness=1e13)
     rod = Rod(stiff, 80, hold=False, still=True)
     stations = np.linspace(0.0, 533.0, 42)
-    exact = rod.run(rod.straight(), 30.0, 0.05, 10, stations, amplitude=amplitude)
+    exact = rod.run(rod.straight(), 20.0, 0.05, 10, stations, amplitude=amplitude)
     moving = End(motion=lambda t: ramped_sine(t, amplitude, 15.0))
     found = dynamics(riser(328, top=moving), times, 0.00625)
     np.testing.assert_allclose(found.displacement[:, ::8], exact.x, atol=1e-5 * amplitude)

@@ -68,8 +68,11 @@ def locks_digest() -> str:
 
 
 def pip_install(*arguments: object) -> None:
-    """Install into the environment, silently unless it fails."""
-    quiet = ("-qq", "--no-input", "--disable-pip-version-check")
+    """Install into the environment, silently unless it fails.
+
+    Modules are compiled when they are first imported: most of them never are.
+    """
+    quiet = ("-qq", "--no-input", "--no-compile", "--disable-pip-version-check")
     run(VENV / "bin" / "python", "-m", "pip", "install", *quiet, *arguments)
 
 
