@@ -11,8 +11,10 @@ from riserstudy.derived import liu2020_motion
 from riserstudy.derived.liu2020_motion import lag_at, rao_readings, section, storm
 from riserstudy.names import attributes, density
 from riserstudy.published.liu2020 import WITHOUT, baselines, waves_on_the_riser
+from riserstudy.study import study
 
-SYSTEM = Path(__file__).parents[1] / "config/scenes/liu2020/system.yaml"
+CONFIG = Path(__file__).parents[1] / "config"
+SYSTEM = CONFIG / "scenes/liu2020/system.yaml"
 DEPTHS = (100.0, 200.0, 300.0, 400.0)
 
 
@@ -162,3 +164,15 @@ def test_which_claim_is_true_under_which_baseline_is_computed():
 
 def test_no_baseline_is_named_where_none_makes_both_true():
     assert baselines(*readings(Q2=(9, 10, 0), Q8=(10, 9, 10), Q9=(10, 10, 10)))["both"] == "none"
+
+
+@pytest.mark.parametrize("name", ["rao_open", "roll_open", "surge_open"])
+def test_what_is_left_open_keeps_the_riser_in_the_plane(name):
+    """In space moments are sizes, and half the swing of a size is not an amplitude."""
+    samples = study(CONFIG, "liu2020", name, "standard", None)
+    others = (0,) * (len(samples.axes) - 1)
+    assert len(samples.axes["sample"]) >= 256
+    spatial = {
+        samples.grid.file((k, *others)).scene().spatial for k in range(len(samples.axes["sample"]))
+    }
+    assert spatial == {""}

@@ -98,8 +98,13 @@ def _lag(x: xr.DataArray, period: str | float, along: str) -> xr.DataArray:
 
 
 def roll(roll_runs: xr.Dataset) -> xr.Dataset:
-    """Largest bending moment over (roll_amplitude, roll_period)."""
+    """Largest bending moment over (roll_amplitude, roll_period), and how settled it is.
+
+    Settled motion bends as far to one side as to the other.
+    """
+    high, low = _extremes(roll_runs)
     found = _largest(roll_runs).to_dataset(name="max_bending_moment")
+    found["settling"] = abs(high + low) / (high - low)
     return described(
         found, PAPER, "largest bending moment under roll, centre of rotation calibrated"
     )
@@ -109,6 +114,7 @@ def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
     """The same about an assumed centre, and the lag of the riser down its length."""
     lag = lag_at(DEPTHS, roll_base["x"], "roll_period")
     found = xr.Dataset({"max_bending_moment": _largest(roll_base), "displacement_lag": lag})
+    found["settling"] = settling(roll_base["x"], "roll_period")
     return described(found, PAPER, "largest bending moment under roll, centre of rotation assumed")
 
 
@@ -124,8 +130,12 @@ def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
 
 
 def _largest(runs: xr.Dataset) -> xr.DataArray:
-    high, low = runs["bending_moment_max"].max("s_node"), runs["bending_moment_min"].min("s_node")
+    high, low = _extremes(runs)
     return high.where(high > -low, -low)
+
+
+def _extremes(runs: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
+    return runs["bending_moment_max"].max("s_node"), runs["bending_moment_min"].min("s_node")
 
 
 # response in waves

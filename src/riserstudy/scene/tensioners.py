@@ -96,18 +96,21 @@ class Stroke(Strict):
 class Arrangement(Strict):
     """Cylinders evenly around the ring, from points of the ring to points of the deck.
 
-    ``first_bearing`` is that of the first cylinder, from +x towards +y; the deck's elevation is that of
-    the platform at rest.
+    ``first_bearing`` is that of the first cylinder, from +x towards +y; with ``half a spacing`` +x lies
+    midway between two of them. The deck's elevation is that of the platform at rest.
     """
 
     ring_radius: Annotated[u.Length, NOT_NEGATIVE]
     deck_radius: Annotated[u.Length, NOT_NEGATIVE]
     deck_elevation: u.Length
-    first_bearing: u.Angle
+    first_bearing: u.Angle | Literal["half a spacing"]
 
     def bearings(self, count: int) -> list[float]:
         """Bearing of each cylinder (rad)."""
-        return [self.first_bearing + 2.0 * math.pi * c / count for c in range(count)]
+        spacing = 2.0 * math.pi / count
+        first = self.first_bearing
+        first = 0.5 * spacing if isinstance(first, str) else first
+        return [first + spacing * c for c in range(count)]
 
 
 class Tensioners(Strict):
