@@ -87,7 +87,7 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
 def fig10(codes: xr.Dataset) -> Figure:
     """Displacement of the check riser by three methods."""
     figure, axes = panels(1, 2, 4.2, sharey=True)
-    lines = {"lumped masses": "-", "Hermite elements": "--", "collocation": ""}
+    lines = {"lumped masses": "-", "Hermite elements": "--", "collocation": "o"}
     titles = {"water": "filled with water", "air": "filled with air"}
     for ax, contents in zip(axes, titles, strict=True):
         moved = codes["displacement"].sel(contents=contents)
@@ -102,7 +102,6 @@ def fig10(codes: xr.Dataset) -> Figure:
                     color=colour if ours else "black",
                     alpha=0.45 if ours else 1.0,
                     linewidth=width,
-                    marker=None if line else "o",
                     markersize=4,
                     markevery=0.12,
                     markerfacecolor="none",
@@ -111,11 +110,9 @@ def fig10(codes: xr.Dataset) -> Figure:
         ax.set_title(f"{titles[contents]}; colours: this engine", loc="right", fontsize="small")
         ax.set_xlabel("lateral displacement (m)")
     for code in ("Hermite elements", "collocation"):
-        line = lines[code]
-        mark = None if line else "o"
         axes[0].plot(
-            [], [], line, color="black", linewidth=1.6, marker=mark, markersize=4,
-            markerfacecolor="none", label=code,
+            [], [], lines[code], color="black", linewidth=1.6, markersize=4, markerfacecolor="none",
+            label=code,
         )  # fmt: skip
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
