@@ -1,47 +1,44 @@
-"""Error against time of all codes, displacement beside moment, as ``s2c`` measured them."""
+"""Error against time of all codes, a row a scene, displacement beside moment or tension."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
 
+from levels import LEVELS, edge, points
 from matplotlib.figure import Figure
-from matplotlib.ticker import NullFormatter
+from matplotlib.lines import Line2D
 
-PANELS = (("displacement_error", "displacement"), ("moment_error", "moment"))
+COLOURS = ("#0072b2", "#000000", "#d55e00", "#009e73", "#cc79a7", "#e69f00")
 
 
 def picture(rows: list[Any], target: Path, told: str) -> Path:
-    """Draw every timed setting; a line joins those of a method and scheme, from fast to slow."""
-    figure = Figure((10.0, 4.2), dpi=150, layout="constrained")
-    axes = figure.subplots(1, 2, sharey=True)
-    kinds = list(
-        dict.fromkeys((row.method, row.scheme.split()[0] if row.scheme else "") for row in rows)
-    )
-    for ax, (field, word) in zip(axes, PANELS, strict=True):
-        for k, kind in enumerate(kinds):
-            of = [
-                (row.wall_min, getattr(row, field))
-                for row in rows
-                if (row.method, row.scheme.split()[0] if row.scheme else "") == kind
-                and row.wall_min
-                and getattr(row, field)
-            ]
-            if of:
-                ax.loglog(
-                    *zip(*sorted(of), strict=True),
-                    "os^Dv<>P"[k % 8] + "-",
-                    ms=4,
-                    label=" ".join(kind),
-                )
-        ax.set_xlabel("smallest wall time (s)")
-        ax.set_title(f"S2c: {word}", fontsize="medium")
-        ax.xaxis.set_minor_formatter(NullFormatter())
-        ax.grid(alpha=0.3)
-    axes[0].set_ylabel("largest error (-)")
-    figure.legend(
-        *axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize="small"
-    )
+    """Draw every timed setting; a line joins those that no faster one of the same code beats."""
+    scenes = list(dict.fromkeys(row.scene for row in rows))
+    methods = list(dict.fromkeys(row.method for row in rows))
+    figure = Figure((8.6, 0.8 + 2.9 * len(scenes)), dpi=150, layout="constrained")
+    axes = figure.subplots(len(scenes), 2, squeeze=False)
+    for scene, pair in zip(scenes, axes, strict=True):
+        whats = dict.fromkeys(what for row in rows if row.scene == scene for what in row.errors)
+        for ax, what in zip(pair, whats, strict=False):
+            for k, method in enumerate(methods):
+                found = [(1e3 * time, error) for time, error in points(rows, scene, method, what)]
+                if found:
+                    ax.plot(*zip(*found, strict=True), "os^Dv<"[k], color=COLOURS[k], ms=4)
+                    ax.plot(*zip(*edge(found), strict=True), color=COLOURS[k], lw=1.2)
+            for level in LEVELS:
+                ax.axhline(level, color="0.75", lw=0.6, ls=":", zorder=0)
+            ax.set(xscale="log", yscale="log")
+            ax.set_title(f"{scene}: {what}", fontsize="medium")
+            ax.set_ylabel("largest error (-)")
+            ax.grid(alpha=0.2)
+    for ax in axes[-1]:
+        ax.set_xlabel("processor time (ms)")
+    keys = [
+        Line2D([], [], color=COLOURS[k], marker="os^Dv<"[k], ms=4, label=method)
+        for k, method in enumerate(methods)
+    ]
+    figure.legend(handles=keys, loc="outside lower center", ncols=6, fontsize="small")
     figure.suptitle(told, fontsize="x-small", x=0.01, ha="left")
     figure.savefig(target)
     return target

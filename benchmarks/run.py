@@ -1,6 +1,6 @@
 """All benchmarks, one after the other: what ``make bench`` runs."""
 
-import s2c
+import compare
 
 if __name__ == "__main__":
-    s2c.main()
+    compare.main()

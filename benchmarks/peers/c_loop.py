@@ -41,12 +41,12 @@ class Riser(ctypes.Structure):
     ]
 
 
-def available() -> str | None:
+def available(source: Path = SOURCE) -> str | None:
     """Why this peer cannot run, or None."""
     if not compiler():
         return "no C compiler (cc, gcc or clang)"
     try:
-        library()
+        library(source)
     except subprocess.CalledProcessError as error:
         return f"compiling failed: {error.stderr.strip().splitlines()[-1]}"
     return None
@@ -58,22 +58,22 @@ def compiler() -> str | None:
 
 
 @cache
-def library() -> ctypes.CDLL:
-    """The compiled loop, from the cache when source, flags and compiler are the same."""
+def library(source: Path = SOURCE) -> ctypes.CDLL:
+    """A compiled loop, from the cache when source, flags and compiler are the same."""
     cc = compiler()
     version = subprocess.run([cc, "--version"], capture_output=True, text=True, check=True).stdout
     key = hashlib.sha256(
-        "\n".join([SOURCE.read_text(), version, _processor(), *FLAGS]).encode()
+        "\n".join([source.read_text(), version, _processor(), *FLAGS]).encode()
     ).hexdigest()[:16]
-    target = scene.CACHE / "bench" / f"c_loop-{key}.so"
+    target = scene.CACHE / "bench" / f"{source.stem}-{key}.so"
     if not target.exists():
         target.parent.mkdir(parents=True, exist_ok=True)
         # Linked apart: with -ffast-math some linkers add code that flushes denormals to zero in the
         # whole process, other methods included.
         with tempfile.TemporaryDirectory(dir=target.parent) as folder:
-            compiled, linked = Path(folder, "c_loop.o"), Path(folder, "c_loop.so")
+            compiled, linked = Path(folder, "loop.o"), Path(folder, "loop.so")
             for command in (
-                [cc, *FLAGS, "-c", "-o", compiled, SOURCE],
+                [cc, *FLAGS, "-c", "-o", compiled, source],
                 [cc, "-shared", "-o", linked, compiled, "-lm"],
             ):
                 subprocess.run(command, capture_output=True, text=True, check=True)
@@ -103,17 +103,17 @@ def run(elements: int, step: float, moments: bool = False) -> dict[str, Any]:
         scene.DRAG, scene.WEIGHT, scene.AMPLITUDE, scene.PERIOD, scene.RAMP,
     )  # fmt: skip
     simulate = library().simulate
-    started = time.perf_counter()
+    started = time.process_time()
     simulate(
         ctypes.byref(riser), elements, pointer(height), shape[0], substeps,
         ctypes.c_double(scene.OUTPUT_STEP / substeps),
         pointer(x), pointer(z), pointer(moment) if moments else None,
     )  # fmt: skip
-    wall = time.perf_counter() - started
+    seconds = time.process_time() - started
     result = {
         "time": scene.TIMES,
         "x": x @ scene.lagrange(nodes, scene.STATIONS).T,
-        "wall_seconds": wall,
+        "seconds": seconds,
         "meta": {
             "scheme": "semi-implicit Euler",
             "step": scene.OUTPUT_STEP / substeps,

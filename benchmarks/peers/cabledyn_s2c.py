@@ -11,9 +11,9 @@ of a run of one step, so that start-up and statics do not count; writing the pos
 
 from __future__ import annotations
 
+import resource
 import subprocess
 import tempfile
-import time
 from importlib import metadata
 from pathlib import Path
 from typing import Any
@@ -46,13 +46,21 @@ def available() -> str | None:
     return None
 
 
-def deck(elements: int, step: float, duration: float, moments: bool, rho_inf: float) -> str:
-    """The input file; CableDyn counts nodes from the top."""
+def deck(
+    elements: int,
+    step: float,
+    duration: float,
+    moments: bool,
+    rho_inf: float,
+    height: float | None = None,
+    driven_by: str = "motion.dat motionFile",
+) -> str:
+    """The input file, the top at a height (m) over the bottom; CableDyn counts nodes from the top."""
     volume = (scene.MASS - scene.WEIGHT / scene.GRAVITY) / scene.WATER_DENSITY
     diameter = np.sqrt(4.0 * volume / np.pi)
     drag = scene.DRAG / (0.5 * scene.WATER_DENSITY * diameter)
     added = scene.ADDED_MASS / (scene.WATER_DENSITY * volume)
-    top = BOTTOM + scene.static_height(scene.LENGTH)
+    top = BOTTOM + (height or scene.static_height(scene.LENGTH))
     wanted = ["L1N{}px", *(["BendMom1N{}"] if moments else [])]
     channels = "\n".join(name.format(j) for name in wanted for j in range(1, elements + 2))
     return f"""--- CableDyn Input File ---
@@ -80,7 +88,7 @@ LineID LineType Length NumSegs
 {scene.WATER_DENSITY} rhoW
 {step} dtM
 {duration:.10g} TMax
-motion.dat motionFile
+{driven_by}
 dynamic_solver {TOLERANCE} 1e-14 30 12 {rho_inf}
 --- OUTPUTS ---
 {channels}
@@ -97,43 +105,48 @@ def motion(times: np.ndarray) -> str:
     )
 
 
+def driven(path: Path) -> float:
+    """Processor time (s) of the driver on an input file; results stand beside it."""
+    from cabledyn import CableDynDriver
+
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run(
+        [CableDynDriver().executable, path, path.with_suffix("")], capture_output=True, text=True
+    )
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode:
+        said = (done.stderr or done.stdout).strip().splitlines()
+        raise RuntimeError(f"CableDyn: {said[-1] if said else done.returncode}")
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
 def run(
     elements: int, step: float, moments: bool = False, rho_inf: float = RHO_INF
 ) -> dict[str, Any]:
-    """Simulate S2c with uniform elements and steps (s); moments come without their sign."""
-    from cabledyn import CableDynDriver, read_output
-
-    executable = CableDynDriver().executable
+    """Simulate S2c with uniform elements and steps (s); CableDyn tells moments without their sign."""
+    from cabledyn import read_output
 
     def process(folder: Path, steps: int) -> float:
         times = step * np.arange(steps + 1)
         path = folder / f"{steps}.dat"
         path.write_text(deck(elements, step, times[-1], moments, rho_inf))
         (folder / "motion.dat").write_text(motion(times))
-        started = time.perf_counter()
-        done = subprocess.run(
-            [executable, path, path.with_suffix("")], capture_output=True, text=True
-        )
-        wall = time.perf_counter() - started
-        if done.returncode:
-            said = (done.stderr or done.stdout).strip().splitlines()
-            raise RuntimeError(f"CableDyn: {said[-1] if said else done.returncode}")
-        return wall
+        return driven(path)
 
     steps = round(scene.DURATION / step)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         once = min(process(folder, 1) for _ in range(2))
-        wall = process(folder, steps) - once
+        seconds = process(folder, steps) - once
         history = read_output(folder / f"{steps}.out")
     nodes = np.linspace(0.0, scene.LENGTH, elements + 1)
     place = range(elements + 1, 0, -1)
-    x = np.column_stack([history.column(f"L1N{j}px") for j in place])
-    x = scene.resample(history.time, x @ scene.lagrange(nodes, scene.STATIONS).T)
+    all_x = np.column_stack([history.column(f"L1N{j}px") for j in place])
+    x = scene.resample(history.time, all_x @ scene.lagrange(nodes, scene.STATIONS).T)
     result = {
         "time": scene.TIMES,
         "x": x,
-        "wall_seconds": wall,
+        "seconds": seconds,
         "meta": {
             "scheme": f"generalised-alpha, rho_inf {rho_inf}, tolerance {TOLERANCE}",
             "step": step,
@@ -143,5 +156,5 @@ def run(
     }
     if moments:
         moment = np.column_stack([history.column(f"BendMom1N{j}") for j in place])
-        result |= {"moment": moment, "moment_s": nodes}
+        result |= {"moment": scene.signed(moment, all_x, nodes), "moment_s": nodes}
     return result

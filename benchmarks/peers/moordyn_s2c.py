@@ -8,7 +8,7 @@ Everything of the scene is represented; the few liberties:
 - The top moves in straight pieces of ``COUPLING`` seconds, ends exact: MoorDyn extrapolates linearly
   within a coupling step.
 - Start: MoorDyn's own stationary solver, whose remaining tension error is ``threshIC``.
-- Moments are EI times MoorDyn's curvature, without sign.
+- Moments are EI times MoorDyn's curvature, which has no sign; that of the shape is taken.
 """
 
 from __future__ import annotations
@@ -47,13 +47,20 @@ def available() -> str | None:
     return None
 
 
-def deck(elements: int, step: float, scheme: str, damping_ratio: float) -> str:
-    """The input file."""
+def deck(
+    elements: int,
+    step: float,
+    scheme: str,
+    damping_ratio: float,
+    height: float | None = None,
+    more: str = "",
+) -> str:
+    """The input file, the top at a height (m) over the bottom."""
     volume = (scene.MASS - scene.WEIGHT / scene.GRAVITY) / scene.WATER_DENSITY
     diameter = np.sqrt(4.0 * volume / np.pi)
     drag = scene.DRAG / (0.5 * scene.WATER_DENSITY * diameter)
     added = scene.ADDED_MASS / (scene.WATER_DENSITY * volume)
-    top = BOTTOM + scene.static_height(scene.LENGTH)
+    top = BOTTOM + (height or scene.static_height(scene.LENGTH))
     return f"""--- MoorDyn Input File ---
 Scene S2c
 ---------------------- LINE TYPES ----------------------
@@ -79,7 +86,7 @@ ID LineType AttachA AttachB UnstrLen NumSegs Outputs
 {scene.WATER_DENSITY} rho
 1000.0 WtrDpth
 1e-5 threshIC
----------------------- need this line ----------------------
+{more}---------------------- need this line ----------------------
 """
 
 
@@ -119,6 +126,7 @@ def run(
     nodes = np.linspace(0.0, scene.LENGTH, elements + 1)
     at_stations = scene.lagrange(nodes, scene.STATIONS).T
     near = np.flatnonzero(at_stations.any(axis=1)).tolist()
+    near = list(range(elements + 1)) if moments else near
     every = round(scene.OUTPUT_STEP / COUPLING)
     x = np.zeros((scene.TIMES.size, len(near)))
     moment = np.zeros((scene.TIMES.size, elements + 1))
@@ -128,7 +136,7 @@ def run(
         system = moordyn.Create(str(path))
         moordyn.Init(system, places[0], [0.0] * 3)
         line = moordyn.GetLine(system, 1)
-        started = time.perf_counter()
+        started = time.process_time()
         for i in range(count):
             moordyn.Step(system, places[i], speeds[i], times[i], COUPLING)
             if (i + 1) % every == 0:
@@ -136,13 +144,13 @@ def run(
                 x[row] = [moordyn.GetLineNodePos(line, j)[0] for j in near]
                 if moments:
                     moment[row] = [moordyn.GetLineNodeCurv(line, j) for j in range(elements + 1)]
-        wall = time.perf_counter() - started
+        seconds = time.process_time() - started
         moordyn.Close(system)
-    x = x @ at_stations[near]
+    all_x, x = x, x @ at_stations[near]
     result = {
         "time": scene.TIMES,
         "x": x,
-        "wall_seconds": wall,
+        "seconds": seconds,
         "meta": {
             "scheme": scheme,
             "step": COUPLING / substeps,
@@ -152,5 +160,6 @@ def run(
         },
     }
     if moments:
-        result |= {"moment": moment * scene.BENDING_STIFFNESS, "moment_s": nodes}
+        moment = scene.signed(moment * scene.BENDING_STIFFNESS, all_x, nodes)
+        result |= {"moment": moment, "moment_s": nodes}
     return result
