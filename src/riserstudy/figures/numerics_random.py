@@ -57,8 +57,16 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
 
 def _costs(ax: Axes, of: xr.Dataset) -> None:
     ratio = of["work_asked"] / of["work_fixed"]
+    judged = of["true"].notnull().values
     for k, family in enumerate(_families(of)):
-        values = np.sort(ratio.values[(of["family"] == family).values])
+        here = (of["family"] == family).values & judged
+        values = np.sort(ratio.values[here])
+        none = int(np.isnan(values).sum())
+        told = f"{none} of {here.sum()}: none cheaper" if here.any() else "none judged"
+        ax.annotate(
+            told if none or not here.any() else "", (0.98, k), xycoords=("axes fraction", "data"),
+            ha="right", va="center", fontsize="x-small",
+        )  # fmt: skip
         ax.plot(
             values,
             np.full(len(values), k),
@@ -71,5 +79,6 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
     ax.set_xscale("log")
     ax.set_xticks([0.5, 1, 2, 5, 10, 20], ["0.5", "1", "2", "5", "10", "20"])
     ax.set_yticks(range(len(_families(of))), _families(of), fontsize="small")
-    ax.invert_yaxis()
+    ax.set_xlim(0.4, 80.0)
+    ax.set_ylim(len(_families(of)) - 0.5, -0.5)
     ax.set_xlabel("work of the request over that of the cheapest (-)")
