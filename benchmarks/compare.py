@@ -136,10 +136,10 @@ def main() -> None:
     words.add_argument("--methods", nargs="+", help="some of them only")
     given = words.parse_args()
     rows = []
+    folder = scene.CACHE / "bench"
     for name in given.scenes:
         rows += measured(name, given.methods or list(SCENES[name].methods), given.rounds)
-    folder = scene.CACHE / "bench"
-    store(rows, folder / "peers.csv")
+        store(rows, folder / "peers.csv")
     told = f"one thread, {given.rounds} rounds in turns, {processor()}"
     tables = levels.tables(rows)
     (folder / "levels.md").write_text(f"{tables}\n{told}\n")

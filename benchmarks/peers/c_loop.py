@@ -26,7 +26,7 @@ FLAGS = ["-O3", "-march=native", "-ffast-math", "-fPIC"]
 LARGEST = 1024
 # Steps in which the axial wave crosses an element; larger ones are unstable.
 SLOWNESS = (scene.MASS / scene.AXIAL_STIFFNESS) ** 0.5
-LADDER = [(n, 0.999 * scene.LENGTH / n * SLOWNESS, {}) for n in (20, 43, 94, 182)]
+LADDER = [(n, 0.999 * scene.LENGTH / n * SLOWNESS, {}) for n in (20, 43, 64, 94, 130, 182, 364)]
 
 
 class Riser(ctypes.Structure):
