@@ -50,8 +50,8 @@ def tables(rows: list[Any]) -> str:
     out = []
     for scene in dict.fromkeys(row.scene for row in rows):
         here = [row for row in rows if row.scene == scene]
-        whats = dict.fromkeys(what for row in here for what in row.errors)
-        for what in whats:
+        kinds = dict.fromkeys(what for row in here for what in row.errors)
+        for what in kinds:
             out.append(_table(here, scene, what))
     return "\n".join(out)
 

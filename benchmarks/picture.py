@@ -19,8 +19,8 @@ def picture(rows: list[Any], target: Path, told: str) -> Path:
     figure = Figure((8.6, 0.8 + 2.9 * len(scenes)), dpi=150, layout="constrained")
     axes = figure.subplots(len(scenes), 2, squeeze=False)
     for scene, pair in zip(scenes, axes, strict=True):
-        whats = dict.fromkeys(what for row in rows if row.scene == scene for what in row.errors)
-        for ax, what in zip(pair, whats, strict=False):
+        kinds = dict.fromkeys(what for row in rows if row.scene == scene for what in row.errors)
+        for ax, what in zip(pair, kinds, strict=False):
             for k, method in enumerate(methods):
                 found = [(1e3 * time, error) for time, error in points(rows, scene, method, what)]
                 if found:
