@@ -9,8 +9,8 @@ import random
 import shutil
 import subprocess
 import time
-from pathlib import Path
 
+import psutil
 from small import forget, kill, run, start
 
 from riserstudy.folders import kernel_cache
@@ -33,6 +33,31 @@ def results_deleted_half_way(folder):
     shutil.rmtree(folder / "results", ignore_errors=True)
     text = "".join(process.communicate())
     return said(process.returncode, text)
+
+
+def server_of_jobs_killed(folder):
+    """The process that jobs of a run are forks of is killed while it loads, with a job waiting for it."""
+    forget(folder)
+    process, servers = start(folder), []
+    while process.poll() is None and not (servers := servers_of(process)):
+        time.sleep(0.02)
+    log = folder / "logs/bench"
+    while process.poll() is None and not any(log.glob("*.log")):
+        time.sleep(0.02)
+    for server in servers:
+        server.kill()
+    text = "".join(process.communicate())
+    return f"{len(servers)} killed, {said(process.returncode, text)}"
+
+
+def servers_of(run):
+    """Processes of a run that jobs are forks of."""
+    found = []
+    for process in psutil.Process(run.pid).children(recursive=True):
+        with contextlib.suppress(psutil.Error):
+            if "riserstudy.jobs.server" in process.cmdline():
+                found.append(process)
+    return found
 
 
 def two_runs_at_once(folder):
@@ -169,6 +194,7 @@ def mount(*words):
 
 FAULTS = (
     results_deleted_half_way,
+    server_of_jobs_killed,
     two_runs_at_once,
     broken_store,
     broken_kernels,
@@ -181,15 +207,29 @@ FAULTS = (
 )
 
 
-def killed(folder, times, longest, rng: random.Random):
-    """Kill so many runs one after the other, each from nothing or from what the last one left."""
-    forget(Path(folder))
+def killed(folder, shares, longest, rng: random.Random):
+    """Kill runs one after the other, each after a share of the time of a whole run; the moments (s).
+
+    The first starts from nothing, the others from what the last one left. A run that had come to its end
+    before that is no killed run: it is done again, and killed earlier.
+    """
     moments = []
-    for _ in range(times):
-        moment = rng.uniform(0.0, longest)
-        process = start(folder)
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(moment)
-        kill(process, everything=rng.random() < 0.5)
+    forget(folder)
+    for share in shares:
+        moment = share * longest
+        while not kill_after(folder, moment, everything=rng.random() < 0.5):
+            forget(folder)
+            moment *= 0.9
         moments.append(moment)
     return moments
+
+
+def kill_after(folder, moment, everything):
+    """Kill a run after so many seconds; whether it was at work still."""
+    process = start(folder)
+    try:
+        process.communicate(timeout=moment)
+    except subprocess.TimeoutExpired:
+        kill(process, everything)
+        return True
+    return False
