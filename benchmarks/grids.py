@@ -9,14 +9,18 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import time
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import SimpleNamespace
 
+import psutil
 from ruamel.yaml import YAML
 
 from riserstudy.folders import kernel_cache
+from riserstudy.jobs import start_server
+from riserstudy.jobs.server import MANY
 from riserstudy.workplan import Workplan
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -33,10 +37,10 @@ PLAN = """if True:
 
 @dataclass
 class Cost:
-    """What a process took: processor time (s) and largest memory (MB)."""
+    """What a process took: processor time (s) and largest memory (MB), where that is known."""
 
     seconds: float
-    memory: float
+    memory: float | None
 
 
 def main(points: int, shards: int) -> None:
@@ -62,8 +66,9 @@ def report(points: int, shards: int) -> None:
     row("plan 100 000 points", many)
     started = shard(plan, "few", 0, 1)
     row("simulate 10 points: the same, and loading the kernels", started)
+    row("simulate 10 points, in a fork of the server of jobs", forked(plan))
     parts = [shard(plan, "run", number, shards) for number in range(shards)]
-    part = Cost(sum(p.seconds for p in parts) / shards, max(p.memory for p in parts))
+    part = Cost(sum(p.seconds for p in parts) / shards, max(p.memory or 0.0 for p in parts))
     size = points // shards
     row(f"simulate {size} points of {points}, one job of {shards}", part)
     tenth = shard(plan, "run", 0, 10 * shards)
@@ -131,12 +136,34 @@ def study(amplitudes: int, others: int = 10) -> dict[str, object]:
     return {"scene": "scenes/scene.yaml", "caption": "a grid", "axes": axes, "keep": keep}
 
 
-def shard(plan: Workplan, study: str, number: int, shards: int) -> Cost:
-    """Cost of simulating a shard."""
+def shard(plan: Workplan, study: str, number: int, shards: int, *module: str) -> Cost:
+    """Cost of simulating a shard, by the module named."""
     about = SimpleNamespace(paper="grids", study=study, shard=number, shards=shards)
     words = ["grids", study, str(number), str(shards), "marker", "--tier", "standard"]
     expect = ["--expect", plan.shard_digest(about)]
-    return run("-m", "riserstudy.jobs.shard", *words, "--threads", "1", *expect)
+    return run("-m", *(module or ["riserstudy.jobs.shard"]), *words, "--threads", "1", *expect)
+
+
+def forked(plan: Workplan) -> Cost:
+    """Cost of simulating ten points as a job of a run on one machine, whose server has loaded everything."""
+    Path(".snakemake").mkdir()
+    start_server(str(plan.compiled))
+    server = psutil.Process().children()[0]
+    for number in range(MANY + 3):  # so many that the server loads the kernels
+        before = children_of(server)
+        asking = shard(plan, "many", number, 10_000, "riserstudy.jobs", "shard")
+        while (spent := children_of(server) - before) == 0.0:
+            time.sleep(0.1)  # the job has ended, and is not buried yet
+        time.sleep(1.0)
+        while server.cpu_percent(0.5) > 5.0:  # it loads them when nobody asks
+            pass
+    return Cost(asking.seconds + spent, None)
+
+
+def children_of(process: psutil.Process) -> float:
+    """Processor time of a process's children that have ended (s)."""
+    times = process.cpu_times()
+    return float(times.children_user + times.children_system)
 
 
 def join(plan: Workplan) -> Cost:
@@ -157,7 +184,8 @@ def run(*arguments: str) -> Cost:
 
 def row(what: str, cost: Cost) -> None:
     """Print a line of the table."""
-    print(f"| {what} | {cost.seconds:.1f} | {cost.memory:.0f} |", flush=True)
+    memory = "" if cost.memory is None else f"{cost.memory:.0f}"
+    print(f"| {what} | {cost.seconds:.1f} | {memory} |", flush=True)
 
 
 if __name__ == "__main__":
