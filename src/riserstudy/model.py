@@ -104,6 +104,8 @@ class Model:
 
     def _program(self, role: str) -> np.ndarray:
         calls = []
+        if role == "lump" and self.s.share[1] > 0.0:
+            return assemble(calls, self.state)
         for effect, record in zip(self.effects, self.records, strict=True):
             functions = ROLES[type(effect.record)]
             if role in functions:

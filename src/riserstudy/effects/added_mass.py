@@ -16,7 +16,7 @@ from riserstudy.effects.roles import register
 from riserstudy.jit import inner
 from riserstudy.solve.spread import spread, spread_stiffness
 from riserstudy.solve.state import axis
-from riserstudy.solve.vec import at, dot, mul, outer, put, put_block, sub, unity
+from riserstudy.solve.vec import at, dot, mul, outer, plus_upper, put, put_block, sub, unity
 
 
 class AddedMass(NamedTuple):
@@ -49,6 +49,23 @@ def mass(added, s):
 
 
 @inner
+def lump(added, s):
+    """Masses of the nodes, across the pipe."""
+    n, mass, own = s.l0.shape[0], added.mass, s.share[0]
+    _lump_at(added, s, 0, own * mass[0])
+    _lump_at(added, s, n, own * mass[n - 1])
+    for i in range(1, n):
+        _lump_at(added, s, i, own * (mass[i - 1] + mass[i]))
+    return 0.0
+
+
+@inner
+def _lump_at(added, s, i, mass):
+    t = axis(s, added.horizontal, i)
+    plus_upper(s.lump, i, mul(mass, sub(unity(s.dim), outer(t, t))))
+
+
+@inner
 def energy(added, s):
     """Kinetic energy of the water carried along (J)."""
     own, other = s.share[0], s.share[1]
@@ -63,4 +80,4 @@ def energy(added, s):
     return total
 
 
-register(AddedMass, string_inertia=force, mass=mass, kinetic=energy)
+register(AddedMass, string_inertia=force, mass=mass, lump=lump, kinetic=energy)

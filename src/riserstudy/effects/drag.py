@@ -17,7 +17,7 @@ import numpy as np
 
 from riserstudy.effects.roles import register
 from riserstudy.jit import inner
-from riserstudy.solve.spread import spread, spread_stiffness
+from riserstudy.solve.spread import spread_and_keep, spread_stiffness
 from riserstudy.solve.state import OTHER, OWN, axis
 from riserstudy.solve.vec import (
     add,
@@ -40,7 +40,7 @@ class Drag(NamedTuple):
 
     low: np.ndarray  # (n,) rho C_D D / 2 times length, as it loads the lower node (kg/m)
     up: np.ndarray  # (n,) as it loads the upper node; the same where C_D is one in a segment
-    force: np.ndarray  # (d, n+1) scratch
+    force: np.ndarray  # (d, n+1) scratch: drag on the nodes (N)
     horizontal: int  # 1 where the drag acts horizontally, 0 across the pipe
 
 
@@ -63,7 +63,7 @@ def press(drag, s):
 def force(drag, s):
     """Drag on the nodes."""
     press(drag, s)
-    spread(s, drag.low, drag.up, OWN, OTHER, s.density, s.force)
+    spread_and_keep(s, drag.low, drag.up, OWN, OTHER, s.density, drag.force, s.force)
     return 0.0
 
 
@@ -118,14 +118,14 @@ def _turning(drag, s):
 
 @inner
 def power(drag, s):
-    """Power dissipated into the water, and power supplied by its motion (W)."""
-    press(drag, s)
-    drag.force[:] = 0.0
-    spread(s, drag.low, drag.up, OWN, OTHER, s.density, drag.force)
+    """Power dissipated into the water, and power supplied by its motion (W); after ``force``."""
+    slowed, supplied = 0.0, 0.0
     for i in range(s.l0.shape[0] + 1):
-        f, water = at(s.dim, drag.force, i), at(s.dim, s.water, i)
-        s.flow[0] += dot(f, sub(water, at(s.dim, s.v, i)))
-        s.flow[1] += dot(f, water)
+        f = at(s.dim, drag.force, i)
+        slowed += dot(f, at(s.dim, s.v, i))
+        supplied += dot(f, at(s.dim, s.water, i))
+    s.flow[0] += supplied - slowed
+    s.flow[1] += supplied
     return 0.0
 
 

@@ -29,7 +29,7 @@ class DragOverDepth(NamedTuple):
 
     low: np.ndarray  # (n,) rho C_D D / 2 times length (kg/m), filled in as the riser moves
     up: np.ndarray  # (n,)
-    force: np.ndarray  # (d, n+1) scratch
+    force: np.ndarray  # (d, n+1) scratch: drag on the nodes (N)
     horizontal: int  # 1 where the drag acts horizontally, 0 across the pipe
     scale: np.ndarray  # (n,) rho D / 2 times length (kg/m), 0 in segments without this table
     elevation: np.ndarray  # (k,) not falling (m)

@@ -78,6 +78,15 @@ def mass(body, s):
 
 
 @inner
+def lump(body, s):
+    """Mass of its node."""
+    d = len(s.dim)
+    for k in range(d):
+        s.lump[k * d + k, body.node] += body.mass[k]
+    return 0.0
+
+
+@inner
 def kinetic(body, s):
     """Kinetic energy (J)."""
     total = 0.0
@@ -112,6 +121,7 @@ register(
     tangent=tangent,
     device_inertia=inertia,
     mass=mass,
+    lump=lump,
     potential=energy,
     kinetic=kinetic,
     power=power,

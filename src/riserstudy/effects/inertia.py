@@ -40,6 +40,19 @@ def mass(inertia, s):
 
 
 @inner
+def lump(inertia, s):
+    """Masses of the nodes."""
+    d, n, mass, own = len(s.dim), s.l0.shape[0], inertia.mass, s.share[0]
+    for c in range(d):
+        k = c * d + c
+        s.lump[k, 0] += own * mass[0]
+        s.lump[k, n] += own * mass[n - 1]
+        for i in range(1, n):
+            s.lump[k, i] += own * (mass[i - 1] + mass[i])
+    return 0.0
+
+
+@inner
 def energy(inertia, s):
     """Kinetic energy (J)."""
     own, other = s.share[0], s.share[1]
@@ -51,4 +64,4 @@ def energy(inertia, s):
     return total
 
 
-register(Inertia, string_inertia=force, mass=mass, kinetic=energy)
+register(Inertia, string_inertia=force, mass=mass, lump=lump, kinetic=energy)

@@ -13,4 +13,6 @@ def register(record: type, **functions: Callable) -> None:
     """Say what the functions of an effect are for; the roles are the fields of ``Programs``."""
     if unknown := set(functions) - set(Programs._fields):
         raise TypeError(f"{record.__name__}: no such role: {', '.join(sorted(unknown))}")
+    if ("mass" in functions) != ("lump" in functions):
+        raise TypeError(f"{record.__name__}: mass and lump come together")
     ROLES[record] = functions

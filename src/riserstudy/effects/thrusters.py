@@ -142,6 +142,15 @@ def mass(thrusters, s):
 
 
 @inner
+def lump(thrusters, s):
+    """Mass of the lag's node."""
+    if thrusters.lag > 0.0:
+        for k in range(thrusters.count):
+            s.lump[k * len(s.dim) + k, thrusters.node + 1] += 1.0
+    return 0.0
+
+
+@inner
 def kinetic(thrusters, s):
     """Its kinetic energy (J)."""
     total = 0.0
@@ -181,6 +190,7 @@ register(
     tangent=tangent,
     device_inertia=inertia,
     mass=mass,
+    lump=lump,
     kinetic=kinetic,
     power=power,
     probe=probe,

@@ -193,6 +193,21 @@ def mass(vessel, s):
 
 
 @inner
+def lump(vessel, s):
+    """Mass of its nodes."""
+    d, up, i = len(s.dim), len(s.dim) - 1, vessel.node
+    angle, _ = attitude(vessel, s)
+    xx, xy, yy = _tensor(vessel, angle)
+    s.lump[0, i] += xx
+    if up == 2:
+        s.lump[1, i] += xy
+        s.lump[d + 1, i] += yy
+    if vessel.yaw > 0:
+        s.lump[d * d - 1, vessel.yaw] += vessel.turning
+    return 0.0
+
+
+@inner
 def kinetic(vessel, s):
     """Kinetic energy (J)."""
     angle, _ = attitude(vessel, s)
@@ -241,6 +256,7 @@ register(
     tangent=tangent,
     device_inertia=inertia,
     mass=mass,
+    lump=lump,
     kinetic=kinetic,
     power=power,
     probe=probe,

@@ -15,7 +15,7 @@ import numpy as np
 
 from riserstudy.effects.roles import register
 from riserstudy.jit import inner
-from riserstudy.solve.spread import spread
+from riserstudy.solve.spread import spread_and_keep
 from riserstudy.solve.state import OTHER, OWN
 from riserstudy.solve.vec import at, dot, mul, put, sub
 
@@ -24,31 +24,23 @@ class WaveForce(NamedTuple):
     """Mass of the water that the pipe displaces, with added mass."""
 
     mass: np.ndarray  # (n,) of the segments (kg)
-    force: np.ndarray  # (d, n+1) scratch
-
-
-@inner
-def _across(s):
-    """Acceleration of the water across the pipe, into ``s.density``."""
-    for i in range(s.l0.shape[0] + 1):
-        a, t = at(s.dim, s.water_rate, i), at(s.dim, s.direction, i)
-        put(s.density, i, sub(a, mul(dot(a, t), t)))
+    force: np.ndarray  # (d, n+1) scratch: the force on the nodes (N)
 
 
 @inner
 def force(wave_force, s):
     """Inertia force on the nodes."""
-    _across(s)
-    spread(s, wave_force.mass, wave_force.mass, OWN, OTHER, s.density, s.force)
+    for i in range(s.l0.shape[0] + 1):
+        a, t = at(s.dim, s.water_rate, i), at(s.dim, s.direction, i)
+        put(s.density, i, sub(a, mul(dot(a, t), t)))
+    mass = wave_force.mass
+    spread_and_keep(s, mass, mass, OWN, OTHER, s.density, wave_force.force, s.force)
     return 0.0
 
 
 @inner
 def power(wave_force, s):
-    """Power that the water supplies (W)."""
-    _across(s)
-    wave_force.force[:] = 0.0
-    spread(s, wave_force.mass, wave_force.mass, OWN, OTHER, s.density, wave_force.force)
+    """Power that the water supplies (W); after ``force``."""
     for i in range(s.l0.shape[0] + 1):
         s.flow[1] += dot(at(s.dim, wave_force.force, i), at(s.dim, s.v, i))
     return 0.0

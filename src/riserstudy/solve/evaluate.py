@@ -26,7 +26,8 @@ class Programs(NamedTuple):
     compliance: np.ndarray  # flexibility, constant
     string_inertia: np.ndarray
     device_inertia: np.ndarray
-    mass: np.ndarray
+    mass: np.ndarray  # into the stiffness, times the rate
+    lump: np.ndarray  # masses of the nodes, where no mass is shared between them
     potential: np.ndarray  # return energies
     kinetic: np.ndarray
     power: np.ndarray  # add to s.flow

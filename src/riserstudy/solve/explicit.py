@@ -16,6 +16,7 @@ from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.program import every
 from riserstudy.solve.record import due, evaluate_and_note, interpolate, widen
 from riserstudy.solve.state import copy
+from riserstudy.solve.vec import at, outer, put, solved
 
 
 @inner
@@ -24,35 +25,82 @@ def accelerate(p, s, fixed):
 
     Held directions keep the acceleration they are held to.
     """
-    d = len(s.dim)
-    m = len(s.dof) - d
     shape(p, s)
     true_moments(s)
     load(p, s)
-    s.k_node[:] = 0.0
-    every(p.mass, s)
+    s.lump[:] = 0.0
+    every(p.lump, s)
+    power = hold(s, fixed)
+    square = outer(s.dim, s.dim)
+    for i in range(s.r.shape[1]):
+        put(s.a, i, solved(at(square, s.lump, i), at(s.dim, s.force, i)))
+    return power + couple(s, fixed)
+
+
+@inner
+def hold(s, fixed):
+    """Take held directions out of what is left to solve for; returns the power of their own forces (W).
+
+    Masses that couple them to others go below the diagonal.
+    """
+    d = len(s.dim)
+    m = len(s.dof) - d
+    lump, force, a = s.lump, s.force, s.a
     power = 0.0
     for f in range(fixed.shape[0]):
         i, c = fixed[f, 0], fixed[f, 1] - m
         if c >= 0:
-            power += (s.k_node[i, c * d + c] * s.a[c, i] - s.force[c, i]) * s.v[c, i]
+            power += (lump[c * d + c, i] * a[c, i] - force[c, i]) * s.v[c, i]
+    for f in range(fixed.shape[0]):
+        i, c = fixed[f, 0], fixed[f, 1] - m
+        if c >= 0:
             for q in range(d):
-                s.k_node[i, c * d + q] = 1.0 if q == c else 0.0
-            s.force[c, i] = s.a[c, i]
-    for i in range(s.r.shape[1]):  # Gauss elimination in the node
-        for q in range(d):
-            s.a[q, i] = s.force[q, i]
-        for q in range(d):
-            for w in range(q + 1, d):
-                factor = s.k_node[i, w * d + q] / s.k_node[i, q * d + q]
-                for c in range(q + 1, d):
-                    s.k_node[i, w * d + c] -= factor * s.k_node[i, q * d + c]
-                s.a[w, i] -= factor * s.a[q, i]
-        for q in range(d - 1, -1, -1):
-            for c in range(q + 1, d):
-                s.a[q, i] -= s.k_node[i, q * d + c] * s.a[c, i]
-            s.a[q, i] /= s.k_node[i, q * d + q]
+                if q != c:
+                    above, below = min(c, q) * d + max(c, q), max(c, q) * d + min(c, q)
+                    force[q, i] -= lump[above, i] * a[c, i]
+                    lump[below, i] += lump[above, i]
+                    lump[above, i] = 0.0
+            lump[c * d + c, i] = 1.0
+            force[c, i] = a[c, i]
     return power
+
+
+@inner
+def couple(s, fixed):
+    """Power that supports supply (W) to the accelerations of other directions than those they hold."""
+    d = len(s.dim)
+    m = len(s.dof) - d
+    power = 0.0
+    for f in range(fixed.shape[0]):
+        i, c = fixed[f, 0], fixed[f, 1] - m
+        if c >= 0:
+            for q in range(d):
+                if q != c:
+                    power += s.lump[max(c, q) * d + min(c, q), i] * s.a[q, i] * s.v[c, i]
+    return power
+
+
+@inner
+def advance(s, half, h):
+    """One step of velocities ``half`` and positions; the sum of squared velocities between the two."""
+    square = 0.0
+    for c in range(len(s.dim)):
+        for i in range(s.r.shape[1]):
+            kick = h * s.a[c, i]
+            now = half[c, i] + 0.5 * kick
+            square += now * now
+            half[c, i] += kick
+            s.r[c, i] += h * half[c, i]
+            s.v[c, i] = half[c, i]
+    return square
+
+
+@inner
+def drift(s, half, h, v):
+    """Velocities in the middle between those before and after, into ``v``."""
+    for c in range(len(s.dim)):
+        for i in range(s.r.shape[1]):
+            v[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
 
 
 @kernel
@@ -64,53 +112,36 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
     d = len(s.dim)
     n = s.r.shape[1] - 1  # the last node, loose ones included
     r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
-    v1 = np.zeros((d, n + 1))
+    v1, half = np.zeros((d, n + 1)), np.zeros((d, n + 1))
     s.rate[0], s.rate[1] = 0.0, 1.0
     start = s.clock[0]
     move(p, s, start)
-    copy(v1, s.v)
     power0 = accelerate(p, s, fixed)
-    half = s.v.copy()
-    for c in range(d):
-        for i in range(n + 1):
-            half[c, i] -= 0.5 * h * s.a[c, i]
+    copy(half, s.v)
+    drift(s, half, -h, half)
     s.flow[:] = 0.0
     every(p.power, s)
     lost0, given0 = s.flow[0], s.flow[1]
     for step in range(steps + 1):
         t = start + step * h
         # here s.r is at t, half at t - h/2, s.a at t
-        square = 0.0
-        for c in range(d):
-            for i in range(n + 1):
-                v0[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
-                square += v0[c, i] * v0[c, i]
-        if not square < bound:
-            fastest = 0.0
-            for c in range(d):
-                for i in range(n + 1):
-                    if not abs(v0[c, i]) <= fastest:
-                        fastest = abs(v0[c, i])
-                        ledger.failure[1] = i
-            ledger.failure[0], ledger.failure[2] = t, h * fastest
-            return NOT_CONVERGED
         if step == steps and not due(record, t + 1e-9 * h):
             break
-        copy(r0, s.r)
-        copy(a0, s.a)
-        for c in range(d):
-            for i in range(n + 1):
-                half[c, i] += h * a0[c, i]
-                s.r[c, i] += h * half[c, i]
-                s.v[c, i] = half[c, i]
+        told = due(record, t + h * (1.0 - 1e-9))
+        if told:
+            copy(r0, s.r)
+            copy(a0, s.a)
+            drift(s, half, h, v0)
+        if not advance(s, half, h) < bound:
+            drift(s, half, -h, v0)
+            return failed(ledger, v0, t, h)
         move(p, s, t + h)
         power1 = accelerate(p, s, fixed)
         s.flow[:] = 0.0
         every(p.power, s)
-        for c in range(d):
-            for i in range(n + 1):
-                v1[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
         ledger.count[3] += 1
+        if told:
+            drift(s, half, h, v1)
         while due(record, t + h * (1.0 - 1e-9)):
             time = record.time[record.written[0]]
             interpolate(so, r0, v0, a0, t, s.r, v1, s.a, t + h, time)
@@ -127,5 +158,18 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
         )
         power0, lost0, given0 = power1, lost, given
     s.clock[0] = start + steps * h
-    copy(s.v, v1)
+    drift(s, half, h, s.v)
     return DONE
+
+
+@inner
+def failed(ledger, v, t, h):
+    """Say where velocities ``v`` grew most."""
+    fastest = 0.0
+    for c in range(v.shape[0]):
+        for i in range(v.shape[1]):
+            if not abs(v[c, i]) <= fastest:
+                fastest = abs(v[c, i])
+                ledger.failure[1] = i
+    ledger.failure[0], ledger.failure[2] = t, h * fastest
+    return NOT_CONVERGED

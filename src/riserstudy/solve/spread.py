@@ -24,6 +24,22 @@ def spread(s, low, up, own, other, q, into):
 
 
 @inner
+def spread_and_keep(s, low, up, own, other, q, kept, into):
+    """As `spread`; the nodal forces also go to ``kept``."""
+    n = low.shape[0]
+    for k in range(len(s.dim)):
+        kept[k, 0] = low[0] * (own * q[k, 0] + other * q[k, 1])
+        kept[k, n] = up[n - 1] * (own * q[k, n] + other * q[k, n - 1])
+        into[k, 0] += kept[k, 0]
+        into[k, n] += kept[k, n]
+        for i in range(1, n):
+            below = up[i - 1] * (own * q[k, i] + other * q[k, i - 1])
+            above = low[i] * (own * q[k, i] + other * q[k, i + 1])
+            kept[k, i] = below + above
+            into[k, i] += below + above
+
+
+@inner
 def spread_stiffness(s, low, up, own, other):
     """Add the stiffness of such a load, whose value at node i changes by -``s.block[i]`` with it."""
     n = low.shape[0]

@@ -88,6 +88,8 @@ class State(NamedTuple):
     pull: np.ndarray  # (cylinders,) force on the ring towards the deck (N)
     k_pull: np.ndarray  # (cylinders,) d pull / d reach, the rate's part included (N/m)
 
+    lump: np.ndarray  # (d*d, N) lumped mass of a node, row by row; only the upper triangle counts (kg)
+
     flow: np.ndarray  # (2,) power dissipated, power supplied by water and devices (W)
     probe: np.ndarray  # (probes,) scalars that effects report at output times
 
@@ -147,6 +149,7 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         ring_moment=zeros(3),
         pull=zeros(c),
         k_pull=zeros(c),
+        lump=zeros(d * d, nodes),
         flow=zeros(2),
         probe=zeros(probes),
     )

@@ -86,6 +86,32 @@ def plus_block(array, i, a):
 
 
 @unrolled
+def solved(block, a):
+    """What a symmetric block makes ``a`` of; of the block only the upper triangle is read."""
+    if len(a) == 1:
+        return (a[0] / block[0],)
+    if len(a) == 2:
+        xx, xy, _, yy = block
+        share = 1.0 / (xx * yy - xy * xy)
+        return share * (yy * a[0] - xy * a[1]), share * (xx * a[1] - xy * a[0])
+    xx, xy, xz, _, yy, yz, _, _, zz = block
+    first = yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy
+    share = 1.0 / dot((xx, xy, xz), first)
+    second = first[1], xx * zz - xz * xz, xy * xz - xx * yz
+    third = first[2], second[2], xx * yy - xy * xy
+    return tuple(share * dot(row, a) for row in (first, second, third))
+
+
+@unrolled
+def plus_upper(array, i, a):
+    """Add the upper triangle of a block to a component-major array (directions squared, nodes)."""
+    d = {1: 1, 4: 2, 9: 3}[len(a)]
+    for p in range(d):
+        for k in range(p * d + p, p * d + d):
+            array[k, i] += a[k]
+
+
+@unrolled
 def norm(a):
     """Length of a vector."""
     return root(dot(a, a))
