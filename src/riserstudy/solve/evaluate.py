@@ -9,7 +9,7 @@ import numpy as np
 from riserstudy.jit import inner, kernel
 from riserstudy.solve.blocktri import factor_flexibility, flexibility_solve
 from riserstudy.solve.program import every
-from riserstudy.solve.state import clear_forces, clear_tangent, gather, keep_ends, measure
+from riserstudy.solve.state import clear, clear_forces, clear_tangent, gather, keep_ends, measure
 
 
 class Programs(NamedTuple):
@@ -47,10 +47,8 @@ def move(p, s, time):
 def shape(p, s):
     """What follows from positions and velocities alone: directions, water, reach, turning angles."""
     clear_forces(s)
-    s.level[:] = 0.0
-    s.water[:] = 0.0
-    s.shear[:] = 0.0
-    s.water_rate[:] = 0.0
+    if p.drive.shape[0] > 0:  # else there has never been anything
+        clear(s.seas)
     measure(s)
     every(p.drive, s)
     every(p.law, s)
@@ -93,13 +91,12 @@ def tangent(p, s):
 
 @inner
 def true_moments(s):
-    """Correct the moments until they belong to the shape; after ``shape``."""
+    """Correct the moments until they belong to the shape; after ``shape``, whose turning angles it uses up."""
     m, n = len(s.dof) - len(s.dim), s.l0.shape[0]
     for u in range(m):
         flexibility_solve(s, s.turn[u])
         for i in range(n + 1):
             s.moment[u, i] += s.turn[u, i]
-            s.turn[u, i] = 0.0
 
 
 @kernel

@@ -15,7 +15,7 @@ from riserstudy.solve.evaluate import load, move, shape, true_moments
 from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.program import every
 from riserstudy.solve.record import due, evaluate_and_note, interpolate, widen
-from riserstudy.solve.state import copy
+from riserstudy.solve.state import clear, copy
 from riserstudy.solve.vec import at, outer, put, solved
 
 
@@ -28,7 +28,7 @@ def accelerate(p, s, fixed):
     shape(p, s)
     true_moments(s)
     load(p, s)
-    s.lump[:] = 0.0
+    clear(s.lumps)
     every(p.lump, s)
     power = hold(s, fixed)
     square = outer(s.dim, s.dim)
@@ -81,26 +81,26 @@ def couple(s, fixed):
 
 
 @inner
-def advance(s, half, h):
-    """One step of velocities ``half`` and positions; the sum of squared velocities between the two."""
+def advance(s, h):
+    """Step velocities, then positions; the sum of squared velocities halfway between old and new."""
+    r, v, a = s.r, s.v, s.a
     square = 0.0
     for c in range(len(s.dim)):
-        for i in range(s.r.shape[1]):
-            kick = h * s.a[c, i]
-            now = half[c, i] + 0.5 * kick
+        for i in range(r.shape[1]):
+            kick = h * a[c, i]
+            now = v[c, i] + 0.5 * kick
             square += now * now
-            half[c, i] += kick
-            s.r[c, i] += h * half[c, i]
-            s.v[c, i] = half[c, i]
+            v[c, i] += kick
+            r[c, i] += h * v[c, i]
     return square
 
 
 @inner
-def drift(s, half, h, v):
-    """Velocities in the middle between those before and after, into ``v``."""
+def halfway(s, h, into):
+    """Velocities half a step on."""
     for c in range(len(s.dim)):
         for i in range(s.r.shape[1]):
-            v[c, i] = half[c, i] + 0.5 * h * s.a[c, i]
+            into[c, i] = s.v[c, i] + 0.5 * h * s.a[c, i]
 
 
 @kernel
@@ -112,43 +112,38 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
     d = len(s.dim)
     n = s.r.shape[1] - 1  # the last node, loose ones included
     r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
-    v1, half = np.zeros((d, n + 1)), np.zeros((d, n + 1))
+    v1 = np.zeros((d, n + 1))
     s.rate[0], s.rate[1] = 0.0, 1.0
     start = s.clock[0]
     move(p, s, start)
     power0 = accelerate(p, s, fixed)
-    copy(half, s.v)
-    drift(s, half, -h, half)
-    s.flow[:] = 0.0
-    every(p.power, s)
-    lost0, given0 = s.flow[0], s.flow[1]
+    lost0, given0 = flow(p, s)
+    halfway(s, -h, s.v)
     for step in range(steps + 1):
         t = start + step * h
-        # here s.r is at t, half at t - h/2, s.a at t
+        # s.r and s.a are at t; s.v is at t - h/2, but that of held directions at t
         if step == steps and not due(record, t + 1e-9 * h):
             break
         told = due(record, t + h * (1.0 - 1e-9))
         if told:
             copy(r0, s.r)
             copy(a0, s.a)
-            drift(s, half, h, v0)
-        if not advance(s, half, h) < bound:
-            drift(s, half, -h, v0)
+            halfway(s, h, v0)
+        if not advance(s, h) < bound:
+            halfway(s, -h, v0)
             return failed(ledger, v0, t, h)
         move(p, s, t + h)
         power1 = accelerate(p, s, fixed)
-        s.flow[:] = 0.0
-        every(p.power, s)
+        lost, given = flow(p, s)
         ledger.count[3] += 1
         if told:
-            drift(s, half, h, v1)
+            halfway(s, h, v1)
         while due(record, t + h * (1.0 - 1e-9)):
             time = record.time[record.written[0]]
             interpolate(so, r0, v0, a0, t, s.r, v1, s.a, t + h, time)
             copy(so.moment, s.moment)
             evaluate_and_note(p, so, record)
             widen(record)
-        lost, given = s.flow[0], s.flow[1]
         enter(
             ledger,
             0.5 * h * (power0 + power1),
@@ -158,8 +153,17 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
         )
         power0, lost0, given0 = power1, lost, given
     s.clock[0] = start + steps * h
-    drift(s, half, h, s.v)
+    halfway(s, h, s.v)
+    every(p.place, s)
     return DONE
+
+
+@inner
+def flow(p, s):
+    """Power dissipated, and power supplied by water and devices (W)."""
+    s.flow[0], s.flow[1] = 0.0, 0.0
+    every(p.power, s)
+    return s.flow[0], s.flow[1]
 
 
 @inner

@@ -90,6 +90,13 @@ class State(NamedTuple):
 
     lump: np.ndarray  # (d*d, N) lumped mass of a node, row by row; only the upper triangle counts (kg)
 
+    # Arrays that are cleared together lie together; these are all of their memory.
+    loads: np.ndarray  # force, segment, turn, pull, k_pull
+    seas: np.ndarray  # level, water, shear, water_rate
+    lumps: np.ndarray  # lump
+    slopes: np.ndarray  # k_segment, k_node, k_up, k_low, by_low, by_up, turn_low, turn_up
+
+
     flow: np.ndarray  # (2,) power dissipated, power supplied by water and devices (W)
     probe: np.ndarray  # (probes,) scalars that effects report at output times
 
@@ -102,6 +109,14 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
     def zeros(*shape):
         return np.zeros(shape)
 
+    loads, (force, segment, turn, pull, k_pull) = _together(
+        (d, nodes), (d, n), (m, nodes), (c,), (c,)
+    )
+    seas, (level, water, shear, water_rate) = _together((n + 1,), *[(d, n + 1)] * 3)
+    lumps, (lump,) = _together((d * d, nodes))
+    slopes, (k_segment, k_node, k_up, k_low, by_low, by_up, turn_low, turn_up) = _together(
+        (nodes - 1, d * d), (nodes, d * d), *[(nodes - 1, d * d)] * 2, *[(nodes - 1, d * m)] * 4
+    )
     return State(
         dim=(0.0,) * d,
         dof=(0.0,) * (m + d),
@@ -117,25 +132,25 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         length=zeros(n),
         direction=zeros(d, n + 1),
         platform=zeros(3, 6),
-        level=zeros(n + 1),
-        water=zeros(d, n + 1),
-        shear=zeros(d, n + 1),
-        water_rate=zeros(d, n + 1),
+        level=level,
+        water=water,
+        shear=shear,
+        water_rate=water_rate,
         blend=zeros(n + 1),
         density=zeros(d, n + 1),
         block=zeros(n + 1, d * d),
-        segment=zeros(d, n),
-        force=zeros(d, nodes),
+        segment=segment,
+        force=force,
         ends=zeros(2, 2, d),
-        turn=zeros(m, nodes),
-        k_segment=zeros(nodes - 1, d * d),
-        k_node=zeros(nodes, d * d),
-        k_up=zeros(nodes - 1, d * d),
-        k_low=zeros(nodes - 1, d * d),
-        by_low=zeros(nodes - 1, d * m),
-        by_up=zeros(nodes - 1, d * m),
-        turn_low=zeros(nodes - 1, d * m),
-        turn_up=zeros(nodes - 1, d * m),
+        turn=turn,
+        k_segment=k_segment,
+        k_node=k_node,
+        k_up=k_up,
+        k_low=k_low,
+        by_low=by_low,
+        by_up=by_up,
+        turn_low=turn_low,
+        turn_up=turn_up,
         flex=zeros(nodes),
         flex_up=zeros(nodes - 1),
         flex_inverse=zeros(nodes),
@@ -147,12 +162,24 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         line=zeros(3, c),
         distance=zeros(c),
         ring_moment=zeros(3),
-        pull=zeros(c),
-        k_pull=zeros(c),
-        lump=zeros(d * d, nodes),
+        pull=pull,
+        k_pull=k_pull,
+        lump=lump,
+        loads=loads,
+        seas=seas,
+        lumps=lumps,
+        slopes=slopes,
         flow=zeros(2),
         probe=zeros(probes),
     )
+
+
+def _together(*shapes):
+    """Zeros of several shapes that lie one after the other: all of them in a row, and each."""
+    ends = np.cumsum([0, *(int(np.prod(shape)) for shape in shapes)])
+    whole = np.zeros(ends[-1])
+    pieces = zip(ends, ends[1:], shapes)
+    return whole, [whole[a:b].reshape(shape) for a, b, shape in pieces]
 
 
 @inner
@@ -228,23 +255,19 @@ def keep_ends(s, ends):
 
 
 @inner
+def clear(array):
+    """Fill a vector with zeros."""
+    for i in range(array.shape[0]):
+        array[i] = 0.0
+
+
+@inner
 def clear_forces(s):
     """Forget the forces of the last evaluation."""
-    s.force[:] = 0.0
-    s.segment[:] = 0.0
-    s.turn[:] = 0.0
-    s.pull[:] = 0.0
-    s.k_pull[:] = 0.0
+    clear(s.loads)
 
 
 @inner
 def clear_tangent(s):
     """Forget the stiffness of the last evaluation."""
-    s.k_segment[:] = 0.0
-    s.k_node[:] = 0.0
-    s.k_up[:] = 0.0
-    s.k_low[:] = 0.0
-    s.by_low[:] = 0.0
-    s.by_up[:] = 0.0
-    s.turn_low[:] = 0.0
-    s.turn_up[:] = 0.0
+    clear(s.slopes)
