@@ -31,8 +31,8 @@ def _about(k, angle, rate, bend, p, v, a):
 @inner
 def turned(platform, p, v, a):
     """Turn a vector fixed to the platform, (3,) in place; its rates are written to ``v`` and ``a``."""
-    v[:] = 0.0
-    a[:] = 0.0
+    for k in range(3):
+        v[k], a[k] = 0.0, 0.0
     for k in range(3):
         angle, rate, bend = platform[0, 3 + k], platform[1, 3 + k], platform[2, 3 + k]
         if angle != 0.0 or rate != 0.0 or bend != 0.0:

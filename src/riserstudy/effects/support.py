@@ -27,7 +27,8 @@ class Support(NamedTuple):
 def place(support, s):
     """Put the node where it is held, with the velocity and acceleration it has there."""
     i, point = support.node, support.point
-    point[0] = support.arm
+    for c in range(3):
+        point[0, c] = support.arm[c]
     turned(s.platform, point[0], point[1], point[2])
     for k in range(len(s.dim)):
         if support.held[k] > 0:

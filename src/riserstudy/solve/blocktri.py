@@ -142,24 +142,26 @@ def flexibility_solve(s, angle):
     n = s.l0.shape[0]
     middle = n // 2
     below, above = angle[0], angle[n]
-    for k in range(1, n - middle):
+    for k in range(1, middle):
+        below = angle[k] - factor[k - 1] * below
+        angle[k] = below
         above = angle[n - k] - factor[n - k] * above
         angle[n - k] = above
-        if k < middle:
-            below = angle[k] - factor[k - 1] * below
-            angle[k] = below
+    if 2 * middle < n and middle > 0:  # the upper part is longer by one
+        above = angle[middle + 1] - factor[middle + 1] * above
+        angle[middle + 1] = above
     here = angle[middle] - factor[middle] * above
     if middle > 0:
         here -= factor[middle - 1] * below
     below = above = angle[middle] = here * inverse[middle]
-    for k in range(1, n - middle + 1):
-        i = middle + k
-        above = angle[i] * inverse[i] - factor[i - 1] * above
-        angle[i] = above
-        if k <= middle:
-            i = middle - k
-            below = angle[i] * inverse[i] - factor[i] * below
-            angle[i] = below
+    for k in range(1, middle + 1):
+        i, j = middle - k, middle + k
+        below = angle[i] * inverse[i] - factor[i] * below
+        angle[i] = below
+        above = angle[j] * inverse[j] - factor[j - 1] * above
+        angle[j] = above
+    if 2 * middle < n:
+        angle[n] = angle[n] * inverse[n] - factor[n - 1] * above
 
 
 @kernel

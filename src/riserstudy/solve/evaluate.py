@@ -38,7 +38,9 @@ class Programs(NamedTuple):
 def move(p, s, time):
     """Bring platform and held nodes to a time."""
     s.clock[0] = time
-    s.platform[:] = 0.0
+    for k in range(3):
+        for c in range(6):
+            s.platform[k, c] = 0.0
     every(p.motion, s)
     every(p.place, s)
 

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.jit import inner
-from riserstudy.solve.vec import at, mul, norm, put, sub, upward
+from riserstudy.solve.vec import at, mul, norm, plus, put, sub, upward
 
 OWN, OTHER = 5.0 / 12.0, 1.0 / 12.0
 
@@ -187,16 +187,19 @@ def measure(s):
     """Lengths and directions of the segments, tangents at the nodes."""
     dim, r, tangent, length, direction = s.dim, s.r, s.tangent, s.length, s.direction
     n = length.shape[0]
-    for e in range(n):
-        along = sub(at(dim, r, e + 1), at(dim, r, e))
-        stretched = norm(along)
+    for e in range(n - 1):
+        here, above = at(dim, r, e), at(dim, r, e + 1)
+        along, chord = sub(above, here), sub(at(dim, r, e + 2), here)
+        stretched, reach = norm(along), norm(chord)
+        share = 1.0 / (stretched * reach)  # one division for both
         length[e] = stretched
-        put(tangent, e, mul(1.0 / stretched, along))
+        put(tangent, e, mul(share * reach, along))
+        put(direction, e + 1, mul(share * stretched, chord))
+    along = sub(at(dim, r, n), at(dim, r, n - 1))
+    length[n - 1] = norm(along)
+    put(tangent, n - 1, mul(1.0 / length[n - 1], along))
     put(direction, 0, at(dim, tangent, 0))
     put(direction, n, at(dim, tangent, n - 1))
-    for i in range(1, n):
-        along = sub(at(dim, r, i + 1), at(dim, r, i - 1))
-        put(direction, i, mul(1.0 / norm(along), along))
 
 
 @inner
@@ -210,13 +213,12 @@ def axis(s, horizontal, i):
 @inner
 def gather(s):
     """Add the pull of the segments to the forces on their nodes."""
-    force, segment = s.force, s.segment
+    dim, force, segment = s.dim, s.force, s.segment
     n = s.length.shape[0]
-    for k in range(len(s.dim)):
-        force[k, 0] += segment[k, 0]
-        force[k, n] -= segment[k, n - 1]
-        for i in range(1, n):
-            force[k, i] += segment[k, i] - segment[k, i - 1]
+    plus(force, 0, at(dim, segment, 0))
+    plus(force, n, mul(-1.0, at(dim, segment, n - 1)))
+    for i in range(1, n):
+        plus(force, i, sub(at(dim, segment, i), at(dim, segment, i - 1)))
 
 
 @inner

@@ -28,6 +28,12 @@ def mul(factor, a):
 
 
 @unrolled
+def weigh(x, a, y, b):
+    """Sum of two vectors or two blocks, each times a number."""
+    return tuple(x * p + y * q for p, q in zip(a, b, strict=True))
+
+
+@unrolled
 def dot(a, b):
     """Scalar product."""
     return sum(x * y for x, y in zip(a, b, strict=True))
