@@ -24,7 +24,7 @@ from riserstudy.effects.flex_joint import FlexJoint
 from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
-from riserstudy.effects.roles import ROLES
+from riserstudy.effects.roles import ROLES, register
 from riserstudy.effects.vessel import Vessel
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave_force import WaveForce
@@ -230,6 +230,27 @@ def test_the_mass_is_the_slope_of_the_inertial_force(pair):
     rig.evaluate()
     # linear in acceleration: rounding only
     assert relative(dense_tangent(rig.s) - mass, slope) < 1e-12
+
+
+@pytest.mark.parametrize("pair", WITH["mass"], ids=name)
+def test_the_lumped_mass_is_the_mass_where_none_is_shared(pair):
+    kind, d = pair
+    rig = Rig(kind, d)
+    rig.s.share[:] = 0.5, 0.0
+    rig.s.rate[:] = 0.0, 1.0
+    shape_of(rig.model.programs, rig.model.state)
+    for role in ("mass", "lump"):
+        program = assemble([(ROLES[kind][role], rig.frozen_record())], rig.model.state)
+        one_call(program, rig.model.state)
+    assert not np.any(rig.s.k_up) and not np.any(rig.s.k_low)
+    upper = np.triu(np.ones((d, d), bool)).ravel()
+    assert relative(rig.s.lump[upper], rig.s.k_node[:, upper].T) < 1e-14
+    assert not np.any(rig.s.lump[~upper])
+
+
+def test_mass_comes_with_its_lumped_form():
+    with pytest.raises(TypeError, match="mass and lump come together"):
+        register(Drag, mass=ROLES[AddedMass]["mass"])
 
 
 @pytest.mark.parametrize("pair", [p for p in PAIRS if "kinetic" in ROLES[p[0]]], ids=name)
