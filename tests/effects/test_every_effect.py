@@ -242,7 +242,8 @@ def test_the_lumped_mass_is_the_mass_where_none_is_shared(pair):
     for role in ("mass", "lump"):
         program = assemble([(ROLES[kind][role], rig.frozen_record())], rig.model.state)
         one_call(program, rig.model.state)
-    assert not np.any(rig.s.k_up) and not np.any(rig.s.k_low)
+    assert not np.any(rig.s.k_up)
+    assert not np.any(rig.s.k_low)
     upper = np.triu(np.ones((d, d), bool)).ravel()
     assert relative(rig.s.lump[upper], rig.s.k_node[:, upper].T) < 1e-14
     assert not np.any(rig.s.lump[~upper])
@@ -372,6 +373,8 @@ def uncompile(monkeypatch):
     return replace
 
 
+# memory of other arrays, which a copy of the state does not share; those are compared themselves
+MEMORY = {"loads", "seas", "lumps", "slopes"}
 PIECES = [(kind, d, role) for kind, d in PAIRS for role in ROLES[kind]]
 
 
@@ -388,7 +391,7 @@ def test_compiled_and_interpreted_effects_agree(piece, uncompile):
     uncompile()
     interpreted = function.py_func(record, state)
     assert compiled == pytest.approx(interpreted, rel=1e-10)
-    for field in state._fields:
+    for field in set(state._fields) - MEMORY:
         expected = np.asarray(getattr(state, field))
         if expected.size:
             assert relative(getattr(rig.s, field), expected) < 1e-10, field
