@@ -93,7 +93,7 @@ def tangent(p, s):
 
 @inner
 def true_moments(s):
-    """Correct the moments until they belong to the shape; after ``shape``, whose turning angles it uses up."""
+    """Correct the moments until they belong to the shape; after ``shape``, whose angles it uses up."""
     m, n = len(s.dof) - len(s.dim), s.l0.shape[0]
     for u in range(m):
         flexibility_solve(s, s.turn[u])

@@ -88,14 +88,13 @@ class State(NamedTuple):
     pull: np.ndarray  # (cylinders,) force on the ring towards the deck (N)
     k_pull: np.ndarray  # (cylinders,) d pull / d reach, the rate's part included (N/m)
 
-    lump: np.ndarray  # (d*d, N) lumped mass of a node, row by row; only the upper triangle counts (kg)
+    lump: np.ndarray  # (d*d, N) lumped mass of a node (kg), row by row, upper triangle
 
     # Arrays that are cleared together lie together; these are all of their memory.
     loads: np.ndarray  # force, segment, turn, pull, k_pull
     seas: np.ndarray  # level, water, shear, water_rate
     lumps: np.ndarray  # lump
     slopes: np.ndarray  # k_segment, k_node, k_up, k_low, by_low, by_up, turn_low, turn_up
-
 
     flow: np.ndarray  # (2,) power dissipated, power supplied by water and devices (W)
     probe: np.ndarray  # (probes,) scalars that effects report at output times
@@ -178,7 +177,7 @@ def _together(*shapes):
     """Zeros of several shapes that lie one after the other: all of them in a row, and each."""
     ends = np.cumsum([0, *(int(np.prod(shape)) for shape in shapes)])
     whole = np.zeros(ends[-1])
-    pieces = zip(ends, ends[1:], shapes)
+    pieces = zip(ends[:-1], ends[1:], shapes, strict=True)
     return whole, [whole[a:b].reshape(shape) for a, b, shape in pieces]
 
 
