@@ -103,9 +103,9 @@ class Model:
         return other
 
     def _program(self, role: str) -> np.ndarray:
-        calls = []
         if role == "lump" and self.s.share[1] > 0.0:
-            return assemble(calls, self.state)
+            return assemble([], self.state)  # implicit stepping has no use for it
+        calls = []
         for effect, record in zip(self.effects, self.records, strict=True):
             functions = ROLES[type(effect.record)]
             if role in functions:
