@@ -182,7 +182,9 @@ class _Builder:
                 self.fixed += every.difference(self.afloat)
         if any(held[k] for k in AXES[self.d]):
             follow = [top.x == "platform"] * 2 + [top.z == "platform"]
-            place = [top.offset or 0.0, 0.0, self.top_z or 0.0]
+            # free in z, it turns with the platform from where the riser ends before it stretches
+            high = self.bottom_z + float(self.mesh.l0.sum()) if self.top_z is None else self.top_z
+            place = [top.offset or 0.0, 0.0, high]
             self.hold(self.n, place, held, follow, "top.x, top.z")
         for node, end in ((0, bottom), (self.n, top)):
             if flexibility_of(end.rotation) is None:
