@@ -10,6 +10,7 @@ from riserstudy.errors import InputError
 from riserstudy.response import harmonics, operator
 from riserstudy.scene.response import Operator, Response
 from riserstudy.scene.sea import RegularWave, Storm, Swell
+from riserstudy.sea import components_of
 from riserstudy.semisubmersible import DENSITY, GRAVITY, heave, read_units, response
 
 UNITS = read_units(Path(__file__).parents[1] / "config/platforms/semisubmersibles.yaml")
@@ -102,6 +103,22 @@ def test_between_lines_phases_cross_180_degrees_without_harm():
     r = complex(operator(made(), "heave", np.array([middle]))[0])
     assert abs(r) == pytest.approx(0.35, rel=0.02)
     assert abs(math.degrees(np.angle(r))) > 170.0
+
+
+def test_a_seed_gives_the_same_sea_to_the_last_bit_and_another_other_phases():
+    def sea(seed):
+        values = {"significant_height": "4 m", "peak_period": "12 s", "peak_enhancement": 2.0}
+        return components_of(Storm.model_validate(values | {"components": 60, "seed": seed}))
+
+    amplitude, frequency, phase = sea(3)
+    for one, again in zip((amplitude, frequency, phase), sea(3), strict=True):
+        assert one.tobytes() == again.tobytes()
+    others = sea(4)
+    assert others[0].tobytes() == amplitude.tobytes()
+    assert others[1].tobytes() == frequency.tobytes()
+    assert (others[2] != phase).all()
+    assert len(set(phase)) == 60
+    assert 0.0 <= phase.min() < 1.0 < 5.0 < phase.max() < 2.0 * math.pi
 
 
 def test_a_sea_gives_the_variance_of_spectrum_times_operator():

@@ -8,6 +8,8 @@ import pytest
 from riserstudy import load_scene, simulate
 from riserstudy.derived.liu2020_statics import pushed_back
 from riserstudy.derived.methods import Beamlike, by_collocation, by_hermite_elements
+from riserstudy.mesh import even
+from riserstudy.single import single
 
 LENGTH = 533.0
 
@@ -79,6 +81,52 @@ def test_one_failed_cylinder_pulls_the_ring_to_the_side():
     assert force[0] == 0.0
     assert (force[1:] > 3e5).all()
     assert float(run["x"].sel(s=533.0, method="nearest")) < 0.0
+
+
+def once(**changes):
+    """One run of the system, Newton's iteration carried on to its end."""
+    tight = {"analysis": SHORT | {"newton_tolerance": 1e-12}}
+    scene = load_scene(SYSTEM, **(tight | changes)).scene()
+    return single(scene, even(scene, 40), 0.125)
+
+
+def test_the_whole_system_moves_in_space_as_in_the_plane():
+    shift = {"amplitude": "2 m", "period": "12 s", "ramp": "12 s"}
+    moving = {"platform.pitch": ROLLING, "platform.surge": shift, "platform.heave": shift}
+    one = once(**moving)
+    other = once(**moving, **{"platform.sway": {"amplitude": "0 m", "period": "12 s"}})
+    assert [run.facts["directions"] for run in (one, other)] == [2, 3]
+    flat, space = one.arrays, other.arrays
+    peak = np.abs(flat["x"]).max()
+    assert peak > 1.5
+    for name in ("x", "z", "stroke", "tensioner_stroke"):
+        assert np.abs(space[name] - flat[name]).max() < 1e-9 * peak
+    assert np.abs(space["y"]).max() < 1e-9 * peak
+    for name in (
+        "effective_tension",
+        "bending_moment",
+        "tensioner_force",
+        "ufj_angle",
+        "lfj_angle",
+    ):
+        size = np.abs(flat[name])
+        expected = flat[name] if name in ("effective_tension", "tensioner_force") else size
+        assert np.abs(space[name] - expected).max() < 1e-9 * size.max()
+
+
+def test_the_gas_law_runs_in_space_with_a_cylinder_failed():
+    found = once(**{"platform.roll": ROLLING, "top.tensioners.failed": [1]})
+    assert found.facts["directions"] == 3
+    force = found.arrays["tensioner_force"]
+    assert (force[:, 1] == 0.0).all()
+    left = np.delete(force, 1, axis=1)
+    assert left.min() > 3e5
+    # those at other bearings pull differently, and change while the platform rolls
+    assert (left.max(axis=1) - left.min(axis=1)).min() > 500.0
+    assert np.ptp(left, axis=0).max() > 2000.0
+    x, y = (found.arrays[name + "_static"][-2] for name in "xy")  # of the ring
+    assert x * np.cos(np.radians(60.0)) + y * np.sin(np.radians(60.0)) < -1e-3
+    assert found.facts["audit"]["unexplained_share"] < 1e-4
 
 
 def test_the_horizontal_force_balances_a_ring_held_aside():
