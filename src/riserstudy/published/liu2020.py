@@ -13,6 +13,9 @@ from riserstudy.published.verdict import ALMOST_ALWAYS
 #: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
 WITHOUT = ["constant", "vertical force at the ring", "riser's top on the platform"]
 INCH, DEGREES = 0.0254, 180.0 / np.pi  # m, a radian
+LENGTH = 533.0  # m of riser
+WET = 220.0 / 15.24  # kg/m in water, of a joint of Table 1
+PRINTED = {0.2: 337.0, 0.6: 3166.0, 1.0: 8765.0}  # N at a surface speed (m/s)
 
 # Table 2 and the constant tension
 
@@ -165,12 +168,20 @@ def surge_largest(rao: xr.Dataset, at_least: float) -> Found:
 
 
 def tensions(readings: xr.Dataset) -> dict[str, Any]:
-    """Tonnes in the readings that the erratum names."""
-    tonnes = constant_tension(readings).value.sel(
-        gravity=9.81, pressures="absolute", mid_stroke="riser in equilibrium"
+    """Tonnes in the readings that the erratum names, and times the riser's weight in water."""
+    every = constant_tension(readings).value.sel(gravity=9.81, pressures="absolute")
+    tonnes = every.sel(mid_stroke="riser in equilibrium")
+    six = every.sel(cylinders="six", pistons="6050 kg in all")
+    once, other = (
+        float(six.sel(mid_stroke=zero, inclination=0.0))
+        for zero in ("riser in equilibrium", "riser unstretched")
     )
     return {
-        "once": float(tonnes.sel(cylinders="six", pistons="6050 kg in all", inclination=0.0)),
+        "once": once,
+        "unstretched": other,
+        "lost": once - other,
+        "inclined": float(six.sel(mid_stroke="riser in equilibrium", inclination=11.3)),
+        "ratio": 1e3 * once / (LENGTH * WET),
         "each": float(tonnes.sel(cylinders="six", pistons="6050 kg each", inclination=0.0)),
         "seven": float(tonnes.sel(cylinders="seven", pistons="6050 kg each", inclination=9.5)),
         "leaning": float(tonnes.sel(cylinders="six", pistons="massless", inclination=12.8)),
@@ -181,11 +192,14 @@ def forces(force: xr.Dataset, calibrated: xr.Dataset) -> dict[str, Any]:
     """Horizontal forces (N) in the calibrated current, and drag coefficients that profiles would need."""
     tuned = calibrated["horizontal_force"]
     found = force["horizontal_force"].sel(surface_speed=1.0)
-    needed = 8765.0 / found  # of a drag coefficient of 1, to which the force is proportional
+    apart = [printed / float(tuned.sel(surface_speed=u)) for u, printed in PRINTED.items()]
+    needed = PRINTED[1.0] / found  # of a drag coefficient of 1, to which the force is proportional
     return {
         "slow": float(tuned.sel(surface_speed=0.2)),
         "middle": float(tuned.sel(surface_speed=0.6)),
         "fast": float(tuned.sel(surface_speed=1.0)),
+        # one factor on all forces, which are proportional to the drag coefficient
+        "spread": (max(apart) - min(apart)) / (max(apart) + min(apart)),
         "linear_all": float(needed.sel(current_profile="linear", counted="all cylinders")),
         "linear_one": float(needed.sel(current_profile="linear", counted="one cylinder")),
         "surface_all": float(
