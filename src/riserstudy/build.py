@@ -195,7 +195,7 @@ class _Builder:
         if current is None or self.d == 1:
             return
         z, speed = current_table(current, self.scene.water)
-        along = self.along(current.heading)
+        along = self.along(current.towards)
         self.add("current", Current(z, speed, along, current.ramp or 0.0), "current")
 
     def along(self, heading: float | None) -> FloatArray:

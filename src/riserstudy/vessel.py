@@ -144,7 +144,7 @@ def _surface_current(scene: Scene) -> FloatArray:
         return np.zeros(2)
     z, speed = current_table(scene.current, scene.water)
     level = scene.water.surface if scene.water.surface is not None else float(z[-1])
-    return _towards(float(np.interp(level, z, speed)), scene.current.heading)
+    return _towards(float(np.interp(level, z, speed)), scene.current.towards)
 
 
 def _towards(size: float, heading: float | None) -> FloatArray:

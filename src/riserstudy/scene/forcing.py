@@ -233,11 +233,21 @@ class Combined(Strict):
 
 
 class Current(Strict):
-    """Steady current. Absent heading: it flows along x; ramp: it flows from the start."""
+    """Steady current. Absent heading: it flows along x; ramp: it flows from the start.
+
+    Headings tell where it flows to (towards; so where absent) or comes from. All of a profile has one
+    heading: a heading for every row of a table is not taken.
+    """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined
     heading: u.Angle | None = None
+    headings: Literal["towards", "from"] | None = None
     ramp: Annotated[u.Time, POSITIVE] | None = None
+
+    @property
+    def towards(self) -> float:
+        """Where it flows to, from x towards y (rad)."""
+        return (self.heading or 0.0) + (math.pi if self.headings == "from" else 0.0)
 
     def table(self, water: Water | None) -> tuple[list[float], list[float]]:
         """Rising elevations (m) and speeds (m/s) of a profile by points."""
@@ -263,6 +273,8 @@ class Current(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         points = self.profile if isinstance(self.profile, list) else []
+        if self.headings is not None and self.heading is None:
+            raise ValueError("headings: 'towards' or 'from' goes with a heading")
         if len({point.depth is None for point in points}) > 1:
             raise ValueError("profile: elevation in every line, or depth in every line")
         for name in ("elevation", "depth"):

@@ -30,6 +30,7 @@ def headings(scene: Scene) -> list[tuple[str, float, str]]:
         heading = getattr(what, "heading", None) or 0.0
         speed = getattr(what, "speed", None)
         if name == "current" and scene.current:
+            heading = scene.current.towards
             speed = getattr(scene.current.profile, "surface_speed", None)
         against = speed is not None and speed < 0.0
         rows.append((name, heading + (math.pi if against else 0.0), colour))

@@ -73,7 +73,7 @@ def current(view: View, geometry: Geometry) -> None:
     width = right - left
     middle = float(np.mean(geometry.line[1]))
     scale = CURRENT_WIDTH * width / largest
-    along = math.cos(scene.current.heading or 0.0)
+    along = math.cos(scene.current.towards)
     rightwards = along * speed[int(np.argmax(np.abs(speed)))] > 0.0
     foot = middle - BEFORE * width - (CURRENT_WIDTH * width if rightwards else 0.0)
     view.line([foot, foot], [z[inside][0], z[inside][-1]], color=WATER, linewidth=0.6)
@@ -87,7 +87,9 @@ def current(view: View, geometry: Geometry) -> None:
     for tip in drawn:
         view.arrow((foot, tip[1]), tip, WATER)
     text = f"current: up to {largest:.3g} m/s; arrows to a scale of their own"
-    if scene.current.heading:
-        text += f"; towards {degrees(scene.current.heading)}, here its part along x"
+    if scene.current.towards:
+        text += (
+            f"; towards {degrees(scene.current.towards % (2.0 * math.pi))}, here its part along x"
+        )
     # named at the second arrow from above: labels of the surface stand at the first
     view.name(text, ([(foot, levels[-1]), *drawn])[-2], WATER, whole=True)

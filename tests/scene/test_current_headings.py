@@ -1,0 +1,62 @@
+"""Where a current flows to, by a heading in either convention."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy import load_scene
+from riserstudy.errors import InputError
+from riserstudy.mesh import even
+from riserstudy.single import single
+
+SYSTEM = Path(__file__).parents[2] / "config/scenes/liu2020/system.yaml"
+TABLE = "depth (m),speed (m/s)\n0,1\n533,0.1\n"
+
+
+def loaded(folder, table=TABLE, **current):
+    (folder / "current.csv").write_text(table)
+    profile = {"file": str(folder / "current.csv")}
+    return load_scene(
+        SYSTEM, current={"profile": profile} | current, analysis={"mesh": {"elements": 40}}
+    )
+
+
+def shape(file):
+    found = single(file.scene(), even(file.scene(), 40), None).arrays
+    return np.stack([found["x_static"], found["y_static"]])
+
+
+@pytest.mark.parametrize(
+    "heading, headings, towards",
+    [(30, None, 30.0), (30, "towards", 30.0), (30, "from", 210.0), (-90, "from", 90.0)],
+)
+def test_a_current_flows_where_its_convention_says(tmp_path, heading, headings, towards):
+    given = {"heading": f"{heading} deg"} | ({"headings": headings} if headings else {})
+    current = loaded(tmp_path, **given).scene().current
+    assert current.towards == pytest.approx(math.radians(towards))
+
+
+def test_from_one_side_is_towards_the_other(tmp_path):
+    came = shape(loaded(tmp_path, heading="210 deg", headings="from"))
+    went = shape(loaded(tmp_path, heading="30 deg", headings="towards"))
+    assert went.max() > 0.1
+    assert np.abs(came - went).max() < 1e-9 * went.max()
+    other = shape(loaded(tmp_path, heading="210 deg"))
+    assert np.abs(came + other).max() < 0.1 * went.max()
+
+
+@pytest.mark.parametrize(
+    "table, current, reason",
+    [
+        (TABLE, {"headings": "from"}, "goes with a heading"),
+        (TABLE, {"headings": "towards"}, "goes with a heading"),
+        (TABLE, {"heading": "30 deg", "headings": "to"}, "towards"),
+        (TABLE, {"heading": "30 m", "headings": "from"}, "dimension"),
+        ("depth (m),speed (m/s),heading (deg)\n0,1,0\n9,0,0\n", {}, "allowed are the columns"),
+    ],
+)
+def test_headings_that_cannot_be_meant_are_refused(tmp_path, table, current, reason):
+    with pytest.raises(InputError, match=reason):
+        loaded(tmp_path, table, **current)
