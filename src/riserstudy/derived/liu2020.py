@@ -51,7 +51,8 @@ __all__ = [
 ]
 
 PAPER = "liu2020"
-INCLINATIONS = (0.0, 2.0, 5.7, 9.5, 11.3, 12.8)  # deg, of cylinders between ring and deck, all alike
+#: deg, of cylinders between ring and deck, all alike
+INCLINATIONS = (0.0, 2.0, 5.7, 9.5, 11.3, 12.8)
 
 
 def tension_readings(tension: xr.Dataset) -> xr.Dataset:
