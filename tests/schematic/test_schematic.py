@@ -1,7 +1,9 @@
 """Schematics: to scale, of every scene, with what is there and nothing else, and readable."""
 
+import re
 from functools import cache
 from itertools import combinations
+from math import hypot
 from pathlib import Path
 
 import pytest
@@ -13,13 +15,14 @@ from matplotlib.text import Annotation
 from riserstudy.scene.load import load_scene
 from riserstudy.schematic import schematic
 from riserstudy.schematic.geometry import Geometry
-from riserstudy.schematic.labels import spread
+from riserstudy.schematic.labels import LOAD, spread
 from riserstudy.study import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
 SCENES = sorted((CONFIG / "scenes").glob("*/*.yaml"))
 PAPERS = ("chang2020", "liu2020", "mao_hangoff", "fem_riser", "liu2017")
 SHOWN = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).schematics]
+FORCES = ("weight ", "tension ", "force ", "line load ")
 #: how many figures each paper printed
 PRINTED = {"chang2020": 14, "liu2020": 24, "mao_hangoff": 14, "fem_riser": 8, "liu2017": 7}
 
@@ -70,6 +73,38 @@ def test_labels_neither_touch_nor_leave_the_figure(paper, name):
         assert box.x1 <= width, text
         assert box.y0 >= 0.0, text
         assert box.y1 <= height, text
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_arrows_of_loads_are_in_their_panels(path):
+    """An arrow whose head lies outside is not drawn at all; labels of forces stand at one that is."""
+    for ax in schematic(load_scene(path).scene()).axes:
+        arrows = [t for t in ax.texts if isinstance(t, Annotation) and not t.get_text()]
+        forces = [t for t in ax.texts if t.get_text().startswith(FORCES) and t.get_color() == LOAD]
+        for label in forces:
+            named = [arrow for arrow in arrows if between(label.xy, arrow)]
+            assert named, label.get_text()
+            assert any(inside(ax, a.xy) and inside(ax, a.xyann) for a in named), label.get_text()
+
+
+def inside(ax, point):
+    """Whether a panel shows a point."""
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    return left <= point[0] <= right and low <= point[1] <= high
+
+
+def between(point, arrow):
+    """Whether a point lies on an arrow."""
+    whole = hypot(arrow.xy[0] - arrow.xyann[0], arrow.xy[1] - arrow.xyann[1])
+    parts = sum(hypot(point[0] - x, point[1] - z) for x, z in (arrow.xy, arrow.xyann))
+    return parts <= 1.001 * whole
+
+
+@pytest.mark.parametrize("paper, name", SHOWN)
+def test_numbers_stand_on_one_line_with_their_units(paper, name):
+    for label in labels(drawn(paper, name)):
+        assert not re.search(r"\d\n(?!(in|to|of)\b)[^\W\d]{1,2}\b", label.get_text()), label.get_text()
+        assert not re.search(r"(=|EI|EA)\n|\n=", label.get_text()), label.get_text()
 
 
 def test_what_is_there_is_named_and_what_is_not_is_not():

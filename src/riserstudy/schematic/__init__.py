@@ -31,6 +31,7 @@ SHARES = {2: (0.5, 0.5), 3: (0.48, 0.28, 0.24)}  # of the right column, by the n
 MARGIN = 0.16  # of the view of everything, above and below what has a place
 NEAR = 0.12  # of the riser's length, shown at its ends
 MOST = 40.0  # at most so much (m), where nothing longer is there
+HANGING = 0.8  # a body and the arrow of its weight, and some room (inches)
 NOTE = (
     "Each panel has one scale in both directions; lines are no thinner than a point, whatever the scale. "
     "Dashed: symbols of what the scene gives no size. Riser unstretched, before current and waves act on it."
@@ -47,7 +48,7 @@ def schematic(scene: Scene) -> Figure:
     plan = has_plan(scene)
     shares = SHARES[3 if plan else 2]
     room, top = CEILING - FLOOR - BETWEEN * (len(shares) - 1), CEILING
-    windows = {"upper end": _upper(geometry), "lower end": _lower(geometry)}
+    windows = {"upper end": _upper(geometry), "lower end": _lower(geometry, shares[1] * room)}
     if plan:
         windows["from above"] = ((0.0, 0.0), 2.0 * radius(geometry))
     for letter, share, (name, window) in zip("bcd", shares, windows.items(), strict=False):
@@ -127,15 +128,22 @@ def _upper(geometry: Geometry) -> tuple[tuple[float, float], float]:
     return (geometry.top[0], ring + 0.12 * near), near
 
 
-def _lower(geometry: Geometry) -> tuple[tuple[float, float], float]:
-    """Middle and height of the view of the lower end."""
+def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], float]:
+    """Middle and height of the view of the lower end, in a panel so many inches high."""
     x, z = geometry.bottom
     short = geometry.short_below()
-    if 0.0 < short < geometry.riser_length:
-        return (x, z + 0.5 * short), 1.35 * short
     near = min(MOST, NEAR * geometry.riser_length)
-    # a body and the arrow of its weight hang below
-    return (x, z + (0.02 if geometry.scene.bottom.body else 0.18) * near), near
+    body = geometry.scene.bottom.body
+    middle, height = z + (0.02 if body else 0.18) * near, near
+    if 0.0 < short < geometry.riser_length:
+        middle, height = z + 0.5 * short, 1.35 * short
+    if body is None:
+        return (x, middle), height
+    # Body and weight hang so many inches below, whatever the scale.
+    above = middle + 0.5 * height - z
+    most = min(HANGING / inches, 0.9)
+    height = max(height, above / (1.0 - most))
+    return (x, z + above - 0.5 * height), height
 
 
 def _texts(figure: Figure, scene: Scene) -> None:

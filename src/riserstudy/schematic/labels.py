@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -17,6 +18,7 @@ SIZE = 7.0  # of the letters (points)
 LINE = 1.3 * SIZE / 72.0  # height of a line (inches)
 GAP = 0.4 * LINE  # between labels
 CHARACTERS = 36  # in a line
+UNBROKEN = "\u00a0"  # space at which no line ends
 REACH = 0.16  # from the drawing to its labels (inches)
 
 
@@ -37,7 +39,7 @@ class Labels:
 
     def add(self, text: str, point: tuple[float, float], colour: str = PART) -> None:
         """Name a point."""
-        wrapped = "\n".join(textwrap.wrap(text, CHARACTERS, break_long_words=False))
+        wrapped = "\n".join(textwrap.wrap(tied(text), CHARACTERS, break_long_words=False))
         self.rows.append(Label(wrapped, *point, colour))
 
     def place(self, ax: Axes) -> None:
@@ -69,6 +71,13 @@ class Labels:
                 },
                 annotation_clip=False,
             )
+
+
+def tied(text: str) -> str:
+    """A text whose numbers stay on one line with their units and with the name of what they are."""
+    text = re.sub(r"(?<=\d) (?=[^\W\d]{1,2}\b)(?!in\b|to\b|of\b)", UNBROKEN, text)
+    text = text.replace(" = ", f"{UNBROKEN}={UNBROKEN}")
+    return re.sub(r"\b(EA|EI) (?=\d)", rf"\1{UNBROKEN}", text)
 
 
 def spread(wanted: list[float], heights: list[float], room: float) -> list[float]:
