@@ -103,7 +103,9 @@ def between(point, arrow):
 @pytest.mark.parametrize("paper, name", SHOWN)
 def test_numbers_stand_on_one_line_with_their_units(paper, name):
     for label in labels(drawn(paper, name)):
-        assert not re.search(r"\d\n(?!(in|to|of)\b)[^\W\d]{1,2}\b", label.get_text()), label.get_text()
+        assert not re.search(r"\d\n(?!(in|to|of)\b)[^\W\d]{1,2}\b", label.get_text()), (
+            label.get_text()
+        )
         assert not re.search(r"(=|EI|EA)\n|\n=", label.get_text()), label.get_text()
 
 
