@@ -206,6 +206,18 @@ def stiff_joints(table: xr.Dataset) -> dict[str, Any]:
     return out
 
 
+def tide_carries(table: xr.Dataset) -> dict[str, Any]:
+    """Largest deflection (m) at 1500 m under the weakest and the strongest tide (m/s), same wave and drift."""
+    deflection = table["deflection_by_length"].sel(wave_height=8.0, joints="none").isel(length=-1)
+    tides = deflection["tide"]
+    return {
+        "weak_tide": float(tides[0]),
+        "strong_tide": float(tides[-1]),
+        "weak": float(deflection.isel(tide=0)),
+        "strong": float(deflection.isel(tide=-1)),
+    }
+
+
 def run_time(grid: xr.Dataset) -> dict[str, Any]:
     """Hours that 600 000 steps of 400 elements take, from the finest step at 5 m; and grid errors."""
     finest = float(grid["time_step"].min())

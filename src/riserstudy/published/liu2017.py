@@ -205,6 +205,9 @@ def facts(base: xr.Dataset, losses: xr.Dataset) -> dict[str, Any]:
         "stroke_surge": float(
             at_time(_along(base)["platform_surge"], _along(times).sel(limit="telescopic joint"))
         ),
+        "arrives_along": float(_along(_arrival(base))),
+        "arrives_against": float(_against(_arrival(base))),
+        "thrust": float(abs(base["thrust_x"]).max() / 1e6),
         "printed": printed,
         "exact": exact,
         "overshoot": float(_along(base)["platform_surge"].max()),
