@@ -234,6 +234,8 @@ def solvers(small_deflection: xr.Dataset) -> Figure:
         ax.loglog(largest, 100.0 * apart[name], "o-", color=colour, label=label)
     ax.loglog(largest, 100.0 * float(apart["x"][-1]) * (largest / largest[-1]) ** 2, **PRINTED,
               label="square of the deflection")  # fmt: skip
+    ax.set_xticks(largest.values, [f"{value:.2g}" for value in largest.values])
+    ax.minorticks_off()
     ax.set_xlabel("largest deflection (m)")
     ax.set_ylabel("largest difference over largest value (%)")
     ax.legend(fontsize="small")

@@ -5,6 +5,8 @@ Axis ranges are not printed: the first 100 s are shown, up to the largest surge 
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -150,13 +152,17 @@ def _limit_times(ax: Axes, run: xr.Dataset) -> None:
 
 
 def _circles(ax: Axes, run: xr.Dataset) -> None:
-    for colour, eds in zip(COLOURS, run["eds_time"].values, strict=False):
+    sizes = np.linspace(
+        9.0, 3.0, run.sizes["eds_time"]
+    )  # marks at one place show around each other
+    for colour, size, eds in zip(COLOURS, sizes, run["eds_time"].values, strict=False):
         circle = run.sel(eds_time=eds)
         radius = circle["red_circle_radius"]
         late = circle["red_circle_outcome"] == TOO_LATE
         heading = run["environment_heading"]
-        ax.plot(heading, radius.where(~late), ".-", color=colour, label=f"{eds:g} s")
-        ax.plot(heading, radius.where(late), "x", color=colour)
+        style: dict[str, Any] = {"color": colour, "ms": size, "mew": 1.0, "mfc": "none"}
+        ax.plot(heading, radius.where(~late), "o-", label=f"{eds:g} s", lw=1.0, **style)
+        ax.plot(heading, radius.where(late), "x", **style)
 
 
 def envelope(envelope: xr.Dataset) -> Figure:

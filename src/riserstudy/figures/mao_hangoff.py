@@ -163,7 +163,7 @@ def fig12(platform_speed: xr.Dataset) -> Figure:
 
 def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     """The same for three angles of the track, speeds apart and in one profile."""
-    figure = _three(track_angle, "track_angle", (0.0, 45.0, 90.0), "track at {:g} deg")
+    figure = _three(track_angle, "track_angle", (0.0, 45.0, 90.0), "track at {:g} deg", key=False)
     axes = figure.axes
     shapes = displacement(track_one_profile).sel(time=STATED)
     moments = abs(track_one_profile["bending_moment"].sel(time=STATED)) / 1e3
@@ -174,6 +174,8 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
         axes[1].plot(moments.sel(track=track), depth, "--", color=colour)
         risen = z.sel(track=track) - z.sel(track=track).isel(time=0)
         axes[2].plot(risen["time"], risen, "--", color=colour, lw=1.0)
+    axes[0].plot([], [], "--", color=GREY, label="both speeds in one profile")
+    key_below(figure, axes[0], 4)
     return figure
 
 
@@ -182,8 +184,10 @@ def fig14(riser_length: xr.Dataset) -> Figure:
     return _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
 
 
-def _three(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str) -> Figure:
-    """Panels (a) to (c) of Figs 10 to 14."""
+def _three(
+    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, key: bool = True
+) -> Figure:
+    """Panels (a) to (c) of Figs 10 to 14, with their key unless more is to come."""
     figure, axes = panels(1, 3, 3.7)
     for colour, value in zip(COLOURS, values, strict=False):
         run = runs.sel({axis: value}, method="nearest")
@@ -198,7 +202,8 @@ def _three(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str) -
     _down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel(RISE)
-    key_below(figure, axes[0], 3)
+    if key:
+        key_below(figure, axes[0], 3)
     return figure
 
 
@@ -253,7 +258,7 @@ def readings(readings: xr.Dataset) -> Figure:
     found = _numbers(readings)
     figure, axes = _beside_print()
     flows = list(found["flow"].values)
-    for colour, weight in zip(COLOURS, found["riser_weight"].values, strict=False):
+    for weight, colour in _coloured(found["riser_weight"]).items():
         for mark, flow in zip(MARKS, flows, strict=False):
             one = found.sel(riser_weight=weight, flow=flow)
             style: dict[str, Any] = {"color": colour, "marker": mark, "ls": "none", "ms": 4}
@@ -271,12 +276,17 @@ def open_choices(open_lmrp_mass: xr.Dataset) -> Figure:
     found = _numbers(open_lmrp_mass)
     figure, axes = _beside_print()
     weights = open_lmrp_mass["assumed_riser_weight"]
-    for colour, weight in zip(COLOURS, dict.fromkeys(weights.values), strict=False):
+    for weight, colour in _coloured(weights).items():
         one = found.sel(sample=weights == weight)
         axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=3, label=str(weight))
         axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
     key_below(figure, axes[0], 2)
     return figure
+
+
+def _coloured(readings: xr.DataArray) -> dict[str, str]:
+    """One colour a reading, the same in every figure that has the same readings."""
+    return dict(zip(sorted(set(map(str, readings.values))), COLOURS, strict=False))
 
 
 def _beside_print() -> tuple[Figure, list[Axes]]:
