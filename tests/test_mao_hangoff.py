@@ -24,6 +24,7 @@ from riserstudy.study import Derived, Numbers, Study, StudyModel, read_studies
 CONFIG = Path(__file__).parents[1] / "config"
 PAPER = "mao_hangoff"
 FILE = read_studies(CONFIG, PAPER)
+WEIGHTS = FILE.readings["riser_weight"]
 
 
 def planned(name, **changes):
@@ -116,6 +117,7 @@ def test_the_grids_are_as_promised():
     assert made["max_bending_moment"].dims == ("lmrp_mass", "s")
     assert float(made["s"][0]) == 0.0
     assert made["lmrp_mass"].attrs["units"] == "t"
+    assert made["max_bending_moment"].attrs["long_name"].endswith("bending moment at 130 s")
     x = made["lmrp_displacement"].isel(time=-1)
     assert (x < 0).all()
     assert (np.diff(x) > 0).all()  # the heavier, the less far
@@ -313,6 +315,26 @@ def datasets():
         sources = {source: made[source] for source in how.reads}
         made[name] = derive(PAPER, name, sources, how.settings)
     return made
+
+
+def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
+    colours = []
+    for name in ("readings", "open_choices"):
+        figure = draw(PAPER, name, {key: datasets[key] for key in FILE.figures[name].reads})
+        lines = figure.axes[0].get_lines()
+        colours.append({n.get_label(): n.get_color() for n in lines if n.get_label() in WEIGHTS})
+    both = colours[0].keys() & colours[1].keys()
+    assert both
+    assert {name: colours[0][name] for name in both} == {name: colours[1][name] for name in both}
+
+
+def test_dashed_lines_of_tracks_are_in_the_key(datasets):
+    figure = draw(PAPER, "fig13", {key: datasets[key] for key in FILE.figures["fig13"].reads})
+    dashed = [
+        line.get_label() for line in figure.axes[0].get_lines() if line.get_linestyle() == "--"
+    ]
+    shown = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
+    assert any(label in shown for label in dashed)
 
 
 @pytest.mark.parametrize("name", FILE.figures)

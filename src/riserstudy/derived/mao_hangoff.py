@@ -92,9 +92,11 @@ def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
             "ufj_angle": runs["ufj_angle"],
         }
     )
-    return described(
+    made = described(
         made, PAPER, f"{name}, displacements along the track from the upper flex joint"
     )
+    made["max_bending_moment"].attrs["long_name"] += f" at {STATED:g} s"
+    return made
 
 
 def _across(runs: xr.Dataset) -> xr.DataArray:
