@@ -37,7 +37,7 @@ OUTCOMES = {
     "stable but inaccurate": "#f3d58a",
     "refused: physically unstable": "#a9cbe8",
     "refused": "#cfd4d8",
-    "refused: more steps than the study allows": "#eceff1",
+    "refused: longer than the study allows": "#eceff1",
     "not run": "#ffffff",
     "finished, but no reference": "#d9c2e2",
     "finished, but cannot stand": "#e08a7c",

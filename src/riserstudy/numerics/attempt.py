@@ -27,7 +27,7 @@ class Outcome(StrEnum):
     DIVERGED = "finished with values beyond reason"
     REFUSED = "refused"
     UNSTABLE = "refused: physically unstable"
-    TOO_LONG = "refused: more steps than the study allows"
+    TOO_LONG = "refused: longer than the study allows"
     MISSED = "finished, but cannot stand"
     UNJUDGED = "finished, but no reference"
     NOT_RUN = "not run"

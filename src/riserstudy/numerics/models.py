@@ -24,13 +24,13 @@ class Case(Strict):
 
     ``expect``: ``accurate`` to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
     prescribe a bad step, mesh or scheme: refused, or with an estimate above 1 % where the error is.
-    Absent set: the scene as it is. Absent preview: not part of that tier. ``too_long``: not run, and what
-    was seen of how long it takes; absent: run.
+    Absent set: the scene as it is. Absent preview: not part of that tier. ``patience``: seconds that
+    its own run may take with all refinements; one beyond them is a row that says so. Absent: no limit.
     """
 
     scene: str
     about: str
-    too_long: str | None = None
+    patience: Positive | None = None
     expect: Literal["accurate", "unstable", "told"]
     because: str | None = None
     set: dict[str, Any] = Field(default_factory=dict)

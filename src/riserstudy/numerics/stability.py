@@ -91,13 +91,9 @@ class Told:
 
 def tell(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> Told:
     """Run one case by every method."""
-    if case.too_long:
-        left = Attempt(None, Outcome.TOO_LONG, case.too_long, 0.0)
-        rung_left = Rung(math.nan, Outcome.TOO_LONG, math.nan, left)
-        return Told(rung_left, math.nan, "", Standard(left, why_not=case.too_long))
     scene = file.scene()
     prescribed = scene.analysis.mesh is not None
-    standard = standard_of(file.with_values(FREE, "reference") if prescribed else file, study)
+    standard = standard_of(file.with_values(FREE, "reference") if prescribed else file, study, case)
     tried = attempt(lambda: run(whole(scene))) if prescribed else standard.first
     outcome, error = judged(tried, standard.reference)
     if tried.result and case.expect == "unstable":
@@ -160,10 +156,10 @@ def rung(scene: Scene, mesh: Mesh, step: float, budget: float, reference: Result
     return Rung(step, *judged(tried, reference), tried)
 
 
-def standard_of(file: SceneFile, study: StabilityStudy) -> Standard:
+def standard_of(file: SceneFile, study: StabilityStudy, case: Case) -> Standard:
     """Mesh and step of the default accuracy, and the reference made finer from there."""
     scene = whole(file.scene())
-    first = attempt(lambda: run(scene))
+    first = attempt(lambda: run(scene, case.patience or math.inf))
     standard = Standard(first)
     if first.result is None:
         standard.why_not = first.message

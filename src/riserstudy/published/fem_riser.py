@@ -207,7 +207,7 @@ def stiff_joints(table: xr.Dataset) -> dict[str, Any]:
 
 
 def tide_carries(table: xr.Dataset) -> dict[str, Any]:
-    """Largest deflection (m) at 1500 m under the weakest and the strongest tide (m/s), same wave and drift."""
+    """Largest deflection (m) at 1500 m under the weakest and the strongest tide (m/s), in the same wave."""
     deflection = table["deflection_by_length"].sel(wave_height=8.0, joints="none").isel(length=-1)
     tides = deflection["tide"]
     return {
