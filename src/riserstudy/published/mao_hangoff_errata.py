@@ -82,6 +82,8 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
         "paper": "mesh and step of the paper",
         "half": "half the tension",
         "added": "C_a 2",
+        "bare": "without added mass",
+        "damped": "structural damping of 2 %",
         "moving": "riser moves with the platform, water starts",
         "sudden": "without ramps",
         "fast": "platform at 1.289 m/s",
