@@ -77,8 +77,17 @@ def test_labels_neither_touch_nor_leave_the_figure(paper, name):
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_arrows_of_loads_are_in_their_panels(path):
+    assert_forces_are_shown(schematic(load_scene(path).scene()))
+
+
+@pytest.mark.parametrize("paper, name", SHOWN)
+def test_arrows_of_loads_are_in_the_panels_of_every_chapter(paper, name):
+    assert_forces_are_shown(drawn(paper, name))
+
+
+def assert_forces_are_shown(figure):
     """An arrow whose head lies outside is not drawn at all; labels of forces stand at one that is."""
-    for ax in schematic(load_scene(path).scene()).axes:
+    for ax in figure.axes:
         arrows = [t for t in ax.texts if isinstance(t, Annotation) and not t.get_text()]
         forces = [t for t in ax.texts if t.get_text().startswith(FORCES) and t.get_color() == LOAD]
         for label in forces:
