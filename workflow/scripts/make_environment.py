@@ -70,9 +70,9 @@ def locks_digest() -> str:
 def pip_install(*arguments: object) -> None:
     """Install into the environment, silently unless it fails.
 
-    Modules are compiled when they are first imported: most of them never are.
+    Modules are compiled here: where PYTHONDONTWRITEBYTECODE is set, every job would do it anew.
     """
-    quiet = ("-qq", "--no-input", "--no-compile", "--disable-pip-version-check")
+    quiet = ("-qq", "--no-input", "--disable-pip-version-check")
     run(VENV / "bin" / "python", "-m", "pip", "install", *quiet, *arguments)
 
 
