@@ -26,22 +26,18 @@ _work: tuple[Callable[[Any], Any], Sequence[Any]]
 def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator[R]:
     """What a task returns for each item, in order.
 
-    The first item is done here: what it loads, the others need not load once each.
-
     Raises
     ------
     SimulationError
         When a process is killed.
     """
-    yield from map(task, items[:1])
-    rest = items[1:]
-    count = min(processes, len(rest))
+    count = min(processes, len(items))
     if count <= 1:
-        yield from map(task, rest)
+        yield from map(task, items)
         return
-    with ProcessPoolExecutor(count, get_context("fork"), _begin, (task, rest)) as pool:
+    with ProcessPoolExecutor(count, get_context("fork"), _begin, (task, items)) as pool:
         try:
-            yield from pool.map(_do, range(len(rest)))
+            yield from pool.map(_do, range(len(items)))
         except BrokenProcessPool:
             raise SimulationError(
                 "a process was killed, by the system for want of memory perhaps; "
