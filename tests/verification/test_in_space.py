@@ -224,6 +224,20 @@ def test_roll_is_pitch_seen_from_the_side():
     np.testing.assert_allclose(b["stroke"], a["stroke"], atol=1e-6)
 
 
+def test_cylinders_at_one_point_of_a_riser_without_joint_are_upright_ones():
+    point = RIG["top"]["tensioners"]["arrangement"] | {"ring_radius": "0 m", "deck_radius": "0 m"}
+    bare = {"top__telescopic_joint": None, "top__z": "free", "top__elevation": None}
+    moved = {
+        "platform__surge": {"amplitude": "2 m", "period": "15 s", "ramp": "15 s"},
+        "platform__heave": {"amplitude": "1 m", "period": "12 s", "ramp": "12 s"},
+    }
+    point = {"top__tensioners__arrangement": point | {"deck_elevation": "560 m"}}
+    found = rolled(**bare, **moved, **point).arrays
+    upright = rolled(**bare, **moved, top__tensioners__arrangement=None).arrays
+    for name in ("x", "effective_tension", "bending_moment", "tensioner_force"):
+        assert off(found[name], upright[name]) < 1e-9, name
+
+
 def leaning_riser(lean):
     """Slope and moment of the riser at the ring with the platform at rest at an angle: beam-column
     with the linear tensioners and the pinned joint as its upper boundary, small slopes in the riser only.

@@ -75,10 +75,12 @@ def test_a_sprung_joint_carries_its_stiffness_times_its_angle(motion):
     assert off(moment, SPRING * expected) < 1e-9
 
 
-def test_a_sprung_joint_above_a_telescopic_joint_does_so_too():
+@pytest.mark.parametrize("radius", ["0 m", "1 m"])
+def test_a_sprung_joint_above_a_telescopic_joint_does_so_too(radius):
+    """Cylinders beside the pipe's axis give the ring a moment, with which the joint does not bend."""
     values = {
         "top.rotation": {"stiffness": f"{SPRING} N*m/rad"},
-        "top.tensioners.arrangement.ring_radius": "0 m",  # no moment of the cylinders on the ring
+        "top.tensioners.arrangement.ring_radius": radius,
         "platform.pitch": ROCKING | {"ramp": "10 s"},
         "riser[0].structural_damping": None,
         "analysis": {

@@ -137,6 +137,8 @@ def turn(cylinders, s):
         moment[1] += pull * (arm[2, c] * line[0, c] - arm[0, c] * line[2, c])
         moment[2] += pull * (arm[0, c] * line[1, c] - arm[1, c] * line[0, c])
     m, i = len(s.dof) - len(s.dim), cylinders.node
+    if i == s.length.shape[0]:  # no joint above, and no moment
+        return 0.0
     for u in range(m):
         about = moment[u] if m == 3 else moment[1]
         s.turn[u, i] += cylinders.above[0] * about
@@ -152,7 +154,7 @@ def force(cylinders, s):
         for k in range(d):
             axis = 2 if k == d - 1 else k
             s.force[k, i] += s.pull[c] * s.line[axis, c]
-    if len(s.dof) > d:
+    if len(s.dof) > d and i < s.length.shape[0]:
         m = s.ring_moment
         inverse = 1.0 / s.length[i]
         tx, ty, tz = s.tangent[0, i], s.tangent[1, i] if d > 2 else 0.0, s.tangent[d - 1, i]
@@ -186,6 +188,8 @@ def energy(cylinders, s):
     """What the strain energy of the joint above holds too much: it bends under M - m (J)."""
     total = 0.0
     m, i = len(s.dof) - len(s.dim), cylinders.node
+    if i == s.length.shape[0]:
+        return 0.0
     for u in range(m):
         about = s.ring_moment[u] if m == 3 else s.ring_moment[1]
         total += cylinders.above[0] * about * (0.5 * about - s.moment[u, i])

@@ -135,7 +135,10 @@ def note(p, s, record):
         record.top[k, c] = s.r[c, n]
     for u in range(m):
         record.end[k, 0, d + u], record.end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
-        record.end[k, 1, d + u], record.end[k, 1, d + m + u] = s.moment[u, n], s.moment[u, n - 1]
+        # a telescopic joint starts with the ring's moment less that of the cylinders
+        about = s.ring_moment[u] if m == 3 else s.ring_moment[1]
+        record.end[k, 1, d + u] = s.moment[u, n]
+        record.end[k, 1, d + m + u] = s.moment[u, n - 1] - about
     record.end[k, 0, d + 2 * m], record.end[k, 1, d + 2 * m] = s.length[0], s.length[n - 1]
     for c in range(6):
         record.platform[k, c] = s.platform[0, c]
