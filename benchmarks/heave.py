@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
-from scene import ROOT, WATER_DENSITY
+from scene import ROOT, WATER_DENSITY, ramped_sine
 
 LENGTH = 1800.0
 AXIAL_STIFFNESS = 8.3505393e9
@@ -44,18 +44,7 @@ def stretch(s: np.ndarray | float) -> np.ndarray | float:
 
 def top_motion(t: np.ndarray | float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Heave of the top, its velocity and acceleration (m, m/s, m/s2) at times t (s)."""
-    t = np.asarray(t, dtype=float)
-    w, p = 2.0 * np.pi / PERIOD, np.pi / RAMP
-    ramped = t < RAMP
-    r = np.where(ramped, 0.5 * (1.0 - np.cos(p * t)), 1.0)
-    r1 = np.where(ramped, 0.5 * p * np.sin(p * t), 0.0)
-    r2 = np.where(ramped, 0.5 * p**2 * np.cos(p * t), 0.0)
-    sin, cos = np.sin(w * t), np.cos(w * t)
-    return (
-        AMPLITUDE * r * sin,
-        AMPLITUDE * (r1 * sin + r * w * cos),
-        AMPLITUDE * (r2 * sin + 2.0 * r1 * w * cos - r * w**2 * sin),
-    )
+    return ramped_sine(t, AMPLITUDE, PERIOD, RAMP)
 
 
 @cache

@@ -43,17 +43,24 @@ def static_height(s: np.ndarray | float) -> np.ndarray | float:
 
 def top_motion(t: np.ndarray | float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Sideways position, velocity and acceleration of the top (m, m/s, m/s2) at times t (s)."""
+    return ramped_sine(t, AMPLITUDE, PERIOD, RAMP)
+
+
+def ramped_sine(
+    t: np.ndarray | float, amplitude: float, period: float, ramp: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """A sine that grows by a raised cosine, and its first and second derivatives at times t (s)."""
     t = np.asarray(t, dtype=float)
-    w, p = 2.0 * np.pi / PERIOD, np.pi / RAMP
-    ramped = t < RAMP
+    w, p = 2.0 * np.pi / period, np.pi / ramp
+    ramped = t < ramp
     r = np.where(ramped, 0.5 * (1.0 - np.cos(p * t)), 1.0)
     r1 = np.where(ramped, 0.5 * p * np.sin(p * t), 0.0)
     r2 = np.where(ramped, 0.5 * p**2 * np.cos(p * t), 0.0)
     sin, cos = np.sin(w * t), np.cos(w * t)
     return (
-        AMPLITUDE * r * sin,
-        AMPLITUDE * (r1 * sin + r * w * cos),
-        AMPLITUDE * (r2 * sin + 2.0 * r1 * w * cos - r * w**2 * sin),
+        amplitude * r * sin,
+        amplitude * (r1 * sin + r * w * cos),
+        amplitude * (r2 * sin + 2.0 * r1 * w * cos - r * w**2 * sin),
     )
 
 

@@ -212,21 +212,14 @@ def build(
     return mbs, *both, (s[:-1, None] + places).ravel()
 
 
-def run(
-    elements: int,
-    step: float,
-    moments: bool = False,
-    rho_inf: float = RHO_INF,
-    tolerance: float = TOLERANCE,
-) -> dict[str, Any]:
-    """Simulate S2c with uniform elements and steps (s)."""
+def march(mbs: Any, duration: float, step: float, rho_inf: float, tolerance: float) -> float:
+    """March a system on one thread by uniform steps (s); the processor time that takes (s)."""
     import exudyn
 
-    mbs, position, bending, inner = build(elements, moments)
     settings = exudyn.SimulationSettings()
     integration = settings.timeIntegration
-    integration.numberOfSteps = round(scene.DURATION / step)
-    integration.endTime = scene.DURATION
+    integration.numberOfSteps = round(duration / step)
+    integration.endTime = duration
     integration.generalizedAlpha.spectralRadius = rho_inf
     integration.newton.useModifiedNewton = True
     integration.newton.relativeTolerance = tolerance
@@ -237,7 +230,19 @@ def run(
     settings.parallel.numberOfThreads = 1
     started = time.process_time()
     mbs.SolveDynamic(settings)
-    seconds = time.process_time() - started
+    return time.process_time() - started
+
+
+def run(
+    elements: int,
+    step: float,
+    moments: bool = False,
+    rho_inf: float = RHO_INF,
+    tolerance: float = TOLERANCE,
+) -> dict[str, Any]:
+    """Simulate S2c with uniform elements and steps (s)."""
+    mbs, position, bending, inner = build(elements, moments)
+    seconds = march(mbs, scene.DURATION, step, rho_inf, tolerance)
     history = [mbs.GetSensorStoredData(k) for k in position]
     nodes = np.linspace(0.0, scene.LENGTH, elements + 1)
     x = np.column_stack([h[:, 1] for h in history]) @ scene.lagrange(nodes, scene.STATIONS).T

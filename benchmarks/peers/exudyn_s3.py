@@ -7,7 +7,6 @@ with its tangent; the tension at the top is the force of the constraint that mov
 from __future__ import annotations
 
 import math
-import time
 from importlib import metadata
 from itertools import pairwise
 from typing import Any
@@ -118,24 +117,8 @@ def run(
     elements: int, step: float, rho_inf: float = RHO_INF, tolerance: float = TOLERANCE
 ) -> dict[str, Any]:
     """Simulate S3 with uniform elements and steps (s)."""
-    import exudyn
-
     mbs, lower, force = build(elements)
-    settings = exudyn.SimulationSettings()
-    integration = settings.timeIntegration
-    integration.numberOfSteps = round(heave.DURATION / step)
-    integration.endTime = heave.DURATION
-    integration.generalizedAlpha.spectralRadius = rho_inf
-    integration.newton.useModifiedNewton = True
-    integration.newton.relativeTolerance = tolerance
-    integration.verboseMode = 0
-    settings.solutionSettings.writeSolutionToFile = False
-    settings.solutionSettings.sensorsWritePeriod = 0.5 * step
-    settings.linearSolverType = exudyn.LinearSolverType.EigenSparse
-    settings.parallel.numberOfThreads = 1
-    started = time.process_time()
-    mbs.SolveDynamic(settings)
-    seconds = time.process_time() - started
+    seconds = exudyn_s2c.march(mbs, heave.DURATION, step, rho_inf, tolerance)
     end, pull = mbs.GetSensorStoredData(lower), mbs.GetSensorStoredData(force)
     bottom = CubicSpline(end[:, 0], end[:, 2])(heave.TIMES)
     bottom -= bottom[0]

@@ -105,9 +105,13 @@ def roll(roll_runs: xr.Dataset) -> xr.Dataset:
     high, low = _extremes(roll_runs)
     found = _largest(roll_runs).to_dataset(name="max_bending_moment")
     found["settling"] = abs(high + low) / (high - low)
-    return described(
+    made = described(
         found, PAPER, "largest bending moment under roll, centre of rotation calibrated"
     )
+    made["settling"].attrs["long_name"] = (
+        "difference of largest and smallest moment over their sum, by size"
+    )
+    return made
 
 
 def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
