@@ -23,6 +23,7 @@ from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
+from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.effects.weight import Weight
 from riserstudy.guess import between_ends, under_a_joint
 from riserstudy.mesh import Mesh, blend_by_weight
@@ -297,6 +298,9 @@ class _Builder:
             load = np.zeros(self.d)
             load[-1] = top.tension
             self.add("constant tension", Pull(self.ring, load), "top.tension")
+            if loss := top.tension_loss:
+                lost = TensionLoss(self.ring, -loss.share * load, loss.at, loss.over)
+                self.add("tension loss", lost, "top.tension_loss")
         if top.lateral_force and self.d > 1:
             load = np.zeros(self.d)
             load[0] = top.lateral_force

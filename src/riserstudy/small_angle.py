@@ -191,6 +191,7 @@ def _refuse(scene: Scene) -> None:
         "bottom.hold: free": scene.bottom.hold == "free",
         "a body at an end": scene.bottom.body or top.body,
         "top.tensioners": top.tensioners,
+        "top.tension_loss": top.tension_loss,
         "a top without tension": not (top.tension or top.held_at_tension),
         "top.z on a platform that heaves": top.z == "platform" and platform and platform.heave,
         "motion out of the plane": scene.spatial,

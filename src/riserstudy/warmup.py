@@ -50,6 +50,7 @@ _PLACES: Tree = {
     "deck_elevation": "110 m",
     "first_bearing": "0 deg",
 }
+_LOSS: Tree = {"share": 0.5, "at": "1 s", "over": "1 s"}
 _CLAY: Tree = {
     "strength_at_mudline": "3 kPa",
     "strength_gradient": "1 kPa/m",
@@ -97,7 +98,7 @@ def scenes() -> dict[str, list[Scene]]:
         "riser": [_SECTION | _WET | _ALONG],
         "bottom": axial["bottom"] | {"rotation": {"stiffness": "10 kN*m/deg"}},
         "top": axial["top"]
-        | {"x": "platform", "rotation": "fixed", "tension": "100 kN"}
+        | {"x": "platform", "rotation": "fixed", "tension": "100 kN", "tension_loss": _LOSS}
         | {"tensioners": _RIG | {"linear": linear}},
         "platform": {"surge": _HEAVE, "cruise": {"speed": "1 m/s"}, "heave": {"points": points}},
         "current": {

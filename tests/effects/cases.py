@@ -41,6 +41,7 @@ from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
 from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.effects.tangential_drag import TangentialDrag
+from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.effects.thrusters import Thrusters
 from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
@@ -262,6 +263,7 @@ CASES = {
         lambda d: [wave(d, CONSTANT)] if d > 1 else [],
     ),
     Pull: Case(lambda d: Pull(2, np.linspace(3e5, 2e6, d))),
+    TensionLoss: Case(lambda d: TensionLoss(2, -np.linspace(3e5, 2e6, d), 2.0, 4.5)),
     Support: Case(
         lambda d: Support(
             N,

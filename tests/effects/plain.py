@@ -44,6 +44,7 @@ from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.effects.support import Support
 from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.effects.tangential_drag import TangentialDrag
+from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.effects.thrusters import Thrusters
 from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
@@ -430,6 +431,13 @@ def pull(record, s):
     return {"force": out}
 
 
+def tension_loss(record, s):
+    gone = np.clip((s.clock[0] - record.start) / record.over, 0.0, 1.0)
+    out = np.zeros_like(s.force)
+    out[:, record.node] = record.load * np.sin(0.5 * np.pi * gone) ** 2
+    return {"force": out}
+
+
 def lent_force(record, s):
     out = np.zeros_like(s.force)
     for c, load in enumerate(record.load.T):
@@ -597,6 +605,7 @@ VERSIONS = {
     Torsion: [("device", torsion)],
     Waterline: [("drive", waterline)],
     Pull: [("device", pull)],
+    TensionLoss: [("device", tension_loss)],
     Support: [("place", support)],
 }
 

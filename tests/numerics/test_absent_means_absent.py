@@ -17,6 +17,7 @@ from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.platform_motion import Position
 from riserstudy.effects.pull import Pull
 from riserstudy.effects.tangential_drag import TangentialDrag
+from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
 from riserstudy.ledger import ledger
@@ -40,6 +41,7 @@ ZERO_LOAD = {
     "axial damping": lambda: AxialDamping(LINE.copy()),
     "bending damping": lambda: BendingDamping(0.0, NODES.copy(), NODES.copy()),
     "lateral force": lambda: Pull(N, np.zeros(2)),
+    "tension loss": lambda: TensionLoss(N, np.zeros(2), 1.0, 1.0),
     "end mass": lambda: EndMass(N, 0.0, np.zeros(2), np.zeros(2)),
     "current": lambda: Current(np.array([0.0, 533.0]), np.zeros(2), np.array([1.0]), 0.0),
     "platform position": lambda: Position(np.zeros(6)),

@@ -27,6 +27,7 @@ CALLED_BY = {
     "support": "bottom.hold, top.x, top.z",
     "end mass": "bottom.body, top.body",
     "constant tension": "top.tension",
+    "tension loss": "top.tension_loss",
     "lateral force": "top.lateral_force",
     "gas tensioner": "top.tensioners.gas",
     "two-chamber gas tensioner": "top.tensioners.two_chamber_gas",

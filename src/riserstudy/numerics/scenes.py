@@ -37,6 +37,8 @@ MeasuredStudy = (
     | EnergyStudy
 )
 Scenes = Iterator[tuple[str, SceneFile]]
+# parts of a scene that leave its kind as it is
+_VALUES = {"title", "note", "paper", "output", "mesh", "step", "accuracy", "points", "profile"}
 _WHERE = "config/studies/numerics.yaml: measured"
 
 
@@ -81,24 +83,36 @@ def case_file(
 def bases(studies: list[Study], tier: str) -> Scenes:
     """The scenes that studies vary, each kind once: a kind is what is in a scene, whatever its values.
 
-    In preview a scene file stands for all that studies set on it, the first with motion before statics.
+    First those of the studies, then what their named options make of them. In preview a scene file stands
+    for all that studies set on it, the first with motion before statics, and for their options.
     """
     ordered = sorted(studies, key=lambda study: "duration" not in study.base.tree["analysis"])
-    seen = set()
+    found: dict[str, tuple[str, SceneFile]] = {}
     for study in ordered:
         kind = study.model.scene if tier == "preview" else ",".join(places(study.base.tree))
-        if kind not in seen:
-            seen.add(kind)
-            yield f"{study.paper}/{study.name}", study.base
+        found.setdefault(kind, (f"{study.paper}/{study.name}", study.base))
+    for study in ordered if tier != "preview" else []:
+        for label, file in _options(study):
+            kind = ",".join(places(file.tree))
+            found.setdefault(kind, (f"{study.paper}/{study.name}: {label}", file))
+    yield from sorted(found.values(), key=lambda one: one[0].split("/")[0])
+
+
+def _options(study: Study) -> Scenes:
+    """A study's scene with each named option of each axis in turn."""
+    for name, axis in study.model.axes.items():
+        if axis == "readings" or isinstance(axis, dict):
+            for label, sets in study.axes[name]:
+                yield label, study.base.with_values(sets, study.where)
 
 
 def places(tree: Any, path: str = "") -> Iterator[str]:
-    """Every path of a scene at which something stands, values and analysis apart."""
+    """Every path of a scene at which something stands, what leaves its kind as it is apart."""
     if isinstance(tree, list):
         tree = {f"[{k}]": part for k, part in enumerate(tree)}
     if not isinstance(tree, dict):
         yield path
         return
     for name, part in tree.items():
-        if name not in ("title", "note", "paper", "output", "mesh", "step", "accuracy", "points"):
+        if name not in _VALUES:
             yield from places(part, f"{path}.{name}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, Self
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
@@ -135,13 +135,21 @@ class TelescopicJoint(Strict):
         return self
 
 
+class TensionLoss(Strict):
+    """A share of the top tension that is lost from one moment on, smoothly within another time."""
+
+    share: Annotated[float, Field(gt=0.0, le=1.0)]
+    at: Annotated[u.Time, NOT_NEGATIVE]
+    over: Annotated[u.Time, POSITIVE]
+
+
 class Top(Strict):
     """Upper end. ``x`` (with y) and ``z`` follow the platform, are held at rest, or are free.
 
     ``x: vessel``: the top moves with a vessel that is free to, as far as its freedoms go.
 
-    Absent offset, elevation: straight above the bottom, where statics puts it. Absent tension, force,
-    tensioners, body: none. ``held_at_tension``: z is held where the riser has this top tension at rest.
+    Absent offset, elevation: straight above the bottom, where statics puts it. Absent tension, tension_loss,
+    force, tensioners, body: none. ``held_at_tension``: z is held where the riser has this top tension at rest.
     With a telescopic joint the top is the joint's, and tension, tensioners, lateral force and body are at
     the tension ring below it.
     """
@@ -152,6 +160,7 @@ class Top(Strict):
     elevation: u.Length | None = None
     held_at_tension: Annotated[u.Force, POSITIVE] | None = None
     tension: Annotated[u.Force, POSITIVE] | None = None
+    tension_loss: TensionLoss | None = None
     lateral_force: u.Force | None = None
     rotation: Rotation | None = None
     body: Body | None = None
@@ -168,6 +177,8 @@ class Top(Strict):
             raise ValueError(
                 "elevation and held_at_tension need a z that is held or on the platform"
             )
+        if self.tension_loss and self.tension is None:
+            raise ValueError("tension_loss needs tension")
         pulled = self.tension is not None or self.tensioners is not None
         if self.telescopic_joint:
             if self.z == "free" or self.x == "free" or self.elevation is None:

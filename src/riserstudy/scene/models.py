@@ -71,6 +71,8 @@ class Scene(Strict):
             all(s.mass for s in self.riser) or self.top.body or self.bottom.body
         ):
             raise ValueError("dynamics need mass: give every section its mass, or an end a body")
+        if self.top.tension_loss and self.analysis.duration is None:
+            raise ValueError("top.tension_loss needs analysis.duration: statics are before it")
         if self.lateral and self.top.x is None:
             raise ValueError(f"top.x is needed, because of {self.lateral}")
         bending = [bool(s.young_modulus or s.bending_stiffness) for s in self.riser]

@@ -1,0 +1,55 @@
+r"""Loss of a constant tension while the riser moves: cylinders that fail, a line that parts.
+
+.. math:: F(t) = -\Delta F\,\tfrac12\Big(1 - \cos\frac{\pi (t - t_0)}{\tau}\Big),\qquad t_0 \le t \le t_0 + \tau,
+
+and all of :math:`\Delta F` from then on. What it does is work from outside: a load that changes has no potential.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.roles import register
+from riserstudy.jit import inner
+
+
+class TensionLoss(NamedTuple):
+    """Load that comes on against a pull."""
+
+    node: int
+    load: np.ndarray  # (d,) once all is lost (N)
+    start: float  # t_0 (s)
+    over: float  # tau (s), above 0
+
+
+@inner
+def _share(loss, s):
+    """How much is lost by now."""
+    t = (s.clock[0] - loss.start) / loss.over
+    if t <= 0.0:
+        return 0.0
+    return 1.0 if t >= 1.0 else 0.5 * (1.0 - cos(pi * t))
+
+
+@inner
+def force(loss, s):
+    """The load."""
+    share = _share(loss, s)
+    for k in range(len(s.dim)):
+        s.force[k, loss.node] += share * loss.load[k]
+    return 0.0
+
+
+@inner
+def power(loss, s):
+    """Power of the load (W)."""
+    share = _share(loss, s)
+    for k in range(len(s.dim)):
+        s.flow[1] += share * loss.load[k] * s.v[k, loss.node]
+    return 0.0
+
+
+register(TensionLoss, device=force, power=power)
