@@ -367,5 +367,5 @@ def study(config: Path, paper: str, name: str, tier: Tier, accuracy: str | None)
 
 
 def threads_worth(points: int) -> int:
-    """Threads that a study of so many points can use."""
-    return max(1, min(8, math.ceil(points / 8)))
+    """Threads that a study of so many points can use; beside few points another study does more good."""
+    return max(1, min(8, math.ceil(points / 32)))

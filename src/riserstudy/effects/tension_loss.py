@@ -1,8 +1,9 @@
 r"""Loss of a constant tension while the riser moves: cylinders that fail, a line that parts.
 
-.. math:: F(t) = -\Delta F\,\tfrac12\Big(1 - \cos\frac{\pi (t - t_0)}{\tau}\Big),\qquad t_0 \le t \le t_0 + \tau,
+.. math:: F(t) = -\tfrac12 \Delta F\,\Big(1 - \cos\frac{\pi (t - t_0)}{\tau}\Big)
 
-and all of :math:`\Delta F` from then on. What it does is work from outside: a load that changes has no potential.
+from t_0 to t_0 + tau, and all of :math:`\Delta F` from then on. Its work
+comes from outside: a load that changes has no potential.
 """
 
 from __future__ import annotations

@@ -49,15 +49,15 @@ def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
     if not groups:
         return Deciding([], "")
     shuffled = np.random.default_rng(SEED).permutation
-    chance = [shuffled(values) for _ in range(SHUFFLES)]
+    outcomes = np.stack([values, *(shuffled(values) for _ in range(SHUFFLES))])
     for count in (1, 2):
-        names, explained = _best(values, groups, count)
-        if explained > np.quantile([_best(v, groups, count)[1] for v in chance], SURE):
+        names, explained, chance = _best(outcomes, groups, count)
+        if explained > np.quantile(chance, SURE):
             break
     else:
         return Deciding([], "No input stands out from what chance gives with so many samples.")
     if count == 1 and explained < WEAK:
-        pair, together = _best(values, groups, 2, containing=names[0])
+        pair, together, _ = _best(outcomes[:1], groups, 2, containing=names[0])
         if together >= explained + WORTH:
             names, explained = pair, together
     word = "explains" if len(names) == 1 else "together explain"
@@ -67,31 +67,33 @@ def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
 
 
 def _best(
-    values: NDArray[np.float64],
+    outcomes: NDArray[np.float64],
     groups: dict[str, NDArray[np.int64]],
     count: int,
     containing: str = "",
-) -> tuple[list[str], float]:
-    """The one input or the two that explain most, first the ``containing`` one; and their share.
+) -> tuple[list[str], float, NDArray[np.float64]]:
+    """The one input or the two that explain most of the first outcome, the ``containing`` one first.
+
+    Also their share, and the largest share that any explain of each of the other outcomes.
 
     Two inputs are laid out coarsely: evenly spread samples leave few in a cell, which then share what
     other inputs are, and the cell would be given credit for that.
     """
-    if count == 1:
-        single = {name: correlation_ratio(values, group) for name, group in groups.items()}
-        best = max(single, key=lambda name: single[name])
-        return [best], single[best]
-    sides = max(2, min(4, math.isqrt(len(values) // 8)))
-    coarse = {name: _coarser(group, sides) for name, group in groups.items()}
-    pairs = {
-        (a, b): correlation_ratio(values, coarse[a] * (coarse[b].max() + 1) + coarse[b])
-        for a, b in combinations(groups, 2)
-        if containing in ("", a, b)
-    }
-    if not pairs:
-        return [], 0.0
-    pair = max(pairs, key=lambda two: pairs[two])
-    return sorted(pair, key=lambda name: name != containing), pairs[pair]
+    cells: dict[tuple[str, ...], NDArray[np.int64]] = {(n,): group for n, group in groups.items()}
+    if count == 2:
+        sides = max(2, min(4, math.isqrt(outcomes.shape[1] // 8)))
+        coarse = {name: _coarser(group, sides) for name, group in groups.items()}
+        cells = {
+            (a, b): coarse[a] * (coarse[b].max() + 1) + coarse[b]
+            for a, b in combinations(groups, 2)
+            if containing in ("", a, b)
+        }
+    if not cells:
+        return [], 0.0, np.zeros(len(outcomes) - 1)
+    share = {names: correlation_ratio(outcomes, cell) for names, cell in cells.items()}
+    best = max(share, key=lambda names: share[names][0])
+    chance = np.max([of[1:] for of in share.values()], axis=0)
+    return sorted(best, key=lambda name: name != containing), float(share[best][0]), chance
 
 
 def _coarser(group: NDArray[np.int64], most: int) -> NDArray[np.int64]:
@@ -165,17 +167,30 @@ def inputs(outcome: xr.DataArray, about: xr.Dataset) -> dict[str, NDArray[np.gen
     }
 
 
-def correlation_ratio(values: NDArray[np.float64], group: NDArray[np.int64]) -> float:
-    """Share of the variance between groups, less what chance gives; 0 to 1."""
-    total = float(((values - values.mean()) ** 2).sum())
-    count = np.bincount(group)
-    used = int((count > 0).sum())
-    if total == 0.0 or len(values) <= used:
-        return 0.0
-    mean = np.bincount(group, values) / np.maximum(count, 1)
-    within = float(((values - mean[group]) ** 2).sum())
-    ratio = 1.0 - within / (len(values) - used) / (total / (len(values) - 1))
-    return max(0.0, ratio)
+def correlation_ratio(values: NDArray[np.float64], group: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Share of the variance between groups, less what chance gives; 0 to 1.
+
+    Parameters
+    ----------
+    values : (..., n).
+    group : (n,) that each belongs to, counted from 0.
+
+    Returns
+    -------
+    (...), 0 where all values are alike or groups as many as values.
+    """
+    n = values.shape[-1]
+    around = values - values.mean(-1, keepdims=True)
+    total = (around**2).sum(-1)
+    members = np.equal.outer(group, np.unique(group)).astype(float)
+    used = members.shape[1]
+    if n <= used:
+        return np.zeros_like(total)
+    between = ((around @ members) ** 2 / members.sum(0)).sum(-1)
+    within = total - between
+    whole = np.where(total > 0.0, total, 1.0)
+    ratio = 1.0 - within / (n - used) / (whole / (n - 1))
+    return np.where(total > 0.0, np.maximum(ratio, 0.0), 0.0)
 
 
 def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:

@@ -96,10 +96,10 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
         "dragged": "LMRP with drag and added mass",
         "lever": "LMRP with lever arm and rotary inertia",
     }
-    top = at_top(over_s)
+    top, x = at_top(over_s), distance(runs)
     for short, name in names.items():
         one = over_s.sel(variant=name)
-        found[f"x_{short}"] = float(distance(runs).sel(variant=name))
+        found[f"x_{short}"] = float(x.sel(variant=name))
         found[f"m_{short}"] = float(one.max()) / 1e3
         found[f"d_{short}"] = float(over_s["s"][-1] - one.idxmax("s"))
         found[f"t_{short}"] = float(top.sel(variant=name)) / 1e3

@@ -148,10 +148,10 @@ class Top(Strict):
 
     ``x: vessel``: the top moves with a vessel that is free to, as far as its freedoms go.
 
-    Absent offset, elevation: straight above the bottom, where statics puts it. Absent tension, tension_loss,
-    force, tensioners, body: none. ``held_at_tension``: z is held where the riser has this top tension at rest.
-    With a telescopic joint the top is the joint's, and tension, tensioners, lateral force and body are at
-    the tension ring below it.
+    Absent offset, elevation: straight above the bottom, where statics puts it. Absent tension, its loss,
+    force, tensioners, body: none. ``held_at_tension``: z is held where the riser has this top tension at
+    rest. With a telescopic joint the top is the joint's, and tension, tensioners, lateral force and body
+    are at the tension ring below it.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None
