@@ -15,6 +15,7 @@ from riserstudy.numerics.advice import COULD_GO, MISSING, NEEDED, advice
 from riserstudy.numerics.changes import changes, fitting
 from riserstudy.numerics.effects import effects, kernels
 from riserstudy.numerics.ledger import priced
+from riserstudy.numerics.scenes import bases
 from riserstudy.scene.load import read_scene
 from riserstudy.study import read_studies, study
 
@@ -35,6 +36,19 @@ def test_some_effect_can_be_taken_out_of_every_scene(path):
     assert any(
         change.kind == "removed" for change, _ in fitting(read_scene(path))
     ) or path.stem in ("s4a", "s4c", "s4d", "column")
+
+
+def test_every_kind_of_scene_that_options_make_is_there_once():
+    studies = [
+        study(CONFIG, "mao_hangoff", name, "standard", None) for name in ("hangoff_ref", "steady")
+    ]
+    found = dict(bases(studies, "standard"))
+    variants = ["hangoff_ref_heave", "hangoff_ref_xdrag"]  # another mass alone is the same kind
+    options = [f"mao_hangoff/hangoff_ref: {name}" for name in variants]
+    assert sorted(found) == ["mao_hangoff/hangoff_ref", *options, "mao_hangoff/steady"]
+    assert found[options[0]].scene().platform.heave
+    assert not found["mao_hangoff/hangoff_ref"].scene().platform.heave
+    assert len(list(bases(studies, "preview"))) == 2
 
 
 def test_only_what_is_there_is_taken_out_and_only_what_is_missing_is_put_in():
