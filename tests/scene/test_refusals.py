@@ -62,6 +62,12 @@ REFUSED = {
     "NaN": (SURGE, "riser[0].mass", float("nan"), "riser[0].mass", "nan"),
     "NaN with a unit": (SURGE, "riser[0].mass", "nan kg/m", "riser[0].mass", "number"),
     "infinity": (SURGE, "top.tension", float("inf"), "top.tension", "inf"),
+    "a size beyond all that is met": (
+        SURGE, "riser[0].outer_diameter", "1e80 m", "riser[0].outer_diameter", "allowed is 0, or",
+    ),
+    "a size next to nothing": (
+        SURGE, "riser[0].inner_diameter", "1e-80 m", "riser[0].inner_diameter", "allowed is 0, or",
+    ),
     "a number too large": (SURGE, "top.tension", "1e999 N", "top.tension", "not finite"),
     "a negative mass": (SURGE, "riser[0].mass", "-3 kg/m", "riser[0].mass", "greater than 0"),
     "text for a count": (CHANG, "top.tensioners.count", "4", "top.tensioners.count", "integer"),

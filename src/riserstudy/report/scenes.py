@@ -6,8 +6,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from riserstudy.scene.load import read_scene
-from riserstudy.study import Numbers, StudyFile
+from riserstudy.study import Numbers, StudyFile, scene_file
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -70,7 +69,7 @@ def _values(
     evidence = json.loads(dataset.attrs.get("evidence", "{}"))
     plain = "published" if tree.get("paper") else "given"
     study = file.studies[name]
-    written = flat(read_scene(config / study.scene).tree)
+    written = flat(scene_file(config / study.scene).tree)
     numbers = {label: axis for label, axis in study.axes.items() if isinstance(axis, Numbers)}
     varied = {path: label for label, axis in numbers.items() for path in axis.paths}
     values = {}

@@ -28,6 +28,7 @@ _NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 _EXPONENT = r"(?:\s*(?:\^|\*\*)\s*-?\d{1,2}(?!\d))?"
 _UNIT = re.compile(rf"(?:[^\W\d]\w*+{_EXPONENT}|\){_EXPONENT}|[°%*/(\s]|1(?=\s*/))*+")
 LONGEST_UNIT = 60  # characters
+MOST = 1e30  # SI units: beyond all that is met, and fourth powers of it are still numbers
 
 
 @lru_cache(4096)
@@ -65,6 +66,10 @@ def to_si(text: str, unit: str) -> float:
         raise ValueError(f"{text!r} {error}; {allowed}") from None
     if not math.isfinite(value):
         raise ValueError(f"{text!r} is not finite; {allowed}")
+    if value and not 1.0 / MOST <= abs(value) <= MOST:
+        raise ValueError(
+            f"{text!r} is {value:.3g} {unit}; allowed is 0, or a size from {1.0 / MOST:g} to {MOST:g}"
+        )
     return value
 
 
