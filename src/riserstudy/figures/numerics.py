@@ -147,7 +147,14 @@ def effects(effects: xr.Dataset) -> Figure:
         (cost, right, "share of run time (-)"),
     ):
         figure.colorbar(
-            bar, ax=ax, location="bottom", label=label, extend="both", shrink=0.8, aspect=40
+            bar,
+            ax=ax,
+            location="bottom",
+            label=label,
+            extend="both",
+            shrink=0.8,
+            aspect=40,
+            pad=0.01,
         )
     return figure
 
