@@ -355,7 +355,8 @@ class _Builder:
             strain = (joint.tension or 0.0) / self.axial[:-1]
             shape = under_a_joint(self.mesh, foot, strain, offset, rise)
         else:
-            shape = between_ends(self.mesh, offset, rise)
+            weight = float(self.weight @ self.mesh.l0)
+            shape = between_ends(self.mesh, offset, rise, weight, float(self.axial.min()))
         shape[2] += self.bottom_z
         if self.scene.bottom.hold == "free":  # slack and straight it would swing without resistance
             shape[2] -= TAUT * (total - self.mesh.s)

@@ -13,12 +13,22 @@ from riserstudy.mesh import Mesh
 FloatArray = NDArray[np.float64]
 
 
-def between_ends(mesh: Mesh, offset: float, rise: float) -> FloatArray:
+MOST = 0.01  # strain of a first guess
+
+
+def between_ends(
+    mesh: Mesh, offset: float, rise: float, weight: float, stiffness: float
+) -> FloatArray:
     """Straight from end to end, or sagging where the riser is longer than that.
+
+    A string that sags is stretched by the tension it then has, W L / (8 sag): without tension nothing holds
+    it sideways, and the search for equilibrium may end in kinks.
 
     Parameters
     ----------
     offset, rise : of the upper end from the lower one (m).
+    weight : W of the whole, in water (N).
+    stiffness : EA (N).
 
     Returns
     -------
@@ -26,7 +36,9 @@ def between_ends(mesh: Mesh, offset: float, rise: float) -> FloatArray:
     """
     total = float(mesh.l0.sum())
     if offset and math.hypot(offset, rise) < total:
-        x, z = sagging(mesh.s, offset, rise)
+        sag = max(sag_of(total, offset, rise), 1e-9 * total)
+        tension = max(weight, 0.0) * total / (8.0 * sag)
+        x, z = sagging(mesh.s * (1.0 + min(MOST, tension / stiffness)), offset, rise)
         return np.stack([x, np.zeros(len(x)), z])
     share = mesh.s / total
     return np.stack([offset * share, 0.0 * share, rise * share])
@@ -57,13 +69,20 @@ def under_a_joint(
 
 def sagging(s: FloatArray, offset: float, rise: float) -> FloatArray:
     """Points at arclengths ``s`` of the parabola as long as the riser, (2, n+1)."""
+    curve = _parabola(offset, rise, sag_of(float(s[-1]), offset, rise))
+    return np.stack([np.interp(s, _arclength(curve), row) for row in curve])
+
+
+def sag_of(length: float, offset: float, rise: float) -> float:
+    """Sag of the parabola of some length, below the middle of the chord (m)."""
+    sag: float = brentq(lambda h: _arclength(_parabola(offset, rise, h))[-1] - length, 0.0, length)
+    return sag
+
+
+def _parabola(offset: float, rise: float, sag: float) -> FloatArray:
     u = np.linspace(0.0, 1.0, 2001)
+    return np.stack([offset * u, rise * u - 4.0 * sag * u * (1.0 - u)])
 
-    def curve(sag: float) -> FloatArray:
-        return np.stack([offset * u, rise * u - 4.0 * sag * u * (1.0 - u)])
 
-    def arclength(sag: float) -> FloatArray:
-        return np.append(0.0, np.hypot(*np.diff(curve(sag))).cumsum())
-
-    sag = brentq(lambda h: arclength(h)[-1] - s[-1], 0.0, s[-1])
-    return np.stack([np.interp(s, arclength(sag), row) for row in curve(sag)])
+def _arclength(curve: FloatArray) -> FloatArray:
+    return np.append(0.0, np.hypot(*np.diff(curve)).cumsum())

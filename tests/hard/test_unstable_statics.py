@@ -1,10 +1,13 @@
 """Equilibria that cannot stand are refused, sideways freedom counted; those that can are not."""
 
 import pytest
-from scenes import COLUMN, EULER, changed
+from scenes import COLUMN, EULER, SCENES, changed
 
 from riserstudy import simulate
 from riserstudy.errors import SimulationError
+from riserstudy.mesh import even
+from riserstudy.scene.load import read_scene
+from riserstudy.settle import settle
 
 # mesh of 20 segments: Euler's load to 1e-4; the column is 3e-5 shorter under it
 NEAR = 0.002
@@ -82,3 +85,13 @@ def test_a_string_in_compression_is_called_unstable():
 def test_a_riser_that_nothing_holds_up_sideways_is_called_unstable():
     with pytest.raises(SimulationError, match="unstable"):
         simulate(changed(COLUMN, top__x="free", **weight(0.01)))
+
+
+@pytest.mark.parametrize("elements", [8, 16, 50, 256, 600])
+def test_a_slack_cable_hangs_on_any_mesh(elements):
+    """A sagging string without tension may be drawn into kinks, which are no stable equilibria."""
+    scene = read_scene(SCENES / "hard/snap.yaml").scene()
+    model, found = settle(scene, even(scene, elements))
+    assert found.unstable == 0
+    assert found.iterations <= 20
+    assert float(model.s.r[-1].min()) == pytest.approx(-10.92, rel=0.03)

@@ -66,10 +66,8 @@ def to_si(text: str, unit: str) -> float:
         raise ValueError(f"{text!r} {error}; {allowed}") from None
     if not math.isfinite(value):
         raise ValueError(f"{text!r} is not finite; {allowed}")
-    if value and not 1.0 / MOST <= abs(value) <= MOST:
-        raise ValueError(
-            f"{text!r} is {value:.3g} {unit}; allowed is 0, or a size from {1.0 / MOST:g} to {MOST:g}"
-        )
+    if abs(value) > MOST:
+        raise ValueError(f"{text!r} is {value:.3g} {unit}; allowed is up to {MOST:g} {unit}")
     return value
 
 
