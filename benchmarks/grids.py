@@ -43,7 +43,7 @@ class Cost:
     memory: float | None
 
 
-def main(points: int, shards: int) -> None:
+def main(points: int = 10_000, shards: int = 4) -> None:
     """Measure and print."""
     if not (kernel_cache() / "compiled").exists():
         run("-m", "riserstudy.jobs.compile_kernels", str(kernel_cache() / "compiled"))
@@ -189,4 +189,4 @@ def row(what: str, cost: Cost) -> None:
 
 
 if __name__ == "__main__":
-    main(*(int(word) for word in sys.argv[1:]) if sys.argv[1:] else (10_000, 4))
+    main(*(int(word) for word in sys.argv[1:]))
