@@ -1,7 +1,5 @@
 """Shared by all tests; being here, it also lets them import ``strategies``."""
 
-from pathlib import Path
-
 from hypothesis import HealthCheck, settings
 
 # Seeded by the test itself, so that a run can be repeated; no deadline, since kernels may compile.
@@ -13,10 +11,3 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.too_slow],
 )
 settings.load_profile("riserstudy")
-
-LONG = Path(__file__).parent / "workflow"
-
-
-def pytest_collection_modifyitems(items):
-    """The longest tests first: short ones even out who is done when."""
-    items.sort(key=lambda item: LONG not in item.path.parents)
