@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -12,11 +13,13 @@ from pydantic import Field
 from riserstudy.build import stiffness
 from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
+from riserstudy.scene.forcing import Cruise, Current
 from riserstudy.scene.load import SceneFile, read_yaml
 from riserstudy.scene.models import Scene
 
 SEA_WATER = "1025 kg/m^3"
 SECTIONS = "riser[*]"
+TURN = math.radians(1e-4)
 
 
 Need = Literal["dynamics", "lateral", "levels", "drag"]
@@ -135,4 +138,11 @@ def _filled(value: Any, scene: Scene, k: int) -> Any:
         "half the body": f"{0.5 * body.mass if body else 0.0!r} kg",
         "lowest": f"{lowest!r} m",
         "highest": f"{highest!r} m",
+        "current turned": _turned(scene.current),
+        "cruise turned": _turned(scene.platform.cruise if scene.platform else None),
     }[value.removeprefix("=")]
+
+
+def _turned(what: Current | Cruise | None) -> str:
+    """A heading hardly other than what goes there has."""
+    return f"{((what.heading if what else None) or 0.0) + TURN!r} rad"
