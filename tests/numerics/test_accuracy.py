@@ -6,12 +6,15 @@ import numpy as np
 import pytest
 
 from riserstudy.figures import draw
-from riserstudy.numerics.accuracy import accuracy
+from riserstudy.numerics import accuracy as module
+from riserstudy.numerics.accuracy import accuracy, requests
+from riserstudy.numerics.attempt import Attempt, Outcome
 from riserstudy.numerics.references import stored
 from riserstudy.study import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
 STUDY = read_studies(CONFIG, "numerics").measured.accuracy
+HISTORY = CONFIG.parent / "tests/verification/data/S2c.npz"
 SHORT = {"analysis.duration": "20 s"}
 
 
@@ -72,3 +75,34 @@ def test_a_reference_refuses_outputs_that_it_has_not(surge):
 def test_both_figures_are_drawn_from_it(surge):
     for name in ("accuracy", "asked"):
         assert draw("numerics", name, {"accuracy": surge}).axes
+
+
+def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
+    tried = []
+
+    def rung(file, method, ladder, at, budget, repeats):
+        tried.append(at)
+        late = at == (0, 1)
+        return Attempt(
+            None, Outcome.TOO_LONG if late else Outcome.REFUSED, "late" if late else "no", 0.0
+        )
+
+    ladder = STUDY.scenes["S2c"].model_copy(update={"elements": [8, 16], "steps": [0.8, 0.4]})
+    few = {"scenes": {"S2c": ladder}, "methods": {"only": STUDY.methods["ESDIRK4"]}}
+    monkeypatch.setattr(module, "rung", rung)
+    monkeypatch.setattr(module, "reference", lambda *_: (stored(HISTORY), {}))
+    monkeypatch.setattr(module, "requests", lambda *_: [])
+    found = accuracy(STUDY.model_copy(update=few), CONFIG, "standard")
+    assert tried == [(0, 0), (0, 1), (1, 0)]
+    assert str(found["message"].squeeze().values[1, 1]) == "on a coarser mesh: late"
+
+
+def test_a_finer_accuracy_is_not_asked_for_after_one_that_took_too_long(monkeypatch):
+    def spent(file, name, share, best, patience):
+        return {"requested": share, "request_message": "" if share > 0.01 else "late"}
+
+    monkeypatch.setattr(module, "spent", spent)
+    rows = requests(None, "any", [0.002, 0.05, 0.01], None, 1.0)
+    assert [(r["requested"], r["request_message"]) for r in rows] == [
+        (0.05, ""), (0.01, "late"), (0.002, "late"),
+    ]  # fmt: skip

@@ -8,14 +8,14 @@ from __future__ import annotations
 import os
 import statistics
 import time as clock
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from riserstudy.mesh import Mesh, even
-from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, too_long
+from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, too_long
 from riserstudy.numerics.models import AccuracyStudy, Ladder, Method
 from riserstudy.numerics.outside import RADAU, outside
 from riserstudy.numerics.references import OPINIONS, QUANTITIES, Reference, reference
@@ -65,10 +65,16 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
         for other, found in others.items():
             opinion[i, OPINIONS.index(other)] = [found.get(q, np.nan) for q in QUANTITIES]
         for j, method in enumerate(methods.values()):
+            given_up: dict[int, str] = {}
             for k in range(len(ladder.elements)):
                 for m in range(most[1]):
-                    one = rung(file, method, ladder, (k, m), study.budget, study.repeats[tier])
                     at = (i, j, k, m)
+                    if m in given_up:
+                        value["message"][at] = f"on a coarser mesh: {given_up[m]}"
+                        continue
+                    one = rung(file, method, ladder, (k, m), study.budget, study.repeats[tier])
+                    if one.refused == Outcome.TOO_LONG:
+                        given_up[m] = one.message
                     value["message"][at] = one.message
                     if one.result is None:
                         continue
@@ -76,7 +82,7 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
                         value[f"error_{q}"][at] = error
                     for cost in COSTS:
                         value[cost][at] = one.result.facts.get(cost, np.nan)
-        asked += [spent(file, name, share, best, study.patience) for share in study.asked[tier]]
+        asked += requests(file, name, study.asked[tier], best, study.patience)
     dims = ("scene", "method", "mesh_level", "step_level")
     data: dict[str, Any] = {
         name: (dims, array.astype(str) if array.dtype == object else array)
@@ -151,6 +157,19 @@ def timed(one: Callable[[], Attempt], repeats: int) -> Attempt:
         facts |= {"wall_seconds": statistics.median(measured), "wall_minimum": min(measured)}
         facts["cpu_seconds"] = min(own)
     return tried
+
+
+def requests(
+    file: SceneFile, name: str, shares: Iterable[float], best: Reference, patience: float
+) -> list[dict[str, Any]]:
+    """What asking for more and more accuracy came to; where one takes too long, finer ones do too."""
+    rows: list[dict[str, Any]] = []
+    for share in sorted(shares, reverse=True):
+        if rows and rows[-1]["request_message"]:
+            rows.append(rows[-1] | {"requested": share})
+        else:
+            rows.append(spent(file, name, share, best, patience))
+    return rows
 
 
 def spent(

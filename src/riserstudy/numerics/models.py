@@ -26,11 +26,13 @@ class Case(Strict):
     prescribe a bad step, mesh or scheme: refused, or with an estimate above 1 % where the error is.
     Absent set: the scene as it is. Absent preview: not part of that tier. ``patience``: seconds that
     its own run may take with all refinements; one beyond them is a row that says so. Absent: no limit.
+    ``budget``: of its reference. Absent: that of the study.
     """
 
     scene: str
     about: str
     patience: Positive | None = None
+    budget: Positive | None = None
     expect: Literal["accurate", "unstable", "told"]
     because: str | None = None
     set: dict[str, Any] = Field(default_factory=dict)

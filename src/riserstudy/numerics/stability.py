@@ -166,7 +166,7 @@ def standard_of(file: SceneFile, study: StabilityStudy, case: Case) -> Standard:
         return standard
     standard.mesh = mesh_of(scene, first.result)
     standard.step = first.result.facts.get("step")
-    best = reference_on(scene, file, standard, study.budget)
+    best = reference_on(scene, file, standard, case.budget or study.budget)
     if best.result is None:
         standard.why_not = best.message
         return standard
