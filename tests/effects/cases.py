@@ -296,9 +296,7 @@ def name(pair) -> str:
     return f"{pair[0].__name__}-{pair[1]}d"
 
 
-def moments(kind: type, d: int) -> int:
-    kinds = {kind, *(type(r) for r in CASES[kind].beside(d))}
-    return 1 if Bending in kinds else 3 if SpatialBending in kinds else 0
+MOMENTS = {1: 0, 2: 1, 3: 3}  # by directions, as in risers that bend, whose kernels are compiled
 
 
 class Rig:
@@ -306,7 +304,7 @@ class Rig:
 
     def __init__(self, kind: type, d: int, seed: int = 1, **changes: Any):
         case = CASES[kind]
-        self.kind, self.d, self.m = kind, d, moments(kind, d)
+        self.kind, self.d, self.m = kind, d, MOMENTS[d]
         records = [*case.beside(d), case.record(d)._replace(**changes)]
         if kind in (GasSpring, TwoChamberGas, LinearSpring, TabulatedLaw, CylinderDamping, EndStop):
             records.reverse()  # laws before the cylinder that sums them up, as a scene has them
@@ -342,10 +340,10 @@ class Rig:
     def settle_moments(self) -> None:
         """Moments that belong to the shape and its rate."""
         s = self.s
-        if self.m == 0:
+        s.moment[:] = 0.0
+        if not s.flex.any():
             return
         carried = ~self.model.hinged
-        s.moment[:] = 0.0
         shape_of(self.model.programs, self.model.state)
         matrix = flexibility(s)[np.ix_(carried, carried)]
         s.moment[:, carried] = np.linalg.solve(matrix, s.turn[:, carried].T).T
