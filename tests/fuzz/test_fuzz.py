@@ -14,7 +14,7 @@ from riserstudy import load_scene
 from riserstudy.errors import InputError
 
 SURGE = Path(__file__).parents[2] / "config/scenes/bench/s2.yaml"
-SHARE = {"scene": 70, "study": 15, "table": 30, "command": 15}
+SHARE = {"scene": 100, "study": 20, "table": 40, "command": 25}
 
 
 @pytest.mark.parametrize("kind", SHARE)

@@ -99,10 +99,11 @@ def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
 
 def test_a_finer_accuracy_is_not_asked_for_after_one_that_took_too_long(monkeypatch):
     def spent(file, name, share, best, patience):
-        return {"requested": share, "request_message": "" if share > 0.01 else "late"}
+        refused = {0.05: Outcome.REFUSED, 0.01: Outcome.TOO_LONG}[share]
+        return {"requested": share, "request_message": refused.name}, refused
 
     monkeypatch.setattr(module, "spent", spent)
     rows = requests(None, "any", [0.002, 0.05, 0.01], None, 1.0)
     assert [(r["requested"], r["request_message"]) for r in rows] == [
-        (0.05, ""), (0.01, "late"), (0.002, "late"),
+        (0.05, "REFUSED"), (0.01, "TOO_LONG"), (0.002, "TOO_LONG"),
     ]  # fmt: skip

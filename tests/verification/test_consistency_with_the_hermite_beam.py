@@ -155,7 +155,7 @@ def jointed_beam(elements):
 
 
 def test_flex_joint_and_clamp_agree_with_the_hermite_beam_s_rotational_springs():
-    elements = np.array([400, 800, 1600])
+    elements = np.array([200, 400, 800, 1600])
     x, moment = [], []
     for n in elements:
         scene = jointed({"mesh": {"elements": int(n)}})
@@ -165,8 +165,9 @@ def test_flex_joint_and_clamp_agree_with_the_hermite_beam_s_rotational_springs()
         moment.append(off(found["bending_moment_static"], jointed_beam(3200).moment[::every]))
     # where an end is held in direction; the layer of 11 m is 8 to 33 segments long, and with 2 to 7
     # of them orders are 1.7 to 1.9
-    assert slopes(1.0 / elements, moment).min() > 1.9
-    assert slopes(1.0 / elements, x).min() > 1.9
+    for found in (moment, x):
+        assert slopes(1.0 / elements, found).min() > 1.75
+        assert slopes(1.0 / elements[1:], found[1:]).min() > 1.9
     assert x[-1] < 1e-5
     assert moment[-1] < 1e-4
 

@@ -164,18 +164,20 @@ def requests(
 ) -> list[dict[str, Any]]:
     """What asking for more and more accuracy came to; where one takes too long, finer ones do too."""
     rows: list[dict[str, Any]] = []
+    refused: Outcome | None = None
     for share in sorted(shares, reverse=True):
-        if rows and rows[-1]["request_message"]:
+        if refused == Outcome.TOO_LONG:
             rows.append(rows[-1] | {"requested": share})
         else:
-            rows.append(spent(file, name, share, best, patience))
+            row, refused = spent(file, name, share, best, patience)
+            rows.append(row)
     return rows
 
 
 def spent(
     file: SceneFile, name: str, share: float, best: Reference, patience: float
-) -> dict[str, Any]:
-    """What asking for an accuracy came to, for a scene, within so many seconds."""
+) -> tuple[dict[str, Any], Outcome | None]:
+    """What asking for an accuracy came to, for a scene, within so many seconds; how it was refused."""
     scene = whole(file.with_values({"analysis.accuracy": f"{100 * share!r} %"}, WHERE).scene())
     attempt(lambda: run(scene, 0.0))  # warms up
     tried = attempt(lambda: run(scene, patience))
@@ -183,7 +185,7 @@ def spent(
     row |= {f"{kind}_{q}": np.nan for kind in ("estimated", "reached") for q in QUANTITIES}
     row |= {"request_elements": 0, "request_step": np.nan, "request_message": tried.message}
     if tried.result is None:
-        return row
+        return row, tried.refused
     facts = tried.result.facts
     row |= {"request_seconds": tried.seconds, "request_elements": facts["elements"]}
     row["request_step"] = facts.get("step", np.nan)
@@ -191,7 +193,7 @@ def spent(
     for q in QUANTITIES:
         row[f"estimated_{q}"] = facts["error_estimate"].get(q, np.nan)
         row[f"reached_{q}"] = reached.get(q, np.nan)
-    return row
+    return row, None
 
 
 ABOUT = {
