@@ -59,7 +59,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours():
     cut = {"analysis.duration": "10 s", "analysis.output": {"interval": "0.5 s"}}
     case = case.model_copy(update=small | {"set": cut})
     study = MEASURED.long_runs.model_copy(update={"cases": {"46 hours": case}})
-    found = long_runs(study, CONFIG, "standard")
+    found = long_runs(study, CONFIG, "standard", 2)
     labels = found["candidate"].values.tolist()
     assert labels[0] == "the paper's own"
     assert len(labels) == 1 + 2 * len(case.methods)

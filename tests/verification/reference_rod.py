@@ -59,6 +59,19 @@ def shapes(xi: np.ndarray, h: float) -> np.ndarray:
 
 
 @njit(cache=True)
+def add_quadratic(total, weight, middle, b):
+    """Add weight b^T middle b, with as many rows of b as middle has: small, so faster than by BLAS."""
+    for i in range(len(middle)):
+        row = np.zeros(WIDTH)
+        for j in range(len(middle)):
+            for k in range(WIDTH):
+                row[k] += weight * middle[i, j] * b[j, k]
+        for k in range(WIDTH):
+            for m in range(WIDTH):
+                total[k, m] += b[i, k] * row[m]
+
+
+@njit(cache=True)
 def assemble(
     band, residual, stage, stages, weight_k, weight_c, weight_m, q, v, a, shape, gauss, rod
 ):
@@ -128,12 +141,12 @@ def assemble(
                     kt[4 + j, 2 + i] = kt[2 + i, 4 + j]
                     kt[4 + i, 4 + j] = ei * curve_k[i] * curve_k[j]
             force[1] += gravity
-            big_k += gauss[g] * (b.T @ (kt @ b))
-            big_c += gauss[g] * (b[:2].T @ (ct @ b[:2]))
-            big_m += gauss[g] * (b[:2].T @ (mt @ b[:2]))
-            local = b.T @ force
+            add_quadratic(big_k, gauss[g], kt, b)
+            add_quadratic(big_c, gauss[g], ct, b)
+            add_quadratic(big_m, gauss[g], mt, b)
             for i in range(WIDTH):
-                residual[(first + i) * stages + stage] += gauss[g] * local[i]
+                for j in range(6):
+                    residual[(first + i) * stages + stage] += gauss[g] * b[j, i] * force[j]
         for other in range(stages):
             for i in range(WIDTH):
                 row = (first + i) * stages + stage

@@ -58,7 +58,11 @@ class Checkout:
             text=True,
         )
         assert done.returncode == 0, done.stdout + done.stderr
-        return set(re.findall(r"^Job \d+: (.*)$", done.stdout + done.stderr, re.M))
+        return jobs_in(done.stdout + done.stderr)
+
+    def done(self):
+        """Jobs that the last run did, as its log says."""
+        return jobs_in(max((self / ".snakemake/log").iterdir()).read_text())
 
     def stored(self):
         """Stored points: file and the moment it was written."""
@@ -85,6 +89,11 @@ class Checkout:
             source, self / "src/riserstudy", ignore=shutil.ignore_patterns("__pycache__")
         )
         self.environment["PYTHONPATH"] = str(self / "src")
+
+
+def jobs_in(log):
+    """Messages of the jobs in what Snakemake says."""
+    return set(re.findall(r"^Job \d+: (.*)$", log, re.M))
 
 
 def in_small(folder):

@@ -54,7 +54,8 @@ def folder(tmp_path):
 
 def start(folder, *arguments):
     command = [sys.executable, "workflow/scripts/run_study.py", "--cores", "1", *arguments]
-    environment = {name: value for name, value in os.environ.items() if name != "MAKELEVEL"}
+    not_the_users = ("MAKELEVEL", "RISERSTUDY_CACHE")
+    environment = {name: value for name, value in os.environ.items() if name not in not_the_users}
     return subprocess.Popen(
         command,
         cwd=folder,

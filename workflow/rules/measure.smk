@@ -10,6 +10,7 @@ rule measure:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
         study=PLAN.measured_pattern,
+    priority: 1
     threads: PLAN.measured_threads
     params:
         digest=PLAN.measured_digest,

@@ -1,4 +1,5 @@
-# Grids of simulations, and datasets derived from them.
+# Grids of simulations, and datasets derived from them. What claims all cores comes before what claims
+# one, which then runs side by side, not alone between the others.
 
 
 rule compile:
@@ -24,6 +25,7 @@ rule shard:
         study=PLAN.study_pattern,
         shard=r"\d+",
         shards=r"\d+",
+    priority: 1
     threads: PLAN.shard_threads
     params:
         digest=PLAN.shard_digest,
@@ -46,6 +48,7 @@ rule simulate:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
         study=PLAN.study_pattern,
+    priority: 1
     threads: PLAN.threads
     params:
         digest=PLAN.study_digest,

@@ -35,3 +35,4 @@ def save(figure: Figure, *targets: Path) -> None:
         metadata = {"CreationDate": None} if target.suffix == ".pdf" else None
         figure.savefig(partial, metadata=metadata)
         partial.replace(target)
+        figure.set_layout_engine("none")  # the next format is laid out as this one

@@ -18,7 +18,9 @@ import socket
 import sys
 import threading
 import traceback
+from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from types import FrameType
@@ -36,26 +38,25 @@ LOADED = (
     "riserstudy.derived",
     "riserstudy.figures",
     "riserstudy.gather",
-    "riserstudy.published.grading",
     "riserstudy.schematic",
     "riserstudy.workplan",
 )
-MANY = 8  # jobs, from which on it pays to load kernels that may not be asked for
+LATER = ("riserstudy.published.grading",)  # takes a second, and a figure alone does without
+MANY = 8  # jobs, from which on it pays to load what may not be asked for
 
 
 def serve(listener: socket.socket, compiled: Path) -> None:
     """Fork a job for everyone who asks, until standard input ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the jobs and for Snakemake
     signal.signal(signal.SIGCHLD, bury)
-    for module in LOADED:
-        import_module(module)
+    load_libraries()
     gc.freeze()  # what a fork never touches stays shared
-    jobs, groups = 0, kernel_groups()
+    jobs, waiting = 0, later()
     while True:
-        may_load = groups and jobs >= MANY and compiled.exists()
+        may_load = waiting and jobs >= MANY and compiled.exists()
         ready, _, _ = select.select([listener, sys.stdin], [], [], 0.0 if may_load else None)
         if not ready:
-            load_kernels(groups.pop(0))
+            load(waiting.pop(0))
             continue
         if sys.stdin in ready:
             break
@@ -67,6 +68,17 @@ def serve(listener: socket.socket, compiled: Path) -> None:
                 be(asker)
 
 
+def load_libraries() -> None:
+    """Import what most jobs need."""
+    for module in LOADED:
+        import_module(module)
+    import xarray as xr
+
+    xr.Dataset(
+        {"any": ("x", [0.0])}
+    )  # with its first one xarray imports what array libraries there are
+
+
 def bury(_signal: int, _frame: FrameType | None) -> None:
     """Take note of jobs that ended: their time counts as the server's."""
     with suppress(ChildProcessError):
@@ -74,19 +86,18 @@ def bury(_signal: int, _frame: FrameType | None) -> None:
             pass
 
 
-def kernel_groups() -> list[str]:
-    """Names of what is compiled together."""
-    from riserstudy.warmup import scenes
+def later() -> list[Callable[[], object]]:
+    """What is loaded when there is time: modules, and what is compiled together."""
+    from riserstudy.warmup import scenes, warm_up
 
-    return list(scenes())
+    modules = [partial(import_module, name) for name in LATER]
+    return [*modules, *(partial(warm_up, group) for group in scenes())]
 
 
-def load_kernels(group: str) -> None:
-    """Load a group of what is compiled; what cannot be loaded fails in the job that needs it, and is told."""
-    from riserstudy.warmup import warm_up
-
+def load(one: Callable[[], object]) -> None:
+    """Load a library or kernels; what cannot be loaded fails in the job that needs it, and is told."""
     with suppress(Exception):
-        warm_up(group)
+        one()
     gc.freeze()
 
 

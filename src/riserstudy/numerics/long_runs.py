@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import os
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -34,15 +35,17 @@ if TYPE_CHECKING:
 WHERE = "config/studies/numerics.yaml: measured.long_runs"
 
 
-def long_runs(study: LongStudy, config: Path, tier: Tier) -> xr.Dataset:
-    """All candidates of all cases, one after another: they are timed."""
+def long_runs(study: LongStudy, config: Path, tier: Tier, threads: int) -> xr.Dataset:
+    """All candidates of all cases, one after another: they are timed. References, which are not, before."""
     import xarray as xr
 
+    cases = in_tier(study.cases, tier)
+    files = [scene_of(config, name, case, tier) for name, case in cases.items()]
+    with ThreadPoolExecutor(threads) as pool:
+        best = list(pool.map(reference, cases.values(), files))
     rows: list[dict[str, Any]] = []
-    for name, case in in_tier(study.cases, tier).items():
-        sets = case.set | (case.preview or {} if tier == "preview" else {})
-        file = read_scene(config / case.scene).with_values(FREE | sets, f"{WHERE}: {name}")
-        rows += candidates(name, case, file, study.repeats, tier)
+    for (name, case), file, known in zip(cases.items(), files, best, strict=True):
+        rows += candidates(name, case, file, known, study.repeats, tier)
     dataset = xr.Dataset({key: ("run", [row[key] for row in rows]) for key in rows[0]})
     for name, (unit, words) in ABOUT.items():
         dataset[name].attrs = {"units": unit, "long_name": words}
@@ -50,12 +53,17 @@ def long_runs(study: LongStudy, config: Path, tier: Tier) -> xr.Dataset:
     return dataset
 
 
+def scene_of(config: Path, name: str, case: LongCase, tier: Tier) -> SceneFile:
+    """The scene of a case, as long as the tier asks for."""
+    sets = case.set | (case.preview or {} if tier == "preview" else {})
+    return read_scene(config / case.scene).with_values(FREE | sets, f"{WHERE}: {name}")
+
+
 def candidates(
-    name: str, case: LongCase, file: SceneFile, repeats: int, tier: Tier
+    name: str, case: LongCase, file: SceneFile, best: Result, repeats: int, tier: Tier
 ) -> list[dict[str, Any]]:
     """Every candidate of a case as a row, the paper's own first."""
     scene = whole(file.scene())
-    best = reference(case, file)
     rows = []
     if case.own and tier != "preview":
         mesh, step = even(scene, case.own.elements), case.own.step

@@ -49,7 +49,7 @@ def measure(plan: Workplan, paper: str, name: str, threads: int) -> xr.Dataset:
     elif isinstance(study, TiersStudy):
         dataset = tiers(study, plan.config, plan.tier)
     elif isinstance(study, LongStudy):
-        dataset = long_runs(study, plan.config, plan.tier)
+        dataset = long_runs(study, plan.config, plan.tier, threads)
     elif isinstance(study, LimitStudy):
         dataset = stable_steps(study, plan.config, plan.tier)
     else:

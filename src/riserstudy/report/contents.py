@@ -95,7 +95,8 @@ def contents(sources: Sources) -> dict[str, Any]:
     studies = {paper: read_studies(sources.config, paper) for paper in sources.papers}
     datasets: dict[tuple[str, str], xr.Dataset] = {}
     for path in sources.datasets:
-        datasets[path.parent.name, path.stem] = xr.load_dataset(path, engine="netcdf4")
+        # histories are large, and but few of them are looked at
+        datasets[path.parent.name, path.stem] = xr.open_dataset(path, engine="netcdf4")
     simulated = {key: ds for key, ds in datasets.items() if "point_key" in ds}
     rows = [_row(*key, dataset) for key, dataset in simulated.items()]
     graded = table(sources.tables, "reproduction")
