@@ -13,19 +13,22 @@ from riserstudy.result import Result
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
-MOST_FALL = 8.0  # of successive differences that an estimate trusts
+MOST_FALL = 8.0  # of successive differences that an estimate trusts: third order
+SURE_FALL = 4.0  # where mesh and step both changed between them: second
 
 
-def estimate(now: dict[str, float], before: dict[str, float] | None) -> dict[str, float]:
+def estimate(
+    now: dict[str, float], before: dict[str, float] | None, most: float = MOST_FALL
+) -> dict[str, float]:
     """Error of the finest of three runs, each twice as fine as the last, from their differences.
 
-    Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as at most
-    8 (third order), and as 2 where it is smaller or unknown.
+    Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as no more
+    than ``most``, and as 2 where it is smaller or unknown.
     """
     error = {}
     for name, value in now.items():
-        fall = (before or {}).get(name, 0.0) / value if value > 0.0 else MOST_FALL
-        error[name] = value / (min(max(fall, 2.0), MOST_FALL) - 1.0)
+        fall = (before or {}).get(name, 0.0) / value if value > 0.0 else most
+        error[name] = value / (min(max(fall, 2.0), most) - 1.0)
     return error
 
 

@@ -7,7 +7,7 @@ import time as clock
 from typing import Any
 
 from riserstudy.coarsest import coarsest_mesh, massless, period
-from riserstudy.comparison import difference, estimate
+from riserstudy.comparison import MOST_FALL, SURE_FALL, difference, estimate
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.marching import steps_in
 from riserstudy.mesh import prescribed
@@ -18,6 +18,8 @@ from riserstudy.single import EVERYWHERE, keep_stations, single
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
 RUNS = 16  # halvings of mesh or step, at most
 FALL = 1.5  # of differences, by which halving must bring them down to be repeated
+STALE = 3  # halvings of the other, after which what one of mesh and step was seen to change is seen anew
+MATTERS = 0.25  # of what is asked for: an error that is
 STEPS_A_PERIOD = 24  # of the coarsest step
 SPENT = ("elements", "step", "newton_iterations", "solve_seconds")  # what a run cost
 
@@ -76,7 +78,8 @@ def _refined(scene: Scene, patience: float) -> Result:
     """Refine mesh or step, whichever errs more, until both errors together are below what is asked for.
 
     Every run is compared with the one before, which differs in mesh or in step alone. Where halving one
-    did not help, the other is next.
+    did not help, the other is next. A long step damps what a fine mesh would show, and the other way
+    round; so an error that was seen long before the end is not believed.
     """
     a = scene.analysis
     target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
@@ -87,8 +90,7 @@ def _refined(scene: Scene, patience: float) -> Result:
     ways += ["step"] if step else []
     if not ways:  # a massless spring at rest is exact
         return single(scene, mesh, step)
-    before: dict[str, dict[str, float]] = {}
-    error: dict[str, dict[str, float]] = {}
+    seen: dict[str, Halved] = {}
     way, astray, helps = ways[0], 0, True
     refinements: list[dict[str, Any]] = []
     result: Result | None = None
@@ -110,24 +112,29 @@ def _refined(scene: Scene, patience: float) -> Result:
             continue
         refinements.append({name: finer.facts.get(name) for name in SPENT})
         if result is not None:
-            now = difference(result, finer)
-            error[way] = estimate(now, before.get(way))
-            helps = way not in before or _excess(before[way], target) > FALL * _excess(now, target)
-            before[way] = now
+            now = Halved(difference(result, finer), seen.get(way))
+            helps = way not in seen or seen[way].excess(target) > FALL * now.excess(target)
+            for one in seen.values():
+                one.since += 1
+            seen[way] = now
         result = finer
-        total = {name: sum(e.get(name, 0.0) for e in error.values()) for name in target}
-        finer.facts["error_estimate"] = {k: v for k, v in total.items() if k in before.get(way, {})}
-        unknown = [w for w in ways if w not in error]
+        total = {name: sum(one.error.get(name, 0.0) for one in seen.values()) for name in target}
+        told = seen[way].change if way in seen else {}
+        finer.facts["error_estimate"] = {k: v for k, v in total.items() if k in told}
+        unknown = [w for w in ways if w not in seen]
         if not unknown and all(total[name] <= limit for name, limit in target.items()):
-            break
-        if unknown:
+            stale = [w for w in ways if seen[w].since >= STALE and seen[w].matters(target)]
+            if not stale:
+                break
+            way = stale[0]
+        elif unknown:
             way = unknown[0]
         elif len(ways) > 1 and not helps:  # an error that stays, as of a jolt, may be the other's
             way = ways[1 - ways.index(way)]
         else:
-            way = max(ways, key=lambda w: _excess(error[w], target))
+            way = max(ways, key=lambda w: _excess(seen[w].error, target))
         if _spent(refinements) + 2.0 * finer.facts["solve_seconds"] > patience:
-            by_then = f"{_worst(total)} estimated" if error else "nothing estimated"
+            by_then = f"{_worst(total)} estimated" if seen else "nothing estimated"
             raise TakesTooLong(f"takes longer than {patience:g} s; {by_then} by then")
         mesh = mesh.halved() if way == "mesh" else mesh
         step = 0.5 * step if step and way == "step" else step
@@ -139,6 +146,25 @@ def _refined(scene: Scene, patience: float) -> Result:
     finer.facts["refinements"] = refinements
     keep_stations(finer, a.output.stations if a.output else None)
     return finer
+
+
+class Halved:
+    """What halving mesh or step was seen to change, and the error that it left."""
+
+    def __init__(self, change: dict[str, float], before: Halved | None) -> None:
+        self.change = change
+        # changes beside another mesh or step are alike, but not to the third order
+        most = SURE_FALL if before and before.since else MOST_FALL
+        self.error = estimate(change, before.change if before else None, most)
+        self.since: int = 0  # halvings of the other
+
+    def excess(self, target: dict[str, float]) -> float:
+        """The change over what is asked for."""
+        return _excess(self.change, target)
+
+    def matters(self, target: dict[str, float]) -> bool:
+        """Whether the error is a good part of what is asked for."""
+        return _excess(self.error, target) > MATTERS
 
 
 def _longest_step(scene: Scene) -> float:
