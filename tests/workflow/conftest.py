@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from planning import dry_run
 from ruamel.yaml import YAML
 
 from riserstudy.folders import cache_folder, kernel_cache
@@ -42,23 +43,17 @@ class Checkout:
             stderr=subprocess.PIPE,
         )
 
-    def run(self, *targets):
+    def run(self, *targets, timeout=300):
         """Run the study; its exit status and what it printed and complained."""
         process = self.start(*(targets or [PAPER]))
-        said, complained = process.communicate(timeout=300)
+        said, complained = process.communicate(timeout=timeout)
         return process.returncode, said, complained
 
     def planned(self, target=PAPER):
         """Jobs that a run would do, as their messages say."""
-        done = subprocess.run(
-            [sys.executable, "-m", "snakemake", "-n", "--nocolor", target],
-            cwd=self.folder,
-            env=self.environment,
-            capture_output=True,
-            text=True,
-        )
-        assert done.returncode == 0, done.stdout + done.stderr
-        return jobs_in(done.stdout + done.stderr)
+        status, said = dry_run(self.folder, self.environment, target)
+        assert status == 0, said
+        return jobs_in(said)
 
     def done(self):
         """Jobs that the last run did, as its log says."""

@@ -94,7 +94,7 @@ def test_whole_papers_through_slurm_give_the_numbers_of_a_local_run(fresh, slurm
     tables = {path: untimed(path) for path in (fresh / "results").glob("*/*.csv")}
     for path in [*(fresh / ".cache/points").glob("*/*.npz"), *(fresh / "results").glob("*/*.*")]:
         path.unlink()
-    status, _, complained = fresh.run("--tier", "preview", *papers)
+    status, _, complained = fresh.run("--tier", "preview", *papers, timeout=1800)
     assert (status, complained) == (0, "")
     for path, dataset in through_slurm.items():
         local = xr.load_dataset(fresh / "results" / path)

@@ -1,13 +1,14 @@
 """The folder that `riserstudy new` makes: complete, valid, with the rules of the package."""
 
 import json
+import os
 import re
-import subprocess
 import sys
 from pathlib import Path
 
 import jsonschema
 import pytest
+from planning import dry_run
 from ruamel.yaml import YAML
 
 from riserstudy.cli import main
@@ -28,14 +29,8 @@ def folder(tmp_path):
 
 def planned(folder, *arguments):
     """What a plain `snakemake -n` says it would do."""
-    done = subprocess.run(
-        [sys.executable, "-m", "snakemake", "-n", "--nocolor", *arguments],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-    )
-    said = done.stdout + done.stderr
-    return done.returncode, said, set(re.findall(r"^Job \d+: (.*)$", said, re.M))
+    status, said = dry_run(folder, os.environ, *arguments)
+    return status, said, set(re.findall(r"^Job \d+: (.*)$", said, re.M))
 
 
 def test_a_plain_snakemake_plans_datasets_every_fitting_plot_and_the_report(folder):
