@@ -375,20 +375,22 @@ def _section_forces(
     """Moment and shear at the nodes, each (time, n + 1)."""
     if recovery not in ("equilibrium", "curvature"):
         raise HermiteError(f"recovery {recovery!r} must be equilibrium or curvature")
-    _, slope, curve, third = (
-        np.einsum("egi,tei->teg", _shapes(beam, d, np.array([0.0, 1.0])), _gather(u))
-        for d in range(4)
-    )
+    ends, local = np.array([0.0, 1.0]), _gather(u)
+
+    def derivative(order: int) -> Array:
+        return np.asarray(np.einsum("egi,tei->teg", _shapes(beam, order, ends), local))
+
     if recovery == "curvature":
+        curve = derivative(2)
         rate = np.diff(beam.bending_stiffness, axis=1) / np.diff(beam.s)[:, None]
-        shear = -beam.bending_stiffness * third - rate * curve
+        shear = -beam.bending_stiffness * derivative(3) - rate * curve
         return _mean(beam.bending_stiffness * curve), _mean(shear)
     force = np.einsum("eij,tej->tei", mesh.stiffness, _gather(u + rayleigh[1] * v))
     force -= mesh.loads + _on_elements(mesh, flows, v)
     force += np.einsum("eij,tej->tei", mesh.mass, _gather(a + rayleigh[0] * v))
     moment = np.stack([-force[..., 1], force[..., 3]], axis=-1)
     lateral = np.stack([-force[..., 0], force[..., 2]], axis=-1)
-    return _mean(moment), _mean(lateral - beam.tension * slope)
+    return _mean(moment), _mean(lateral - beam.tension * derivative(1))
 
 
 def _mean(ends: Array) -> Array:

@@ -40,7 +40,7 @@ COSTS = (
     "elements",
 )
 EXPLICIT = "explicit"
-ENOUGH = 5.0  # seconds of a rung's runs, after which it is timed no more
+ENOUGH = 2.0  # seconds of a rung's runs, after which it is timed no more
 WHERE = "config/studies/numerics.yaml: measured.accuracy"
 
 
