@@ -113,7 +113,9 @@ def _refined(scene: Scene, patience: float) -> Result:
         refinements.append({name: finer.facts.get(name) for name in SPENT})
         if result is not None:
             now = Halved(difference(result, finer), seen.get(way))
-            helps = way not in seen or seen[way].excess(target) > FALL * now.excess(target)
+            helps = way not in seen or (
+                _excess(seen[way].change, target) > FALL * _excess(now.change, target)
+            )
             for one in seen.values():
                 one.since += 1
             seen[way] = now
@@ -123,7 +125,8 @@ def _refined(scene: Scene, patience: float) -> Result:
         finer.facts["error_estimate"] = {k: v for k, v in total.items() if k in told}
         unknown = [w for w in ways if w not in seen]
         if not unknown and all(total[name] <= limit for name, limit in target.items()):
-            stale = [w for w in ways if seen[w].since >= STALE and seen[w].matters(target)]
+            old = [w for w in ways if seen[w].since >= STALE]
+            stale = [w for w in old if _excess(seen[w].error, target) > MATTERS]
             if not stale:
                 break
             way = stale[0]
@@ -157,14 +160,6 @@ class Halved:
         most = SURE_FALL if before and before.since else MOST_FALL
         self.error = estimate(change, before.change if before else None, most)
         self.since: int = 0  # halvings of the other
-
-    def excess(self, target: dict[str, float]) -> float:
-        """The change over what is asked for."""
-        return _excess(self.change, target)
-
-    def matters(self, target: dict[str, float]) -> bool:
-        """Whether the error is a good part of what is asked for."""
-        return _excess(self.error, target) > MATTERS
 
 
 def _longest_step(scene: Scene) -> float:

@@ -2,14 +2,13 @@
 
 import fcntl
 import os
-import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from planning import dry_run
+from planning import dry_run, jobs_in
 from ruamel.yaml import YAML
 
 from riserstudy.folders import cache_folder, kernel_cache
@@ -84,11 +83,6 @@ class Checkout:
             source, self / "src/riserstudy", ignore=shutil.ignore_patterns("__pycache__")
         )
         self.environment["PYTHONPATH"] = str(self / "src")
-
-
-def jobs_in(log):
-    """Messages of the jobs in what Snakemake says."""
-    return set(re.findall(r"^Job \d+: (.*)$", log, re.M))
 
 
 def in_small(folder):

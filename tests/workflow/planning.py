@@ -1,6 +1,7 @@
 """A dry run of Snakemake in a process where it is imported already: to import it takes half the time."""
 
 import os
+import re
 import sys
 from multiprocessing import get_context
 from pathlib import Path
@@ -18,6 +19,11 @@ def dry_run(folder, environment, *arguments):
         run.start()
         run.join()
         return run.exitcode, said.read_text()
+
+
+def jobs_in(log):
+    """Messages of the jobs in what Snakemake says."""
+    return set(re.findall(r"^Job \d+: (.*)$", log, re.M))
 
 
 def _run(folder, environment, arguments, said):

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from planning import dry_run
+from planning import dry_run, jobs_in
 from ruamel.yaml import YAML
 
 from riserstudy.cli import main
@@ -30,7 +30,7 @@ def folder(tmp_path):
 def planned(folder, *arguments):
     """What a plain `snakemake -n` says it would do."""
     status, said = dry_run(folder, os.environ, *arguments)
-    return status, said, set(re.findall(r"^Job \d+: (.*)$", said, re.M))
+    return status, said, jobs_in(said)
 
 
 def test_a_plain_snakemake_plans_datasets_every_fitting_plot_and_the_report(folder):

@@ -93,6 +93,7 @@ def test_a_figure_simulates_only_what_it_needs(fresh):
 
 
 def test_shards_of_a_study_join_to_the_same_dataset(fresh, finished):
+    dataset = "results/chang2020/quasi_static.nc"
     fresh.edit("config/config.yaml", "tier: standard", "tier: standard\npoints_per_job: 5")
     parts = {f"simulate chang2020/quasi_static, part {k} of 2" for k in range(2)}
     status, _, complained = fresh.run("chang2020_fig14")
@@ -102,14 +103,12 @@ def test_shards_of_a_study_join_to_the_same_dataset(fresh, finished):
     assert "0 points simulated, 10 from the store" in log
     assert len(fresh.stored()) == len(finished.stored())
     assert_same_numbers(fresh, finished)
-    sharded = xr.load_dataset(fresh / "results/chang2020/quasi_static.nc")
+    sharded = xr.load_dataset(fresh / dataset)
     fresh.edit("config/config.yaml", "points_per_job: 5", "points_per_job: 500")
     assert fresh.run("chang2020_fig14")[0] == 0
     assert fresh.done() == {"simulate chang2020/quasi_static"} | AFTER
     # from the same points, so with the same times too
-    xr.testing.assert_identical(
-        xr.load_dataset(fresh / "results/chang2020/quasi_static.nc"), sharded
-    )
+    xr.testing.assert_identical(xr.load_dataset(fresh / dataset), sharded)
 
 
 # Killed runs, damaged files

@@ -74,9 +74,8 @@ def load_libraries() -> None:
         import_module(module)
     import xarray as xr
 
-    xr.Dataset(
-        {"any": ("x", [0.0])}
-    )  # with its first one xarray imports what array libraries there are
+    # with its first dataset xarray imports what array libraries there are
+    xr.Dataset({"any": ("x", [0.0])})
 
 
 def bury(_signal: int, _frame: FrameType | None) -> None:
