@@ -197,7 +197,8 @@ class _Builder:
             return
         z, speed = current_table(current, self.scene.water)
         along = self.along(current.towards)
-        self.add("current", Current(z, speed, along, current.ramp or 0.0), "current")
+        near = np.zeros(self.n + 1, np.int64)
+        self.add("current", Current(z, speed, along, near, current.ramp or 0.0), "current")
 
     def along(self, heading: float | None) -> FloatArray:
         """Unit vector of a heading in the horizontal directions of the model."""

@@ -83,9 +83,8 @@ def bending(d: int) -> Bending | SpatialBending:
 
 def current(d: int) -> Current:
     heading = np.array([1.0] if d == 2 else [0.6, 0.8][: d - 1])
-    return Current(
-        np.array([-50.0, 20.0, 41.0, 75.0]), np.array([0.3, 1.0, 0.5, 1.7]), heading, 8.0
-    )
+    elevation, speed = np.array([[-50.0, 20.0, 41.0, 75.0], [0.3, 1.0, 0.5, 1.7]])
+    return Current(elevation, speed, heading, np.zeros(N + 1, np.int64), 8.0)
 
 
 def depths(d: int) -> DragOverDepth:
@@ -99,7 +98,8 @@ def depths(d: int) -> DragOverDepth:
 
 def uniform(d: int) -> Current:
     heading = np.array([1.0, 0.0][: d - 1])
-    return Current(np.array([0.0, 1.0]), np.array([0.7, 0.7]), heading, 0.0)
+    near = np.zeros(N + 1, np.int64)
+    return Current(np.array([0.0, 1.0]), np.array([0.7, 0.7]), heading, near, 0.0)
 
 
 def wave(d: int, above: int = STRETCHED) -> Wave:

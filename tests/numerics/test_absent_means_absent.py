@@ -43,7 +43,9 @@ ZERO_LOAD = {
     "lateral force": lambda: Pull(N, np.zeros(2)),
     "tension loss": lambda: TensionLoss(N, np.zeros(2), 1.0, 1.0),
     "end mass": lambda: EndMass(N, 0.0, np.zeros(2), np.zeros(2)),
-    "current": lambda: Current(np.array([0.0, 533.0]), np.zeros(2), np.array([1.0]), 0.0),
+    "current": lambda: Current(
+        np.array([0.0, 533.0]), np.zeros(2), np.array([1.0]), np.zeros(N + 1, np.int64), 0.0
+    ),
     "platform position": lambda: Position(np.zeros(6)),
 }
 

@@ -19,6 +19,7 @@ class Current(NamedTuple):
     elevation: np.ndarray  # (k,) rising (m)
     speed: np.ndarray  # (k,) (m/s)
     heading: np.ndarray  # (d-1,) unit vector of the flow in the horizontal directions
+    near: np.ndarray  # (n+1,) scratch: the interval of the table in which a node was last
     ramp: float  # time over which the current grows linearly from nothing (s), 0 for at once
 
 
@@ -37,7 +38,12 @@ def drive(current, s):
         if here >= z[last]:
             value = speed[last]
         elif here > z[0]:
-            k = np.searchsorted(z, here, side="right") - 1
+            k = current.near[i]  # it has hardly moved
+            while z[k + 1] <= here:
+                k += 1
+            while z[k] > here:
+                k -= 1
+            current.near[i] = k
             slope = (speed[k + 1] - speed[k]) / (z[k + 1] - z[k])
             value = speed[k] + slope * (here - z[k])
         for c in range(up):

@@ -65,41 +65,23 @@ def drive(wave, s):
     grown, rate = growth(wave, t)
     if grown == 0.0 and rate == 0.0:
         return 0.0
-    components = wave.amplitude.shape[0]
-    crest = 0.0
-    for k in range(components):
-        crest += wave.amplitude[k]
-    n = s.l0.shape[0]
-    for i in range(n + 1):
-        x = 0.0
-        for c in range(up):
-            x += wave.heading[c] * s.r[c, i]
-        z = s.r[up, i] - wave.surface
-        squeeze = 1.0
-        near = max(z, s.r[up, min(i + 1, n)] - wave.surface) > -crest
-        if wave.above == STRETCHED or (wave.above == CONSTANT and near):
-            eta = 0.0
-            for k in range(components):
-                eta += wave.amplitude[k] * cos(
-                    wave.number[k] * x - wave.frequency[k] * t + wave.phase[k]
-                )
-            eta *= grown
-            s.level[i] += eta
-            if wave.above == STRETCHED:  # what is out of the water lands at zero, but for rounding
-                squeeze = wave.depth / (wave.depth + eta)
-                z = (z + wave.depth) * squeeze - wave.depth if z < eta else 1.0
-        if z > 0.0:
-            z, squeeze = 0.0, 0.0
-        for k in range(components):
-            number, w = wave.number[k], wave.frequency[k]
+    _immerse(wave, s, t, grown)
+    for k in range(wave.amplitude.shape[0]):
+        number, w = wave.number[k], wave.frequency[k]
+        # cosh and sinh k(z+d) over sinh kd, without overflow at any depth
+        bed = exp(-2.0 * number * wave.depth)
+        share = 1.0 / (1.0 - bed)
+        speed, now = wave.amplitude[k] * w * share, wave.phase[k] - w * t
+        for i in range(s.l0.shape[0] + 1):
+            squeeze = s.density[0, i]
+            z = (s.r[up, i] - wave.surface + wave.depth) * squeeze - wave.depth
+            z = min(z, 0.0) if squeeze > 0.0 else 0.0  # at the surface, but for rounding
             if -number * z > DEEP:
                 continue
-            # cosh and sinh k(z+d) over sinh kd, without overflow at any depth
-            near, far = exp(number * z), exp(-number * (z + 2.0 * wave.depth))
-            below = 1.0 - exp(-2.0 * number * wave.depth)
-            even, odd = (near + far) / below, (near - far) / below
-            angle = number * x - w * t + wave.phase[k]
-            speed = wave.amplitude[k] * w
+            near = exp(number * z)
+            far = bed / near
+            even, odd = near + far, near - far
+            angle = number * _along(wave, s, i) + now
             sine, cosine = speed * sin(angle), speed * cos(angle)
             slope = number * squeeze * grown
             for c in range(up):
@@ -110,6 +92,45 @@ def drive(wave, s):
             s.shear[up, i] += slope * even * sine
             s.water_rate[up, i] += odd * (rate * sine - grown * w * cosine)
     return 0.0
+
+
+@inner
+def _along(wave, s, i):
+    """Distance of a node along the heading (m)."""
+    x = 0.0
+    for c in range(len(s.dim) - 1):
+        x += wave.heading[c] * s.r[c, i]
+    return x
+
+
+@inner
+def _immerse(wave, s, t, grown):
+    """By how much heights over the bed are squeezed at the nodes, into ``s.density``; 0 out of the water.
+
+    The height of the water over the mean level is added to ``s.level`` where something asks for it.
+    """
+    up = len(s.dim) - 1
+    components = wave.amplitude.shape[0]
+    crest = 0.0
+    for k in range(components):
+        crest += wave.amplitude[k]
+    n = s.l0.shape[0]
+    for i in range(n + 1):
+        z = s.r[up, i] - wave.surface
+        squeeze, wet = 1.0, z <= 0.0
+        near = max(z, s.r[up, min(i + 1, n)] - wave.surface) > -crest
+        if wave.above == STRETCHED or (wave.above == CONSTANT and near):
+            x = _along(wave, s, i)
+            eta = 0.0
+            for k in range(components):
+                eta += wave.amplitude[k] * cos(
+                    wave.number[k] * x - wave.frequency[k] * t + wave.phase[k]
+                )
+            eta *= grown
+            s.level[i] += eta
+            if wave.above == STRETCHED:
+                squeeze, wet = wave.depth / (wave.depth + eta), z < eta
+        s.density[0, i] = squeeze if wet else 0.0
 
 
 register(Wave, drive=drive)

@@ -10,7 +10,17 @@ from __future__ import annotations
 import numpy as np
 
 from riserstudy.jit import inner, kernel
-from riserstudy.solve.rows import back, divide, eliminate, line, put_line, square_block, whole_row
+from riserstudy.solve.rows import (
+    back,
+    block_below,
+    divide,
+    eliminate,
+    line,
+    node_row,
+    put_line,
+    put_row,
+    row_of,
+)
 from riserstudy.solve.vec import outer
 
 
@@ -30,70 +40,29 @@ def solve(s, out, work, fixed):
     Number of negative pivots among positions less that among moments: for a symmetric conservative
     tangent the number of unstable directions.
     """
-    d = len(s.dim)
     nb = len(s.dof)
-    m = nb - d
+    m = nb - len(s.dim)
     n = s.r.shape[1] - 1  # the last node, loose ones included
-    k_node, k_segment, k_up, k_low = s.k_node, s.k_segment, s.k_up, s.k_low
-    by_low, by_up, flex, flex_up = s.by_low, s.by_up, s.flex, s.flex_up
-    turn_low, turn_up = s.turn_low, s.turn_up
-    here = np.zeros((nb, 2 * nb + 1))  # diagonal block, upper block, residual
-    low = np.zeros((nb, nb))
+    arrays = s.k_node, s.k_segment, s.k_up, s.k_low
+    bent = s.by_low, s.by_up, s.turn_low, s.turn_up, s.flex, s.flex_up
+    held = np.zeros((nb, 3 * nb + 1))
     right = s.dof
     upper = outer(right, right)
     negative = 0
     next_fixed = 0
     for i in range(n + 1):
-        for p in range(d):
-            for q in range(d):
-                c = p * d + q
-                stiff = k_node[i, c]
-                if i > 0:
-                    stiff += k_segment[i - 1, c]
-                    low[m + p, m + q] = k_low[i - 1, c] - k_segment[i - 1, c]
-                if i < n:
-                    stiff += k_segment[i, c]
-                    here[m + p, nb + m + q] = k_up[i, c] - k_segment[i, c]
-                here[m + p, m + q] = stiff
-            here[m + p, 2 * nb] = out[i, m + p]
-        for u in range(m):
-            for p in range(d):
-                c = p * m + u
-                arm, angle = 0.0, 0.0
-                if i > 0:
-                    arm += by_up[i - 1, c]
-                    angle -= turn_up[i - 1, c]
-                    low[m + p, u] = by_low[i - 1, c]
-                    low[u, m + p] = turn_up[i - 1, c]
-                if i < n:
-                    arm -= by_low[i, c]
-                    angle += turn_low[i, c]
-                    here[m + p, nb + u] = -by_up[i, c]
-                    here[u, nb + m + p] = -turn_low[i, c]
-                here[m + p, u] = arm
-                here[u, m + p] = angle
-            for w in range(m):
-                same = 1.0 if u == w else 0.0
-                here[u, w] = flex[i] * same
-                if i > 0:
-                    low[u, w] = flex_up[i - 1] * same
-                if i < n:
-                    here[u, nb + w] = flex_up[i] * same
-            here[u, 2 * nb] = out[i, u]
-
-        while next_fixed < fixed.shape[0] and fixed[next_fixed, 0] == i:
-            row = fixed[next_fixed, 1]
-            for q in range(2 * nb + 1):
-                here[row, q] = 0.0
-            for q in range(nb):
-                low[row, q] = 0.0
-            here[row, row] = 1.0
-            next_fixed += 1
-
-        row = whole_row(right, here)
-        if i > 0:
-            row = eliminate(right, upper, square_block(right, low), row)
-        upper, right, pivots = divide(right, row)
+        row = node_row(s.dim, right, arrays, bent, out, i, i - 1)
+        low = block_below(s.dim, right, arrays, bent, i - 1)
+        if next_fixed < fixed.shape[0] and fixed[next_fixed, 0] == i:
+            put_row(held, row, low)
+            while next_fixed < fixed.shape[0] and fixed[next_fixed, 0] == i:
+                unknown = fixed[next_fixed, 1]
+                for q in range(3 * nb + 1):
+                    held[unknown, q] = 0.0
+                held[unknown, unknown] = 1.0
+                next_fixed += 1
+            row, low = row_of(right, held)
+        upper, right, pivots = divide(right, eliminate(right, upper, low, row))
         for p in range(nb):
             if pivots[p] < 0.0:
                 negative += 1 if p >= m else -1

@@ -10,6 +10,50 @@ from riserstudy.solve.unroll import unrolled
 
 
 @unrolled
+def node_row(dim, dof, stiffness, bent, out, i, e):
+    """Equations of node i, moments' angles before forces, with segment ``e`` below and ``i`` above."""
+    d, size = len(dim), len(dof)
+    m = size - d
+    k_node, k_segment, k_up, _ = stiffness
+    by_low, by_up, turn_low, turn_up, flex, flex_up = bent
+    row = []
+    for u in range(m):
+        own = [turn_low[i, p * m + u] for p in range(d)]
+        row += [flex[i] if w == u else 0.0 for w in range(m)]
+        row += [own[p] - turn_up[e, p * m + u] for p in range(d)]
+        row += [flex_up[i] if w == u else 0.0 for w in range(m)]
+        row += [-own[p] for p in range(d)]
+        row.append(out[i, u])
+    for p in range(d):
+        above = [k_segment[i, p * d + q] for q in range(d)]
+        row += [by_up[e, p * m + u] - by_low[i, p * m + u] for u in range(m)]
+        row += [
+            k_node[i, p * d + q] + k_segment[e, p * d + q] + above[q] for q in range(d)
+        ]
+        row += [-by_up[i, p * m + u] for u in range(m)]
+        row += [k_up[i, p * d + q] - above[q] for q in range(d)]
+        row.append(out[i, m + p])
+    return tuple(row)
+
+
+@unrolled
+def block_below(dim, dof, stiffness, bent, e):
+    """How the node above segment ``e`` hangs on the one below it."""
+    d = len(dim)
+    m = len(dof) - d
+    _, k_segment, _, k_low = stiffness
+    by_low, _, _, turn_up, _, flex_up = bent
+    low = []
+    for u in range(m):
+        low += [flex_up[e] if w == u else 0.0 for w in range(m)]
+        low += [turn_up[e, p * m + u] for p in range(d)]
+    for p in range(d):
+        low += [by_low[e, p * m + u] for u in range(m)]
+        low += [k_low[e, p * d + q] - k_segment[e, p * d + q] for q in range(d)]
+    return tuple(low)
+
+
+@unrolled
 def eliminate(right, upper, low, row):
     """The row less ``low`` times the divided row (upper, right) before it."""
     size = len(right)
@@ -52,16 +96,23 @@ def back(right, upper, after):
 
 
 @unrolled
-def whole_row(like, array):
-    """An array (size, 2 size + 1) as a row."""
-    size = len(like)
-    return tuple(array[p, q] for p in range(size) for q in range(2 * size + 1))
+def put_row(array, row, low):
+    """Store a row and the block before it in an array (size, 3 size + 1)."""
+    size = int(len(low) ** 0.5)
+    for p in range(size):
+        for q in range(2 * size + 1):
+            array[p, q] = row[p * (2 * size + 1) + q]
+        for q in range(size):
+            array[p, 2 * size + 1 + q] = low[p * size + q]
 
 
 @unrolled
-def square_block(like, array):
-    """An array (size, size) as a block."""
-    return tuple(array[p, q] for p in range(len(like)) for q in range(len(like)))
+def row_of(like, array):
+    """The row and the block before it that ``put_row`` stored."""
+    size = len(like)
+    width = 2 * size + 1
+    row = tuple(array[p, q] for p in range(size) for q in range(width))
+    return row, tuple(array[p, width + q] for p in range(size) for q in range(size))
 
 
 @unrolled

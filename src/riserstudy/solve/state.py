@@ -9,6 +9,9 @@ equals the moments times the flexibility of the segments around it.
 Nodes beyond n are loose: unknowns of what the top hangs from, a vessel's yaw or its thrusters' lag. No
 segment leads to them; each is coupled to the node before it by ``k_up`` and ``k_low`` alone.
 
+What joins a node to the next (from ``k_segment`` to ``turn_up``, and ``flex_up``) has a row of zeros in
+memory before its first and after its last, so that the solver may ask beyond the ends.
+
 Distributed quantities (mass, added mass, drag, flexibility) are shared between the nodes of a segment:
 5/12 to its own node, 1/12 to the other. That is the integral of a parabola against the hat function of a
 node, and makes displacement and moment fourth-order accurate on even meshes. Shares of 1/2 and 0 are
@@ -113,9 +116,10 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
     )
     seas, (level, water, shear, water_rate) = _together((n + 1,), *[(d, n + 1)] * 3)
     lumps, (lump,) = _together((d * d, nodes))
-    slopes, (k_segment, k_node, k_up, k_low, by_low, by_up, turn_low, turn_up) = _together(
-        (nodes - 1, d * d), (nodes, d * d), *[(nodes - 1, d * d)] * 2, *[(nodes - 1, d * m)] * 4
+    slopes, (k_node, *joining) = _together(
+        (nodes, d * d), *[(nodes + 1, d * d)] * 3, *[(nodes + 1, d * m)] * 4
     )
+    k_segment, k_up, k_low, by_low, by_up, turn_low, turn_up = (x[1:-1] for x in joining)
     return State(
         dim=(0.0,) * d,
         dof=(0.0,) * (m + d),
@@ -151,7 +155,7 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         turn_low=turn_low,
         turn_up=turn_up,
         flex=zeros(nodes),
-        flex_up=zeros(nodes - 1),
+        flex_up=zeros(nodes + 1)[1:-1],
         flex_inverse=zeros(nodes),
         flex_factor=zeros(nodes - 1),
         reach=zeros(c),

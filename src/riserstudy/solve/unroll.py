@@ -150,7 +150,7 @@ class _Array:
     def _pointer(self, place):
         context, builder = self.writer.context, self.writer.builder
         array = context.make_array(self.kind)(context, builder, self.value)
-        indices = [self._index(k) for k in place]
+        indices = [self._index(k) for k in (place if isinstance(place, tuple) else (place,))]
         return cgutils.get_item_pointer(context, builder, self.kind, array, indices)
 
     def _index(self, k):
