@@ -27,9 +27,7 @@ def node_row(dim, dof, stiffness, bent, out, i, e):
     for p in range(d):
         above = [k_segment[i, p * d + q] for q in range(d)]
         row += [by_up[e, p * m + u] - by_low[i, p * m + u] for u in range(m)]
-        row += [
-            k_node[i, p * d + q] + k_segment[e, p * d + q] + above[q] for q in range(d)
-        ]
+        row += [k_node[i, p * d + q] + k_segment[e, p * d + q] + above[q] for q in range(d)]
         row += [-by_up[i, p * m + u] for u in range(m)]
         row += [k_up[i, p * d + q] - above[q] for q in range(d)]
         row.append(out[i, m + p])
