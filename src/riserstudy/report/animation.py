@@ -1,11 +1,17 @@
-"""A run in motion as an interactive figure: the riser from the side, or in space, and histories beside it."""
+"""A run in motion as an interactive figure: the riser from the side, or in space, and histories beside it.
+
+A frame holds what moves and nothing else; how it looks stands in the figure once.
+"""
 
 from __future__ import annotations
 
+from base64 import b64encode
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import plotly.graph_objects as go
+import plotly.io as pio
 from numpy.typing import NDArray
 from plotly.subplots import make_subplots
 
@@ -29,10 +35,11 @@ DIVERGING = [
 PAUSE = 60  # between frames while playing (ms)
 
 Trace = dict[str, Any]
+Moving = Callable[[int], list[Trace]]  # from the frame to what changes of each trace that moves
 
 
-def animation(motion: Motion) -> go.Figure:
-    """The figure with one frame a time; slider and buttons choose among them."""
+def animation(motion: Motion) -> str:
+    """The figure as JSON with one frame a time; slider and buttons choose among them."""
     rows = max(1, len(motion.histories))
     kind = "scene" if motion.y is not None else "xy"
     figure = make_subplots(
@@ -43,19 +50,14 @@ def animation(motion: Motion) -> go.Figure:
         horizontal_spacing=0.0,
         vertical_spacing=0.07,
     )
-    still, moving = _riser_traces(motion)
-    for trace in still:
-        figure.add_trace(trace, 1, 1)
-    first = len(still)
-    for trace in moving(0):
+    still, traces, moving = _riser_traces(motion)
+    for trace in [still, *traces]:
         figure.add_trace(trace, 1, 1)
     cursors = _histories(figure, motion)
     last = len(figure.data)
-    changed = [*range(first, first + len(moving(0))), *range(last - len(motion.histories), last)]
-    figure.frames = [
-        go.Frame(data=[*moving(k), *cursors(k)], name=f"{k}", traces=changed)
-        for k in range(len(motion.time))
-    ]
+    changed = [*range(1, 1 + len(traces)), *range(last - len(motion.histories), last)]
+    for place, trace in zip(changed, [*moving(0), *cursors(0)], strict=True):
+        figure.data[place].update(trace)
     _axes(figure, motion)
     _controls(figure, motion)
     figure.update_layout(
@@ -65,19 +67,24 @@ def animation(motion: Motion) -> go.Figure:
         margin={"l": 60, "r": 20, "t": 20, "b": 20},
         showlegend=False,
     )
-    return figure
+    frames = [
+        {"name": f"{k}", "traces": changed, "data": [*moving(k), *cursors(k)]}
+        for k in range(len(motion.time))
+    ]
+    # plain: as objects of plotly's, each checked, a thousand frames take seconds
+    return str(pio.to_json(figure.to_dict() | {"frames": frames}, validate=False))
 
 
-def small(values: NDArray[np.float64]) -> NDArray[np.float32]:
+def small(values: NDArray[np.float64]) -> Trace:
     """Values as they are written: single precision is more than a screen shows."""
-    return np.asarray(values, np.float32)
+    return {"dtype": "f4", "bdata": b64encode(np.asarray(values, "<f4").tobytes()).decode()}
 
 
 # the riser
 
 
-def _riser_traces(motion: Motion) -> tuple[list[Trace], Any]:
-    """What stands still behind the riser, and a function from the frame to what moves."""
+def _riser_traces(motion: Motion) -> tuple[go.Scatter, list[go.Scatter], Moving]:
+    """What stands still behind the riser, the look of what moves, and how it moves."""
     low, high = float(motion.colour.min()), float(motion.colour.max())
     both_ways = motion.signed and low < 0.0
     if both_ways:
@@ -90,7 +97,9 @@ def _riser_traces(motion: Motion) -> tuple[list[Trace], Any]:
     return _from_the_side(motion, shade, bar)
 
 
-def _from_the_side(motion: Motion, shade: Trace, bar: Trace) -> tuple[list[Trace], Any]:
+def _from_the_side(
+    motion: Motion, shade: Trace, bar: Trace
+) -> tuple[go.Scatter, list[go.Scatter], Moving]:
     rest = go.Scatter(
         x=small(motion.rest[0]),
         y=small(motion.rest[1]),
@@ -99,40 +108,33 @@ def _from_the_side(motion: Motion, shade: Trace, bar: Trace) -> tuple[list[Trace
         hoverinfo="skip",
     )
     about = f"{motion.quantity} %{{marker.color:.4g}} {motion.unit}<br>"
+    riser = go.Scatter(
+        mode="lines+markers",
+        line={"color": "#9aa4ad", "width": 2},
+        marker={"size": 7, "colorbar": bar, **shade},
+        hovertemplate=about + "x %{x:.4g} m, z %{y:.5g} m<extra></extra>",
+    )
+    platform = go.Scatter(  # a symbol above the riser, with the tensioners that it carries it by
+        mode="lines+markers",
+        line={"color": "#22282e", "width": 2, "dash": "dot"},
+        marker={"symbol": ["line-ew-open", "square"], "size": [14, 18], "color": "#22282e"},
+        hovertemplate="platform<br>x %{x:.4g} m, z %{y:.5g} m<extra></extra>",
+    )
 
     def moving(k: int) -> list[Trace]:
-        riser = go.Scatter(
-            x=small(motion.x[k]),
-            y=small(motion.z[k]),
-            mode="lines+markers",
-            line={"color": "#9aa4ad", "width": 2},
-            marker={"color": small(motion.colour[k]), "size": 7, "colorbar": bar, **shade},
-            hovertemplate=about + "x %{x:.4g} m, z %{y:.5g} m<extra></extra>",
-        )
-        return [riser, *_platform(motion, k)]
+        x, z, colour = motion.x[k], motion.z[k], motion.colour[k]
+        moved: list[Trace] = [{"x": small(x), "y": small(z), "marker": {"color": small(colour)}}]
+        if motion.platform is not None:
+            deck_x, deck_z = (float(place[k]) for place in motion.platform)
+            moved.append({"x": [float(x[-1]), deck_x], "y": [float(z[-1]), deck_z]})
+        return moved
 
-    return [rest], moving
+    return rest, [riser, platform][: len(moving(0))], moving
 
 
-def _platform(motion: Motion, k: int) -> list[Trace]:
-    """The platform as a symbol above the riser, with the tensioners that it carries it by."""
-    if motion.platform is None:
-        return []
-    x, z = (float(place[k]) for place in motion.platform)
-    ring = (float(motion.x[k, -1]), float(motion.z[k, -1]))
-    return [
-        go.Scatter(
-            x=[ring[0], x],
-            y=[ring[1], z],
-            mode="lines+markers",
-            line={"color": "#22282e", "width": 2, "dash": "dot"},
-            marker={"symbol": ["line-ew-open", "square"], "size": [14, 18], "color": "#22282e"},
-            hovertemplate="platform<br>x %{x:.4g} m, z %{y:.5g} m<extra></extra>",
-        )
-    ]
-
-
-def _in_space(motion: Motion, shade: Trace, bar: Trace) -> tuple[list[Trace], Any]:
+def _in_space(
+    motion: Motion, shade: Trace, bar: Trace
+) -> tuple[go.Scatter3d, list[go.Scatter3d], Moving]:
     y = motion.y if motion.y is not None else 0.0 * motion.x
     trail = go.Scatter3d(
         x=small(motion.x[:, 0]),
@@ -143,33 +145,31 @@ def _in_space(motion: Motion, shade: Trace, bar: Trace) -> tuple[list[Trace], An
         hoverinfo="skip",
     )
 
-    def moving(k: int) -> list[Trace]:
-        riser = go.Scatter3d(
-            x=small(motion.x[k]),
-            y=small(y[k]),
-            z=small(motion.z[k]),
-            mode="lines",
-            line={"color": small(motion.colour[k]), "width": 7, "colorbar": bar, **shade},
-            hovertemplate="x %{x:.4g} m, y %{y:.4g} m, z %{z:.5g} m<extra></extra>",
-        )
-        top = go.Scatter3d(
-            x=[float(motion.x[k, -1])],
-            y=[float(y[k, -1])],
-            z=[float(motion.z[k, -1])],
-            mode="markers",
-            marker={"symbol": "square", "size": 7, "color": "#22282e"},
-            hovertemplate="platform<extra></extra>",
-        )
-        return [riser, top]
+    riser = go.Scatter3d(
+        mode="lines",
+        line={"width": 7, "colorbar": bar, **shade},
+        hovertemplate="x %{x:.4g} m, y %{y:.4g} m, z %{z:.5g} m<extra></extra>",
+    )
+    top = go.Scatter3d(
+        mode="markers",
+        marker={"symbol": "square", "size": 7, "color": "#22282e"},
+        hovertemplate="platform<extra></extra>",
+    )
 
-    return [trail], moving
+    def moving(k: int) -> list[Trace]:
+        places = {"x": motion.x[k], "y": y[k], "z": motion.z[k]}
+        whole: Trace = {name: small(values) for name, values in places.items()}
+        end: Trace = {name: [float(values[-1])] for name, values in places.items()}
+        return [whole | {"line": {"color": small(motion.colour[k])}}, end]
+
+    return trail, [riser, top], moving
 
 
 # histories
 
 
-def _histories(figure: go.Figure, motion: Motion) -> Any:
-    """Add the histories; a function from the frame to the cursors in them."""
+def _histories(figure: go.Figure, motion: Motion) -> Moving:
+    """Add the histories and cursors in them, which come last; how the cursors move."""
     limits = []
     for row, history in enumerate(motion.histories, start=1):
         for colour, (name, line) in zip(COLOURS, history.lines.items(), strict=False):
@@ -191,16 +191,15 @@ def _histories(figure: go.Figure, motion: Motion) -> Any:
         figure.update_yaxes(title_text=label, title_font_size=11, row=row, col=2)
     figure.update_xaxes(title_text="time (s)", row=max(1, len(limits)), col=2)
 
+    style = {"color": "#22282e", "width": 1}
+    for row, pair in enumerate(limits, start=1):
+        cursor = go.Scatter(y=list(pair), mode="lines", line=style, hoverinfo="skip")
+        figure.add_trace(cursor, row, 2)
+
     def cursors(k: int) -> list[Trace]:
         now = float(motion.time[k])
-        style = {"color": "#22282e", "width": 1}
-        return [
-            go.Scatter(x=[now, now], y=list(pair), mode="lines", line=style, hoverinfo="skip")
-            for pair in limits
-        ]
+        return [{"x": [now, now]} for _ in limits]
 
-    for row, trace in enumerate(cursors(0), start=1):
-        figure.add_trace(trace, row, 2)
     return cursors
 
 

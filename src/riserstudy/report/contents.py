@@ -243,8 +243,7 @@ def _motions(
         shown = file.in_motion
         if shown and (paper, shown.study) in datasets:
             motion = motion_of(shown, datasets[paper, shown.study])
-            figure = animation(motion).to_json()
-            yield MovingRun(paper, shown.study, motion.title, figure)
+            yield MovingRun(paper, shown.study, motion.title, animation(motion))
 
 
 def _figure(

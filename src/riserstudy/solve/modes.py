@@ -1,16 +1,67 @@
 """Natural frequencies and shapes about an equilibrium, and the explicit step that stays stable.
 
-Both come from the engine's own tangent and mass, made dense: moments are eliminated, so the stiffness
-includes bending.
+Both come from the engine's own tangent and mass; moments are eliminated, so the stiffness includes bending.
 """
 
 from __future__ import annotations
 
+import math
+from functools import partial
+from typing import NamedTuple
+
 import numpy as np
 from scipy.linalg import eigh
+from scipy.sparse import coo_array, csc_array, csr_array
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from riserstudy.solve.evaluate import forces_and_tangent, one_call
 from riserstudy.solve.program import Frozen
+
+FEW = 300  # unknowns up to which all eigenvalues come faster than the largest alone
+VECTORS = 40  # that the search for the largest keeps
+TIGHT = 1e-5  # to which it is found
+
+
+class Linear(NamedTuple):
+    """A model about its present state, over the free positions; symmetric parts."""
+
+    tangent: csr_array  # (k, k) without bending
+    turn: csr_array  # (a, k) slopes of the turning angles that carry a moment
+    flexibility: csc_array  # (a, a)
+    damping: csr_array  # (k, k)
+    mass: csr_array  # (k, k)
+    free: np.ndarray  # (k, 2) their nodes and directions
+
+
+def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
+    """A model made linear; ``fixed`` are (node, unknown) pairs, moments before positions."""
+    s = state.value
+    d, m, nodes = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1]
+
+    def tangent(velocity: float) -> csr_array:
+        s.rate[0], s.rate[1] = velocity, 0.0
+        forces_and_tangent(programs, state)
+        return _stiffness(s, d)
+
+    stiff = tangent(0.0)
+    turn, flexibility = _bending(s, d, m)  # of the angles at rest, before rates enter them
+    damping = tangent(1.0) - stiff
+    for array in (s.k_segment, s.k_node, s.k_up, s.k_low):
+        array[:] = 0.0
+    s.rate[1] = 1.0
+    one_call(programs.value.mass, state)
+    mass = _stiffness(s, d)
+    s.rate[:] = 0.0
+
+    loose = np.ones((nodes, m + d), bool)
+    loose[tuple(fixed.T)] = False
+    carried, free = loose[:, :m].ravel(), loose[:, m:]
+    moved = free.ravel()
+    tangent_, damping, mass = (
+        (0.5 * (a + a.T)).tocsr()[moved][:, moved] for a in (stiff, damping, mass)
+    )
+    turn, flexibility = turn[carried][:, moved], flexibility[carried][:, carried].tocsc()
+    return Linear(tangent_, turn, flexibility, damping, mass, np.argwhere(free))
 
 
 def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
@@ -21,71 +72,49 @@ def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
     stiffness, damping, mass : (k, k) arrays, symmetric parts.
     free : (k, 2) array of node and direction.
     """
-    s = state.value
-    d, m, n = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1] - 1
-
-    def tangent(velocity: float) -> np.ndarray:
-        s.rate[0], s.rate[1] = velocity, 0.0
-        forces_and_tangent(programs, state)
-        return _dense(s, d, n)
-
-    stiff = tangent(0.0)
-    turn, flexibility = _bending(s, d, m, n)  # of the angles at rest, before rates enter them
-    damping = tangent(1.0) - stiff
-    if m:
-        carried = np.ones(m * (n + 1), bool)
-        for node, unknown in fixed:
-            if unknown < m:
-                carried[node * m + unknown] = False
-        turn, flexibility = turn[carried], flexibility[np.ix_(carried, carried)]
-        stiff = stiff + turn.T @ np.linalg.solve(flexibility, turn)
-    for array in (s.k_segment, s.k_node, s.k_up, s.k_low):
-        array[:] = 0.0
-    s.rate[1] = 1.0
-    one_call(programs.value.mass, state)
-    mass = _dense(s, d, n)
-    s.rate[:] = 0.0
-    held = {(int(node), int(unknown) - m) for node, unknown in fixed if unknown >= m}
-    free = [(i, c) for i in range(n + 1) for c in range(d) if (i, c) not in held]
-    index = [i * d + c for i, c in free]
-    take = np.ix_(index, index)
-    parts = [0.5 * (a + a.T)[take] for a in (stiff, damping, mass)]
-    return *parts, np.array(free)
+    model = linear(programs, state, fixed)
+    stiff, turn = model.tangent.toarray(), model.turn.toarray()
+    if len(turn):
+        stiff += turn.T @ np.linalg.solve(model.flexibility.toarray(), turn)
+    return stiff, model.damping.toarray(), model.mass.toarray(), model.free
 
 
-def _dense(s, d, n):
-    """Position stiffness as a dense matrix."""
-    full = np.zeros((d * (n + 1), d * (n + 1)))
-    for i in range(n + 1):
-        a = slice(d * i, d * i + d)
-        full[a, a] += s.k_node[i].reshape(d, d)
-        if i < n:
-            b = slice(d * i + d, d * i + 2 * d)
-            k = s.k_segment[i].reshape(d, d)
-            full[a, a] += k
-            full[b, b] += k
-            full[a, b] += s.k_up[i].reshape(d, d) - k
-            full[b, a] += s.k_low[i].reshape(d, d) - k
-    return full
+def _stiffness(s, d) -> csr_array:
+    """Stiffness by positions alone, of all nodes."""
+    k = s.k_segment.reshape(-1, d, d)
+    node = s.k_node.reshape(-1, d, d).copy()
+    node[:-1] += k
+    node[1:] += k
+    i = np.arange(len(node))
+    return _blocks(
+        [node, s.k_up.reshape(k.shape) - k, s.k_low.reshape(k.shape) - k],
+        [(i, i), (i[:-1], i[1:]), (i[1:], i[:-1])],
+        len(node),
+    )
 
 
-def _bending(s, d, m, n):
-    """Slopes of the turning angles by positions, (m (n+1), d (n+1)), and the flexibility matrix."""
-    turn = np.zeros((m * (n + 1), d * (n + 1)))
-    flexibility = np.zeros((m * (n + 1), m * (n + 1)))
-    for i in range(n + 1):
-        for u in range(m):
-            flexibility[i * m + u, i * m + u] = s.flex[i]
-            if i < n:
-                flexibility[i * m + u, (i + 1) * m + u] = s.flex_up[i]
-                flexibility[(i + 1) * m + u, i * m + u] = s.flex_up[i]
-    for e in range(n):
-        for node, by in ((e, s.turn_low[e]), (e + 1, s.turn_up[e])):
-            rows = slice(node * m, node * m + m)
-            slope = by.reshape(d, m).T
-            turn[rows, (e + 1) * d : (e + 2) * d] += slope
-            turn[rows, e * d : (e + 1) * d] -= slope
-    return turn, flexibility
+def _bending(s, d, m) -> tuple[csr_array, csr_array]:
+    """Slopes of the turning angles by positions, and the flexibility matrix; of all nodes."""
+    nodes = s.r.shape[1]
+    low, up = (by.reshape(nodes - 1, d, m).transpose(0, 2, 1) for by in (s.turn_low, s.turn_up))
+    e, i = np.arange(nodes - 1), np.arange(nodes)
+    places = [(e, e + 1), (e, e), (e + 1, e + 1), (e + 1, e)]
+    turn = _blocks([low, -low, up, -up], places, nodes)
+    own, other = (np.eye(m) * by[:, None, None] for by in (s.flex, s.flex_up))
+    return turn, _blocks([own, other, other], [(i, i), (e, e + 1), (e + 1, e)], nodes)
+
+
+def _blocks(blocks, places, nodes) -> csr_array:
+    """Sparse matrix of blocks (count, p, q) at (rows, columns) of nodes; those at one place add up."""
+    p, q = blocks[0].shape[1:]
+    data, rows, columns = [], [], []
+    for block, (row, column) in zip(blocks, places, strict=True):
+        shape = block.shape
+        data.append(block.ravel())
+        rows.append(np.broadcast_to(row[:, None, None] * p + np.arange(p)[:, None], shape).ravel())
+        columns.append(np.broadcast_to(column[:, None, None] * q + np.arange(q), shape).ravel())
+    where = np.concatenate(rows), np.concatenate(columns)
+    return coo_array((np.concatenate(data), where), shape=(nodes * p, nodes * q)).tocsr()
 
 
 def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int):
@@ -109,13 +138,54 @@ def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int
 def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
     """Largest stable step of the explicit method about the present state (s).
 
-    A mode of frequency w and damping ratio z is stable below 2 (sqrt(1 + z^2) - z) / w, because damping
-    acts with the velocity of half a step ago.
+    Steps h are stable while h^2 K + 2 h C < 4 M in every direction, because damping acts with the velocity
+    of half a step ago: for a mode of frequency w and damping ratio z, below 2 (sqrt(1 + z^2) - z) / w.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        When a node that moves has no mass.
     """
-    stiff, damping, mass, _ = matrices(programs, state, fixed)
-    square, vectors = eigh(stiff, mass)
-    modal = np.einsum("ij,ik,kj->j", vectors, damping, vectors)
-    moving = square > 0.0
-    w = np.sqrt(square[moving])
-    z = 0.5 * modal[moving] / w
-    return float(np.min(2.0 * (np.sqrt(1.0 + z * z) - z) / w))
+    model = linear(programs, state, fixed)
+    if not (model.mass.diagonal() > 0.0).all():
+        raise np.linalg.LinAlgError("a node that moves has no mass")
+    bend = splu(model.flexibility).solve if model.turn.shape[0] else None
+
+    def stiff(x: np.ndarray) -> np.ndarray:
+        force = model.tangent @ x
+        return force if bend is None else force + model.turn.T @ bend(model.turn @ x)
+
+    found, step = 2.0 / math.sqrt(_largest(stiff, model.mass)[0]), math.inf
+    while found < (1.0 - TIGHT) * step:
+        step = found
+        both = partial(_both, step, stiff, model.damping)
+        _, x = _largest(both, model.mass)
+        # for this direction alone steps may be longer than for all; in the end they may not
+        square, rate = float(x @ stiff(x)), float(x @ (model.damping @ x))
+        found = 4.0 / (rate + math.sqrt(rate * rate + 4.0 * square))
+    return (1.0 - TIGHT) * min(found, step)
+
+
+def _both(step, stiff, damping, x):
+    return step * step * stiff(x) + 2.0 * step * (damping @ x)
+
+
+def _largest(operator, mass: csr_array) -> tuple[float, np.ndarray]:
+    """Largest eigenvalue of a symmetric operator beside a mass, and its vector x with x' M x = 1."""
+    size = mass.shape[0]
+    if size <= FEW:
+        last = [size - 1, size - 1]
+        values, vectors = eigh(operator(np.eye(size)), mass.toarray(), subset_by_index=last)
+    else:
+        shape = (size, size)
+        values, vectors = eigsh(
+            LinearOperator(shape, operator),
+            k=1,
+            M=mass,
+            Minv=LinearOperator(shape, splu(mass.tocsc()).solve),
+            which="LA",
+            v0=np.random.default_rng(0).normal(size=size),  # the same on every run
+            ncv=VECTORS,
+            tol=TIGHT,
+        )
+    return float(values[0]), vectors[:, 0]

@@ -80,7 +80,7 @@ def _signature(member):
 
 def _words(member) -> list[int]:
     if isinstance(member, np.ndarray):
-        return [member.ctypes.data, *member.shape, *member.strides]
+        return [member.__array_interface__["data"][0], *member.shape, *member.strides]
     if isinstance(member, tuple):
         return [word for part in member for word in _words(part)]
     if isinstance(member, int | np.integer):

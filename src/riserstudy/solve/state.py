@@ -20,6 +20,8 @@ plain lumping, which explicit stepping needs for the mass.
 
 from __future__ import annotations
 
+from itertools import accumulate, pairwise
+from math import prod
 from typing import NamedTuple
 
 import numpy as np
@@ -179,10 +181,10 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
 
 def _together(*shapes):
     """Zeros of several shapes that lie one after the other: all of them in a row, and each."""
-    ends = np.cumsum([0, *(int(np.prod(shape)) for shape in shapes)])
+    ends = [0, *accumulate(map(prod, shapes))]
     whole = np.zeros(ends[-1])
-    pieces = zip(ends[:-1], ends[1:], shapes, strict=True)
-    return whole, [whole[a:b].reshape(shape) for a, b, shape in pieces]
+    pieces = zip(pairwise(ends), shapes, strict=True)
+    return whole, [whole[a:b].reshape(shape) for (a, b), shape in pieces]
 
 
 @inner
