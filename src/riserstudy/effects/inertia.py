@@ -11,8 +11,8 @@ import numpy as np
 
 from riserstudy.effects.roles import register
 from riserstudy.jit import inner
-from riserstudy.solve.spread import spread, spread_stiffness
-from riserstudy.solve.vec import at, dot, mul, put_block, unity
+from riserstudy.solve.spread import spread
+from riserstudy.solve.vec import at, dot
 
 
 class Inertia(NamedTuple):
@@ -32,10 +32,19 @@ def force(inertia, s):
 @inner
 def mass(inertia, s):
     """Mass times d a / d r."""
-    block = mul(s.rate[1], unity(s.dim))
-    for i in range(s.l0.shape[0] + 1):
-        put_block(s.block, i, block)
-    spread_stiffness(s, inertia.mass, inertia.mass, s.share[0], s.share[1])
+    d, n, mass = len(s.dim), s.l0.shape[0], inertia.mass
+    own, other = s.rate[1] * s.share[0], s.rate[1] * s.share[1]
+    for c in range(d):
+        k = c * d + c
+        s.k_node[0, k] += own * mass[0]
+        s.k_node[n, k] += own * mass[n - 1]
+        for i in range(1, n):
+            s.k_node[i, k] += own * (mass[i - 1] + mass[i])
+        if other == 0.0:
+            continue
+        for e in range(n):
+            s.k_up[e, k] += other * mass[e]
+            s.k_low[e, k] += other * mass[e]
     return 0.0
 
 
