@@ -5,23 +5,28 @@ import pytest
 from engine import march, off, scene, slopes
 from reference import DATA
 from scipy.interpolate import CubicSpline
+from scipy.linalg import eigh
 
 import riserstudy.single
 from riserstudy.errors import SimulationError
 from riserstudy.mesh import even
 from riserstudy.settle import settle
-from riserstudy.solve.modes import stable_step
+from riserstudy.solve.modes import FEW, matrices, stable_step
 
 EXPLICIT = {"analysis__method": "explicit", "analysis__output": {"interval": "0.1 s"}}
 DAMPED = {"riser[0].structural_damping": {"ratio": 0.05, "at_period": "1 s"}}
 
 
-def limit(name, elements, **values):
-    """Stable step about the equilibrium, as the engine predicts it."""
+def at_rest(name, elements, **values):
     mesh = {"analysis__mesh": {"elements": elements}, "analysis__step": "0.1 ms"}
     file = scene(name, **(EXPLICIT | mesh | values)).scene()
     model, _ = settle(file, even(file, elements))
-    return stable_step(model.programs, model.state, model.fixed)
+    return model.programs, model.state, model.fixed
+
+
+def limit(name, elements, **values):
+    """Stable step about the equilibrium, as the engine predicts it."""
+    return stable_step(*at_rest(name, elements, **values))
 
 
 @pytest.mark.parametrize("elements", [18, 36, 72])
@@ -30,6 +35,19 @@ def test_the_stable_step_of_an_undamped_riser_is_that_of_its_axial_waves(element
     # held ends let the fastest wave be a little slower than an endless riser's
     assert limit("s2", elements) == pytest.approx(wave, rel=1e-2)
     assert limit("s2", elements) >= wave
+
+
+@pytest.mark.parametrize("damping", [{}, DAMPED], ids=["undamped", "damped"])
+@pytest.mark.parametrize("elements", [40, 180])
+def test_the_stable_step_is_that_of_the_mode_that_needs_the_shortest(elements, damping):
+    model = at_rest("s2", elements, **damping)
+    stiff, rate, mass, _ = matrices(*model)
+    assert (len(mass) > FEW) == (elements == 180)  # found in another way from there
+    square, shapes = eigh(stiff, mass)
+    w = np.sqrt(square)
+    z = 0.5 * np.einsum("ij,ik,kj->j", shapes, rate, shapes) / w
+    shortest = (2.0 * (np.sqrt(1.0 + z * z) - z) / w).min()
+    assert 1.0 - 2e-5 < stable_step(*model) / shortest < 1.0
 
 
 @pytest.mark.parametrize("damping", [{}, DAMPED], ids=["undamped", "damped"])

@@ -25,7 +25,7 @@ TIGHT = 1e-5  # to which it is found
 class Linear(NamedTuple):
     """A model about its present state, over the free positions; symmetric parts."""
 
-    tangent: csr_array  # (k, k) without bending
+    stiff: csr_array  # (k, k) without bending
     turn: csr_array  # (a, k) slopes of the turning angles that carry a moment
     flexibility: csc_array  # (a, a)
     damping: csr_array  # (k, k)
@@ -38,14 +38,14 @@ def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
     s = state.value
     d, m, nodes = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1]
 
-    def tangent(velocity: float) -> csr_array:
+    def at_rate(velocity: float) -> csr_array:
         s.rate[0], s.rate[1] = velocity, 0.0
         forces_and_tangent(programs, state)
         return _stiffness(s, d)
 
-    stiff = tangent(0.0)
+    stiff = at_rate(0.0)
     turn, flexibility = _bending(s, d, m)  # of the angles at rest, before rates enter them
-    damping = tangent(1.0) - stiff
+    damping = at_rate(1.0) - stiff
     for array in (s.k_segment, s.k_node, s.k_up, s.k_low):
         array[:] = 0.0
     s.rate[1] = 1.0
@@ -53,15 +53,14 @@ def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
     mass = _stiffness(s, d)
     s.rate[:] = 0.0
 
-    loose = np.ones((nodes, m + d), bool)
-    loose[tuple(fixed.T)] = False
-    carried, free = loose[:, :m].ravel(), loose[:, m:]
-    moved = free.ravel()
-    tangent_, damping, mass = (
+    free = np.ones((nodes, m + d), bool)
+    free[tuple(fixed.T)] = False
+    carried, moved = free[:, :m].ravel(), free[:, m:].ravel()
+    stiff, damping, mass = (
         (0.5 * (a + a.T)).tocsr()[moved][:, moved] for a in (stiff, damping, mass)
     )
     turn, flexibility = turn[carried][:, moved], flexibility[carried][:, carried].tocsc()
-    return Linear(tangent_, turn, flexibility, damping, mass, np.argwhere(free))
+    return Linear(stiff, turn, flexibility, damping, mass, np.argwhere(free[:, m:]))
 
 
 def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
@@ -73,7 +72,7 @@ def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
     free : (k, 2) array of node and direction.
     """
     model = linear(programs, state, fixed)
-    stiff, turn = model.tangent.toarray(), model.turn.toarray()
+    stiff, turn = model.stiff.toarray(), model.turn.toarray()
     if len(turn):
         stiff += turn.T @ np.linalg.solve(model.flexibility.toarray(), turn)
     return stiff, model.damping.toarray(), model.mass.toarray(), model.free
@@ -136,7 +135,7 @@ def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int
 
 
 def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
-    """Largest stable step of the explicit method about the present state (s).
+    """Largest stable step of the explicit method about the present state (s), infinite without stiffness.
 
     Steps h are stable while h^2 K + 2 h C < 4 M in every direction, because damping acts with the velocity
     of half a step ago: for a mode of frequency w and damping ratio z, below 2 (sqrt(1 + z^2) - z) / w.
@@ -152,10 +151,13 @@ def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
     bend = splu(model.flexibility).solve if model.turn.shape[0] else None
 
     def stiff(x: np.ndarray) -> np.ndarray:
-        force = model.tangent @ x
+        force = model.stiff @ x
         return force if bend is None else force + model.turn.T @ bend(model.turn @ x)
 
-    found, step = 2.0 / math.sqrt(_largest(stiff, model.mass)[0]), math.inf
+    highest, _ = _largest(stiff, model.mass)
+    if highest <= 0.0:
+        return math.inf
+    found, step = 2.0 / math.sqrt(highest), math.inf
     while found < (1.0 - TIGHT) * step:
         step = found
         both = partial(_both, step, stiff, model.damping)
