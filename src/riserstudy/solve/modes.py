@@ -6,6 +6,7 @@ Both come from the engine's own tangent and mass; moments are eliminated, so the
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
@@ -31,6 +32,13 @@ class Linear(NamedTuple):
     damping: csr_array  # (k, k)
     mass: csr_array  # (k, k)
     free: np.ndarray  # (k, 2) their nodes and directions
+
+    def stiffness(self) -> Callable[[np.ndarray], np.ndarray]:
+        """Function that multiplies by the stiffness, bending included."""
+        if not self.turn.shape[0]:
+            return self.stiff.__matmul__
+        bend = splu(self.flexibility).solve
+        return lambda x: self.stiff @ x + self.turn.T @ bend(self.turn @ x)
 
 
 def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
@@ -72,9 +80,7 @@ def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
     free : (k, 2) array of node and direction.
     """
     model = linear(programs, state, fixed)
-    stiff, turn = model.stiff.toarray(), model.turn.toarray()
-    if len(turn):
-        stiff += turn.T @ np.linalg.solve(model.flexibility.toarray(), turn)
+    stiff = model.stiffness()(np.eye(len(model.free)))
     return stiff, model.damping.toarray(), model.mass.toarray(), model.free
 
 
@@ -148,12 +154,7 @@ def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
     model = linear(programs, state, fixed)
     if not (model.mass.diagonal() > 0.0).all():
         raise np.linalg.LinAlgError("a node that moves has no mass")
-    bend = splu(model.flexibility).solve if model.turn.shape[0] else None
-
-    def stiff(x: np.ndarray) -> np.ndarray:
-        force = model.stiff @ x
-        return force if bend is None else force + model.turn.T @ bend(model.turn @ x)
-
+    stiff = model.stiffness()
     highest, _ = _largest(stiff, model.mass)
     if highest <= 0.0:
         return math.inf
