@@ -28,7 +28,7 @@ study: $(READY)  ## simulate, grade, draw and report everything (TIER=preview|st
 	@exec $(STUDY)
 
 test: $(READY)  ## run the tests, except the slow ones, the cluster's and the browser's
-	@$(IN_ENVIRONMENT) pytest -q -n 3 --dist worksteal --benchmark-disable -m 'not slow and not cluster and not page'
+	@$(IN_ENVIRONMENT) pytest -q -n 2 --dist worksteal --benchmark-disable -m 'not slow and not cluster and not page'
 
 test-slow: $(READY)  ## run the slow tests
 	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'slow and not cluster'
