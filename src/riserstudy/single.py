@@ -248,7 +248,9 @@ def _angles(
     if scene.vessel and len(model.s.dof) > d:
         arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upwards, d)
     if scene.platform and scene.top.x == "platform":
-        upright = Rotation.from_euler("xyz", record.platform[:, 3:]).apply(upwards)
+        turned, upright = record.platform[:, 3:], upwards
+        if turned.any():  # rotations take longer than a short run
+            upright = Rotation.from_euler("xyz", turned).apply(upwards)
         arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upright, d)
 
 
@@ -265,9 +267,13 @@ def _end_direction(scene: Scene, model: Model, mesh: Mesh, record: Record, end: 
     joint = scene.top.telescopic_joint if end == -1 else None
     stiff = joint.bending_stiffness if joint else stiffness(scene.riser[mesh.section[end]]).bending
     softness = mesh.l0[end] / stiff
-    bend = np.zeros_like(t)
-    bend[:, [1] if m == 1 else [0, 1, 2]] = softness * (own / 3.0 + far / 6.0)
-    return np.asarray(Rotation.from_rotvec(bend if end == -1 else -bend).apply(t))
+    bend = (softness if end == -1 else -softness) * (own / 3.0 + far / 6.0)
+    if m == 3:
+        return np.asarray(Rotation.from_rotvec(bend).apply(t))
+    cosine, sine = np.cos(bend[:, 0]), np.sin(bend[:, 0])
+    return np.column_stack(
+        [cosine * t[:, 0] + sine * t[:, 2], t[:, 1], cosine * t[:, 2] - sine * t[:, 0]]
+    )
 
 
 def _lean(t: FloatArray, upright: FloatArray, d: int) -> FloatArray:
