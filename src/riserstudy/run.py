@@ -13,6 +13,7 @@ from riserstudy.marching import steps_in
 from riserstudy.mesh import prescribed
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
+from riserstudy.settle import rounding
 from riserstudy.single import EVERYWHERE, keep_stations, single
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
@@ -20,6 +21,7 @@ RUNS = 16  # halvings of mesh or step, at most
 FALL = 1.5  # of differences, by which halving must bring them down to be repeated
 STALE = 3  # halvings of the other, after which what one of mesh and step was seen to change is seen anew
 MATTERS = 0.25  # of what is asked for: an error that is
+PATIENT = 6  # refinements that must halve the error, or a string under compression is given up
 STEPS_A_PERIOD = 24  # of the coarsest step
 SPENT = ("elements", "step", "newton_iterations", "solve_seconds")  # what a run cost
 
@@ -35,6 +37,8 @@ def run(scene: Scene, patience: float = math.inf) -> Result:
     ------
     SimulationError
         When no equilibrium is found or a step fails: time, node, effect and remedy.
+    PhysicallyUnstable
+        When no finer run tells how a string without bending stiffness buckles.
     TakesTooLong
         When the next refinement would take more than is left of ``patience`` (s).
     """
@@ -93,6 +97,7 @@ def _refined(scene: Scene, patience: float) -> Result:
     seen: dict[str, Halved] = {}
     way, astray, helps = ways[0], 0, True
     refinements: list[dict[str, Any]] = []
+    excess: list[float] = []  # of the estimates, once there is one of mesh and step
     result: Result | None = None
     for left in range(RUNS, -1, -1):
         try:
@@ -124,6 +129,9 @@ def _refined(scene: Scene, patience: float) -> Result:
         told = seen[way].change if way in seen else {}
         finer.facts["error_estimate"] = {k: v for k, v in total.items() if k in told}
         unknown = [w for w in ways if w not in seen]
+        if not unknown:
+            excess.append(_excess(total, target))
+            _give_up_buckling(scene, finer, excess)
         if not unknown and all(total[name] <= limit for name, limit in target.items()):
             old = [w for w in ways if seen[w].since >= STALE]
             stale = [w for w in old if _excess(seen[w].error, target) > MATTERS]
@@ -149,6 +157,21 @@ def _refined(scene: Scene, patience: float) -> Result:
     finer.facts["refinements"] = refinements
     keep_stations(finer, a.output.stations if a.output else None)
     return finer
+
+
+def _give_up_buckling(scene: Scene, finer: Result, excess: list[float]) -> None:
+    """A string without bending stiffness buckles at any wavelength: each finer mesh finds a shorter one."""
+    earlier = excess[:-PATIENT]
+    if not earlier or min(excess) <= 0.5 * min(earlier) or "bending_moment" in finer.arrays:
+        return
+    facts = finer.facts
+    if facts["directions"] > 1 and facts["smallest_tension"] < -rounding(scene):
+        raise PhysicallyUnstable(
+            f"effective tension falls to {facts['smallest_tension']:.3g} N at s = "
+            f"{facts['smallest_tension_s']:.4g} m, and without bending stiffness the riser buckles there at "
+            f"any wavelength: {len(excess)} finer runs did not settle its peaks; give every section "
+            "bending stiffness, or analysis.mesh and step"
+        )
 
 
 class Halved:

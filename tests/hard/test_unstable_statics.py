@@ -1,10 +1,10 @@
 """Equilibria that cannot stand are refused, sideways freedom counted; those that can are not."""
 
 import pytest
-from scenes import COLUMN, EULER, SCENES, changed
+from scenes import COLUMN, EULER, SCENES, changed, from_file
 
 from riserstudy import simulate
-from riserstudy.errors import SimulationError
+from riserstudy.errors import PhysicallyUnstable, SimulationError
 from riserstudy.mesh import even
 from riserstudy.scene.load import read_scene
 from riserstudy.settle import settle
@@ -95,3 +95,8 @@ def test_a_slack_cable_hangs_on_any_mesh(elements):
     assert found.unstable == 0
     assert found.iterations <= 20
     assert float(model.s.r[-1].min()) == pytest.approx(-10.92, rel=0.03)
+
+
+def test_a_slack_string_under_compression_is_given_up():
+    with pytest.raises(PhysicallyUnstable, match=r"tension falls to -.*buckles there at any"):
+        simulate(from_file("hard/snap"))

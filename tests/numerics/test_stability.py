@@ -9,7 +9,7 @@ from riserstudy.figures import draw
 from riserstudy.numerics.attempt import Outcome
 from riserstudy.numerics.models import StabilityStudy
 from riserstudy.numerics.scenes import case_file, in_tier
-from riserstudy.numerics.stability import as_expected, stability, tell
+from riserstudy.numerics.stability import stability, tell
 from riserstudy.numerics.stable_step import stable_steps
 from riserstudy.report.engine import engine
 from riserstudy.study import read_studies
@@ -58,18 +58,6 @@ def test_a_run_of_more_node_steps_than_the_budget_is_a_row_too():
     case = STUDY.cases["surge"]
     told = tell(tight, case, case_file(CONFIG, "surge", case), "preview")
     assert {rung.outcome for rung in told.rungs["explicit"]} == {Outcome.TOO_LONG}
-
-
-def test_a_case_beyond_its_patience_is_a_row_with_the_message_of_its_own_run():
-    """A platform that starts at once concentrates moments ever more; how much is missed, the run tells."""
-    case = STUDY.cases["surge at once"].model_copy(update={"patience": 0.2})
-    told = tell(STUDY, case, case_file(CONFIG, "surge at once", case), "preview")
-    assert told.written.outcome == Outcome.TOO_LONG
-    assert told.written.tried.message.startswith("takes longer than 0.2 s; ")
-    assert not told.rungs
-    met, why = as_expected(case, told)
-    assert not met
-    assert told.written.tried.message in why
 
 
 def test_every_case_of_every_tier_is_a_scene():

@@ -3,13 +3,17 @@
 import numpy as np
 import pytest
 from engine import SCENES
+from scipy.special import erfc
 
 from riserstudy import load_scene
+from riserstudy.errors import InputError
 from riserstudy.mesh import even
 from riserstudy.single import EVERYWHERE, single
 
 RAMP = {"platform.cruise": {"speed": "1 m/s", "ramp": "5 s"}, "platform.heave": None}
 HANG_OFF = SCENES.parent / "hard" / "hang_off.yaml"
+SURGE = SCENES.parent / "hard" / "surge.yaml"
+OWN = {"analysis.mesh": {"elements": 10}, "analysis.step": "0.1 s"}
 
 
 def run(elements, step, **values):
@@ -49,13 +53,69 @@ def test_outputs_and_the_energy_balance_go_on_across_a_jolt():
     [
         ({"platform.cruise": None, "platform.heave.ramp": "20 s"}, []),
         ({"platform.cruise": None, "platform.heave.ramp": "12 s"}, [12.0]),
-        (
-            {"platform.cruise": None, "platform.heave": {"amplitude": "1 m", "period": "10 s"}},
-            [0.0],
-        ),
+        (OWN | {"platform.cruise": None, "platform.heave.ramp": None}, [0.0]),
         ({"platform.heave": None}, [0.0, 20.0]),
         ({"platform.heave": None, "platform.cruise.ramp": "50 s"}, [0.0]),
     ],
 )
 def test_a_scene_tells_when_accelerations_jump(values, jolts):
     assert load_scene(HANG_OFF, **values).scene().jolts == pytest.approx(jolts)
+
+
+def test_a_top_that_starts_with_a_speed_bends_the_riser_as_much_however_soon_after():
+    r"""The moment's peak only comes closer to it: it is one of x^2 / t.
+
+    With w(0, t) = V t and no moment there, the beam EI d4w/dx4 = -m d2w/dt2 has
+    M = -V sqrt(EI m) Im erfc(x sqrt(i / (4 a t))), a^2 = EI / m.
+    """
+    values = {
+        "riser[0].length": "60 m",
+        "riser[0].drag": None,
+        "riser[0].added_mass": None,
+        "riser[0].submerged_weight": "0 N/m",
+        "top.tension": "20 kN",
+        "platform.surge": {"amplitude": "2 m", "period": "15 s"},
+        "analysis.duration": "0.004 s",
+        "analysis.output.interval": "0.001 s",
+        "analysis.mesh": {"elements": 600},
+        "analysis.step": "5e-6 s",
+    }
+    scene = load_scene(SURGE, **values).scene()
+    found = single(scene, even(scene, 600), 5e-6, EVERYWHERE).arrays
+    bending, mass, speed = scene.riser[0].elasticity[1], 1006.0, 2.0 * 2.0 * np.pi / 15.0
+    x = 60.0 - found["s"][300:]
+    peaks = []
+    for k in (1, 4):
+        spread = np.sqrt(4.0 * np.sqrt(bending / mass) * found["time"][k])
+        expected = -speed * np.sqrt(bending * mass) * erfc(np.sqrt(1j) * x / spread).imag
+        moment = found["bending_moment"][k, 300:]
+        near = x < 2.0 * spread  # farther off waves are short
+        off = np.abs(np.abs(moment) - np.abs(expected))[near]
+        assert off.max() < 0.01 * np.abs(expected).max()
+        peaks.append(np.abs(moment).max())
+    assert peaks[0] == pytest.approx(peaks[1], rel=0.005)
+
+
+@pytest.mark.parametrize(
+    "scene, line, values",
+    [
+        (SURGE, "surge", {"platform.surge.ramp": None}),
+        (HANG_OFF, "heave", {"platform.heave.ramp": None}),
+        (HANG_OFF, "cruise", {"platform.cruise.ramp": None}),
+    ],
+)
+def test_no_accuracy_is_asked_for_where_a_top_starts_with_a_speed(scene, line, values):
+    with pytest.raises(InputError, match=rf"platform\.{line} starts from rest with a speed.*ramp"):
+        load_scene(scene, **values)
+    load_scene(scene, **values, **OWN)
+    damped = {"riser[0].structural_damping": {"ratio": 0.01, "at_period": "10 s"}}
+    load_scene(scene, **values, **damped, **{"analysis.output.start": "2 s"})
+    if line == "surge":  # at its farthest, where it turns
+        load_scene(scene, **values, **{"platform.surge.phase": "90 deg"})
+
+
+def test_envelopes_start_with_the_first_output_within_a_step():
+    """Of a cruise the top has come less far there than at the end of the step."""
+    found = run(12, 0.4, **{"analysis.output.start": "6.3 s"})
+    assert found["time"][0] == pytest.approx(6.3)
+    assert found["x_min"][-1] == pytest.approx(found["x"][0, -1], abs=1e-12)

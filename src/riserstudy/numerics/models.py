@@ -31,7 +31,6 @@ class Case(Strict):
 
     scene: str
     about: str
-    patience: Positive | None = None
     budget: Positive | None = None
     expect: Literal["accurate", "unstable", "told"]
     because: str | None = None

@@ -158,12 +158,12 @@ def rung(scene: Scene, mesh: Mesh, step: float, budget: float, reference: Result
 
 def standard_of(file: SceneFile, study: StabilityStudy, case: Case) -> Standard:
     """Mesh and step of the default accuracy, and the reference made finer from there."""
-    scene = whole(file.scene())
-    first = attempt(lambda: run(scene, case.patience or math.inf))
+    first = attempt(lambda: run(whole(file.scene())))
     standard = Standard(first)
     if first.result is None:
         standard.why_not = first.message
         return standard
+    scene = whole(file.scene())
     standard.mesh = mesh_of(scene, first.result)
     standard.step = first.result.facts.get("step")
     best = reference_on(scene, file, standard, case.budget or study.budget)

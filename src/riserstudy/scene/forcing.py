@@ -50,6 +50,12 @@ class Harmonic(Strict):
         ends = 2.0 * math.pi * self.ramp / self.period + phase
         return [t for t, at in ((0.0, phase), (self.ramp, ends)) if abs(math.sin(at)) > SMOOTH]
 
+    @property
+    def sudden(self) -> bool:
+        """Whether it starts from rest with a speed."""
+        starts = self.ramp is None and self.amplitude > 0.0
+        return starts and abs(math.cos(self.phase or 0.0)) > SMOOTH
+
 
 class Translation(Harmonic):
     """Harmonic surge, sway or heave."""
@@ -74,6 +80,11 @@ class Cruise(Strict):
     def jolts(self) -> list[float]:
         """Times at which velocity or acceleration jumps (s)."""
         return [0.0, self.ramp] if self.ramp else [0.0]
+
+    @property
+    def sudden(self) -> bool:
+        """Whether it starts from rest with a speed."""
+        return self.ramp is None and self.speed != 0.0
 
 
 class Instant(Strict):
@@ -181,6 +192,14 @@ class Platform(Strict):
         if self.response:
             found += [0.0, self.response.ramp or 0.0]
         return found
+
+    @property
+    def sudden(self) -> list[tuple[str, str]]:
+        """Lines by which a motion starts from rest with a speed, and the motion; time series aside."""
+        found = [(name, name) for name, motion in self.harmonics if motion.sudden]
+        found += [("cruise", "surge")] if self.cruise and self.cruise.sudden else []
+        at_once = self.response if self.response and self.response.ramp is None else None
+        return found + [("response", motion) for motion in (at_once.moving if at_once else [])]
 
 
 class Point(Strict):

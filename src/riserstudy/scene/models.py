@@ -88,6 +88,7 @@ class Scene(Strict):
         if joint and not all(bending):
             raise ValueError("a telescopic_joint needs bending stiffness in the riser")
         self._fits_vessel_and_soil(all(bending))
+        self._starts_gently()
         length = sum(section.total_length for section in self.riser) + (
             joint.length if joint else 0.0
         )
@@ -181,6 +182,25 @@ class Scene(Strict):
             raise ValueError(
                 f"analysis.output.stress_in: no section {gauged!r} with young_modulus and diameters"
             )
+
+    def _starts_gently(self) -> None:
+        """Accuracy is not asked for where an end starts with a speed.
+
+        It sends waves of all lengths along the riser: what is not damped is nothing to refine to.
+        """
+        a = self.analysis
+        chosen = a.duration is not None and a.mesh is None and any(s.mass for s in self.riser)
+        damped = all(s.structural_damping for s in self.riser)
+        later = a.output and a.output.start
+        if self.platform is None or not chosen or (damped and later):
+            return
+        for line, motion in self.platform.sudden:
+            if (self.top.z if motion == "heave" else self.top.x) == "platform":
+                raise ValueError(
+                    f"platform.{line} starts from rest with a speed: moments and tensions then have no "
+                    "peaks that a finer mesh and step would settle; give it a ramp, or "
+                    "structural_damping and a later analysis.output.start, or analysis.mesh and step"
+                )
 
     def _fits_an_exchange(self) -> None:
         """What is exchanged is the force of the string's end: nothing else may act there across."""

@@ -207,6 +207,9 @@ def between(p, s, so, r0, v0, a0, moment0, t, h, record):
             for i in range(s.l0.shape[0] + 1):
                 so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
         evaluate_and_note(p, so, record)
+        if record.seen[0] == 0:  # envelopes start with the first output, not with the step after it
+            widen(record)
+            record.seen[0] = 0
 
 
 @inner
