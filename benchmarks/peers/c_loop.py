@@ -98,14 +98,11 @@ def run(elements: int, step: float, moments: bool = False) -> dict[str, Any]:
     shape = (scene.TIMES.size, elements + 1)
     x, z, moment = (np.full(shape, np.nan) for _ in range(3))
     height = np.ascontiguousarray(scene.static_height(nodes))
-    riser = Riser(
-        scene.LENGTH, scene.AXIAL_STIFFNESS, scene.BENDING_STIFFNESS, scene.MASS, scene.ADDED_MASS,
-        scene.DRAG, scene.WEIGHT, scene.AMPLITUDE, scene.PERIOD, scene.RAMP,
-    )  # fmt: skip
     simulate = library().simulate
+    values = riser()
     started = time.process_time()
     simulate(
-        ctypes.byref(riser), elements, pointer(height), shape[0], substeps,
+        ctypes.byref(values), elements, pointer(height), shape[0], substeps,
         ctypes.c_double(scene.OUTPUT_STEP / substeps),
         pointer(x), pointer(z), pointer(moment) if moments else None,
     )  # fmt: skip
@@ -123,6 +120,14 @@ def run(elements: int, step: float, moments: bool = False) -> dict[str, Any]:
     if moments:
         result |= {"moment": moment, "moment_s": nodes}
     return result
+
+
+def riser() -> Riser:
+    """The scene as C takes it."""
+    return Riser(
+        scene.LENGTH, scene.AXIAL_STIFFNESS, scene.BENDING_STIFFNESS, scene.MASS, scene.ADDED_MASS,
+        scene.DRAG, scene.WEIGHT, scene.AMPLITUDE, scene.PERIOD, scene.RAMP,
+    )  # fmt: skip
 
 
 def pointer(array: np.ndarray) -> ctypes.c_void_p:

@@ -129,9 +129,10 @@ def cost(
         _check_writable(plot, scene)
     from riserstudy.numerics import prices as requests
 
-    found = []
-    print("asked for  estimated  segments      step   time")
+    found: list[requests.Price] = []
     for price in requests.prices(file):
+        if not found:  # a scene that is refused has no table
+            print("asked for  estimated  segments      step   time")
         found.append(price)
         step = f"{price.step:7.3g} s" if price.step else "   none  "
         shares = f"{100 * price.requested:7.3g} %  {100 * price.estimated:7.2g} %"
