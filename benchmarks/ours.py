@@ -27,6 +27,8 @@ LADDER = [
     (80, 0.05, SMOOTH),
     (120, 0.0125, SMOOTH),
     (20, 0.6, FOURTH),
+    (24, 0.75, FOURTH),
+    (24, 0.6, FOURTH),
     (28, 0.5, FOURTH),
     (40, 0.5, FOURTH),
     (56, 0.4, FOURTH),
