@@ -84,6 +84,10 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
     stages = weights.shape[0]
     last = stages - 1
     diagonal = weights[last, last]
+    reached = np.zeros(stages)  # by the stages, share of a step
+    for i in range(stages):
+        for j in range(i + 1):
+            reached[i] += weights[i, j]
 
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
     r0, moment0 = np.zeros((d, n + 1)), np.zeros((m, n + 1))
@@ -110,20 +114,20 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
         s.rate[1] = s.rate[0] * s.rate[0]
         failed = False
         for i in range(1, stages):
-            fraction = 0.0
-            for j in range(i + 1):
-                fraction += weights[i, j]
+            ahead = 0.0  # how far accelerations go on as they did
+            if i > 1:
+                ahead = (reached[i] - reached[i - 1]) / (reached[i - 1] - reached[i - 2])
             for c in range(d):
                 for k in range(n + 1):
                     place, speed = r0[c, k], v[0, c, k]
                     for j in range(i):
                         place += h * weights[i, j] * v[j, c, k]
                         speed += h * weights[i, j] * a[j, c, k]
-                    guess = a[i - 1, c, k]
+                    guess = a[i - 1, c, k] + ahead * (a[i - 1, c, k] - a[max(i - 2, 0), c, k])
                     s.a[c, k] = guess
                     s.v[c, k] = speed + h * diagonal * guess
                     s.r[c, k] = place + h * diagonal * s.v[c, k]
-            move(p, s, t + fraction * h)
+            move(p, s, t + reached[i] * h)
             if not correct(
                 p, s, method.tolerance, method.iterations, memory, out, work, fixed, ledger
             ):
