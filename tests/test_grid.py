@@ -34,7 +34,7 @@ def test_a_point_has_the_key_of_its_whole_scene(study):
 def test_a_later_axis_wins_and_takes_away_what_an_earlier_one_set():
     axes = [
         steps("platform.surge.amplitude", "1 m", "2 m"),
-        [{}, {"platform.surge": {"amplitude": "3 m", "period": "9 s"}}],
+        [{}, {"platform.surge": {"amplitude": "3 m", "period": "9 s", "ramp": "9 s"}}],
     ]
     keys = {point.index: point.key for point in Grid(read_scene(SURGE), axes, "test").points()}
     assert len(keys) == 4
