@@ -24,9 +24,8 @@ class Case(Strict):
 
     ``expect``: ``accurate`` to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
     prescribe a bad step, mesh or scheme: refused, or with an estimate above 1 % where the error is.
-    Absent set: the scene as it is. Absent preview: not part of that tier. ``patience``: seconds that
-    its own run may take with all refinements; one beyond them is a row that says so. Absent: no limit.
-    ``budget``: of its reference. Absent: that of the study.
+    Absent set: the scene as it is. Absent preview: not part of that tier. ``budget``: of its
+    reference. Absent: that of the study.
     """
 
     scene: str

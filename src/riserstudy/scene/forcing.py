@@ -197,9 +197,11 @@ class Platform(Strict):
     def sudden(self) -> list[tuple[str, str]]:
         """Lines by which a motion starts from rest with a speed, and the motion; time series aside."""
         found = [(name, name) for name, motion in self.harmonics if motion.sudden]
-        found += [("cruise", "surge")] if self.cruise and self.cruise.sudden else []
-        at_once = self.response if self.response and self.response.ramp is None else None
-        return found + [("response", motion) for motion in (at_once.moving if at_once else [])]
+        if self.cruise and self.cruise.sudden:
+            found.append(("cruise", "surge"))
+        if self.response and self.response.ramp is None:
+            found += [("response", motion) for motion in self.response.moving]
+        return found
 
 
 class Point(Strict):
