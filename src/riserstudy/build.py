@@ -215,7 +215,7 @@ class _Builder:
     def string(self) -> None:
         l0 = self.mesh.l0
         sections = self.scene.riser
-        self.add("axial elasticity", Axial(self.axial), "riser")
+        self.add("axial elasticity", Axial(self.axial / l0), "riser")
         relaxation = [
             d.ratio * d.at_period / math.pi if (d := s.structural_damping) else 0.0
             for s in sections

@@ -200,7 +200,14 @@ def scenes() -> dict[str, list[Scene]]:
             linear_soil,
             planar | {"analysis": short},
         ],
-        "along a line": [axial, pistons, linear_axial, tabulated, axial | {"analysis": short}],
+        "along a line": [
+            axial,
+            pistons,
+            linear_axial,
+            tabulated,
+            axial | {"analysis": short},
+            axial | {"analysis": _ANALYSIS | {"method": "ESDIRK4"}},
+        ],
         "without bending": [slack, adrift],
         "finite elements": [wavy],
     }

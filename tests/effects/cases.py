@@ -152,7 +152,7 @@ def thrusters(d: int) -> Thrusters:
 
 
 CASES = {
-    Axial: Case(lambda d: Axial(8e9 * SEGMENTS)),
+    Axial: Case(lambda d: Axial(8e8 * SEGMENTS)),
     AxialDamping: Case(lambda d: AxialDamping(3e6 * SEGMENTS)),
     Weight: Case(lambda d: Weight(d - 1, -1e4 * np.linspace(1.0, 2.0, N + 1))),
     Inertia: Case(lambda d: Inertia(9e3 * SEGMENTS, -9e3 * SEGMENTS)),

@@ -99,7 +99,7 @@ def axes(record, s):
 
 def axial(record, s):
     length, tangent = along(s)
-    return {"force": nodes(record.stiffness * (length / s.l0 - 1.0) * tangent)}
+    return {"force": nodes(record.stiffness * (length - s.l0) * tangent)}
 
 
 def axial_damping(record, s):

@@ -362,6 +362,16 @@ def test_drag_never_drives_the_pipe_through_still_water(seed, d):
     assert dissipated >= 0.0
 
 
+@pytest.mark.parametrize("speed", [0.0, 1e-320, 1e-200])
+@pytest.mark.parametrize("kind, d", [(Drag, 2), (Drag, 3), (DragOverDepth, 2)])
+def test_drag_has_a_slope_at_speeds_whose_square_is_no_number(kind, d, speed):
+    rig = Rig(kind, d)
+    rig.s.clock[1] = 0.0
+    rig.s.v[:] = speed
+    assert np.all(np.isfinite(rig.evaluate()))
+    assert np.all(np.isfinite(dense_tangent(rig.s)))
+
+
 @pytest.fixture
 def uncompile(monkeypatch):
     """Replace compiled helpers by the Python functions they were made from, once all is compiled."""

@@ -20,14 +20,14 @@ from riserstudy.solve.vec import add, at, mul, outer, plus, plus_block, sub, uni
 class Axial(NamedTuple):
     """Axial stiffness of the segments."""
 
-    stiffness: np.ndarray  # (n,) EA (N)
+    stiffness: np.ndarray  # (n,) EA over the unstretched length (N/m)
 
 
 @inner
 def force(axial, s):
     """Tension along each segment."""
     for e in range(s.l0.shape[0]):
-        tension = axial.stiffness[e] * (s.length[e] / s.l0[e] - 1.0)
+        tension = axial.stiffness[e] * (s.length[e] - s.l0[e])
         plus(s.segment, e, mul(tension, at(s.dim, s.tangent, e)))
     return 0.0
 
@@ -39,9 +39,9 @@ def tangent(axial, s):
     for e in range(s.l0.shape[0]):
         t = at(s.dim, s.tangent, e)
         along = outer(t, t)
-        tension = axial.stiffness[e] * (s.length[e] / s.l0[e] - 1.0)
-        elastic = mul(axial.stiffness[e] / s.l0[e], along)
-        string = mul(tension / s.length[e], sub(unit, along))
+        tension = axial.stiffness[e] * (s.length[e] - s.l0[e])
+        elastic = mul(axial.stiffness[e], along)
+        string = mul(tension * s.inverse_length[e], sub(unit, along))
         plus_block(s.k_segment, e, add(elastic, string))
     return 0.0
 
@@ -51,8 +51,7 @@ def energy(axial, s):
     """Strain energy (J)."""
     total = 0.0
     for e in range(s.l0.shape[0]):
-        strain = s.length[e] / s.l0[e] - 1.0
-        total += 0.5 * axial.stiffness[e] * s.l0[e] * strain * strain
+        total += 0.5 * axial.stiffness[e] * (s.length[e] - s.l0[e]) ** 2
     return total
 
 

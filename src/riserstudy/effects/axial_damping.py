@@ -45,7 +45,7 @@ def tangent(damper, s):
         c = damper.damping[e]
         slope = add(
             mul(s.rate[0], along),
-            mul(1.0 / s.length[e], add(outer(t, turning), mul(rate, sub(unit, along)))),
+            mul(s.inverse_length[e], add(outer(t, turning), mul(rate, sub(unit, along)))),
         )
         plus_block(s.k_segment, e, mul(c, slope))
     return 0.0

@@ -77,7 +77,7 @@ def force(bending, s):
     """Shear from the moments."""
     t, moment = s.tangent, s.moment
     for e in range(s.l0.shape[0]):
-        shear = (moment[0, e] - moment[0, e + 1]) / s.length[e]
+        shear = (moment[0, e] - moment[0, e + 1]) * s.inverse_length[e]
         plus(s.segment, e, (shear * t[1, e], -shear * t[0, e]))
     return 0.0
 
@@ -87,8 +87,8 @@ def tangent(bending, s):
     """How the segment angles follow the nodes, and shear the direction of the segment."""
     t, moment = s.tangent, s.moment
     for e in range(s.l0.shape[0]):
-        x, z, length = t[0, e], t[1, e], s.length[e]
-        across, along = z / length, x / length
+        x, z, inverse = t[0, e], t[1, e], s.inverse_length[e]
+        across, along = z * inverse, x * inverse
         s.turn_low[e, 0] += across
         s.turn_low[e, 1] -= along
         s.turn_up[e, 0] -= across
@@ -97,7 +97,7 @@ def tangent(bending, s):
         s.by_low[e, 1] -= along
         s.by_up[e, 0] -= across
         s.by_up[e, 1] += along
-        twice = (moment[0, e] - moment[0, e + 1]) / (length * length)
+        twice = (moment[0, e] - moment[0, e + 1]) * inverse * inverse
         cross, square = -2.0 * x * z, x * x - z * z
         plus_block(s.k_segment, e, mul(twice, (cross, square, square, -cross)))
     return 0.0

@@ -27,8 +27,8 @@ class BendingDamping(NamedTuple):
 @inner
 def _segment_rate(s, e):
     """Angular velocity of a segment (rad/s)."""
-    t, v = s.tangent, s.v
-    return (t[1, e] * (v[0, e + 1] - v[0, e]) - t[0, e] * (v[1, e + 1] - v[1, e])) / s.length[e]
+    t, v, inverse = s.tangent, s.v, s.inverse_length[e]
+    return inverse * (t[1, e] * (v[0, e + 1] - v[0, e]) - t[0, e] * (v[1, e + 1] - v[1, e]))
 
 
 @inner
@@ -46,12 +46,12 @@ def tangent(damping, s):
     """Derivative of the rates by velocity and by the direction of the segment."""
     t, v = s.tangent, s.v
     for e in range(s.l0.shape[0]):
-        x, z, length = t[0, e], t[1, e], s.length[e]
+        x, z, inverse = t[0, e], t[1, e], s.inverse_length[e]
         vx, vz = v[0, e + 1] - v[0, e], v[1, e + 1] - v[1, e]
         cross, square = -2.0 * x * z, x * x - z * z
-        area = length * length
-        by_x = damping.time * (s.rate[0] * z / length + (cross * vx + square * vz) / area)
-        by_z = damping.time * (-s.rate[0] * x / length + (square * vx - cross * vz) / area)
+        rate, area = s.rate[0] * inverse, inverse * inverse
+        by_x = damping.time * (rate * z + (cross * vx + square * vz) * area)
+        by_z = damping.time * (-rate * x + (square * vx - cross * vz) * area)
         s.turn_low[e, 0] += by_x
         s.turn_low[e, 1] += by_z
         s.turn_up[e, 0] -= by_x

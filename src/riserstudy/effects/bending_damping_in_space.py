@@ -38,7 +38,7 @@ class SpatialBendingDamping(NamedTuple):
 def _segment_rate(s, e):
     """Angular velocity of a segment (rad/s)."""
     apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
-    return mul(1.0 / s.length[e], cross(at(s.dim, s.tangent, e), apart))
+    return mul(s.inverse_length[e], cross(at(s.dim, s.tangent, e), apart))
 
 
 @inner
@@ -55,12 +55,12 @@ def turn(damping, s):
 def tangent(damping, s):
     """Derivative of the rates by velocity and by the chord of the segment."""
     for e in range(s.l0.shape[0]):
-        t, length = at(s.dim, s.tangent, e), s.length[e]
+        t, inverse = at(s.dim, s.tangent, e), s.inverse_length[e]
         apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
-        by_velocity = mul(s.rate[0] / length, skew(t))
+        by_velocity = mul(s.rate[0] * inverse, skew(t))
         turning = add(
-            mul(1.0 / (length * length), skew(apart)),
-            mul(2.0 / length, outer(_segment_rate(s, e), t)),
+            mul(inverse * inverse, skew(apart)),
+            mul(2.0 * inverse, outer(_segment_rate(s, e), t)),
         )
         slope = mul(damping.time, transposed(sub(by_velocity, turning)))
         plus_block(s.turn_low, e, slope)

@@ -81,7 +81,7 @@ def rotation_by_second(a, b):
 def by_chord(s, e, by_direction):
     """A derivative by a segment's direction as one by its chord, laid out as the solver wants it."""
     t = at(s.dim, s.tangent, e)
-    turning = mul(1.0 / s.length[e], sub(unity(s.dim), outer(t, t)))
+    turning = mul(s.inverse_length[e], sub(unity(s.dim), outer(t, t)))
     return transposed(times(by_direction, turning))
 
 
@@ -108,7 +108,7 @@ def force(bending, s):
     for e in range(s.l0.shape[0]):
         rise = sub(at(s.dim, s.moment, e + 1), at(s.dim, s.moment, e))
         shear = cross(at(s.dim, s.tangent, e), rise)
-        plus(s.segment, e, mul(1.0 / s.length[e], shear))
+        plus(s.segment, e, mul(s.inverse_length[e], shear))
     return 0.0
 
 
@@ -117,14 +117,14 @@ def tangent(bending, s):
     """How rotations and shear follow the nodes."""
     n = s.l0.shape[0]
     for e in range(n):
-        t, length = at(s.dim, s.tangent, e), s.length[e]
-        arm = mul(1.0 / length, skew(t))
+        t, inverse = at(s.dim, s.tangent, e), s.inverse_length[e]
+        arm = mul(inverse, skew(t))
         plus_block(s.by_low, e, mul(-1.0, arm))
         plus_block(s.by_up, e, arm)
         rise = sub(at(s.dim, s.moment, e + 1), at(s.dim, s.moment, e))
         shear = cross(t, rise)
-        square = 1.0 / (length * length)
-        plus_block(s.k_segment, e, mul(-square, add(skew(rise), mul(2.0, outer(shear, t)))))
+        turned = add(skew(rise), mul(2.0, outer(shear, t)))
+        plus_block(s.k_segment, e, mul(-inverse * inverse, turned))
         if e > 0:
             before = at(s.dim, s.tangent, e - 1)
             plus_block(s.turn_low, e, by_chord(s, e, rotation_by_second(before, t)))

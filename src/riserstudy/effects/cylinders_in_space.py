@@ -102,7 +102,7 @@ def drive(cylinders, s):
     _lay(s, s.v, i - 1, w[2])
     rx, ry, rz = 0.0, 0.0, 0.0
     if d > 1:
-        inverse = 1.0 / s.length[i - 1]
+        inverse = s.inverse_length[i - 1]
         vx, vy, vz = w[1, 0] - w[2, 0], w[1, 1] - w[2, 1], w[1, 2] - w[2, 2]
         rx, ry, rz = (
             inverse * (ty * vz - tz * vy),
@@ -156,7 +156,7 @@ def force(cylinders, s):
             s.force[k, i] += s.pull[c] * s.line[axis, c]
     if len(s.dof) > d and i < s.length.shape[0]:
         m = s.ring_moment
-        inverse = 1.0 / s.length[i]
+        inverse = s.inverse_length[i]
         tx, ty, tz = s.tangent[0, i], s.tangent[1, i] if d > 2 else 0.0, s.tangent[d - 1, i]
         fx, fy, fz = m[1] * tz - m[2] * ty, m[2] * tx - m[0] * tz, m[0] * ty - m[1] * tx
         for k in range(d):

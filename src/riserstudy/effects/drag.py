@@ -11,7 +11,6 @@ beside inertia, all of it is small: iterations are the same without.
 
 from __future__ import annotations
 
-from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -26,6 +25,7 @@ from riserstudy.solve.vec import (
     dot,
     mul,
     norm,
+    norm_across,
     outer,
     plus_block,
     put,
@@ -34,6 +34,8 @@ from riserstudy.solve.vec import (
     unity,
     upward,
 )
+
+STILL = 1e-100  # (m/s) the square of a much slower speed is no number
 
 
 class Drag(NamedTuple):
@@ -57,7 +59,7 @@ def press(drag, s):
     """Load over its coefficient at the nodes, into ``s.density``."""
     for i in range(s.l0.shape[0] + 1):
         u = _relative(drag, s, i)
-        put(s.density, i, mul(sqrt(dot(u, u)), u))
+        put(s.density, i, mul(norm_across(u, axis(s, drag.horizontal, i)), u))
 
 
 @inner
@@ -74,8 +76,8 @@ def tangent(drag, s):
     unit, up = unity(s.dim), upward(s.dim)
     for i in range(s.l0.shape[0] + 1):
         u, t = _relative(drag, s, i), axis(s, drag.horizontal, i)
-        speed = sqrt(dot(u, u))
-        share = 1.0 / speed if speed > 0.0 else 0.0
+        speed = norm_across(u, t)
+        share = 1.0 / speed if speed > STILL else 0.0
         by_velocity = add(mul(speed, sub(unit, outer(t, t))), mul(share, outer(u, u)))
         shear = at(s.dim, s.shear, i)
         across = sub(shear, mul(dot(shear, t), t))
@@ -103,8 +105,8 @@ def _turning(drag, s):
         w = sub(at(s.dim, s.water, i), at(s.dim, s.v, i))
         along = dot(w, t)
         u = sub(w, mul(along, t))
-        speed = sqrt(dot(u, u))
-        share = along / speed if speed > 0.0 else 0.0
+        speed = norm_across(u, t)
+        share = along / speed if speed > STILL else 0.0
         turned = add(outer(t, u), mul(along, sub(unit, outer(t, t))))
         block = mul(near / chord, add(mul(speed, turned), mul(share, outer(u, u))))
         if i < n:

@@ -49,7 +49,7 @@ def tangent(bent, s):
     for e in range(s.l0.shape[0]):
         t = at(s.dim, s.tangent, e)
         across = sub(unit, outer(t, t))
-        plus_block(s.k_segment, e, mul(_tension(bent, s, e) / s.length[e], across))
+        plus_block(s.k_segment, e, mul(_tension(bent, s, e) * s.inverse_length[e], across))
         for u in range(m):
             low, up = s.moment[u, e], s.moment[u, e + 1]
             for k in range(d):

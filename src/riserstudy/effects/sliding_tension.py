@@ -43,7 +43,7 @@ def tangent(joint, s):
     t, unit = at(s.dim, s.tangent, e), unity(s.dim)
     along = outer(t, t)
     stop = joint.stiffness if s.length[e] > joint.stop else 0.0
-    string = mul(_tension(joint, s) / s.length[e], sub(unit, along))
+    string = mul(_tension(joint, s) * s.inverse_length[e], sub(unit, along))
     plus_block(s.k_segment, e, add(mul(stop, along), string))
     return 0.0
 

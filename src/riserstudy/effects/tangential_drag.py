@@ -66,7 +66,7 @@ def tangent(drag, s):
         along = outer(t, t)
         across = sub(slip, mul(u, t))
         turning = add(mul(2.0 * abs(u), outer(t, across)), mul(abs(u) * u, sub(unit, along)))
-        turned = mul(c / s.length[e], turning)  # by the upper end; minus that by the lower
+        turned = mul(c * s.inverse_length[e], turning)  # by the upper end; minus that by the lower
         slower = mul(s.rate[0] * c * abs(u), along)  # minus the derivative, by either end
         sheared = mul(c * abs(u), outer(t, up))
         low = mul(dot(at(s.dim, s.shear, e), t), sheared)

@@ -9,7 +9,6 @@ its lower node, ``low``, and one for its upper node, ``up``, each weighted by th
 from __future__ import annotations
 
 from riserstudy.jit import inner
-from riserstudy.solve.vec import add, at, mul, plus, put, weigh
 
 
 @inner
@@ -27,16 +26,15 @@ def spread(s, low, up, own, other, q, into):
 @inner
 def spread_and_keep(s, low, up, own, other, q, kept, into):
     """As `spread`; the nodal forces also go to ``kept``."""
-    n, dim = low.shape[0], s.dim
-    put(kept, 0, mul(low[0], weigh(own, at(dim, q, 0), other, at(dim, q, 1))))
-    put(kept, n, mul(up[n - 1], weigh(own, at(dim, q, n), other, at(dim, q, n - 1))))
-    plus(into, 0, at(dim, kept, 0))
-    plus(into, n, at(dim, kept, n))
-    for i in range(1, n):
-        near = mul(own * (up[i - 1] + low[i]), at(dim, q, i))
-        far = weigh(other * up[i - 1], at(dim, q, i - 1), other * low[i], at(dim, q, i + 1))
-        put(kept, i, add(near, far))
-        plus(into, i, add(near, far))
+    n = low.shape[0]
+    for k in range(len(s.dim)):
+        kept[k, 0] = low[0] * (own * q[k, 0] + other * q[k, 1])
+        kept[k, n] = up[n - 1] * (own * q[k, n] + other * q[k, n - 1])
+        for i in range(1, n):
+            near = own * (up[i - 1] + low[i]) * q[k, i]
+            kept[k, i] = near + other * (up[i - 1] * q[k, i - 1] + low[i] * q[k, i + 1])
+        for i in range(n + 1):
+            into[k, i] += kept[k, i]
 
 
 @inner

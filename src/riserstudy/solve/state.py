@@ -53,6 +53,7 @@ class State(NamedTuple):
 
     tangent: np.ndarray  # (d, n) unit vectors along segments
     length: np.ndarray  # (n,) stretched lengths (m)
+    inverse_length: np.ndarray  # (n,) one over them (1/m)
     direction: np.ndarray  # (d, n+1) unit tangents at nodes
     platform: np.ndarray  # (3, 6) displacement, velocity, acceleration: surge ... heave ... yaw
     level: np.ndarray  # (n+1,) height of the water over the mean level, at the nodes (m)
@@ -135,6 +136,7 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         moment=zeros(m, nodes),
         tangent=zeros(d, n),
         length=zeros(n),
+        inverse_length=zeros(n),
         direction=zeros(d, n + 1),
         platform=zeros(3, 6),
         level=level,
@@ -190,19 +192,21 @@ def _together(*shapes):
 @inner
 def measure(s):
     """Lengths and directions of the segments, tangents at the nodes."""
-    dim, r, tangent, length, direction = s.dim, s.r, s.tangent, s.length, s.direction
+    dim, r, tangent, direction = s.dim, s.r, s.tangent, s.direction
+    length, inverse = s.length, s.inverse_length
     n = length.shape[0]
     for e in range(n - 1):
         here, above = at(dim, r, e), at(dim, r, e + 1)
         along, chord = sub(above, here), sub(at(dim, r, e + 2), here)
         stretched, reach = norm(along), norm(chord)
         share = 1.0 / (stretched * reach)  # one division for both
-        length[e] = stretched
+        length[e], inverse[e] = stretched, share * reach
         put(tangent, e, mul(share * reach, along))
         put(direction, e + 1, mul(share * stretched, chord))
     along = sub(at(dim, r, n), at(dim, r, n - 1))
     length[n - 1] = norm(along)
-    put(tangent, n - 1, mul(1.0 / length[n - 1], along))
+    inverse[n - 1] = 1.0 / length[n - 1]
+    put(tangent, n - 1, mul(inverse[n - 1], along))
     put(direction, 0, at(dim, tangent, 0))
     put(direction, n, at(dim, tangent, n - 1))
 

@@ -37,7 +37,10 @@ class Equilibrium(NamedTuple):
 
 @kernel
 def _newton(p, s, fixed, out, work, pseudo, limit):
-    """One damped iteration; returns residual force, its node, correction, negative pivots."""
+    """One damped iteration; returns residual force, its node, correction, negative pivots.
+
+    A correction that is no number, of a singular tangent, is returned and left out.
+    """
     d = len(s.dim)
     m = len(s.dof) - d
     n = s.r.shape[1] - 1  # the last node, loose ones included
@@ -64,7 +67,7 @@ def _newton(p, s, fixed, out, work, pseudo, limit):
             square += out[i, m + c] ** 2
     correction = sqrt(square / (n + 1))
     share = min(1.0, limit / correction) if correction > 0.0 else 1.0
-    for i in range(n + 1):
+    for i in range(n + 1 if correction < np.inf else 0):
         for u in range(m):
             s.moment[u, i] += share * out[i, u]
         for c in range(d):
@@ -162,11 +165,14 @@ def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:
         residual, node, correction, negative = _newton(
             programs, state, fixed, out, work, pseudo, limit
         )
-        if not correction < np.inf:
-            break
         if iteration == 0:
             first = max(residual, 1e-300)
             stiff = np.abs(s.k_segment).max() + np.abs(s.k_node).max()
+        if not correction < np.inf:
+            if pseudo > 0.0:
+                break
+            pseudo = 1e-6 * stiff  # a string that nothing pulls yet gives way sideways
+            continue
         if correction < tolerance and pseudo * correction <= 1e-3 * first:
             if pseudo == 0.0:
                 return Equilibrium(iteration + 1, float(residual), int(negative))

@@ -117,12 +117,18 @@ class _Number:
     def __neg__(self):
         return self.writer.do("fneg", self)
 
+    def __abs__(self):
+        return self._intrinsic("llvm.fabs")
+
     def root(self):
+        return self._intrinsic("llvm.sqrt")
+
+    def _intrinsic(self, name):
         builder = self.writer.builder
         if builder is None:
             return self
-        sqrt = builder.module.declare_intrinsic("llvm.sqrt", [ir.DoubleType()])
-        return _Number(self.writer, builder.call(sqrt, [self.value]))
+        function = builder.module.declare_intrinsic(name, [ir.DoubleType()])
+        return _Number(self.writer, builder.call(function, [self.value]))
 
 
 class _Index:

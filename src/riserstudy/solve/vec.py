@@ -28,12 +28,6 @@ def mul(factor, a):
 
 
 @unrolled
-def weigh(x, a, y, b):
-    """Sum of two vectors or two blocks, each times a number."""
-    return tuple(x * p + y * q for p, q in zip(a, b, strict=True))
-
-
-@unrolled
 def dot(a, b):
     """Scalar product."""
     return sum(x * y for x, y in zip(a, b, strict=True))
@@ -121,6 +115,12 @@ def plus_upper(array, i, a):
 def norm(a):
     """Length of a vector."""
     return root(dot(a, a))
+
+
+@unrolled
+def norm_across(a, t):
+    """Length of a vector across a unit vector ``t``; in a plane that takes no root."""
+    return abs(t[0] * a[1] - t[1] * a[0]) if len(a) == 2 else root(dot(a, a))
 
 
 @unrolled
