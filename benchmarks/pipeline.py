@@ -22,10 +22,8 @@ from riserstudy.figures import draw, save
 from riserstudy.study import read_studies
 
 ROOT = Path(__file__).resolve().parents[1]
-FACTOR, START_UP = (
-    2.0,
-    15.0,
-)  # of the promise: wall <= FACTOR (simulation + plotting) / cores + START_UP
+# The promise: wall <= FACTOR (simulation + plotting) / cores + START_UP (s)
+FACTOR, START_UP = 2.0, 15.0
 
 
 def main(tier: str) -> None:
