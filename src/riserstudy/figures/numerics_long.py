@@ -6,51 +6,62 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator
 
-from riserstudy.figures.style import COLOURS, panels
+from riserstudy.figures.style import COLOURS, key_below, panels
 
 WANTED = 0.01  # error of the moment
 LEAST = 1e-6  # error that a mark is drawn at, at least
+DECADES = 30.0  # spread of times below which more than their powers of ten are written
 
 
 def long_runs(long_runs: xr.Dataset) -> Figure:
-    """A panel a case; even meshes are open, graded ones filled."""
+    """A panel a case; even meshes are open, graded ones filled; the quickest below the wanted error circled."""
     cases = list(dict.fromkeys(long_runs["case"].values.tolist()))
+    candidates = list(dict.fromkeys(long_runs["candidate"].values.tolist()))
     figure, axes = panels(len(cases), 1, height=2.9)
     for ax, case in zip(axes, cases, strict=True):
-        _panel(ax, long_runs.isel(run=np.flatnonzero(long_runs["case"].values == case)))
-        ax.set_title(case, fontsize="medium")
+        here = long_runs.isel(run=np.flatnonzero(long_runs["case"].values == case))
+        _panel(ax, here, candidates)
+        ax.set_title(f"{case}{_cheapest(ax, here)}", fontsize="medium")
     axes[-1].set_xlabel("processor time of a run (s)")
+    key_below(figure, axes[0], 3)
     return figure
 
 
-def _panel(ax: Axes, of: xr.Dataset) -> None:
+def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
     error = np.maximum(of["error_moment"].values, LEAST)
-    wall = of["cpu_seconds"].values
     labels = of["candidate"].values
-    for k, label in enumerate(dict.fromkeys(labels.tolist())):
+    for k, label in enumerate(candidates):
         here = labels == label
         filled = "even" not in label
         colour = COLOURS[k % len(COLOURS)]
         ax.plot(
-            wall[here], error[here], "os^Dv"[k % 5], ms=4.5, color=colour,
+            of["cpu_seconds"].values[here], error[here], "os^Dv"[k % 5], ms=4.5, color=colour,
             markerfacecolor=colour if filled else "none", label=label,
         )  # fmt: skip
-    good = np.flatnonzero((of["error_moment"].values <= WANTED) & np.isfinite(wall))
-    if len(good):
-        best = good[np.argmin(wall[good])]
-        ax.plot(wall[best], error[best], "o", ms=12, color="black", markerfacecolor="none")
-        segments, step = int(of["elements"][best]), float(of["asked_step"][best])
-        told = f"{segments} segments, {step:g} s: {wall[best]:.2g} s"
-        ax.annotate(
-            told, (wall[best], error[best]), (8, 8), textcoords="offset points", fontsize="small"
-        )
-    for name, style in (("published_seconds", "-"), ("target_seconds", ":")):
-        value = float(of[name][0])
+    for name, style in (("published", "-"), ("target", ":")):
+        value = float(of[f"{name}_seconds"][0])
         if np.isfinite(value):
-            ax.axvline(value, color="black", linestyle=style, linewidth=1.0)
-    ax.axhline(WANTED, color="0.5", linewidth=0.8)
+            ax.axvline(value, color="black", linestyle=style, linewidth=1.0, label=f"{name} time")
+    ax.axhline(WANTED, color="0.5", linewidth=0.8, label="wanted error")
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.set_ylabel("error of the\nmoment (-)")
-    ax.legend(fontsize="x-small", loc="center right")
+    few = np.nanmax(of["cpu_seconds"].values) < DECADES * np.nanmin(of["cpu_seconds"].values)
+    if few and not np.isfinite(of["published_seconds"][0]):
+        ax.xaxis.set_minor_locator(LogLocator(subs=(2.0, 3.0, 5.0)))
+        ax.xaxis.set_major_formatter("{x:g}")
+        ax.xaxis.set_minor_formatter("{x:g}")
+
+
+def _cheapest(ax: Axes, of: xr.Dataset) -> str:
+    """Circle the run of least time below the wanted error; its mesh, step and time."""
+    error, time = of["error_moment"].values, of["cpu_seconds"].values
+    good = np.flatnonzero((error <= WANTED) & np.isfinite(time))
+    if not len(good):
+        return ""
+    best = good[np.argmin(time[good])]
+    ax.plot(time[best], max(error[best], LEAST), "o", ms=12, color="black", markerfacecolor="none")
+    segments, step = int(of["elements"][best]), float(of["asked_step"][best])
+    return f"; circled: {segments} segments, {step:g} s, in {time[best]:.2g} s"
