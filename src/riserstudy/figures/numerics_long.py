@@ -16,7 +16,7 @@ DECADES = 30.0  # spread of times below which more than their powers of ten are 
 
 
 def long_runs(long_runs: xr.Dataset) -> Figure:
-    """A panel a case; even meshes are open, graded ones filled; the quickest below the wanted error circled."""
+    """A panel a case; even meshes open, graded ones filled, the quickest below the wanted error circled."""
     cases = list(dict.fromkeys(long_runs["case"].values.tolist()))
     candidates = list(dict.fromkeys(long_runs["candidate"].values.tolist()))
     figure, axes = panels(len(cases), 1, height=2.9)
