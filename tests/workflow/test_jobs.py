@@ -67,7 +67,9 @@ def waiting_job(server, folder):
     os.mkfifo(folder / "source")
     asker = ask(folder, *JOIN, "joined", "source")
     until(psutil.Process(server.pid).children)
-    return asker, psutil.Process(server.pid).children()[0]
+    job = psutil.Process(server.pid).children()[0]
+    until(lambda: job.num_threads() > 1)  # from then on the asker knows that the job is taken
+    return asker, job
 
 
 def test_a_fork_of_the_server_does_the_job(server, folder):
