@@ -79,6 +79,6 @@ def test_the_engine_s_digest_has_every_source_that_a_run_imports():
     names = "import sys, riserstudy.run; print(*(m.__file__ for m in list(sys.modules.values())"
     names += " if m.__name__.startswith('riserstudy')), sep='\\n')"
     ran = subprocess.run([sys.executable, "-c", names], capture_output=True, text=True, check=True)
-    imported = {Path(line) for line in ran.stdout.split()}
+    imported = {Path(line) for line in ran.stdout.splitlines()}
     packages = {file for file in imported if file.name == "__init__.py"}  # which hold no code
     assert imported - packages <= store.sources_behind("run")

@@ -10,6 +10,7 @@ import hashlib
 import json
 import math
 import re
+from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
@@ -197,7 +198,7 @@ class Workplan:
         model = self._measured(wildcards)
         scenes = scenes_of(model, self.config, self.tier, self.studies)
         about = [self.tier, model.model_dump_json(), {n: key_of(f.scene()) for n, f in scenes}]
-        code = digest((PACKAGE / "numerics").iterdir())
+        code = digest(_files(PACKAGE / "numerics"))
         return f"{hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]}-{code}"
 
     def _measured(self, wildcards: Any) -> MeasuredStudy:
@@ -243,7 +244,7 @@ class Workplan:
     @property
     def report_digest(self) -> str:
         """The code of the report."""
-        return digest(path for path in (PACKAGE / "report").iterdir() if path.is_file())
+        return digest(_files(PACKAGE / "report"))
 
     @property
     def study_files(self) -> list[str]:
@@ -306,6 +307,11 @@ class Workplan:
     def figure_pattern(self) -> str:
         """Names of figures, as a pattern."""
         return _either(name for _, name in self.figures())
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    """Files of a folder, beside which Python puts its bytecode."""
+    return (path for path in folder.iterdir() if path.is_file())
 
 
 def _either(names: Any) -> str:
