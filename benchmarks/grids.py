@@ -18,9 +18,9 @@ from types import SimpleNamespace
 import psutil
 from ruamel.yaml import YAML
 
-from riserstudy.folders import kernel_cache
 from riserstudy.jobs import start_server
 from riserstudy.jobs.server import MANY
+from riserstudy.solve.kernel_cache import kernel_cache
 from riserstudy.workplan import Workplan
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -16,12 +16,12 @@ from riserstudy.effects.bending_damping import BendingDamping
 from riserstudy.effects.bending_damping_in_space import SpatialBendingDamping
 from riserstudy.effects.bending_in_space import SpatialBending
 from riserstudy.effects.current import Current
+from riserstudy.effects.dead_load import DeadLoad
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.flex_joint import FlexJoint
 from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.inertia import Inertia
-from riserstudy.effects.pull import Pull
 from riserstudy.effects.support import Support
 from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.effects.weight import Weight
@@ -298,14 +298,14 @@ class _Builder:
         if top.tension:
             load = np.zeros(self.d)
             load[-1] = top.tension
-            self.add("constant tension", Pull(self.ring, load), "top.tension")
+            self.add("constant tension", DeadLoad(self.ring, load), "top.tension")
             if loss := top.tension_loss:
                 lost = TensionLoss(self.ring, -loss.share * load, loss.at, loss.over)
                 self.add("tension loss", lost, "top.tension_loss")
         if top.lateral_force and self.d > 1:
             load = np.zeros(self.d)
             load[0] = top.lateral_force
-            self.add("lateral force", Pull(self.ring, load), "top.lateral_force")
+            self.add("lateral force", DeadLoad(self.ring, load), "top.lateral_force")
 
     def body(self, body: Body, node: int, share: float, why: str) -> None:
         """A share of a body at a node."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from riserstudy.effects.roles import ROLES
+from riserstudy.effects.registry import ROLES
 from riserstudy.model import Model
 from riserstudy.solve.evaluate import force_of, shape_of
 from riserstudy.solve.program import assemble

@@ -11,7 +11,7 @@ from riserstudy import store
 from riserstudy.errors import SimulationError
 from riserstudy.grid import Point
 from riserstudy.processes import each
-from riserstudy.sound import sound_kernels
+from riserstudy.solve.kernel_cache import mends_kernel_cache
 from riserstudy.study import Study
 
 
@@ -26,7 +26,7 @@ def fill(study: Study, points: Iterable[Point], processes: int) -> int:
     each_once = {point.key: point for point in points}
     missing = [point for key, point in each_once.items() if store.get(key, ()) is None]
 
-    @sound_kernels
+    @mends_kernel_cache
     def one(point: Point) -> SimulationError | None:
         from riserstudy.run import run
 

@@ -1,16 +1,12 @@
-"""Where caches live, digests of sources, files that are whole or not there."""
+"""Where caches live, and files that are whole or not there."""
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
-import platform
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import suppress
-from functools import cache
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -34,27 +30,6 @@ def workflow_folder() -> Path:
 def has_module(stage: str, paper: str) -> bool:
     """Whether a stage of the package has code of its own for a paper."""
     return (PACKAGE / stage / f"{paper}.py").exists()
-
-
-def digest(files: Iterable[Path]) -> str:
-    """Hash of the names and contents of source files, 16 hexadecimal digits."""
-    total = hashlib.sha256()
-    for file in sorted(files):
-        total.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
-    return total.hexdigest()[:16]
-
-
-@cache
-def kernel_digest() -> str:
-    """Digest of everything that is compiled."""
-    sources = [PACKAGE / "jit.py", *PACKAGE.glob("effects/*.py"), *PACKAGE.glob("solve/*.py")]
-    return digest(sources)
-
-
-def kernel_cache() -> Path:
-    """Folder of the kernels compiled from the present sources by the present versions."""
-    versions = f"py{platform.python_version()}-numba{version('numba')}"
-    return cache_folder() / "numba" / f"{kernel_digest()}-{versions}"
 
 
 def write_whole(target: Path, content: bytes) -> None:

@@ -12,9 +12,9 @@ from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
 from riserstudy.scene.models import Scene
+from riserstudy.solve.account import DONE
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march
-from riserstudy.solve.ledger import DONE
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 
@@ -31,11 +31,11 @@ def steps_in(time: float, step: float) -> int:
 
 
 def march_on(
-    scene: Scene, model: Model, mesh: Mesh, step: float, record: Frozen, ledger: Any
+    scene: Scene, model: Model, mesh: Mesh, step: float, record: Frozen, account: Any
 ) -> int:
     """March by the scene's implicit method, anew from every jolt on, with a graded start there.
 
-    Returns DONE, or why it stopped; the ledger then tells where.
+    Returns DONE, or why it stopped; the account then tells where.
 
     Across a jump of a held node's acceleration a step longer than the periods of short segments would make
     moments that are not there, the larger the finer the mesh. A step that the scene gives is kept.
@@ -53,7 +53,7 @@ def march_on(
         length, graded = (until - begin) / count, GRADED if sudden else 0
         method, stepped = method_of(scene, mesh, length, count, graded)
         outcome = stepped(
-            model.programs, model.state, model.spare, method, model.fixed, record, ledger
+            model.programs, model.state, model.spare, method, model.fixed, record, account
         )
         if outcome != DONE:
             break

@@ -14,8 +14,8 @@ from riserstudy.errors import SimulationError
 from riserstudy.mesh import prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
+from riserstudy.solve.kernel_cache import mends_kernel_cache
 from riserstudy.solve.modes import natural_modes
-from riserstudy.sound import sound_kernels
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 DEFAULT_ELEMENTS = 200
 
 
-@sound_kernels
+@mends_kernel_cache
 def modes_of(scene: Scene, count: int) -> xr.Dataset:
     """Frequencies and shapes of the lowest modes.
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.effects.roles import ROLES
+from riserstudy.effects.registry import ROLES
 from riserstudy.solve.evaluate import Programs, set_compliance
 from riserstudy.solve.program import Frozen, assemble
 from riserstudy.solve.state import State, new_state

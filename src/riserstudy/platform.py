@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
-from riserstudy.effects.roles import ROLES
+from riserstudy.effects.registry import ROLES
 from riserstudy.model import Effect
 from riserstudy.response import harmonics
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Platform, TimeSeries

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from riserstudy.effects.catalogue import absent
 from riserstudy.names import ENDINGS, attributes
 from riserstudy.scene.load import SceneFile
-from riserstudy.sound import sound_kernels
+from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 S_DIGITS = 9  # decimals of arclengths (m), by which a node is selected
 
 
-@sound_kernels
+@mends_kernel_cache
 def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr.Dataset:
     """Simulate a scene.
 
@@ -125,7 +125,7 @@ def dimensions(name: str, values: Any) -> tuple[str, ...]:
 def provenance(file: SceneFile) -> dict[str, Any]:
     """Version, engine and scene behind a result, with the origin of each value that has one."""
     from riserstudy import __version__
-    from riserstudy.store import engine_digest
+    from riserstudy.digests import engine_digest
 
     return {
         "riserstudy": __version__,

@@ -27,9 +27,9 @@ from riserstudy.scene.tensioners import Tensioners
 from riserstudy.scene.vessel import Coupling
 from riserstudy.settle import rounding, settle
 from riserstudy.small_angle import solve_small_angle
+from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
-from riserstudy.solve.ledger import DONE, new_ledger
 from riserstudy.solve.record import Record, evaluate_once, new_record
 from riserstudy.tensioner_law import leaves_table, stops_touched
 
@@ -147,12 +147,12 @@ def _march(
     times = _times(a.output.start or 0.0, a.duration, a.output.interval)
     stations = _stations(mesh.s, None if where == EVERYWHERE else a.output.stations)
     notes = new_record(times, stations, state)
-    ledger = new_ledger()
+    account = new_account()
     before = sum(energies(model.programs, model.state))
     if coupling:
         turn, _ = method_of(scene, mesh, step, steps)
         outcome, facts["coupling"] = march_in_turns(
-            sides, coupling, turn, a.duration, notes, ledger
+            sides, coupling, turn, a.duration, notes, account
         )
     elif a.method == "explicit":
         limit = explicit_limit(scene, model)
@@ -171,15 +171,15 @@ def _march(
             EXPLICIT_BOUND,
             model.fixed,
             notes,
-            ledger,
+            account,
         )
         facts["stable_step"] = limit
     else:
-        outcome = march_on(scene, model, mesh, step, notes, ledger)
+        outcome = march_on(scene, model, mesh, step, notes, account)
     if outcome != DONE:
-        raise StepFailed(_why(model, mesh, ledger, step))
+        raise StepFailed(_why(model, mesh, account, step))
     after = sum(energies(model.programs, model.state))
-    _audit(facts, ledger, before, after, step)
+    _audit(facts, account, before, after, step)
     if coupling:
         _account_for_exchange(facts, coupling)
     names, record = quantities(model), notes.value
@@ -283,8 +283,8 @@ def _lean(t: FloatArray, upright: FloatArray, d: int) -> FloatArray:
     return np.asarray(size * np.sign(across[:, 1]) if d == 2 else size)
 
 
-def _audit(facts: dict[str, Any], ledger: Any, before: float, after: float, step: float) -> None:
-    held, supplied, dissipated, numerical, exchanged = (float(x) for x in ledger.work)
+def _audit(facts: dict[str, Any], account: Any, before: float, after: float, step: float) -> None:
+    held, supplied, dissipated, numerical, exchanged = (float(x) for x in account.work)
     residual = held + supplied - dissipated - numerical - (after - before)
     still = 1e-12 * max(abs(before), abs(after), 1.0)  # rounding of a riser that stays at rest (J)
     scale = max(exchanged, abs(after - before), still / UNEXPLAINED)
@@ -299,9 +299,9 @@ def _audit(facts: dict[str, Any], ledger: Any, before: float, after: float, step
         "unexplained": residual,
         "unexplained_share": abs(residual) / scale,
     }
-    facts["steps"] = int(ledger.count[0])
-    facts["newton_iterations"] = int(ledger.count[1])
-    facts["halved_steps"] = int(ledger.count[2])
+    facts["steps"] = int(account.count[0])
+    facts["newton_iterations"] = int(account.count[1])
+    facts["halved_steps"] = int(account.count[2])
     if abs(residual) > UNEXPLAINED * scale:
         facts["warnings"].append(
             f"energy: {abs(residual) / scale:.2g} of what was exchanged is unexplained; "
@@ -350,11 +350,11 @@ def _check_tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str,
         )
 
 
-def _why(model: Model, mesh: Mesh, ledger: Any, step: float) -> str:
+def _why(model: Model, mesh: Mesh, account: Any, step: float) -> str:
     """What to tell about a step that failed."""
-    time, node, size = ledger.failure
+    time, node, size = account.failure
     how = "Newton's iteration did not converge even after halving the step"
-    if ledger.count[3]:
+    if account.count[3]:
         how = "velocities grow without bound"
     return (
         f"stopped at t = {time:.6g} s, node {int(node)} (s = {mesh.s[int(node)]:.4g} m), last correction "

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from riserstudy.build import flexibility_of, stiffness
 from riserstudy.errors import SimulationError
-from riserstudy.hermite import Beam, End, HermiteError, Motion, Response, Waves, dynamics, statics
 from riserstudy.mesh import Mesh
 from riserstudy.result import Result
 from riserstudy.scene.analysis import Newmark
@@ -23,6 +22,16 @@ from riserstudy.scene.ends import Rotation
 from riserstudy.scene.forcing import Translation
 from riserstudy.scene.models import Scene
 from riserstudy.sea import current_table, wave_of
+from riserstudy.solve.hermite import (
+    Beam,
+    End,
+    HermiteError,
+    Motion,
+    Response,
+    Waves,
+    dynamics,
+    statics,
+)
 
 FloatArray = NDArray[np.float64]
 STIFFENING = 0.01  # change of the top tension, left out by a beam of constant tension, that is told

@@ -9,16 +9,14 @@ from __future__ import annotations
 import hashlib
 import io
 import json
-import re
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pydantic import BaseModel
 
-from riserstudy.folders import PACKAGE, cache_folder, digest, write_whole
+from riserstudy.folders import cache_folder, write_whole
 from riserstudy.scene.models import Scene
 
 if TYPE_CHECKING:
@@ -29,31 +27,6 @@ if TYPE_CHECKING:
 
 
 SEAL = hashlib.sha256().digest_size  # bytes
-
-
-_IMPORTED = re.compile(r"^ *from riserstudy\.?([\w.]*) import (\w*)", re.MULTILINE)
-
-
-@cache
-def engine_digest() -> str:
-    """Digest of all sources that a simulated number depends on."""
-    return digest(sources_behind("run"))
-
-
-def sources_behind(module: str) -> set[Path]:
-    """Source files of a module of the package and of all that it imports, found without running them."""
-    found: set[Path] = set()
-    left = [PACKAGE.joinpath(*module.split("."))]
-    while left:
-        place = left.pop()
-        file = place / "__init__.py" if place.is_dir() else place.with_suffix(".py")
-        if file in found or not file.exists():  # a name of a package may be no module
-            continue
-        found.add(file)
-        for package, name in _IMPORTED.findall(file.read_text("utf-8")):
-            place = PACKAGE.joinpath(*package.split("."))
-            left += [place, place / name]
-    return found
 
 
 def canonical(value: Any) -> Any:

@@ -17,14 +17,16 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.digests import digest
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE, digest, kernel_cache
+from riserstudy.folders import PACKAGE
 from riserstudy.grid import Point
 from riserstudy.numerics.scenes import MeasuredStudy, scenes_of
 from riserstudy.published.models import PublishedFile, published_path, read_published
 from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
 from riserstudy.scene.load import SceneFile, read_yaml
+from riserstudy.solve.kernel_cache import kernel_cache
 from riserstudy.store import canonical, key_of
 from riserstudy.study import Name, Study, StudyFile, Tier, read_studies, scene_file, threads_worth
 

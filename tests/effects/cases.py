@@ -20,6 +20,7 @@ from riserstudy.effects.current import Current
 from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.cylinder_damping import CylinderDamping
 from riserstudy.effects.cylinders_in_space import CylindersInSpace
+from riserstudy.effects.dead_load import DeadLoad
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.drag_over_depth import DragOverDepth
 from riserstudy.effects.end_mass import EndMass
@@ -34,7 +35,6 @@ from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.munk import Munk
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
-from riserstudy.effects.pull import Pull
 from riserstudy.effects.sliding_tension import SlidingTension
 from riserstudy.effects.soil import LinearSoil, SoftClay
 from riserstudy.effects.stress_gauge import StressGauge
@@ -262,7 +262,7 @@ CASES = {
         lambda d: Waterline(45.0, np.ones((3, N)), np.ones(N), *np.ones((4, N))),
         lambda d: [wave(d, CONSTANT)] if d > 1 else [],
     ),
-    Pull: Case(lambda d: Pull(2, np.linspace(3e5, 2e6, d))),
+    DeadLoad: Case(lambda d: DeadLoad(2, np.linspace(3e5, 2e6, d))),
     TensionLoss: Case(lambda d: TensionLoss(2, -np.linspace(3e5, 2e6, d), 2.0, 4.5)),
     Support: Case(
         lambda d: Support(

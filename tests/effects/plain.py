@@ -23,6 +23,7 @@ from riserstudy.effects.current import Current
 from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.cylinder_damping import CylinderDamping
 from riserstudy.effects.cylinders_in_space import CylindersInSpace
+from riserstudy.effects.dead_load import DeadLoad
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.drag_over_depth import DragOverDepth
 from riserstudy.effects.end_mass import EndMass
@@ -37,7 +38,6 @@ from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.munk import Munk
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
-from riserstudy.effects.pull import Pull
 from riserstudy.effects.sliding_tension import SlidingTension
 from riserstudy.effects.soil import LinearSoil, SoftClay
 from riserstudy.effects.stress_gauge import StressGauge
@@ -604,7 +604,7 @@ VERSIONS = {
     ToldMotion: [("place", told_motion)],
     Torsion: [("device", torsion)],
     Waterline: [("drive", waterline)],
-    Pull: [("device", pull)],
+    DeadLoad: [("device", pull)],
     TensionLoss: [("device", tension_loss)],
     Support: [("place", support)],
 }

@@ -24,7 +24,7 @@ from riserstudy.effects.flex_joint import FlexJoint
 from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
-from riserstudy.effects.roles import ROLES, register
+from riserstudy.effects.registry import ROLES, register
 from riserstudy.effects.vessel import Vessel
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave_force import WaveForce

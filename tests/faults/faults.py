@@ -13,7 +13,7 @@ import time
 import psutil
 from small import forget, kill, run, start
 
-from riserstudy.folders import kernel_cache
+from riserstudy.solve.kernel_cache import kernel_cache
 
 DAY = 86400.0
 

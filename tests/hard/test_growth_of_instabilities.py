@@ -12,9 +12,9 @@ from scipy.linalg import eigh
 
 from riserstudy import simulate
 from riserstudy.errors import SimulationError
-from riserstudy.hermite import HermiteError, dynamics, frequencies
 from riserstudy.mesh import even
 from riserstudy.small_angle import beam_of
+from riserstudy.solve.hermite import HermiteError, dynamics, frequencies
 
 ELEMENTS = 200
 CALM = {"current": None, "wave": None, "bottom__rotation": "free", "top__rotation": "free"}

@@ -11,11 +11,11 @@ from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial_damping import AxialDamping
 from riserstudy.effects.bending_damping import BendingDamping
 from riserstudy.effects.current import Current
+from riserstudy.effects.dead_load import DeadLoad
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.platform_motion import Position
-from riserstudy.effects.pull import Pull
 from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.effects.wave_force import WaveForce
@@ -40,7 +40,7 @@ ZERO_LOAD = {
     "weight": lambda: Weight(1, NODES.copy()),
     "axial damping": lambda: AxialDamping(LINE.copy()),
     "bending damping": lambda: BendingDamping(0.0, NODES.copy(), NODES.copy()),
-    "lateral force": lambda: Pull(N, np.zeros(2)),
+    "lateral force": lambda: DeadLoad(N, np.zeros(2)),
     "tension loss": lambda: TensionLoss(N, np.zeros(2), 1.0, 1.0),
     "end mass": lambda: EndMass(N, 0.0, np.zeros(2), np.zeros(2)),
     "current": lambda: Current(

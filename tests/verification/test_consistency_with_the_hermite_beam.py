@@ -8,11 +8,11 @@ import reference as ref
 from engine import march, off, slopes
 from reference_heave import ramped_sine
 
-from riserstudy.hermite import Beam, End, dynamics, statics
 from riserstudy.mesh import even
 from riserstudy.run import run
 from riserstudy.scene.models import Scene
 from riserstudy.single import single
+from riserstudy.solve.hermite import Beam, End, dynamics, statics
 
 RISER = ref.Riser()
 #: a pipe that does not stretch, as the beam

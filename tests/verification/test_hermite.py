@@ -7,7 +7,7 @@ from reference_heave import ramped_sine
 from reference_rod import Rod
 from scipy.interpolate import CubicHermiteSpline
 
-from riserstudy.hermite import Beam, End, HermiteError, dynamics, frequencies, statics
+from riserstudy.solve.hermite import Beam, End, HermiteError, dynamics, frequencies, statics
 
 RISER = ref.Riser()
 T = RISER.top_force

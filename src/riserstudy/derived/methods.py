@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
 
-from riserstudy.hermite import Beam, statics
 from riserstudy.scene.models import Scene
 from riserstudy.sea import current_table
+from riserstudy.solve.hermite import Beam, statics
 
 FloatArray = NDArray[np.float64]
 ELEMENTS = 400

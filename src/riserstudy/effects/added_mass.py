@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread, spread_stiffness
 from riserstudy.solve.state import axis
 from riserstudy.solve.vec import at, dot, mul, outer, plus_upper, put, put_block, sub, unity

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from riserstudy.jit import inner
+from riserstudy.solve.jit import inner
 
 
 @inner

@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
 from riserstudy.solve.blocktri import flexibility_solve
+from riserstudy.solve.jit import inner
 
 
 class BendingDamping(NamedTuple):

@@ -17,8 +17,8 @@ import numpy as np
 
 from riserstudy.effects.attitude import turned
 from riserstudy.effects.cylinder import probe
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 
 
 class CylindersInSpace(NamedTuple):

@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread_and_keep, spread_stiffness
 from riserstudy.solve.state import OTHER, OWN, axis
 from riserstudy.solve.vec import (

@@ -17,8 +17,8 @@ import numpy as np
 
 from riserstudy.effects.drag import force, power, press
 from riserstudy.effects.drag import tangent as tangent_at_rest
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 from riserstudy.solve.state import OTHER, OWN
 
 LEVEL = 1e-6  # rise of a segment over its length below which it lies at one elevation

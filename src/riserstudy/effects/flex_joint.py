@@ -11,8 +11,8 @@ from __future__ import annotations
 from math import atan2
 from typing import NamedTuple
 
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 
 
 class FlexJoint(NamedTuple):

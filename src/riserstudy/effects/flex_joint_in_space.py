@@ -20,8 +20,8 @@ from riserstudy.effects.bending_in_space import (
     rotation_by_second,
 )
 from riserstudy.effects.flex_joint import compliance
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 from riserstudy.solve.vec import at, cross, dot, plus, plus_block
 
 

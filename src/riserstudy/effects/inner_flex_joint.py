@@ -10,8 +10,8 @@ from __future__ import annotations
 from math import sqrt
 from typing import NamedTuple
 
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 
 
 class InnerFlexJoint(NamedTuple):

@@ -18,9 +18,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.roles import register
+from riserstudy.effects.registry import register
 from riserstudy.effects.vessel import attitude, twisted, velocity
-from riserstudy.jit import inner
+from riserstudy.solve.jit import inner
 
 QUARTER = 0.25 * pi  # each derivative of the tensor by yaw is twice the last, turned so far
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 
 
 class Torsion(NamedTuple):

@@ -17,8 +17,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 
 DRAG, ADDED, CARRIED = 0, 1, 2  # rows of the full coefficients
 

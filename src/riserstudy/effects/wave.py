@@ -25,8 +25,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 
 NONE, CONSTANT, STRETCHED = 0, 1, 2
 DEEP = 37.0  # k times depth below which exp(-kz) is rounding

@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.roles import register
-from riserstudy.jit import inner
+from riserstudy.effects.registry import register
+from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread_and_keep
 from riserstudy.solve.state import OTHER, OWN
 from riserstudy.solve.vec import at, dot, mul, put, sub

@@ -11,7 +11,8 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from riserstudy.compile_times import Compiled, while_compiling
-from riserstudy.folders import kernel_cache, write_whole
+from riserstudy.folders import write_whole
+from riserstudy.solve.kernel_cache import kernel_cache
 from riserstudy.warmup import scenes, warm_up
 
 

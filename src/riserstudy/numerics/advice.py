@@ -9,7 +9,7 @@ from riserstudy.numerics.ablation import Ablation, Changed, ablate
 from riserstudy.run import DISPLACEMENT, MOMENT
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
-from riserstudy.sound import sound_kernels
+from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 REPEATS = 2  # rounds of timed runs
 BUDGET = 5e5  # node-steps a run; longer scenes are cut short
@@ -33,7 +33,7 @@ class Advice(NamedTuple):
     said: list[str]
 
 
-@sound_kernels
+@mends_kernel_cache
 def advice(file: SceneFile) -> Advice:
     """Change every effect of a scene in turn.
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.effects.roles import ROLES
+from riserstudy.effects.registry import ROLES
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.scene.models import Scene

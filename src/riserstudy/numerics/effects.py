@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.errors import RiserStudyError
-from riserstudy.folders import kernel_cache
 from riserstudy.numerics.ablation import Ablation, ablate
 from riserstudy.numerics.changes import changes
 from riserstudy.numerics.cost import Cost, Freedom, costs, freedom
 from riserstudy.numerics.models import EffectsStudy
 from riserstudy.numerics.scenes import bases
 from riserstudy.settle import settle
+from riserstudy.solve.kernel_cache import kernel_cache
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -9,7 +9,7 @@ from riserstudy.numerics.ablation import fixed
 from riserstudy.numerics.cost import REST, costs, freedom
 from riserstudy.scene.load import SceneFile
 from riserstudy.settle import settle
-from riserstudy.sound import sound_kernels
+from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 BUDGET = 5e5  # node-steps a timed run; shares do not depend on how long it is
 
@@ -21,7 +21,7 @@ class Prices(NamedTuple):
     said: list[str]
 
 
-@sound_kernels
+@mends_kernel_cache
 def priced(file: SceneFile) -> Prices:
     """Measure what the effects of a scene cost, on its own mesh and step or on plain ones.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from riserstudy.digests import engine_digest
 from riserstudy.numerics.accuracy import accuracy
 from riserstudy.numerics.effects import effects
 from riserstudy.numerics.energy import energy
@@ -23,8 +24,7 @@ from riserstudy.numerics.random_scenes import random_scenes
 from riserstudy.numerics.stability import stability
 from riserstudy.numerics.stable_step import stable_steps
 from riserstudy.numerics.tiers import tiers
-from riserstudy.sound import sound_kernels
-from riserstudy.store import engine_digest
+from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from riserstudy.workplan import Workplan
 
 
-@sound_kernels
+@mends_kernel_cache
 def measure(plan: Workplan, paper: str, name: str, threads: int) -> xr.Dataset:
     """One measured dataset of a chapter, labelled with the engine it is about."""
     study = getattr(plan.files[paper].measured, name)

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from scipy.integrate import Radau
 
 from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
-from riserstudy.jit import kernel
 from riserstudy.mesh import Mesh
 from riserstudy.model import Model
 from riserstudy.result import Result
@@ -25,6 +24,7 @@ from riserstudy.settle import settle
 from riserstudy.single import EXPLICIT_BOUND, quantities, single
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.explicit import accelerate
+from riserstudy.solve.jit import kernel
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.record import evaluate_and_note, new_record, widen
 

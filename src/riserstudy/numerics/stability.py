@@ -37,7 +37,7 @@ from riserstudy.run import run
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
-from riserstudy.sound import sound_kernels
+from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -230,7 +230,7 @@ def stability(study: StabilityStudy, config: Path, tier: Tier, threads: int) -> 
     """All cases, as a dataset over case, method and rung of the ladder."""
     cases = in_tier(study.cases, tier)
 
-    @sound_kernels
+    @mends_kernel_cache
     def one(item: tuple[str, Case]) -> Told:
         return tell(study, item[1], case_file(config, *item), tier)
 

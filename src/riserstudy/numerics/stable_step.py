@@ -20,9 +20,9 @@ from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
 from riserstudy.single import EXPLICIT_BOUND
+from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.explicit import leapfrog
-from riserstudy.solve.ledger import DONE, new_ledger
 from riserstudy.solve.record import new_record
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def speed(scene: Scene, mesh: Mesh, step: float) -> float:
             EXPLICIT_BOUND,
             model.fixed,
             record,
-            new_ledger(),
+            new_account(),
         )
     except SimulationError:
         return math.inf

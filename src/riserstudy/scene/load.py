@@ -15,8 +15,9 @@ from typing import Any
 from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
+from riserstudy.digests import digest
 from riserstudy.errors import InputError
-from riserstudy.folders import digest, remembered
+from riserstudy.folders import remembered
 from riserstudy.scene.check import check
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from riserstudy.jit import inner, kernel
+from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.rows import (
     back,
     block_below,

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.jit import inner, kernel
 from riserstudy.solve.blocktri import factor_flexibility, flexibility_solve
+from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import every
 from riserstudy.solve.state import clear, clear_forces, clear_tangent, gather, keep_ends, measure
 

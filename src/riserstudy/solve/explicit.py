@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from riserstudy.jit import inner, kernel
+from riserstudy.solve.account import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.evaluate import load, move, shape, true_moments
-from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
+from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import every
 from riserstudy.solve.record import due, evaluate_and_note, interpolate, widen
 from riserstudy.solve.state import clear, copy
@@ -104,7 +104,7 @@ def halfway(s, h, into):
 
 
 @kernel
-def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
+def leapfrog(p, s, so, h, steps, bound, fixed, record, account):
     """March ``steps`` steps of ``h`` from the state ``s``; outputs go to ``record``.
 
     Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``.
@@ -131,11 +131,11 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
             halfway(s, h, v0)
         if not advance(s, h) < bound:
             halfway(s, -h, v0)
-            return failed(ledger, v0, t, h)
+            return failed(account, v0, t, h)
         move(p, s, t + h)
         power1 = accelerate(p, s, fixed)
         lost, given = flow(p, s)
-        ledger.count[3] += 1
+        account.count[3] += 1
         if told:
             halfway(s, h, v1)
         while due(record, t + h * (1.0 - 1e-9)):
@@ -145,7 +145,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, ledger):
             evaluate_and_note(p, so, record)
             widen(record)
         enter(
-            ledger,
+            account,
             0.5 * h * (power0 + power1),
             0.5 * h * (given + given0),
             0.5 * h * (lost + lost0),
@@ -167,13 +167,13 @@ def flow(p, s):
 
 
 @inner
-def failed(ledger, v, t, h):
+def failed(account, v, t, h):
     """Say where velocities ``v`` grew most."""
     fastest = 0.0
     for c in range(v.shape[0]):
         for i in range(v.shape[1]):
             if not abs(v[c, i]) <= fastest:
                 fastest = abs(v[c, i])
-                ledger.failure[1] = i
-    ledger.failure[0], ledger.failure[2] = t, h * fastest
+                account.failure[1] = i
+    account.failure[0], account.failure[2] = t, h * fastest
     return NOT_CONVERGED

@@ -17,10 +17,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.jit import kernel
+from riserstudy.solve.account import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.evaluate import move
-from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
-from riserstudy.solve.newton import account, balance, correct, new_memory
+from riserstudy.solve.jit import kernel
+from riserstudy.solve.newton import balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
@@ -51,11 +51,11 @@ def generalised_alpha(rho_inf) -> tuple[float, float, float, float]:
 
 
 @kernel
-def march(p, s, so, method, fixed, record, ledger):
+def march(p, s, so, method, fixed, record, account):
     """March from the state ``s`` at time ``s.clock[0]``; outputs go to ``record``.
 
     ``so`` is a second state of the same model, for evaluations at output times.
-    Returns DONE or NOT_CONVERGED (then ``ledger.failure`` tells where).
+    Returns DONE or NOT_CONVERGED (then ``account.failure`` tells where).
     """
     d = len(s.dim)
     nb = len(s.dof)
@@ -92,9 +92,11 @@ def march(p, s, so, method, fixed, record, ledger):
                 s.a[c, i] = (follower[c, i] - af * a0[c, i]) / (1.0 - af)
         move(p, s, t + h)
 
-        if not correct(p, s, method.tolerance, method.iterations, memory, out, work, fixed, ledger):
+        if not correct(
+            p, s, method.tolerance, method.iterations, memory, out, work, fixed, account
+        ):
             restore(s, r0, v0, a0, moment0)
-            if not halve(p, s, t, pace, method, memory, ledger):
+            if not halve(p, s, t, pace, method, memory, account):
                 return NOT_CONVERGED
             continue
 
@@ -113,7 +115,11 @@ def march(p, s, so, method, fixed, record, ledger):
         lost, given = s.flow[0], s.flow[1]
         half = 0.5 * h
         enter(
-            ledger, half * (held + held0), half * (given + given0), half * (lost + lost0), numerical
+            account,
+            half * (held + held0),
+            half * (given + given0),
+            half * (lost + lost0),
+            numerical,
         )
         kinetic0, held0, lost0, given0 = kinetic1, held, lost, given
         note_step(p, s, so, r0, v0, a0, moment0, t, h, record)

@@ -11,9 +11,9 @@ from math import sqrt
 
 import numpy as np
 
-from riserstudy.jit import inner
 from riserstudy.solve.blocktri import solve
 from riserstudy.solve.evaluate import forces, inertia, tangent
+from riserstudy.solve.jit import inner
 from riserstudy.solve.program import every
 from riserstudy.solve.state import clear_tangent, copy
 
@@ -48,7 +48,7 @@ def imbalance(p, s, out):
 
 
 @inner
-def correct(p, s, tolerance, iterations, memory, out, work, fixed, ledger):
+def correct(p, s, tolerance, iterations, memory, out, work, fixed, account):
     """Correct positions until forces balance; velocity and acceleration follow at the rates ``s.rate``.
 
     Returns whether it converged; the memory then tells the size of the last correction, and where.
@@ -74,7 +74,7 @@ def correct(p, s, tolerance, iterations, memory, out, work, fixed, ledger):
         for u in range(m):
             for i in range(n + 1):
                 s.moment[u, i] += out[i, u]
-        ledger.count[1] += 1
+        account.count[1] += 1
         memory[NODE], memory[SIZE] = where, worst
         correction = sqrt(square / (n + 1))
         if not correction < 1e12 * tolerance:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from riserstudy.jit import inner
 from riserstudy.solve.evaluate import move
+from riserstudy.solve.jit import inner
 from riserstudy.solve.newton import NODE, SIZE
 
 LENGTH, DONE_STEPS, LEVEL, LEFT = 0, 1, 2, 3  # what a pace holds
@@ -52,17 +52,17 @@ def advance(s, pace, method, begin):
 
 
 @inner
-def halve(p, s, t, pace, method, memory, ledger):
+def halve(p, s, t, pace, method, memory, account):
     """Go back to the time ``t`` and halve the step; returns False where it was halved often enough."""
     s.clock[0] = t
     if pace[LEVEL] == method.halvings:
         move(p, s, t)
-        ledger.failure[0] = t
-        ledger.failure[1] = memory[NODE]
-        ledger.failure[2] = memory[SIZE]
+        account.failure[0] = t
+        account.failure[1] = memory[NODE]
+        account.failure[2] = memory[SIZE]
         return False
     pace[LEVEL] += 1.0
     pace[LEFT] *= 2.0
     pace[LENGTH] *= 0.5
-    ledger.count[2] += 1
+    account.count[2] += 1
     return True

@@ -38,7 +38,7 @@ from numba.extending import (
 )
 from numba.np.arrayobj import populate_array
 
-from riserstudy.jit import FAST, inner
+from riserstudy.solve.jit import FAST, inner
 
 WORD = ir.IntType(64)
 

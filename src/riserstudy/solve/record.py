@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.jit import inner, kernel
 from riserstudy.solve.evaluate import inertia, load, move, shape, true_moments
+from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import Frozen, every
 from riserstudy.solve.vec import at, dot
 

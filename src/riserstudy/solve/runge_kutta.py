@@ -19,10 +19,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.jit import inner, kernel
+from riserstudy.solve.account import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.evaluate import move
-from riserstudy.solve.ledger import DONE, NOT_CONVERGED, enter
-from riserstudy.solve.newton import account, balance, correct, new_memory
+from riserstudy.solve.jit import inner, kernel
+from riserstudy.solve.newton import balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
@@ -74,7 +74,7 @@ def _work(s):
 
 
 @kernel
-def march_in_stages(p, s, so, method, fixed, record, ledger):
+def march_in_stages(p, s, so, method, fixed, record, account):
     """March from the state ``s`` at time ``s.clock[0]``; arguments and outcome are those of `march`."""
     d = len(s.dim)
     nb = len(s.dof)
@@ -129,7 +129,7 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
                     s.r[c, k] = place + h * diagonal * s.v[c, k]
             move(p, s, t + reached[i] * h)
             if not correct(
-                p, s, method.tolerance, method.iterations, memory, out, work, fixed, ledger
+                p, s, method.tolerance, method.iterations, memory, out, work, fixed, account
             ):
                 failed = True
                 break
@@ -142,7 +142,7 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
             restore(s, r0, v[0], a[0], moment0)
             for k in range(4):
                 power[last, k] = power[0, k]
-            if not halve(p, s, t, pace, method, memory, ledger):
+            if not halve(p, s, t, pace, method, memory, account):
                 return NOT_CONVERGED
             continue
 
@@ -155,7 +155,7 @@ def march_in_stages(p, s, so, method, fixed, record, ledger):
             given += weight * power[i, 1]
             held += weight * power[i, 2]
             numerical -= weight * power[i, 3]
-        enter(ledger, held, given, lost, numerical)
+        enter(account, held, given, lost, numerical)
         kinetic0 = kinetic1
         note_step(p, s, so, r0, v[0], a[0], moment0, t, h, record)
         advance(s, pace, method, begin)

@@ -8,7 +8,7 @@ its lower node, ``low``, and one for its upper node, ``up``, each weighted by th
 
 from __future__ import annotations
 
-from riserstudy.jit import inner
+from riserstudy.solve.jit import inner
 
 
 @inner

@@ -26,7 +26,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.jit import inner
+from riserstudy.solve.jit import inner
 from riserstudy.solve.vec import at, mul, norm, plus, put, sub, upward
 
 OWN, OTHER = 5.0 / 12.0, 1.0 / 12.0

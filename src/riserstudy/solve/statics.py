@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.jit import kernel
 from riserstudy.solve.blocktri import solve
 from riserstudy.solve.evaluate import forces, move_to, tangent
+from riserstudy.solve.jit import kernel
 from riserstudy.solve.program import Frozen
 
 MOST_ITERATIONS = 200

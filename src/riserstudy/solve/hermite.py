@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from riserstudy.hermite_kernels import Mesh, Sea, factorise, flow, march, pin, substitute
+from riserstudy.solve.hermite_kernels import Mesh, Sea, factorise, flow, march, pin, substitute
 
 Array = NDArray[np.float64]
 Motion = Callable[[Array], tuple[Array, Array, Array]]

@@ -1,4 +1,4 @@
-"""Compiled kernels that cannot be read are removed, and what needed them is done again.
+"""Where compiled kernels are kept; those that cannot be read are removed, and what needed them is done again.
 
 numba writes its cache files whole, but a full disk or a lost machine can leave them short, and a short
 file fails at every later run. Everything that runs kernels goes through this decorator: it lets an
@@ -9,13 +9,16 @@ mark of what numba writes (one function is compiled anew, not all), and if that 
 from __future__ import annotations
 
 import os
+import platform
 import traceback
 from collections.abc import Callable
 from functools import wraps
+from importlib.metadata import version
 from pathlib import Path
 from typing import ParamSpec, TypeVar
 
-from riserstudy.folders import kernel_cache
+from riserstudy.digests import kernel_digest
+from riserstudy.folders import cache_folder
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -24,7 +27,13 @@ READER = os.path.join("numba", "core", "caching.py")  # noqa: PTH118  the end of
 END = b"."  # how a pickle ends
 
 
-def sound_kernels(function: Callable[P, T]) -> Callable[P, T]:
+def kernel_cache() -> Path:
+    """Folder of the kernels compiled from the present sources by the present versions."""
+    versions = f"py{platform.python_version()}-numba{version('numba')}"
+    return cache_folder() / "numba" / f"{kernel_digest()}-{versions}"
+
+
+def mends_kernel_cache(function: Callable[P, T]) -> Callable[P, T]:
     """Make a function mend the cache of compiled kernels where it cannot be read."""
 
     @wraps(function)

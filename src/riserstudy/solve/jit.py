@@ -14,7 +14,7 @@ from functools import wraps
 import numba
 from numba.core.caching import IndexDataCacheFile
 
-from riserstudy.folders import kernel_cache
+from riserstudy.solve.kernel_cache import kernel_cache
 
 # NaN and infinity stay visible ("nnan" and "ninf" are left out): the solvers test for them.
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
