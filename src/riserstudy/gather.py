@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from riserstudy import store
+from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
 from riserstudy.fill import fill
 from riserstudy.names import attributes, cf_unit
@@ -223,7 +224,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "paper": study.paper,
         "tier": study.tier,
         "digest": study.digest,
-        "engine": store.engine_digest(),
+        "engine": engine_digest(),
         "riserstudy": __version__,
         "scene": json.dumps(study.base.tree),
         "scene_file": study.base.source,

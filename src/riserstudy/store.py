@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import BaseModel
 
+from riserstudy.digests import engine_digest
 from riserstudy.folders import cache_folder, write_whole
 from riserstudy.scene.models import Scene
 

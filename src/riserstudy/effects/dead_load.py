@@ -10,7 +10,7 @@ from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
 
 
-class Pull(NamedTuple):
+class DeadLoad(NamedTuple):
     """Dead load on a node."""
 
     node: int
@@ -18,20 +18,20 @@ class Pull(NamedTuple):
 
 
 @inner
-def force(pull, s):
+def force(dead, s):
     """The load itself."""
     for k in range(len(s.dim)):
-        s.force[k, pull.node] += pull.load[k]
+        s.force[k, dead.node] += dead.load[k]
     return 0.0
 
 
 @inner
-def energy(pull, s):
+def energy(dead, s):
     """Potential of the load (J)."""
     total = 0.0
     for k in range(len(s.dim)):
-        total -= pull.load[k] * s.r[k, pull.node]
+        total -= dead.load[k] * s.r[k, dead.node]
     return total
 
 
-register(Pull, device=force, potential=energy)
+register(DeadLoad, device=force, potential=energy)
