@@ -70,7 +70,7 @@ def simulated(
     path: Path, elements: int, step: float, analysis: dict[str, Any]
 ) -> tuple[Any, Any, float]:
     """Result, mesh and processor time (s) of a scene less that of its first step."""
-    from riserstudy.mesh import even
+    from riserstudy.model.mesh import even
     from riserstudy.single import single
 
     riser = checked(path, analysis | {"mesh": {"elements": elements}, "step": f"{step!r} s"})

@@ -15,7 +15,7 @@ available = ours.available
 
 def run(elements: int, step: None) -> dict[str, Any]:
     """The equilibrium on uniform elements."""
-    from riserstudy.mesh import even
+    from riserstudy.model.mesh import even
     from riserstudy.scene.load import read_scene
     from riserstudy.single import single
 

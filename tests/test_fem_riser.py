@@ -7,9 +7,9 @@ import pytest
 import xarray as xr
 
 from riserstudy.derived.along import amplitude_at, angles, place, stress_factor
+from riserstudy.model.sea import current_table
 from riserstudy.published import fem_riser as checks
 from riserstudy.scene.load import read_scene
-from riserstudy.sea import current_table
 
 BASE = "config/scenes/fem_riser/base.yaml"
 

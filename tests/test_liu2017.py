@@ -8,10 +8,10 @@ import pytest
 import xarray as xr
 
 from riserstudy.derived.liu2017 import driveoff
-from riserstudy.devices import springs, ultimate_resistance
 from riserstudy.effects.soil import _clay
 from riserstudy.gather import dataset_of, results_of
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
+from riserstudy.model.soil import springs, ultimate_resistance
 from riserstudy.scene.load import load_scene
 from riserstudy.study import Study, read_studies
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from riserstudy.mesh import prescribed
+from riserstudy.model.mesh import prescribed
 from riserstudy.scene.load import read_scene
 
 SCENES = Path(__file__).parents[1] / "config" / "scenes"

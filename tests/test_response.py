@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from riserstudy.errors import InputError
-from riserstudy.response import harmonics, operator
-from riserstudy.scene.response import Operator, Response
+from riserstudy.model.rao import harmonics, operator
+from riserstudy.model.sea import components_of
+from riserstudy.scene.rao import Operator, Response
 from riserstudy.scene.sea import RegularWave, Storm, Swell
-from riserstudy.sea import components_of
 from riserstudy.semisubmersible import DENSITY, GRAVITY, heave, read_units, response
 
 UNITS = read_units(Path(__file__).parents[1] / "config/platforms/semisubmersibles.yaml")

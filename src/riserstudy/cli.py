@@ -147,7 +147,7 @@ def effects(scene: SceneArgument, settings: SetOption = None) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from riserstudy.ledger import ledger
+    from riserstudy.model.active_effects import ledger
     from riserstudy.numerics.ledger import priced
 
     file = _scene(scene, settings)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from riserstudy.build import stiffness
-from riserstudy.devices import pile_length
 from riserstudy.errors import PhysicallyUnstable, SimulationError
-from riserstudy.mesh import COARSEST, Layer, Mesh, even, graded
-from riserstudy.model import Model
+from riserstudy.model.build import stiffness
+from riserstudy.model.mesh import COARSEST, Layer, Mesh, even, graded
+from riserstudy.model.model import Model
+from riserstudy.model.sea import depth_of_action
+from riserstudy.model.soil import pile_length
 from riserstudy.scene.models import Scene
-from riserstudy.sea import depth_of_action
 from riserstudy.settle import settle
 
 LONG = 80.0  # risers, in layer lengths, whose even mesh would be too coarse at ends

@@ -21,7 +21,8 @@ from numpy.typing import NDArray
 from riserstudy.effects.exchange import LentForce, ToldMotion
 from riserstudy.errors import SimulationError
 from riserstudy.marching import steps_in
-from riserstudy.model import Effect, Model
+from riserstudy.model.model import Effect, Model
+from riserstudy.model.vessel import floating, loose_nodes, unknowns
 from riserstudy.scene.models import Scene
 from riserstudy.scene.vessel import Coupling
 from riserstudy.solve.account import DONE, Account, new_account
@@ -30,7 +31,6 @@ from riserstudy.solve.implicit import Method, march
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.record import Record, new_record
 from riserstudy.solve.state import OTHER, OWN, State
-from riserstudy.vessel import floating, loose_nodes, unknowns
 
 FloatArray = NDArray[np.float64]
 MOST_ROUNDS = 50  # of a turn that is repeated

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from riserstudy.effects.registry import ROLES
-from riserstudy.model import Model
+from riserstudy.model.model import Model
 from riserstudy.solve.evaluate import force_of, shape_of
 from riserstudy.solve.program import assemble
 

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from riserstudy.model import Model
+from riserstudy.model.model import Model
 from riserstudy.scene.models import Scene
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.modes import stable_step

@@ -8,8 +8,8 @@ from functools import partial
 from itertools import pairwise
 from typing import Any
 
-from riserstudy.mesh import Mesh
-from riserstudy.model import Model
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Model
 from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
 from riserstudy.scene.models import Scene
 from riserstudy.solve.account import DONE

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.build import AXES, directions, stiffness
 from riserstudy.coarsest import massless
 from riserstudy.errors import SimulationError
-from riserstudy.mesh import prescribed
+from riserstudy.model.build import AXES, directions, stiffness
+from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
 from riserstudy.solve.kernel_cache import mends_kernel_cache

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from riserstudy.build import build, stiffness
 from riserstudy.errors import PhysicallyUnstable, SimulationError
-from riserstudy.mesh import Mesh, even
-from riserstudy.model import Model
+from riserstudy.model.build import build, stiffness
+from riserstudy.model.mesh import Mesh, even
+from riserstudy.model.model import Model
+from riserstudy.model.tensioner_law import tension_at_mid_stroke
 from riserstudy.scene.ends import Top
 from riserstudy.scene.models import Scene
 from riserstudy.solve.statics import (
@@ -16,7 +17,6 @@ from riserstudy.solve.statics import (
     find_equilibrium,
     unstable_directions,
 )
-from riserstudy.tensioner_law import tension_at_mid_stroke
 
 BUCKLING = 20  # segments, at least, on which buckling is looked for
 

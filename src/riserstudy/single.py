@@ -13,14 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from riserstudy.build import AXES, stiffness
 from riserstudy.coupling import march_in_turns, sides_of
 from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.explicit_limit import explicit_limit
 from riserstudy.marching import march_on, method_of, steps_in
-from riserstudy.mesh import Mesh
-from riserstudy.model import Model
+from riserstudy.model.build import AXES, stiffness
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Model
+from riserstudy.model.tensioner_law import leaves_table, stops_touched
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Tensioners
@@ -31,7 +32,6 @@ from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.record import Record, evaluate_once, new_record
-from riserstudy.tensioner_law import leaves_table, stops_touched
 
 FloatArray = NDArray[np.float64]
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from riserstudy.build import AXES
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial import Axial
 from riserstudy.effects.axial_damping import AxialDamping
@@ -50,11 +49,12 @@ from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
-from riserstudy.model import Effect, Model
+from riserstudy.model.build import AXES
+from riserstudy.model.model import Effect, Model
+from riserstudy.model.tensioner_law import table_law
 from riserstudy.scene.tensioners import TableRow
 from riserstudy.solve.evaluate import energies, forces_and_tangent, one_call, shape_of
 from riserstudy.solve.state import OTHER, OWN, State
-from riserstudy.tensioner_law import table_law
 
 L0 = np.array([12.0, 9.0, 15.0, 11.0, 8.0, 14.0])
 N = len(L0)

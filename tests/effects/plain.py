@@ -11,7 +11,6 @@ from cases import flexibility, nodes
 from scipy.interpolate import CubicHermiteSpline, PPoly
 from scipy.spatial.transform import Rotation
 
-from riserstudy.build import AXES
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial import Axial
 from riserstudy.effects.axial_damping import AxialDamping
@@ -53,6 +52,7 @@ from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
+from riserstudy.model.build import AXES
 
 
 def along(s):

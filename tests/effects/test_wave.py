@@ -6,9 +6,9 @@ from cases import N, Rig
 
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
-from riserstudy.model import Effect, Model
+from riserstudy.model.model import Effect, Model
+from riserstudy.model.sea import components, jonswap, wave_number
 from riserstudy.scene.sea import IrregularSea
-from riserstudy.sea import components, jonswap, wave_number
 from riserstudy.solve.evaluate import shape_of
 
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scenes import COLUMN, changed, from_file
 
-from riserstudy.mesh import even
-from riserstudy.model import Model
+from riserstudy.model.mesh import even
+from riserstudy.model.model import Model
 from riserstudy.settle import settle
 from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import energies, move_to

@@ -5,7 +5,7 @@ from scenes import COLUMN, EULER, SCENES, changed, from_file
 
 from riserstudy import simulate
 from riserstudy.errors import PhysicallyUnstable, SimulationError
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.scene.load import read_scene
 from riserstudy.settle import settle
 

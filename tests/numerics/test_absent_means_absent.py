@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 import riserstudy.settle
-from riserstudy.build import build
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial_damping import AxialDamping
 from riserstudy.effects.bending_damping import BendingDamping
@@ -20,9 +19,10 @@ from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
-from riserstudy.ledger import ledger
-from riserstudy.mesh import even
-from riserstudy.model import Effect
+from riserstudy.model.active_effects import ledger
+from riserstudy.model.build import build
+from riserstudy.model.mesh import even
+from riserstudy.model.model import Effect
 from riserstudy.scene.load import read_scene
 from riserstudy.single import EVERYWHERE, single
 

@@ -8,7 +8,7 @@ import pytest
 
 from riserstudy import load_scene
 from riserstudy.errors import InputError
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.single import single
 
 SYSTEM = Path(__file__).parents[2] / "config/scenes/liu2020/system.yaml"

@@ -7,8 +7,8 @@ import pytest
 
 from riserstudy import load_scene
 from riserstudy.errors import InputError
+from riserstudy.model.sea import current_table
 from riserstudy.scene.load import read_scene
-from riserstudy.sea import current_table
 
 SCENES = Path(__file__).parents[2] / "config" / "scenes"
 SURGE, HEAVE, CHANG = (

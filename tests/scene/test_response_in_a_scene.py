@@ -8,7 +8,7 @@ import pytest
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError
-from riserstudy.response import operator
+from riserstudy.model.rao import operator
 
 ROOT = Path(__file__).parents[2]
 SCENE = ROOT / "config/scenes/liu2020/heave.yaml"

@@ -7,11 +7,11 @@ from hypothesis import strategies as st
 from strategies import gases, shares, shifts
 
 from riserstudy.effects.gas_spring import GasSpring, energy
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
+from riserstudy.model.tensioner_law import gas_force, linear_law
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Gas, Linearised, Tensioners
 from riserstudy.single import single
-from riserstudy.tensioner_law import gas_force, linear_law
 
 
 def scene(east=1.0, shift=(0.0, 0.0)):

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError
+from riserstudy.model.tensioner_law import gas_force, table_law
 from riserstudy.scene.tensioners import Gas, TableRow
-from riserstudy.tensioner_law import gas_force, table_law
 
 HEAVE = Path(__file__).parents[2] / "config/scenes/chang2020/heave.yaml"
 TENSIONERS = "top.tensioners"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
 from riserstudy.solve.evaluate import force_of, shape_of

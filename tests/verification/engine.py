@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from riserstudy import load_scene, simulate
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.single import Result, single
 
 SCENES = Path(__file__).parents[2] / "config" / "scenes" / "bench"

@@ -7,8 +7,8 @@ import pytest
 from engine import scene
 from scipy.integrate import solve_bvp
 
-from riserstudy.build import stiffness
-from riserstudy.mesh import even
+from riserstudy.model.build import stiffness
+from riserstudy.model.mesh import even
 from riserstudy.single import single
 
 LENGTH = 463.3

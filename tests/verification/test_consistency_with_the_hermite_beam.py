@@ -8,7 +8,7 @@ import reference as ref
 from engine import march, off, slopes
 from reference_heave import ramped_sine
 
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.run import run
 from riserstudy.scene.models import Scene
 from riserstudy.single import single

@@ -9,7 +9,7 @@ from scipy.linalg import eigh
 
 import riserstudy.single
 from riserstudy.errors import SimulationError
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.settle import settle
 from riserstudy.solve.modes import FEW, matrices, stable_step
 

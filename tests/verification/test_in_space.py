@@ -7,7 +7,7 @@ import pytest
 from engine import off, rms, scene, slopes
 from scipy.integrate import solve_bvp
 
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.scene.load import SceneFile
 from riserstudy.single import single
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from engine import METHODS, march, rms, slopes
 
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
 from riserstudy.single import single
 

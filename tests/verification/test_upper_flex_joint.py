@@ -5,7 +5,7 @@ import pytest
 from engine import SCENES, off, scene
 
 from riserstudy import load_scene
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.single import single
 
 LEAN = np.radians(4.0)

@@ -8,12 +8,12 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.derived.along import amplitude_at, angles, extreme, period_of, place, stress_factor
+from riserstudy.model.sea import current_table, wave_number
 from riserstudy.names import attributes
 from riserstudy.scene.check import check
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import RegularWave
 from riserstudy.scene.units import to_si
-from riserstudy.sea import current_table, wave_number
 
 #: what is measured of a run, and its unit
 MEASURES = {

@@ -17,7 +17,7 @@ from riserstudy.derived.shared import (
     scenes_of,
     settling,
 )
-from riserstudy.response import operator
+from riserstudy.model.rao import operator
 from riserstudy.scene.models import Scene
 from riserstudy.scene.units import to_si
 

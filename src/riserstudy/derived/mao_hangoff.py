@@ -10,8 +10,8 @@ import xarray as xr
 
 from riserstudy.derived.mao_hangoff_limits import PAPER, speed_limits, tension_limits
 from riserstudy.derived.shared import described, scenes_of
+from riserstudy.model.sea import current_table
 from riserstudy.quantities.towed import displacement
-from riserstudy.sea import current_table
 
 __all__ = [
     "base",

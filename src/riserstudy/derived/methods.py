@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
 
+from riserstudy.model.sea import current_table
 from riserstudy.scene.models import Scene
-from riserstudy.sea import current_table
 from riserstudy.solve.hermite import Beam, statics
 
 FloatArray = NDArray[np.float64]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from riserstudy.coarsest import massless, period
 from riserstudy.errors import RiserStudyError
-from riserstudy.mesh import Mesh, even
+from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.changes import Change, fitting
 from riserstudy.result import Result
 from riserstudy.scene.load import SceneFile

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from riserstudy.mesh import Mesh, even
+from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, too_long
 from riserstudy.numerics.models import AccuracyStudy, Ladder, Method
 from riserstudy.numerics.outside import RADAU, outside

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from riserstudy.comparison import difference
 from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
-from riserstudy.mesh import Mesh
+from riserstudy.model.mesh import Mesh
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.single import EVERYWHERE, single

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.effects.registry import ROLES
-from riserstudy.mesh import Mesh
-from riserstudy.model import Model
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Model
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
 from riserstudy.single import single

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from riserstudy.mesh import even
+from riserstudy.model.mesh import even
 from riserstudy.numerics.attempt import attempt_on
 from riserstudy.numerics.models import EnergyCase, EnergyStudy, Method
 from riserstudy.numerics.scenes import case_file, in_tier

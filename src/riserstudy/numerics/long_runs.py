@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from riserstudy.coarsest import coarsest_mesh
 from riserstudy.errors import SimulationError
-from riserstudy.mesh import Mesh, even
+from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.accuracy import timed
 from riserstudy.numerics.attempt import Attempt, attempt_on, largest
 from riserstudy.numerics.models import LongCase, LongStudy

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from scipy.integrate import Radau
 
 from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
-from riserstudy.mesh import Mesh
-from riserstudy.model import Model
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Model
 from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from riserstudy.assumptions import sample
 from riserstudy.coarsest import massless, period
-from riserstudy.mesh import Mesh, even
+from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, mesh_of
 from riserstudy.numerics.models import Family, RandomStudy
 from riserstudy.numerics.references import QUANTITIES, Reference, by_run

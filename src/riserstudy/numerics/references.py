@@ -18,7 +18,7 @@ from scipy.interpolate import CubicSpline
 
 from riserstudy.coarsest import massless
 from riserstudy.errors import SimulationError
-from riserstudy.mesh import Mesh, even
+from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors
 from riserstudy.numerics.models import Ladder
 from riserstudy.numerics.outside import RADAU, outside

@@ -17,7 +17,7 @@ import numpy as np
 
 from riserstudy.coarsest import massless
 from riserstudy.explicit_limit import explicit_limit
-from riserstudy.mesh import Mesh, even
+from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import (
     ACCURATE_TO,
     Attempt,

@@ -14,7 +14,7 @@ import numpy as np
 
 from riserstudy.errors import SimulationError
 from riserstudy.explicit_limit import explicit_limit
-from riserstudy.mesh import Mesh, even
+from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.models import LimitStudy
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.scene.models import Scene

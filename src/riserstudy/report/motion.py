@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.platform import displacement
+from riserstudy.model.platform_motion import displacement
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene

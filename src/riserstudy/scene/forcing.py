@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Positive, Strict
-from riserstudy.scene.response import Response
+from riserstudy.scene.rao import Response
 from riserstudy.scene.sea import WindDrift
 
 SMOOTH = 1e-6  # sine of a phase below which a motion sets in without a jolt

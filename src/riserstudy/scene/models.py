@@ -17,9 +17,10 @@ from riserstudy.scene.base import POSITIVE, Strict
 from riserstudy.scene.buoyancy import Buoyancy
 from riserstudy.scene.ends import Body, Bottom, Top
 from riserstudy.scene.forcing import Current, Platform, Shape, Water
+from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import IrregularSea, RegularWave
-from riserstudy.scene.string import Section
-from riserstudy.scene.vessel import ALONG_X, Soil, Vessel
+from riserstudy.scene.soil import Soil
+from riserstudy.scene.vessel import ALONG_X, Vessel
 
 
 class Scene(Strict):

@@ -17,7 +17,7 @@ from riserstudy.errors import InputError
 from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
 from riserstudy.scene.forcing import Moved, Point, Tilted
-from riserstudy.scene.response import MOTIONS, SHIFTS, Operator
+from riserstudy.scene.rao import MOTIONS, SHIFTS, Operator
 from riserstudy.scene.tensioners import TableRow
 from riserstudy.scene.text import read_text
 

@@ -17,8 +17,8 @@ from riserstudy.schematic.above import above, has_plan, radius
 from riserstudy.schematic.facts import freedom_text
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import KEY, SIZE
+from riserstudy.schematic.riser import ends, riser
 from riserstudy.schematic.sea import sea
-from riserstudy.schematic.string import ends, riser
 from riserstudy.schematic.topside import topside
 from riserstudy.schematic.view import View
 

@@ -10,8 +10,8 @@ from matplotlib.ticker import EngFormatter
 from riserstudy.scene.ends import Body, Rotation
 from riserstudy.scene.forcing import TILTS, Harmonic, Platform
 from riserstudy.scene.models import Scene
+from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import Storm, Swell
-from riserstudy.scene.string import Section
 from riserstudy.scene.tensioners import Tensioners
 
 DEGREE = math.pi / 180.0

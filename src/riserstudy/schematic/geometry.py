@@ -9,10 +9,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.guess import sagging
+from riserstudy.model.initial_shape import sagging
+from riserstudy.model.sea import levels
 from riserstudy.scene.models import Scene
-from riserstudy.scene.string import Section
-from riserstudy.sea import levels
+from riserstudy.scene.riser import Section
 
 Point = tuple[float, float]
 SHORT = 0.1  # of the riser: sections below this length are shown with the end that they are at

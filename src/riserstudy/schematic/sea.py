@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
+from riserstudy.model.sea import current_table, wave_number
 from riserstudy.scene.sea import Swell
 from riserstudy.schematic.facts import degrees, wave_text
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import WATER
 from riserstudy.schematic.view import View
-from riserstudy.sea import current_table, wave_number
 
 ARROWS = 11  # of a current profile
 CURRENT_WIDTH = 0.3  # of the window, for the largest speed

@@ -15,12 +15,17 @@ from riserstudy.effects.drag import Drag
 from riserstudy.effects.drag_over_depth import DragOverDepth
 from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.waterline import Waterline
+from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
-from riserstudy.mesh import Mesh
-from riserstudy.model import Effect
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Effect
+from riserstudy.model.sea import components_of, wave_number
+from riserstudy.scene.forcing import Water
 from riserstudy.scene.models import Scene
+from riserstudy.scene.sea import IrregularSea, RegularWave
 
 FloatArray = NDArray[np.float64]
+ABOVE = {"none": NONE, "constant": CONSTANT, "stretched": STRETCHED}
 
 
 def wet(scene: Scene, mesh: Mesh, d: int) -> Iterator[Effect]:
@@ -111,6 +116,21 @@ def _waterline(scene: Scene, effects: list[Effect], n: int) -> Iterator[Effect]:
             record,
             "water.surface, riser.drag, riser.tangential_drag, riser.added_mass",
         )
+
+
+def wave_of(
+    sea: RegularWave | IrregularSea, water: Water, gravity: float, heading: FloatArray
+) -> Wave:
+    """Components of a wave or sea, travelling along a horizontal unit vector."""
+    if water.surface is None or water.seabed is None:
+        raise TypeError("waves on water without levels")  # refused by the scene
+    depth = water.surface - water.seabed
+    amplitude, frequency, phase = components_of(sea)
+    number = np.array([wave_number(w, depth, gravity) for w in frequency])
+    return Wave(
+        amplitude, frequency, number, phase, heading,
+        water.surface, depth, sea.ramp or 0.0, ABOVE[sea.above_mean_level],
+    )  # fmt: skip
 
 
 def over(mesh: Mesh, value: Sequence[float]) -> FloatArray:

@@ -12,10 +12,10 @@ from riserstudy.effects.munk import Munk
 from riserstudy.effects.thrusters import Thrusters
 from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.vessel import Vessel
-from riserstudy.model import Effect
+from riserstudy.model.model import Effect
+from riserstudy.model.sea import current_table
 from riserstudy.scene import vessel as scenes
 from riserstudy.scene.models import Scene
-from riserstudy.sea import current_table
 
 FloatArray = NDArray[np.float64]
 AHEAD = ("platform_speed", "riser_reaction", "environment_force")  # reported by direction

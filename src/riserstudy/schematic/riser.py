@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from riserstudy.scene.ends import Body, Rotation
-from riserstudy.scene.string import Section
+from riserstudy.scene.riser import Section
 from riserstudy.schematic.facts import (
     amount,
     body_text,

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from riserstudy.build import build
 from riserstudy.effects.catalogue import absent
-from riserstudy.mesh import even
+from riserstudy.model.build import build
+from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
 
 

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
-from riserstudy.scene.response import Operator, Response
+from riserstudy.model.sea import components_of
+from riserstudy.scene.rao import Operator, Response
 from riserstudy.scene.sea import Storm, Swell, Wave
-from riserstudy.sea import components_of
 
 FloatArray = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from riserstudy.mesh import Mesh
+from riserstudy.model.mesh import Mesh
 
 FloatArray = NDArray[np.float64]
 

@@ -13,10 +13,10 @@ from scipy.interpolate import CubicSpline
 
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.registry import ROLES
-from riserstudy.model import Effect
-from riserstudy.response import harmonics
+from riserstudy.model.model import Effect
+from riserstudy.model.rao import harmonics
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Platform, TimeSeries
-from riserstudy.scene.response import Response
+from riserstudy.scene.rao import Response
 from riserstudy.scene.sea import Storm, Swell
 
 MOTIONS = (*TRANSLATIONS, *TILTS)

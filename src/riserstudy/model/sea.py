@@ -9,13 +9,11 @@ from numpy.typing import NDArray
 from scipy.integrate import cumulative_trapezoid
 from scipy.optimize import brentq
 
-from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
 from riserstudy.scene.forcing import Current, Shape, Water
 from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDrift
 
 FloatArray = NDArray[np.float64]
 PROFILE_POINTS = 2001  # of a named current profile
-ABOVE = {"none": NONE, "constant": CONSTANT, "stretched": STRETCHED}
 
 
 def current_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
@@ -73,21 +71,6 @@ def depth_of_action(sea: RegularWave | IrregularSea, water: Water, gravity: floa
     """Depth 1/k over which the shortest waves that matter fade (m)."""
     frequency = 2.0 * math.pi / sea.shortest_period
     return 1.0 / wave_number(frequency, (water.surface or 0.0) - (water.seabed or 0.0), gravity)
-
-
-def wave_of(
-    sea: RegularWave | IrregularSea, water: Water, gravity: float, heading: FloatArray
-) -> Wave:
-    """Components of a wave or sea, travelling along a horizontal unit vector."""
-    if water.surface is None or water.seabed is None:
-        raise TypeError("waves on water without levels")  # refused by the scene
-    depth = water.surface - water.seabed
-    amplitude, frequency, phase = components_of(sea)
-    number = np.array([wave_number(w, depth, gravity) for w in frequency])
-    return Wave(
-        amplitude, frequency, number, phase, heading,
-        water.surface, depth, sea.ramp or 0.0, ABOVE[sea.above_mean_level],
-    )  # fmt: skip
 
 
 def components_of(sea: Swell | Storm) -> tuple[FloatArray, FloatArray, FloatArray]:

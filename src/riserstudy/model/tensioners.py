@@ -17,9 +17,9 @@ from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
-from riserstudy.model import Effect
+from riserstudy.model.model import Effect
+from riserstudy.model.tensioner_law import linear_law, table_law
 from riserstudy.scene.tensioners import Arrangement, Tensioners
-from riserstudy.tensioner_law import linear_law, table_law
 
 GAS_FIELDS = ("area", "pressure", "volume")
 

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.devices import devices
 from riserstudy.effects.axial import Axial
 from riserstudy.effects.axial_damping import AxialDamping
 from riserstudy.effects.bending import Bending
@@ -25,19 +24,20 @@ from riserstudy.effects.inertia import Inertia
 from riserstudy.effects.support import Support
 from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.effects.weight import Weight
-from riserstudy.guess import between_ends, under_a_joint
-from riserstudy.mesh import Mesh, blend_by_weight
-from riserstudy.model import Effect, Model
-from riserstudy.platform import centre, motions
-from riserstudy.rig import in_space, laws, pistons, upright
+from riserstudy.model.hydrodynamics import wave_of, wet
+from riserstudy.model.initial_shape import between_ends, under_a_joint
+from riserstudy.model.joints import devices
+from riserstudy.model.mesh import Mesh, blend_by_weight
+from riserstudy.model.model import Effect, Model
+from riserstudy.model.platform_motion import centre, motions
+from riserstudy.model.sea import current_table
+from riserstudy.model.tensioners import in_space, laws, pistons, upright
+from riserstudy.model.vessel import loose_nodes, unknowns
 from riserstudy.scene.ends import Areas, Body, BodyAddedMass, Rotation
 from riserstudy.scene.ends import FlexJoint as Joint
 from riserstudy.scene.models import Scene
-from riserstudy.scene.string import Section
-from riserstudy.sea import current_table, wave_of
+from riserstudy.scene.riser import Section
 from riserstudy.solve.state import OTHER, OWN
-from riserstudy.vessel import loose_nodes, unknowns
-from riserstudy.wet import wet
 
 FloatArray = NDArray[np.float64]
 TAUT = 1e-6  # strain of a hanging riser in the first guess
