@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.changes import changes
+from riserstudy.dataset.diff import changes
 from riserstudy.errors import InputError
 
 HEAD = "paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,note\n"

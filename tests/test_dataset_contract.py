@@ -7,9 +7,9 @@ import pytest
 import xarray as xr
 
 from riserstudy import simulate
+from riserstudy.dataset.label import coordinates
 from riserstudy.gather import write_dataset
 from riserstudy.scene.load import SceneFile
-from riserstudy.simulation import coordinates
 
 PIPE = {
     "name": "riser",

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from riserstudy.dataset.result import Result
 from riserstudy.gather import dataset_of, write_dataset
-from riserstudy.result import Result
 from riserstudy.study import Numbers, Study, StudyModel
 
 CONFIG = Path(__file__).parents[1] / "config"

@@ -7,9 +7,9 @@ import pytest
 import xarray as xr
 
 from riserstudy import load_scene
+from riserstudy.dataset.variables import attributes, density
 from riserstudy.derived import liu2020_motion
 from riserstudy.derived.liu2020_motion import lag_at, rao_readings, section, storm
-from riserstudy.names import attributes, density
 from riserstudy.published.liu2020 import WITHOUT, baselines, waves_on_the_riser
 from riserstudy.study import study
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from riserstudy import store
-from riserstudy.result import Result
+from riserstudy.dataset.result import Result
 from riserstudy.scene.load import SceneFile
 
 KEY = "ab0123"

@@ -9,14 +9,14 @@ __all__ = ["load_scene", "open_results", "simulate"]
 
 _HOMES = {
     "load_scene": "riserstudy.scene.load",
-    "simulate": "riserstudy.simulation",
-    "open_results": "riserstudy.results",
+    "simulate": "riserstudy.simulation.simulate",
+    "open_results": "riserstudy.dataset.open",
 }
 
 if TYPE_CHECKING:
-    from riserstudy.results import open_results
+    from riserstudy.dataset.open import open_results
     from riserstudy.scene.load import load_scene
-    from riserstudy.simulation import simulate
+    from riserstudy.simulation.simulate import simulate
 
 
 def __getattr__(name: str) -> Any:

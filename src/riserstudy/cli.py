@@ -46,7 +46,7 @@ def main() -> None:
 
 def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) -> Any:
     from riserstudy.scene.load import plain_yaml, read_scene
-    from riserstudy.simulation import at_accuracy
+    from riserstudy.simulation.simulate import at_accuracy
 
     overrides: dict[str, Any] = {}
     for setting in settings or []:
@@ -96,7 +96,7 @@ def run(
     file = _scene(scene, settings, accuracy)
     _check_writable(output, scene)
     from riserstudy.gather import write_dataset
-    from riserstudy.simulation import simulate
+    from riserstudy.simulation.simulate import simulate
 
     dataset = simulate(file)
     write_dataset(dataset, output)
@@ -287,7 +287,7 @@ def diff(
     from rich.console import Console
     from rich.table import Table
 
-    from riserstudy.changes import changes
+    from riserstudy.dataset.diff import changes
 
     found = changes(old, new)
     console = Console()

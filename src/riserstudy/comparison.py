@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
 
-from riserstudy.result import Result
+from riserstudy.dataset.result import Result
 
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]

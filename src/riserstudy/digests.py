@@ -44,7 +44,7 @@ def sources_behind(module: str) -> set[Path]:
     while left:
         file = source_of(left.pop())
         if file is not None and file not in found:
-            found.add(file)
+            found |= {file, *data_of(file)}
             left += imported_by(file)
     return found
 
@@ -57,9 +57,23 @@ def source_of(module: str) -> Path | None:
 
 
 @cache
+def data_of(file: Path) -> tuple[Path, ...]:
+    """Files beside a source file that it names: what it reads."""
+    constants = (node for node in ast.walk(_tree(file)) if isinstance(node, ast.Constant))
+    names = {node.value for node in constants if isinstance(node.value, str)}
+    beside = [path for path in file.parent.iterdir() if path.suffix != ".py" and path.is_file()]
+    return tuple(path for path in beside if path.name in names)
+
+
+@cache
 def imported_by(file: Path) -> tuple[str, ...]:
     """Names that a source file imports from the package: modules, and what may be modules."""
-    return tuple(_imported(ast.parse(file.read_bytes())))
+    return tuple(_imported(_tree(file)))
+
+
+@cache
+def _tree(file: Path) -> ast.Module:
+    return ast.parse(file.read_bytes())
 
 
 def _imported(tree: ast.AST) -> Iterator[str]:

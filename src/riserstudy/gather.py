@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from riserstudy import store
+from riserstudy.dataset.label import coordinates, quantities
+from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
 from riserstudy.fill import fill
-from riserstudy.names import attributes, cf_unit
-from riserstudy.simulation import coordinates, quantities
 from riserstudy.study import Numbers, Samples, Study
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.result import Result
+    from riserstudy.dataset.result import Result
 
 
 FEW = 3  # stations between which no curve is drawn

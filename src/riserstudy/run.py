@@ -8,10 +8,10 @@ from typing import Any
 
 from riserstudy.coarsest import coarsest_mesh, massless, period
 from riserstudy.comparison import MOST_FALL, SURE_FALL, difference, estimate
+from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.marching import steps_in
 from riserstudy.model.mesh import prescribed
-from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.settle import rounding
 from riserstudy.single import EVERYWHERE, keep_stations, single

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from riserstudy.coupling import march_in_turns, sides_of
+from riserstudy.dataset.result import Result
 from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.explicit_limit import explicit_limit
@@ -22,7 +23,6 @@ from riserstudy.model.build import AXES, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.tensioner_law import leaves_table, stops_touched
-from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.scene.vessel import Coupling

@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.build import flexibility_of, stiffness
 from riserstudy.model.hydrodynamics import wave_of
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.sea import current_table
-from riserstudy.result import Result
 from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
 from riserstudy.scene.forcing import Translation

@@ -23,7 +23,7 @@ from riserstudy.scene.models import Scene
 if TYPE_CHECKING:
     from numpy.lib.npyio import NpzFile
 
-    from riserstudy.result import Result
+    from riserstudy.dataset.result import Result
     from riserstudy.scene.load import SceneFile
 
 
@@ -96,7 +96,7 @@ def _seal(content: bytes) -> bytes:
 
 def get(key: str, names: Collection[str] | None = None) -> Result | None:
     """A stored point with all arrays or some, or None when it is missing or not whole."""
-    from riserstudy.result import Result
+    from riserstudy.dataset.result import Result
 
     with _opened(_file(key)) as stored:
         if stored is None:

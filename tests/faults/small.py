@@ -9,7 +9,7 @@ from pathlib import Path
 import psutil
 from ruamel.yaml import YAML
 
-from riserstudy.changes import changes
+from riserstudy.dataset.diff import changes
 from riserstudy.folders import cache_folder
 
 ROOT = Path(__file__).parents[2]

@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from riserstudy.changes import changes
+from riserstudy.dataset.diff import changes
 
 ROOT = Path(__file__).parents[2]
 BETWEEN_PYTHONS = 1e-9

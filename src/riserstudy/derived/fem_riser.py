@@ -7,9 +7,9 @@ import json
 import numpy as np
 import xarray as xr
 
+from riserstudy.dataset.variables import attributes
 from riserstudy.derived.along import amplitude_at, angles, extreme, period_of, place, stress_factor
 from riserstudy.model.sea import current_table, wave_number
-from riserstudy.names import attributes
 from riserstudy.scene.check import check
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import RegularWave

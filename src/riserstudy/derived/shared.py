@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riserstudy.names import attributes
+from riserstudy.dataset.variables import attributes
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 

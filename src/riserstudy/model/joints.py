@@ -1,4 +1,4 @@
-"""What stands within and at the top of the riser string: inner joints, a sliding joint, gauges, a vessel; and soil."""
+"""What stands within and at the top of the riser string: inner joints, a sliding joint, gauges, a vessel."""
 
 from __future__ import annotations
 

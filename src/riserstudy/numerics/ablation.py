@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.coarsest import massless, period
+from riserstudy.dataset.result import Result
 from riserstudy.errors import RiserStudyError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.changes import Change, fitting
-from riserstudy.result import Result
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.single import single

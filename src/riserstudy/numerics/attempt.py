@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.comparison import difference
+from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
 from riserstudy.model.mesh import Mesh
-from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.single import EVERYWHERE, single
 

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.coarsest import coarsest_mesh
+from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.accuracy import timed
@@ -23,7 +24,6 @@ from riserstudy.numerics.models import LongCase, LongStudy
 from riserstudy.numerics.references import by_run
 from riserstudy.numerics.scenes import in_tier
 from riserstudy.numerics.stability import FREE, stepped, whole
-from riserstudy.result import Result
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 

@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import Radau
 
+from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
-from riserstudy.result import Result
 from riserstudy.scene.models import Scene
 from riserstudy.settle import settle
 from riserstudy.single import EXPLICIT_BOUND, quantities, single

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from riserstudy.numerics.attempt import deciding
 from riserstudy.run import run
 from riserstudy.scene.load import SceneFile
-from riserstudy.simulation import at_accuracy
+from riserstudy.simulation.simulate import at_accuracy
 from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 REQUESTS = (0.05, 0.01, 0.002, 0.0005)

@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from riserstudy.coarsest import massless
+from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors
 from riserstudy.numerics.models import Ladder
 from riserstudy.numerics.outside import RADAU, outside
 from riserstudy.numerics.stability import stepped, whole
-from riserstudy.result import Result
 from riserstudy.scene.load import SceneFile
 
 Array = NDArray[np.float64]

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.coarsest import massless
+from riserstudy.dataset.result import Result
 from riserstudy.explicit_limit import explicit_limit
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import (
@@ -32,7 +33,6 @@ from riserstudy.numerics.attempt import (
 from riserstudy.numerics.models import Case, StabilityStudy
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.processes import each
-from riserstudy.result import Result
 from riserstudy.run import run
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene

@@ -10,9 +10,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.figures.style import key_below, panels
-from riserstudy.names import attributes
 
 WITHIN_A_RUN = ("time", "s", "s_node", "cylinder")  # dimensions that are no axes of the grid
 MOST = 7  # curves or panels that a figure shows apart

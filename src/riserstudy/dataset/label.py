@@ -1,66 +1,24 @@
-"""The one door for users, studies and tests: a scene becomes a labelled dataset."""
+"""Arrays of a run become a labelled dataset."""
 
 from __future__ import annotations
 
 import json
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.effects.catalogue import absent
-from riserstudy.names import ENDINGS, attributes
+from riserstudy.dataset.variables import ENDINGS, attributes
+from riserstudy.digests import engine_digest
 from riserstudy.scene.load import SceneFile
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.result import Result
-
+    from riserstudy.dataset.result import Result
 
 S_DIGITS = 9  # decimals of arclengths (m), by which a node is selected
 
 
-@mends_kernel_cache
-def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr.Dataset:
-    """Simulate a scene.
-
-    Parameters
-    ----------
-    scene : a scene from :func:`riserstudy.load_scene`, or the path of its file.
-    accuracy : relative accuracy of displacement and moment asked for, in place of the scene's mesh,
-        step or accuracy.
-
-    Returns
-    -------
-    Dataset with ``x``, ``z`` (m, those that exist), ``effective_tension`` (N) and ``bending_moment``
-    (N m) over ``time`` (s) and ``s`` (m, unstretched arclength from the bottom); without ``time`` for
-    statics. Envelopes (``_max``, ``_min``) and the state at rest (``_static``) over ``s_node``, at all
-    nodes. Attributes hold effects, audit, error estimate and provenance as JSON text.
-
-    Raises
-    ------
-    InputError
-        When the scene cannot be meant.
-    SimulationError
-        When it cannot be completed.
-    """
-    from riserstudy.run import run
-    from riserstudy.scene.load import read_scene
-
-    file = scene if isinstance(scene, SceneFile) else read_scene(scene)
-    if accuracy is not None:
-        file = at_accuracy(file, f"{100 * accuracy!r} %")
-    return to_dataset(run(file.scene()), file)
-
-
-def at_accuracy(file: SceneFile, accuracy: str) -> SceneFile:
-    """The scene with an accuracy asked for in place of mesh and step."""
-    wanted = {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": accuracy}
-    return file.with_values(wanted, "accuracy")
-
-
-def to_dataset(result: Result, file: SceneFile) -> xr.Dataset:
-    """Label the arrays of a run, and say what they are."""
+def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> xr.Dataset:
+    """Label the arrays of a run, and say what they are; with the effects that are off, and why."""
     dataset = labelled(result)
     for label in dataset.variables:
         dataset[label].attrs = attributes(str(label))
@@ -68,7 +26,7 @@ def to_dataset(result: Result, file: SceneFile) -> xr.Dataset:
         "Conventions": "CF-1.11",
         "title": file.tree.get("title", ""),
         "source": file.source,
-        "effects_off": json.dumps(absent(set(result.facts["effects"]))),
+        "effects_off": json.dumps(effects_off),
         **{key: _text(value) for key, value in result.facts.items()},
         "provenance": json.dumps(provenance(file)),
     }
@@ -125,7 +83,6 @@ def dimensions(name: str, values: Any) -> tuple[str, ...]:
 def provenance(file: SceneFile) -> dict[str, Any]:
     """Version, engine and scene behind a result, with the origin of each value that has one."""
     from riserstudy import __version__
-    from riserstudy.digests import engine_digest
 
     return {
         "riserstudy": __version__,

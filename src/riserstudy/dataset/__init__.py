@@ -1,0 +1,1 @@
+"""What runs return: arrays, their names and labels, and how datasets are opened and compared."""

@@ -1,0 +1,1 @@
+"""One scene solved: equilibrium, steps, refinement to the accuracy asked for, audit."""
