@@ -44,7 +44,7 @@ LADDER = [
 def available() -> str | None:
     """Why our engine cannot run, or None."""
     try:
-        import riserstudy.run  # noqa: F401
+        import riserstudy.simulation.refine  # noqa: F401
     except ImportError as error:
         return f"{type(error).__name__}: {error}"
     return None if SCENE.exists() else f"no {SCENE.name}"
@@ -71,7 +71,7 @@ def simulated(
 ) -> tuple[Any, Any, float]:
     """Result, mesh and processor time (s) of a scene less that of its first step."""
     from riserstudy.model.mesh import even
-    from riserstudy.single import single
+    from riserstudy.simulation.run import single
 
     riser = checked(path, analysis | {"mesh": {"elements": elements}, "step": f"{step!r} s"})
     mesh = even(riser, elements)

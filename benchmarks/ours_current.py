@@ -17,7 +17,7 @@ def run(elements: int, step: None) -> dict[str, Any]:
     """The equilibrium on uniform elements."""
     from riserstudy.model.mesh import even
     from riserstudy.scene.load import read_scene
-    from riserstudy.single import single
+    from riserstudy.simulation.run import single
 
     riser = read_scene(SCENE).with_values(current.HELD, "benchmark").scene()
     started = time.process_time()

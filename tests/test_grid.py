@@ -72,7 +72,7 @@ def test_a_point_that_cannot_be_meant_is_refused_as_the_whole_scene_is(path, val
 
 
 def test_planning_imports_neither_solver_nor_arrays():
-    heavy = ["numba", "scipy", "xarray", "matplotlib", "pint", "riserstudy.run"]
+    heavy = ["numba", "scipy", "xarray", "matplotlib", "pint", "riserstudy.simulation.refine"]
     script = f"""if True:
         import sys
         from pathlib import Path

@@ -6,10 +6,10 @@ from types import SimpleNamespace
 
 import pytest
 
-from riserstudy import run as module
-from riserstudy.comparison import estimate
-from riserstudy.run import run
 from riserstudy.scene.load import read_scene
+from riserstudy.simulation import refine as module
+from riserstudy.simulation.error_estimate import estimate
+from riserstudy.simulation.refine import run
 
 SCENE = Path(__file__).parents[1] / "config/scenes/bench/s2.yaml"
 SETS = {"analysis.mesh": None, "analysis.step": None, "analysis.method": None}

@@ -76,7 +76,7 @@ def test_nothing_stored_is_unpickled(tmp_path, monkeypatch):
 
 
 def test_the_engine_s_digest_has_every_source_that_a_run_imports():
-    names = "import sys, riserstudy.run; print(*(m.__file__ for m in list(sys.modules.values())"
+    names = "import sys, riserstudy.simulation.refine; print(*(m.__file__ for m in list(sys.modules.values())"
     names += " if m.__name__.startswith('riserstudy')), sep='\\n')"
     ran = subprocess.run([sys.executable, "-c", names], capture_output=True, text=True, check=True)
     imported = {Path(line) for line in ran.stdout.splitlines()}

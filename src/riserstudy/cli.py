@@ -198,7 +198,7 @@ def modes(
     from rich.console import Console
     from rich.table import Table
 
-    from riserstudy.modal import modes_of
+    from riserstudy.simulation.modes import modes_of
 
     file = _scene(scene, settings)
     if output is not None:

@@ -14,7 +14,7 @@ from pathlib import Path
 from riserstudy.folders import PACKAGE
 
 NAME = PACKAGE.name
-ENGINE = "riserstudy.run"  # what simulates
+ENGINE = "riserstudy.simulation.refine"  # what simulates
 
 
 def digest(files: Iterable[Path]) -> str:

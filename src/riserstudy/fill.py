@@ -28,7 +28,7 @@ def fill(study: Study, points: Iterable[Point], processes: int) -> int:
 
     @mends_kernel_cache
     def one(point: Point) -> SimulationError | None:
-        from riserstudy.run import run
+        from riserstudy.simulation.refine import run
 
         file = study.grid.file(point.index)
         try:

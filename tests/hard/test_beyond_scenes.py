@@ -6,7 +6,7 @@ from scenes import COLUMN, changed, from_file
 
 from riserstudy.model.mesh import even
 from riserstudy.model.model import Model
-from riserstudy.settle import settle
+from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march

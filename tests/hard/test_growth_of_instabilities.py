@@ -13,7 +13,7 @@ from scipy.linalg import eigh
 from riserstudy import simulate
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import even
-from riserstudy.small_angle import beam_of
+from riserstudy.simulation.hermite_run import beam_of
 from riserstudy.solve.hermite import HermiteError, dynamics, frequencies
 
 ELEMENTS = 200

@@ -7,7 +7,7 @@ from riserstudy import simulate
 from riserstudy.errors import PhysicallyUnstable, SimulationError
 from riserstudy.model.mesh import even
 from riserstudy.scene.load import read_scene
-from riserstudy.settle import settle
+from riserstudy.simulation.equilibrium import settle
 
 # mesh of 20 segments: Euler's load to 1e-4; the column is 3e-5 shorter under it
 NEAR = 0.002

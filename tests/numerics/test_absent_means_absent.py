@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import riserstudy.settle
+import riserstudy.simulation.equilibrium
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.axial_damping import AxialDamping
 from riserstudy.effects.bending_damping import BendingDamping
@@ -24,7 +24,7 @@ from riserstudy.model.build import build
 from riserstudy.model.mesh import even
 from riserstudy.model.model import Effect
 from riserstudy.scene.load import read_scene
-from riserstudy.single import EVERYWHERE, single
+from riserstudy.simulation.run import EVERYWHERE, single
 
 SURGE = read_scene(Path(__file__).parents[2] / "config/scenes/hard/surge.yaml").with_values(
     {"analysis.mesh.elements": 20, "analysis.step": "0.1 s", "analysis.duration": "20 s"}, "test"
@@ -68,7 +68,7 @@ def history(monkeypatch, *extra):
         built.s.r[:] = model.s.r
         return built
 
-    monkeypatch.setattr(riserstudy.settle, "build", with_extra)
+    monkeypatch.setattr(riserstudy.simulation.equilibrium, "build", with_extra)
     scene = SURGE.scene()
     return single(scene, even(scene, N), scene.analysis.step, EVERYWHERE).arrays
 

@@ -9,7 +9,7 @@ import pytest
 from riserstudy import load_scene
 from riserstudy.errors import InputError
 from riserstudy.model.mesh import even
-from riserstudy.single import single
+from riserstudy.simulation.run import single
 
 SYSTEM = Path(__file__).parents[2] / "config/scenes/liu2020/system.yaml"
 TABLE = "depth (m),speed (m/s)\n0,1\n533,0.1\n"

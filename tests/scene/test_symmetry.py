@@ -11,7 +11,7 @@ from riserstudy.model.mesh import even
 from riserstudy.model.tensioner_law import gas_force, linear_law
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Gas, Linearised, Tensioners
-from riserstudy.single import single
+from riserstudy.simulation.run import single
 
 
 def scene(east=1.0, shift=(0.0, 0.0)):

@@ -5,7 +5,7 @@ import pytest
 
 from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
-from riserstudy.settle import settle
+from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.evaluate import force_of, shape_of
 from riserstudy.solve.modes import matrices
 

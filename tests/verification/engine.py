@@ -6,7 +6,7 @@ import numpy as np
 
 from riserstudy import load_scene, simulate
 from riserstudy.model.mesh import even
-from riserstudy.single import Result, single
+from riserstudy.simulation.run import Result, single
 
 SCENES = Path(__file__).parents[2] / "config" / "scenes" / "bench"
 METHODS = {

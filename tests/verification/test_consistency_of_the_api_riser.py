@@ -9,7 +9,7 @@ from scipy.integrate import solve_bvp
 
 from riserstudy.model.build import stiffness
 from riserstudy.model.mesh import even
-from riserstudy.single import single
+from riserstudy.simulation.run import single
 
 LENGTH = 463.3
 ELEMENTS, STEP = 463, 0.05  # of 1 m; the wave's load ends at a node

@@ -6,8 +6,8 @@ import reference as ref
 from engine import dataset, off, scene, slopes
 
 from riserstudy.errors import SimulationError
-from riserstudy.modal import modes_of
 from riserstudy.scene.models import Scene
+from riserstudy.simulation.modes import modes_of
 
 TENSION = 2275e3
 STRAIN = TENSION / ref.EA

@@ -8,8 +8,8 @@ import pytest
 from scipy.linalg import eigh
 
 from riserstudy import simulate
-from riserstudy.modal import modes_of
 from riserstudy.scene.load import read_scene
+from riserstudy.simulation.modes import modes_of
 
 MASS, WEIGHT, ARM, INERTIA, LENGTH = 140e3, 1.2e6, 3.0, 2e6, 30.0
 ROD = 300.0  # kg/m, without weight

@@ -9,9 +9,9 @@ from engine import march, off, slopes
 from reference_heave import ramped_sine
 
 from riserstudy.model.mesh import even
-from riserstudy.run import run
 from riserstudy.scene.models import Scene
-from riserstudy.single import single
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.run import single
 from riserstudy.solve.hermite import Beam, End, dynamics, statics
 
 RISER = ref.Riser()

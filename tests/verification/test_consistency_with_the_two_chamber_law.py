@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import SimulationError
-from riserstudy.modal import modes_of
+from riserstudy.simulation.modes import modes_of
 
 SCENE = Path(__file__).parents[2] / "config/scenes/liu2020/heave.yaml"
 STATICS = {"platform.heave": None, "analysis": {}}

@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import SimulationError
-from riserstudy.modal import modes_of
+from riserstudy.simulation.modes import modes_of
 
 CONFIG = Path(__file__).parents[2] / "config"
 REF = CONFIG / "scenes" / "liu2017" / "ref_0.yaml"

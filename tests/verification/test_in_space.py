@@ -9,7 +9,7 @@ from scipy.integrate import solve_bvp
 
 from riserstudy.model.mesh import even
 from riserstudy.scene.load import SceneFile
-from riserstudy.single import single
+from riserstudy.simulation.run import single
 
 STILL = {"amplitude": "0 m", "period": "15 s"}
 TIGHT = {"analysis__newton_tolerance": 1e-12}

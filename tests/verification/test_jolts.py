@@ -8,7 +8,7 @@ from scipy.special import erfc
 from riserstudy import load_scene
 from riserstudy.errors import InputError
 from riserstudy.model.mesh import even
-from riserstudy.single import EVERYWHERE, single
+from riserstudy.simulation.run import EVERYWHERE, single
 
 RAMP = {"platform.cruise": {"speed": "1 m/s", "ramp": "5 s"}, "platform.heave": None}
 HANG_OFF = SCENES.parent / "hard" / "hang_off.yaml"

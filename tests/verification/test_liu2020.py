@@ -9,7 +9,7 @@ from riserstudy import load_scene, simulate
 from riserstudy.derived.liu2020_statics import pushed_back
 from riserstudy.derived.methods import Beamlike, by_collocation, by_hermite_elements
 from riserstudy.model.mesh import even
-from riserstudy.single import single
+from riserstudy.simulation.run import single
 
 LENGTH = 533.0
 

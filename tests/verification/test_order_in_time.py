@@ -13,7 +13,7 @@ from engine import METHODS, march, rms, slopes
 
 from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
-from riserstudy.single import single
+from riserstudy.simulation.run import single
 
 SECOND = pytest.approx(2.0, abs=0.1)
 

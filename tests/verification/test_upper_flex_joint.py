@@ -6,7 +6,7 @@ from engine import SCENES, off, scene
 
 from riserstudy import load_scene
 from riserstudy.model.mesh import even
-from riserstudy.single import single
+from riserstudy.simulation.run import single
 
 LEAN = np.radians(4.0)
 PITCHED = {"pitch": "4 deg"}

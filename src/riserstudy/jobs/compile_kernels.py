@@ -12,8 +12,8 @@ from pathlib import Path
 
 from riserstudy.compile_times import Compiled, while_compiling
 from riserstudy.folders import write_whole
+from riserstudy.simulation.warm_up import scenes, warm_up
 from riserstudy.solve.kernel_cache import kernel_cache
-from riserstudy.warmup import scenes, warm_up
 
 
 def main(marker: Path, threads: int) -> None:

@@ -87,7 +87,7 @@ def bury(_signal: int, _frame: FrameType | None) -> None:
 
 def later() -> list[Callable[[], object]]:
     """What is loaded when there is time: modules, and what is compiled together."""
-    from riserstudy.warmup import scenes, warm_up
+    from riserstudy.simulation.warm_up import scenes, warm_up
 
     modules = [partial(import_module, name) for name in LATER]
     return [*modules, *(partial(warm_up, group) for group in scenes())]

@@ -13,14 +13,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.coarsest import massless, period
 from riserstudy.dataset.result import Result
 from riserstudy.errors import RiserStudyError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.changes import Change, fitting
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
-from riserstudy.single import single
+from riserstudy.simulation.run import single
+from riserstudy.simulation.starting_mesh import massless, period
 
 Array = NDArray[np.float64]
 SEGMENTS = 100  # where a scene has no mesh of its own

@@ -21,9 +21,9 @@ from riserstudy.numerics.outside import RADAU, outside
 from riserstudy.numerics.references import OPINIONS, QUANTITIES, Reference, reference
 from riserstudy.numerics.scenes import in_tier
 from riserstudy.numerics.stability import FREE, attempt_limit, stepped, whole
-from riserstudy.run import run
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
+from riserstudy.simulation.refine import run
 
 if TYPE_CHECKING:
     import xarray as xr

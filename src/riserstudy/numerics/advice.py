@@ -6,9 +6,9 @@ import math
 from typing import NamedTuple
 
 from riserstudy.numerics.ablation import Ablation, Changed, ablate
-from riserstudy.run import DISPLACEMENT, MOMENT
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
+from riserstudy.simulation.refine import DISPLACEMENT, MOMENT
 from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 REPEATS = 2  # rounds of timed runs

@@ -11,12 +11,12 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.comparison import difference
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
-from riserstudy.single import EVERYWHERE, single
+from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.run import EVERYWHERE, single
 
 
 class Outcome(StrEnum):

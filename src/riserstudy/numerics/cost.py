@@ -16,8 +16,8 @@ from riserstudy.effects.registry import ROLES
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.scene.models import Scene
-from riserstudy.settle import settle
-from riserstudy.single import single
+from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.run import single
 from riserstudy.solve.evaluate import one_call, shape_of
 from riserstudy.solve.program import assemble
 

@@ -15,7 +15,7 @@ from riserstudy.numerics.changes import changes
 from riserstudy.numerics.cost import Cost, Freedom, costs, freedom
 from riserstudy.numerics.models import EffectsStudy
 from riserstudy.numerics.scenes import bases
-from riserstudy.settle import settle
+from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.kernel_cache import kernel_cache
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.numerics.ablation import fixed
 from riserstudy.numerics.cost import REST, costs, freedom
 from riserstudy.scene.load import SceneFile
-from riserstudy.settle import settle
+from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 BUDGET = 5e5  # node-steps a timed run; shares do not depend on how long it is

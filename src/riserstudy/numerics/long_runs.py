@@ -14,7 +14,6 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.coarsest import coarsest_mesh
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
@@ -26,6 +25,7 @@ from riserstudy.numerics.scenes import in_tier
 from riserstudy.numerics.stability import FREE, stepped, whole
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
+from riserstudy.simulation.starting_mesh import coarsest_mesh
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -20,8 +20,8 @@ from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.scene.models import Scene
-from riserstudy.settle import settle
-from riserstudy.single import EXPLICIT_BOUND, quantities, single
+from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.run import EXPLICIT_BOUND, quantities, single
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.explicit import accelerate
 from riserstudy.solve.jit import kernel

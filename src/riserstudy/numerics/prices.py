@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from riserstudy.numerics.attempt import deciding
-from riserstudy.run import run
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.refine import run
 from riserstudy.simulation.simulate import at_accuracy
 from riserstudy.solve.kernel_cache import mends_kernel_cache
 

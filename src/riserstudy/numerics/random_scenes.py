@@ -19,7 +19,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.assumptions import sample
-from riserstudy.coarsest import massless, period
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, mesh_of
@@ -27,11 +26,12 @@ from riserstudy.numerics.models import Family, RandomStudy
 from riserstudy.numerics.references import QUANTITIES, Reference, by_run
 from riserstudy.numerics.scenes import in_tier
 from riserstudy.numerics.stability import FREE, stepped, whole
-from riserstudy.run import run
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin
-from riserstudy.single import single
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.run import single
+from riserstudy.simulation.starting_mesh import massless, period
 
 if TYPE_CHECKING:
     import xarray as xr

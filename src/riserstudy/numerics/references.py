@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from riserstudy.coarsest import massless
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
@@ -25,6 +24,7 @@ from riserstudy.numerics.models import Ladder
 from riserstudy.numerics.outside import RADAU, outside
 from riserstudy.numerics.stability import stepped, whole
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.starting_mesh import massless
 
 Array = NDArray[np.float64]
 QUANTITIES = ("displacement", "moment", "tension")

@@ -15,9 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from riserstudy.coarsest import massless
 from riserstudy.dataset.result import Result
-from riserstudy.explicit_limit import explicit_limit
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import (
     ACCURATE_TO,
@@ -33,10 +31,12 @@ from riserstudy.numerics.attempt import (
 from riserstudy.numerics.models import Case, StabilityStudy
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.processes import each
-from riserstudy.run import run
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
-from riserstudy.settle import settle
+from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.stable_step import explicit_limit
+from riserstudy.simulation.starting_mesh import massless
 from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 if TYPE_CHECKING:

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.errors import SimulationError
-from riserstudy.explicit_limit import explicit_limit
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.models import LimitStudy
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.scene.models import Scene
-from riserstudy.settle import settle
-from riserstudy.single import EXPLICIT_BOUND
+from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.run import EXPLICIT_BOUND
+from riserstudy.simulation.stable_step import explicit_limit
 from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.explicit import leapfrog

@@ -17,8 +17,8 @@ from riserstudy.numerics.ablation import peaks
 from riserstudy.numerics.attempt import Attempt, attempt, deciding
 from riserstudy.numerics.models import TiersStudy
 from riserstudy.numerics.scenes import case_file, in_tier
-from riserstudy.run import run
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.refine import run
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -38,8 +38,8 @@ def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr
     SimulationError
         When it cannot be completed.
     """
-    from riserstudy.run import run
     from riserstudy.scene.load import read_scene
+    from riserstudy.simulation.refine import run
 
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     if accuracy is not None:

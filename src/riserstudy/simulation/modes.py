@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.coarsest import massless
 from riserstudy.errors import SimulationError
 from riserstudy.model.build import AXES, directions, stiffness
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
-from riserstudy.settle import settle
+from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.starting_mesh import massless
 from riserstudy.solve.kernel_cache import mends_kernel_cache
 from riserstudy.solve.modes import natural_modes
 

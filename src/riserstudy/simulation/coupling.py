@@ -20,11 +20,11 @@ from numpy.typing import NDArray
 
 from riserstudy.effects.exchange import LentForce, ToldMotion
 from riserstudy.errors import SimulationError
-from riserstudy.marching import steps_in
 from riserstudy.model.model import Effect, Model
 from riserstudy.model.vessel import floating, loose_nodes, unknowns
 from riserstudy.scene.models import Scene
 from riserstudy.scene.vessel import Coupling
+from riserstudy.simulation.time_stepping import steps_in
 from riserstudy.solve.account import DONE, Account, new_account
 from riserstudy.solve.evaluate import forces_and_tangent, move_to
 from riserstudy.solve.implicit import Method, march

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from riserstudy.run import run
 from riserstudy.scene.models import Scene
+from riserstudy.simulation.refine import run
 from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 Tree = dict[str, Any]

@@ -11,7 +11,7 @@ from riserstudy.model.model import Model
 from riserstudy.model.sea import depth_of_action
 from riserstudy.model.soil import pile_length
 from riserstudy.scene.models import Scene
-from riserstudy.settle import settle
+from riserstudy.simulation.equilibrium import settle
 
 LONG = 80.0  # risers, in layer lengths, whose even mesh would be too coarse at ends
 QUIET = 20.0  # step is chosen as for this period where nothing in the scene has one (s)

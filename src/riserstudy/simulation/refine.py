@@ -6,15 +6,15 @@ import math
 import time as clock
 from typing import Any
 
-from riserstudy.coarsest import coarsest_mesh, massless, period
-from riserstudy.comparison import MOST_FALL, SURE_FALL, difference, estimate
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
-from riserstudy.marching import steps_in
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
-from riserstudy.settle import rounding
-from riserstudy.single import EVERYWHERE, keep_stations, single
+from riserstudy.simulation.equilibrium import rounding
+from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, difference, estimate
+from riserstudy.simulation.run import EVERYWHERE, keep_stations, single
+from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
+from riserstudy.simulation.time_stepping import steps_in
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
 RUNS = 16  # halvings of mesh or step, at most

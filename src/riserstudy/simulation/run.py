@@ -13,12 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from riserstudy.coupling import march_in_turns, sides_of
 from riserstudy.dataset.result import Result
-from riserstudy.diagnose import suspect
 from riserstudy.errors import SimulationError, StepFailed
-from riserstudy.explicit_limit import explicit_limit
-from riserstudy.marching import march_on, method_of, steps_in
 from riserstudy.model.build import AXES, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
@@ -26,8 +22,12 @@ from riserstudy.model.tensioner_law import leaves_table, stops_touched
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.scene.vessel import Coupling
-from riserstudy.settle import rounding, settle
-from riserstudy.small_angle import solve_small_angle
+from riserstudy.simulation.coupling import march_in_turns, sides_of
+from riserstudy.simulation.equilibrium import rounding, settle
+from riserstudy.simulation.failure import suspect
+from riserstudy.simulation.hermite_run import solve_small_angle
+from riserstudy.simulation.stable_step import explicit_limit
+from riserstudy.simulation.time_stepping import march_on, method_of, steps_in
 from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
