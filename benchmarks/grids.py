@@ -20,8 +20,8 @@ from ruamel.yaml import YAML
 
 from riserstudy.jobs import start_server
 from riserstudy.jobs.server import MANY
+from riserstudy.jobs.workplan import Workplan
 from riserstudy.solve.kernel_cache import kernel_cache
-from riserstudy.workplan import Workplan
 
 ROOT = Path(__file__).resolve().parents[1]
 TYPICAL, CORES, MILLION = 0.02, 64, 1_000_000  # s a point; of the reckoning

@@ -19,7 +19,7 @@ from tempfile import TemporaryDirectory
 import xarray as xr
 
 from riserstudy.figures import draw, save
-from riserstudy.study import read_studies
+from riserstudy.study.read import read_studies
 
 ROOT = Path(__file__).resolve().parents[1]
 # The promise: wall <= FACTOR (simulation + plotting) / cores + START_UP (s)

@@ -12,10 +12,12 @@ from ruamel.yaml import YAML
 
 from riserstudy.derived import derive
 from riserstudy.figures import draw, save
-from riserstudy.gather import dataset_of, results_of
 from riserstudy.published.grading import ErratumRow, Row, errata, grade, table
 from riserstudy.published.models import read_published
-from riserstudy.study import Study, StudyFile, read_studies
+from riserstudy.study.collect import dataset_of, results_of
+from riserstudy.study.models import StudyFile
+from riserstudy.study.read import read_studies
+from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[1] / "config"
 

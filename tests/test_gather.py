@@ -7,8 +7,9 @@ import pytest
 import xarray as xr
 
 from riserstudy.dataset.result import Result
-from riserstudy.gather import dataset_of, write_dataset
-from riserstudy.study import Numbers, Study, StudyModel
+from riserstudy.study.collect import dataset_of, write_dataset
+from riserstudy.study.models import Numbers, StudyModel
+from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[1] / "config"
 TIME, LENGTH = np.array([0.0, 1.0, 2.0]), 533.0

@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from riserstudy.errors import InputError
-from riserstudy.grid import Grid
+from riserstudy.jobs.workplan import Workplan
 from riserstudy.scene.load import read_scene
-from riserstudy.store import key_of
-from riserstudy.workplan import Workplan
+from riserstudy.study.grid import Grid
+from riserstudy.study.store import key_of
 
 CONFIG = Path(__file__).parents[1] / "config"
 SURGE = CONFIG / "scenes/bench/s2c.yaml"

@@ -9,11 +9,12 @@ import xarray as xr
 
 from riserstudy.derived.liu2017 import driveoff
 from riserstudy.effects.soil import _clay
-from riserstudy.gather import dataset_of, results_of
 from riserstudy.model.mesh import even
 from riserstudy.model.soil import springs, ultimate_resistance
 from riserstudy.scene.load import load_scene
-from riserstudy.study import Study, read_studies
+from riserstudy.study.collect import dataset_of, results_of
+from riserstudy.study.read import read_studies
+from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[1] / "config"
 PAPER = "liu2017"

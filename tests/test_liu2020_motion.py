@@ -11,7 +11,7 @@ from riserstudy.dataset.variables import attributes, density
 from riserstudy.derived import liu2020_motion
 from riserstudy.derived.liu2020_motion import lag_at, rao_readings, section, storm
 from riserstudy.published.liu2020 import WITHOUT, baselines, waves_on_the_riser
-from riserstudy.study import study
+from riserstudy.study.read import read_study
 
 CONFIG = Path(__file__).parents[1] / "config"
 SYSTEM = CONFIG / "scenes/liu2020/system.yaml"
@@ -169,7 +169,7 @@ def test_no_baseline_is_named_where_none_makes_both_true():
 @pytest.mark.parametrize("name", ["rao_open", "roll_open", "surge_open"])
 def test_what_is_left_open_keeps_the_riser_in_the_plane(name):
     """In space moments are sizes, and half the swing of a size is not an amplitude."""
-    samples = study(CONFIG, "liu2020", name, "standard", None)
+    samples = read_study(CONFIG, "liu2020", name, "standard", None)
     others = (0,) * (len(samples.axes) - 1)
     assert len(samples.axes["sample"]) >= 256
     spatial = {

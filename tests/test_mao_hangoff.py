@@ -12,14 +12,16 @@ from riserstudy.derived import derive
 from riserstudy.derived.mao_hangoff import towed
 from riserstudy.errors import InputError
 from riserstudy.figures import draw
-from riserstudy.gather import dataset_of, results_of
 from riserstudy.published import mao_hangoff as checks
 from riserstudy.published.grading import ErratumRow, errata, grade, table
 from riserstudy.published.mao_hangoff_heave import harmonic
 from riserstudy.published.models import read_published
 from riserstudy.quantities.towed import at_top, displacement
 from riserstudy.scene.load import read_scene
-from riserstudy.study import Derived, Numbers, Study, StudyModel, read_studies
+from riserstudy.study.collect import dataset_of, results_of
+from riserstudy.study.models import Derived, Numbers, StudyModel
+from riserstudy.study.read import read_studies
+from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[1] / "config"
 PAPER = "mao_hangoff"

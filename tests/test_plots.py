@@ -9,8 +9,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from riserstudy.errors import InputError
 from riserstudy.figures import draw_plot
-from riserstudy.plots import NEEDS, FigureModel, default_figures
-from riserstudy.study import StudyModel
+from riserstudy.study.figures import NEEDS, FigureModel
+from riserstudy.study.models import StudyModel
+from riserstudy.study.read import default_figures
 
 UNIT = re.compile(r"\((m|s|kN|kN m|deg|ft|-)\)")
 TIME, S = np.linspace(0.0, 10.0, 41), np.linspace(0.0, 100.0, 11)

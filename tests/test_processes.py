@@ -10,7 +10,7 @@ import psutil
 import pytest
 
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.processes import each
+from riserstudy.study.processes import each
 
 PARENT = """
 import time

@@ -24,7 +24,7 @@ from riserstudy.published.deciding import (
 from riserstudy.published.grading import ErratumRow, Found, Row, graded, table
 from riserstudy.published.models import Item, read_published
 from riserstudy.published.verdict import error, met, verdict_of_claim, verdict_of_number
-from riserstudy.study import read_studies
+from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[1] / "config"
 COLUMNS = "paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,note"

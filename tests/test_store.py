@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from riserstudy import store
 from riserstudy.dataset.result import Result
 from riserstudy.scene.load import SceneFile
+from riserstudy.study import store
 
 KEY = "ab0123"
 

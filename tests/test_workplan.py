@@ -4,7 +4,7 @@ import shutil
 from pathlib import Path
 from types import SimpleNamespace
 
-from riserstudy import workplan
+from riserstudy.jobs import workplan
 
 CONFIG = Path(__file__).parents[1] / "config"
 

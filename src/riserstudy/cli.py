@@ -95,8 +95,8 @@ def run(
     """Simulate a scene and write its dataset."""
     file = _scene(scene, settings, accuracy)
     _check_writable(output, scene)
-    from riserstudy.gather import write_dataset
     from riserstudy.simulation.simulate import simulate
+    from riserstudy.study.collect import write_dataset
 
     dataset = simulate(file)
     write_dataset(dataset, output)
@@ -127,7 +127,7 @@ def cost(
     file = _scene(scene, settings)
     if plot is not None:
         _check_writable(plot, scene)
-    from riserstudy.numerics import prices as requests
+    from riserstudy.numerics import accuracy_cost as requests
 
     found: list[requests.Price] = []
     for price in requests.prices(file):
@@ -148,7 +148,7 @@ def effects(scene: SceneArgument, settings: SetOption = None) -> None:
     from rich.table import Table
 
     from riserstudy.model.active_effects import ledger
-    from riserstudy.numerics.ledger import priced
+    from riserstudy.numerics.effect_shares import priced
 
     file = _scene(scene, settings)
     rows = ledger(file.scene())
@@ -211,7 +211,7 @@ def modes(
         table.add_row(str(k + 1), period, f"{frequency:.6g}", str(dataset["motion"].values[k]))
     Console().print(table)
     if output is not None:
-        from riserstudy.gather import write_dataset
+        from riserstudy.study.collect import write_dataset
 
         write_dataset(dataset, output)
 
@@ -239,7 +239,7 @@ def draw(
 @app.command()
 def new(folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER")]) -> None:
     """Make a folder for a study of one's own: Snakefile, configuration, an example to change."""
-    from riserstudy.new import new_study
+    from riserstudy.study.new import new_study
 
     new_study(folder)
     print(f"{folder} is ready: `cd {folder}`, then `snakemake`; README.md there goes on from here.")
@@ -250,7 +250,7 @@ def schema(
     kind: Annotated[str, typer.Argument(help="scene, study or config", metavar="[KIND]")] = "scene",
 ) -> None:
     """Print the JSON schema of scene, study or configuration files, for editors."""
-    from riserstudy.schemas import schemas
+    from riserstudy.study.schemas import schemas
 
     if kind not in (known := schemas()):
         raise InputError("schema", kind, "no kind of file", f"allowed are {', '.join(known)}")
@@ -265,7 +265,7 @@ def results(
     ] = None,
 ) -> None:
     """List stored points: key, source, engine, time, effects, parameters."""
-    from riserstudy.store import about_points
+    from riserstudy.study.store import about_points
 
     for about in about_points():
         facts = about["facts"]

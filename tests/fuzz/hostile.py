@@ -12,7 +12,7 @@ from pathlib import Path
 from ruamel.yaml import YAML
 from spoil import VALUES, spoilt, torn
 
-from riserstudy.workplan import Workplan
+from riserstudy.jobs.workplan import Workplan
 
 CONFIG = Path(__file__).parents[2] / "config"
 SHORT = {

@@ -10,7 +10,7 @@ from riserstudy.numerics import accuracy as module
 from riserstudy.numerics.accuracy import accuracy, requests
 from riserstudy.numerics.attempt import Attempt, Outcome
 from riserstudy.numerics.references import stored
-from riserstudy.study import read_studies
+from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
 STUDY = read_studies(CONFIG, "numerics").measured.accuracy

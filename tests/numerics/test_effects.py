@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 from numba import njit
 
-from riserstudy.compile_times import while_compiling
 from riserstudy.figures import draw
+from riserstudy.jobs.compile_times import while_compiling
 from riserstudy.numerics.ablation import ablate
 from riserstudy.numerics.advice import COULD_GO, MISSING, NEEDED, advice
 from riserstudy.numerics.changes import changes, fitting
+from riserstudy.numerics.effect_shares import priced
 from riserstudy.numerics.effects import effects, kernels
-from riserstudy.numerics.ledger import priced
 from riserstudy.numerics.scenes import bases
 from riserstudy.scene.load import read_scene
-from riserstudy.study import read_studies, study
+from riserstudy.study.read import read_studies, read_study
 
 CONFIG = Path(__file__).parents[2] / "config"
 SURGE = read_scene(CONFIG / "scenes/hard/surge.yaml")
@@ -43,7 +43,8 @@ def test_some_effect_can_be_taken_out_of_every_scene(path):
 
 def test_every_kind_of_scene_that_options_make_is_there_once():
     studies = [
-        study(CONFIG, "mao_hangoff", name, "standard", None) for name in ("hangoff_ref", "steady")
+        read_study(CONFIG, "mao_hangoff", name, "standard", None)
+        for name in ("hangoff_ref", "steady")
     ]
     found = dict(bases(studies, "standard"))
     variants = ["hangoff_ref_heave", "hangoff_ref_xdrag"]  # another mass alone is the same kind
@@ -101,7 +102,7 @@ def test_a_scene_that_cannot_run_has_a_ledger_without_times():
 
 def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
     model = read_studies(CONFIG, "numerics").measured.effects
-    studies = [study(CONFIG, "bench", name, "preview", "1 %") for name in ("s1", "s3")]
+    studies = [read_study(CONFIG, "bench", name, "preview", "1 %") for name in ("s1", "s3")]
     found = effects(model, studies, "preview", tmp_path / "no marker")
     assert list(found["scene"].values) == ["bench/s3", "bench/s1"]
     assert np.isnan(found.attrs["cold_compile_seconds"])

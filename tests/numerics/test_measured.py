@@ -13,7 +13,7 @@ from riserstudy.numerics.random_scenes import draw as drawn
 from riserstudy.numerics.random_scenes import random_scenes
 from riserstudy.numerics.tiers import tiers
 from riserstudy.report.engine import engine
-from riserstudy.study import read_studies
+from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
 MEASURED = read_studies(CONFIG, "numerics").measured

@@ -7,12 +7,12 @@ import pytest
 
 from riserstudy.figures import draw
 from riserstudy.numerics.attempt import Outcome
-from riserstudy.numerics.models import StabilityStudy
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.numerics.stability import stability, tell
 from riserstudy.numerics.stable_step import stable_steps
 from riserstudy.report.engine import engine
-from riserstudy.study import read_studies
+from riserstudy.study.measured import StabilityStudy
+from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
 STUDY: StabilityStudy = read_studies(CONFIG, "numerics").measured.stability

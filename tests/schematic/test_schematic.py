@@ -16,7 +16,7 @@ from riserstudy.scene.load import load_scene
 from riserstudy.schematic import schematic
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import LOAD, spread
-from riserstudy.study import read_studies
+from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
 SCENES = sorted((CONFIG / "scenes").glob("*/*.yaml"))

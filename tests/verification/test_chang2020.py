@@ -8,7 +8,7 @@ import reference_chang as printed
 from reference_chang import LAWS, Heave
 
 from riserstudy import simulate
-from riserstudy.study import study
+from riserstudy.study.read import read_study
 
 CONFIG = Path(__file__).parents[2] / "config"
 LENGTH = 2394.0
@@ -16,7 +16,7 @@ LENGTH = 2394.0
 
 def point(name, **place):
     """A point of a configured study, simulated."""
-    planned = study(CONFIG, "chang2020", name, "standard", None)
+    planned = read_study(CONFIG, "chang2020", name, "standard", None)
     axes = list(planned.axes)
     for candidate in planned.plan:
         at = {axis: planned.axes[axis][k][0] for axis, k in zip(axes, candidate.index, strict=True)}
@@ -114,7 +114,7 @@ def test_over_a_settled_period_the_platform_supplies_what_the_cylinders_dissipat
 
 
 def test_halving_the_error_asked_for_changes_settled_extremes_by_less_than_a_tenth_of_a_percent():
-    planned = study(CONFIG, "chang2020", "steady", "preview", None)
+    planned = read_study(CONFIG, "chang2020", "steady", "preview", None)
     file = planned.grid.file((0, 4))
     half = file.with_values({"analysis.accuracy": "0.0005 %"}, "test")
     coarse, fine = extremes(simulate(file)), extremes(simulate(half))

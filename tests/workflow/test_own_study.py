@@ -13,9 +13,10 @@ from ruamel.yaml import YAML
 
 from riserstudy.cli import main
 from riserstudy.errors import InputError
-from riserstudy.new import TEMPLATE, new_study
-from riserstudy.schemas import schema_files
-from riserstudy.workplan import RULES, Workplan
+from riserstudy.jobs.workplan import Workplan
+from riserstudy.study.config import RULES
+from riserstudy.study.new import TEMPLATE, new_study
+from riserstudy.study.schemas import schema_files
 
 ROOT = Path(__file__).parents[2]
 EDITABLE = ["config/config.yaml", "config/studies/example.yaml", "config/scenes/riser.yaml"]

@@ -12,10 +12,11 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
 
-from riserstudy.gather import dataset_of, results_of, write_dataset
 from riserstudy.report import write_report
 from riserstudy.report.contents import Sources
-from riserstudy.study import Study, read_studies
+from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.read import read_studies
+from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[2] / "config"
 CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")

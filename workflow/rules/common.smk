@@ -9,7 +9,7 @@ from snakemake.exceptions import WorkflowError
 
 from riserstudy.errors import InputError
 from riserstudy.jobs import start_server
-from riserstudy.workplan import Workplan
+from riserstudy.jobs.workplan import Workplan
 
 # A job on a cluster starts Snakemake anew; all points were checked before it was submitted.
 checked = None if workflow.is_main_process else []

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
 
-    from riserstudy.plots import FigureModel
+    from riserstudy.study.figures import FigureModel
 
 
 def draw(paper: str, name: str, datasets: dict[str, xr.Dataset]) -> Figure:

@@ -10,8 +10,8 @@ from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 
-from riserstudy.compile_times import Compiled, while_compiling
 from riserstudy.folders import write_whole
+from riserstudy.jobs.compile_times import Compiled, while_compiling
 from riserstudy.simulation.warm_up import scenes, warm_up
 from riserstudy.solve.kernel_cache import kernel_cache
 

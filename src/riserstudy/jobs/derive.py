@@ -9,7 +9,7 @@ from pathlib import Path
 import xarray as xr
 
 from riserstudy.derived import derive
-from riserstudy.gather import write_dataset
+from riserstudy.study.collect import write_dataset
 
 
 def main(paper: str, name: str, target: Path, settings: str, sources: list[Path]) -> None:

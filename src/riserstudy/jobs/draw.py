@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.errors import RiserStudyError
 from riserstudy.figures import draw, draw_plot, save
-from riserstudy.study import read_studies
+from riserstudy.study.read import read_studies
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -8,9 +8,9 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from riserstudy.errors import RiserStudyError
-from riserstudy.gather import write_dataset
+from riserstudy.jobs.workplan import Workplan
 from riserstudy.numerics.measure import measure
-from riserstudy.workplan import Workplan
+from riserstudy.study.collect import write_dataset
 
 
 def main(

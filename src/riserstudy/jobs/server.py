@@ -37,9 +37,9 @@ LOADED = (
     "xarray",
     "riserstudy.derived",
     "riserstudy.figures",
-    "riserstudy.gather",
+    "riserstudy.study.collect",
     "riserstudy.schematic",
-    "riserstudy.workplan",
+    "riserstudy.jobs.workplan",
 )
 LATER = ("riserstudy.published.grading",)  # takes a second, and a figure alone does without
 MANY = 8  # jobs, from which on it pays to load what may not be asked for

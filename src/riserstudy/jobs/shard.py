@@ -8,9 +8,9 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from riserstudy.errors import RiserStudyError
-from riserstudy.fill import fill
 from riserstudy.folders import write_whole
-from riserstudy.workplan import Workplan
+from riserstudy.jobs.workplan import Workplan
+from riserstudy.study.simulate_points import fill
 
 
 def main(

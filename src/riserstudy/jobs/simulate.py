@@ -8,8 +8,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from riserstudy.errors import RiserStudyError
-from riserstudy.gather import dataset_of, results_of, write_dataset
-from riserstudy.workplan import Workplan
+from riserstudy.jobs.workplan import Workplan
+from riserstudy.study.collect import dataset_of, results_of, write_dataset
 
 
 def simulate(paper: str, study: str, target: Path, tier: str, threads: int, expect: str) -> None:

@@ -16,7 +16,6 @@ import numpy as np
 
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, too_long
-from riserstudy.numerics.models import AccuracyStudy, Ladder, Method
 from riserstudy.numerics.outside import RADAU, outside
 from riserstudy.numerics.references import OPINIONS, QUANTITIES, Reference, reference
 from riserstudy.numerics.scenes import in_tier
@@ -24,11 +23,12 @@ from riserstudy.numerics.stability import FREE, attempt_limit, stepped, whole
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import run
+from riserstudy.study.measured import AccuracyStudy, Ladder, Method
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study import Tier
+    from riserstudy.study.models import Tier
 
 COSTS = (
     "wall_seconds",

@@ -12,16 +12,17 @@ import numpy as np
 from riserstudy.errors import RiserStudyError
 from riserstudy.numerics.ablation import Ablation, ablate
 from riserstudy.numerics.changes import changes
-from riserstudy.numerics.cost import Cost, Freedom, costs, freedom
-from riserstudy.numerics.models import EffectsStudy
+from riserstudy.numerics.effect_cost import Cost, Freedom, costs, freedom
 from riserstudy.numerics.scenes import bases
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.kernel_cache import kernel_cache
+from riserstudy.study.measured import EffectsStudy
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study import Study, Tier
+    from riserstudy.study.models import Tier
+    from riserstudy.study.study import Study
 
 QUANTITIES = ("displacement", "moment", "tension")
 

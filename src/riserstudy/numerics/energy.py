@@ -13,15 +13,15 @@ import numpy as np
 
 from riserstudy.model.mesh import even
 from riserstudy.numerics.attempt import attempt_on
-from riserstudy.numerics.models import EnergyCase, EnergyStudy, Method
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.numerics.stability import FREE, stepped
 from riserstudy.scene.load import SceneFile
+from riserstudy.study.measured import EnergyCase, EnergyStudy, Method
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study import Tier
+    from riserstudy.study.models import Tier
 
 PARTS = {
     "stored": "stored",

@@ -19,18 +19,18 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.accuracy import timed
 from riserstudy.numerics.attempt import Attempt, attempt_on, largest
-from riserstudy.numerics.models import LongCase, LongStudy
 from riserstudy.numerics.references import by_run
 from riserstudy.numerics.scenes import in_tier
 from riserstudy.numerics.stability import FREE, stepped, whole
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.starting_mesh import coarsest_mesh
+from riserstudy.study.measured import LongCase, LongStudy
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study import Tier
+    from riserstudy.study.models import Tier
 
 WHERE = "config/studies/numerics.yaml: measured.long_runs"
 

@@ -10,7 +10,12 @@ from riserstudy.numerics.accuracy import accuracy
 from riserstudy.numerics.effects import effects
 from riserstudy.numerics.energy import energy
 from riserstudy.numerics.long_runs import long_runs
-from riserstudy.numerics.models import (
+from riserstudy.numerics.random_scenes import random_scenes
+from riserstudy.numerics.stability import stability
+from riserstudy.numerics.stable_step import stable_steps
+from riserstudy.numerics.tiers import tiers
+from riserstudy.solve.kernel_cache import mends_kernel_cache
+from riserstudy.study.measured import (
     AccuracyStudy,
     EffectsStudy,
     EnergyStudy,
@@ -20,16 +25,11 @@ from riserstudy.numerics.models import (
     StabilityStudy,
     TiersStudy,
 )
-from riserstudy.numerics.random_scenes import random_scenes
-from riserstudy.numerics.stability import stability
-from riserstudy.numerics.stable_step import stable_steps
-from riserstudy.numerics.tiers import tiers
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.workplan import Workplan
+    from riserstudy.jobs.workplan import Workplan
 
 
 @mends_kernel_cache

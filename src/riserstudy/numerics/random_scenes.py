@@ -18,11 +18,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.assumptions import sample
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, mesh_of
-from riserstudy.numerics.models import Family, RandomStudy
 from riserstudy.numerics.references import QUANTITIES, Reference, by_run
 from riserstudy.numerics.scenes import in_tier
 from riserstudy.numerics.stability import FREE, stepped, whole
@@ -32,11 +30,13 @@ from riserstudy.scene.origin import Origin
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless, period
+from riserstudy.study.measured import Family, RandomStudy
+from riserstudy.study.sampling import sample
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study import Tier
+    from riserstudy.study.models import Tier
 
 WHERE = "config/studies/numerics.yaml: measured.random_scenes"
 FINE = 64  # segments, beyond which a reference halves them instead of quartering

@@ -20,11 +20,11 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors
-from riserstudy.numerics.models import Ladder
 from riserstudy.numerics.outside import RADAU, outside
 from riserstudy.numerics.stability import stepped, whole
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.starting_mesh import massless
+from riserstudy.study.measured import Ladder
 
 Array = NDArray[np.float64]
 QUANTITIES = ("displacement", "moment", "tension")

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.numerics.models import (
+from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.study.measured import (
     AccuracyStudy,
     Case,
     EffectsStudy,
@@ -21,10 +22,9 @@ from riserstudy.numerics.models import (
     StabilityStudy,
     TiersStudy,
 )
-from riserstudy.scene.load import SceneFile, read_scene
 
 if TYPE_CHECKING:
-    from riserstudy.study import Study
+    from riserstudy.study.study import Study
 
 MeasuredStudy = (
     StabilityStudy

@@ -28,9 +28,7 @@ from riserstudy.numerics.attempt import (
     judged,
     mesh_of,
 )
-from riserstudy.numerics.models import Case, StabilityStudy
 from riserstudy.numerics.scenes import case_file, in_tier
-from riserstudy.processes import each
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
@@ -38,11 +36,13 @@ from riserstudy.simulation.refine import run
 from riserstudy.simulation.stable_step import explicit_limit
 from riserstudy.simulation.starting_mesh import massless
 from riserstudy.solve.kernel_cache import mends_kernel_cache
+from riserstudy.study.measured import Case, StabilityStudy
+from riserstudy.study.processes import each
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study import Tier
+    from riserstudy.study.models import Tier
 
 REFERENCE = {"analysis.method": {"rho_inf": 0.6}}
 FREE = {f"analysis.{name}": None for name in ("mesh", "step", "method", "solver")}

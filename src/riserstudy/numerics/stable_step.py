@@ -14,7 +14,6 @@ import numpy as np
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.numerics.models import LimitStudy
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
@@ -24,11 +23,12 @@ from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.record import new_record
+from riserstudy.study.measured import LimitStudy
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study import Tier
+    from riserstudy.study.models import Tier
 
 GROWN = 10.0  # times the largest speed of a calm run, which growth without bound exceeds
 BRACKET = (0.9, 1.1)  # of the predicted step: within a tenth, the prediction itself tried first

@@ -15,15 +15,15 @@ from numpy.typing import NDArray
 
 from riserstudy.numerics.ablation import peaks
 from riserstudy.numerics.attempt import Attempt, attempt, deciding
-from riserstudy.numerics.models import TiersStudy
 from riserstudy.numerics.scenes import case_file, in_tier
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
+from riserstudy.study.measured import TiersStudy
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study import Tier
+    from riserstudy.study.models import Tier
 
 PEAKS = ("displacement", "moment", "tension")
 COSTS = ("wall_seconds", "elements", "step")

@@ -15,7 +15,8 @@ from riserstudy.report.engine import engine
 from riserstudy.report.motion import motion_of
 from riserstudy.report.scenes import SceneTable, scene_tables
 from riserstudy.report.wording import counted, grouped, listed, seconds, share
-from riserstudy.study import StudyFile, read_studies
+from riserstudy.study.models import StudyFile
+from riserstudy.study.read import read_studies
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -13,7 +13,7 @@ from riserstudy.scene.forcing import TILTS, TRANSLATIONS
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.schematic.geometry import Geometry
-from riserstudy.shown import RunInMotion
+from riserstudy.study.models import RunInMotion
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -6,7 +6,8 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from riserstudy.study import Numbers, StudyFile, scene_file
+from riserstudy.study.models import Numbers, StudyFile
+from riserstudy.study.study import scene_file
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -19,7 +19,7 @@ def new_study(folder: Path) -> None:
     InputError
         When the folder holds something, or cannot be made.
     """
-    from riserstudy.schemas import schema_files
+    from riserstudy.study.schemas import schema_files
 
     allowed = "allowed is a new or empty folder"
     try:

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from riserstudy import store
 from riserstudy.dataset.label import coordinates, quantities
 from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
-from riserstudy.fill import fill
-from riserstudy.study import Numbers, Samples, Study
+from riserstudy.study import store
+from riserstudy.study.models import Numbers, Samples
+from riserstudy.study.simulate_points import fill
+from riserstudy.study.study import Study
 
 if TYPE_CHECKING:
     import xarray as xr

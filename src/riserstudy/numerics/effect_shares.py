@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from riserstudy.errors import SimulationError
 from riserstudy.numerics.ablation import fixed
-from riserstudy.numerics.cost import REST, costs, freedom
+from riserstudy.numerics.effect_cost import REST, costs, freedom
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.kernel_cache import mends_kernel_cache

@@ -21,7 +21,7 @@ from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, first_step
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tables import fill_in_tables
-from riserstudy.store import COUNTS, key_of, key_of_texts, text_of
+from riserstudy.study.store import COUNTS, key_of, key_of_texts, text_of
 
 Index = tuple[int, ...]
 #: what one value of an axis sets, by path

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, Self
+from typing import Literal, Self
 
 from pydantic import Field, model_validator
 
 from riserstudy.scene.base import Strict
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from riserstudy.study import StudyModel
 
 Plot = Literal["lines", "heat map", "envelope", "time series"]
 #: axes that a grid needs
@@ -38,31 +33,3 @@ class FigureModel(Strict):
         if self.of and not self.plot:
             raise ValueError("of: needs a plot to show them in")
         return self
-
-
-def default_figures(
-    studies: dict[str, StudyModel], moving: dict[str, bool]
-) -> dict[str, FigureModel]:
-    """Figures of a study file that asks for none: every plot that fits each of its grids.
-
-    Parameters
-    ----------
-    moving : whether a study's runs have a time.
-    """
-    return {
-        f"{name}_{plot.replace(' ', '_')}": FigureModel(
-            caption=f"{model.caption}: {said}", reads=[name], plot=plot
-        )
-        for name, model in studies.items()
-        for plot, said in _fitting(len(model.axes), moving[name])
-    }
-
-
-def _fitting(axes: int, moving: bool) -> Iterator[tuple[Plot, str]]:
-    if axes == 1:
-        yield "lines", "extremes over the axis"
-    if axes > 1:
-        yield "heat map", "extremes over the axes"
-    yield "envelope", "envelopes along the riser" if moving else "state along the riser"
-    if moving:
-        yield "time series", "histories where they vary most"

@@ -6,8 +6,8 @@ import json
 from typing import Any
 
 from riserstudy.scene.schema import DIALECT, scene_schema
-from riserstudy.study import StudyFile
-from riserstudy.workplan import Config
+from riserstudy.study.config import Config
+from riserstudy.study.models import StudyFile
 
 
 def schemas() -> dict[str, dict[str, Any]]:

@@ -13,59 +13,24 @@ import re
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self
-
-from pydantic import Field, model_validator
+from typing import Any, Self
 
 from riserstudy.digests import digest
 from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE
-from riserstudy.grid import Point
 from riserstudy.numerics.scenes import MeasuredStudy, scenes_of
 from riserstudy.published.models import PublishedFile, published_path, read_published
-from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
 from riserstudy.scene.load import SceneFile, read_yaml
 from riserstudy.solve.kernel_cache import kernel_cache
-from riserstudy.store import canonical, key_of
-from riserstudy.study import Name, Study, StudyFile, Tier, read_studies, scene_file, threads_worth
+from riserstudy.study.config import Config
+from riserstudy.study.grid import Point
+from riserstudy.study.models import StudyFile, Tier
+from riserstudy.study.read import read_studies
+from riserstudy.study.store import canonical, key_of
+from riserstudy.study.study import Study, scene_file, threads_worth
 
 ALL_CORES = 64  # more than there are: Snakemake gives what it has
-
-
-class TierModel(Strict):
-    """A tier: the accuracy asked of scenes that name no mesh and step; absent: the default."""
-
-    accuracy: str | None = None
-
-
-#: rules beside which each paper gets one of its own name
-RULES = {
-    *("all", "compile", "shard", "simulate", "measure", "derive", "figure", "figures"),
-    *("grade", "reproduction", "report", "everything"),
-}
-
-
-class Config(Strict):
-    """config/config.yaml.
-
-    ``points_per_job``: a study of more points is simulated by several jobs. Absent: one job a study.
-    """
-
-    papers: list[Name] = Field(min_length=1)
-    tier: Literal["preview", "standard", "reference"]
-    tiers: dict[Tier, TierModel]
-    points_per_job: Annotated[int, Field(ge=1)] | None = None
-
-    @model_validator(mode="after")
-    def _fits(self) -> Self:
-        if self.tier not in self.tiers:
-            raise ValueError(f"tiers: needs {self.tier!r}, the tier to run")
-        if len(set(self.papers)) != len(self.papers):
-            raise ValueError("papers: name each once")
-        if taken := RULES.intersection(self.papers):
-            raise ValueError(f"papers: {taken.pop()!r} is the name of a rule; take another")
-        return self
 
 
 class Workplan:

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from riserstudy import store
 from riserstudy.errors import SimulationError
-from riserstudy.grid import Point
-from riserstudy.processes import each
 from riserstudy.solve.kernel_cache import mends_kernel_cache
-from riserstudy.study import Study
+from riserstudy.study import store
+from riserstudy.study.grid import Point
+from riserstudy.study.processes import each
+from riserstudy.study.study import Study
 
 
 def fill(study: Study, points: Iterable[Point], processes: int) -> int:

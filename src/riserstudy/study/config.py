@@ -1,0 +1,45 @@
+"""config/config.yaml as a model: which papers, which tier."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.scene.base import Strict
+from riserstudy.study.models import Name, Tier
+
+
+class TierModel(Strict):
+    """A tier: the accuracy asked of scenes that name no mesh and step; absent: the default."""
+
+    accuracy: str | None = None
+
+
+#: rules beside which each paper gets one of its own name
+RULES = {
+    *("all", "compile", "shard", "simulate", "measure", "derive", "figure", "figures"),
+    *("grade", "reproduction", "report", "everything"),
+}
+
+
+class Config(Strict):
+    """config/config.yaml.
+
+    ``points_per_job``: a study of more points is simulated by several jobs. Absent: one job a study.
+    """
+
+    papers: list[Name] = Field(min_length=1)
+    tier: Literal["preview", "standard", "reference"]
+    tiers: dict[Tier, TierModel]
+    points_per_job: Annotated[int, Field(ge=1)] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.tier not in self.tiers:
+            raise ValueError(f"tiers: needs {self.tier!r}, the tier to run")
+        if len(set(self.papers)) != len(self.papers):
+            raise ValueError("papers: name each once")
+        if taken := RULES.intersection(self.papers):
+            raise ValueError(f"papers: {taken.pop()!r} is the name of a rule; take another")
+        return self

@@ -1,0 +1,230 @@
+"""config/studies/<paper>.yaml as models: studies and their axes, derived datasets, what is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from riserstudy.scene.base import Strict
+from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.origin import unwrap
+from riserstudy.study.figures import NEEDS, FigureModel
+from riserstudy.study.measured import Measured
+
+MOST_VALUES = 1_000_000  # of an axis, and points of a study
+#: of papers, datasets and figures, which name files
+Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,99}$")]
+#: of axes, which name dimensions and variables of datasets
+AxisName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,99}$")]
+TIERS = ("preview", "standard", "reference")
+Tier = Literal["preview", "standard", "reference"]
+
+
+class Steps(Strict):
+    """Evenly spaced values, both ends included."""
+
+    start: float
+    stop: float
+    step: Annotated[float, Field(gt=0)]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if not 0.0 <= self.stop - self.start <= MOST_VALUES * self.step:
+            raise ValueError(f"stop must lie above start, by {MOST_VALUES} steps at most")
+        return self
+
+    @property
+    def values(self) -> list[float]:
+        """The values, free of rounding drift."""
+        count = round((self.stop - self.start) / self.step)
+        return [round(self.start + k * self.step, 12) for k in range(count + 1)]
+
+
+class Numbers(Strict):
+    """An axis of numbers put at a path of the scene, or at several, with a unit ("1": none).
+
+    On the way a number is multiplied by ``factor`` and ``offset`` is added, where the axis counts in
+    another direction or from elsewhere than the path. Absent: as it is.
+    """
+
+    path: str | Annotated[list[str], Field(min_length=1)]
+    unit: str
+    factor: float | None = None
+    offset: float | None = None
+    values: list[float] | Steps
+    preview: list[float] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        numbers = self.numbers("standard")
+        if not numbers or len(set(numbers)) != len(numbers):
+            raise ValueError("values: must be there, each once")
+        if self.preview and not set(self.preview) <= set(numbers):
+            raise ValueError("preview: must be some of the values")
+        return self
+
+    def numbers(self, tier: Tier) -> list[float]:
+        """Values of a tier."""
+        every = self.values.values if isinstance(self.values, Steps) else self.values
+        return self.preview if tier == "preview" and self.preview else every
+
+    @property
+    def paths(self) -> list[str]:
+        """Where its numbers are put."""
+        return [self.path] if isinstance(self.path, str) else self.path
+
+    def overrides(self, number: float) -> dict[str, Any]:
+        """What a value sets."""
+        value = number if self.factor is None else number * self.factor
+        value += self.offset or 0.0
+        text = value if self.unit == "1" else f"{value!r} {self.unit}"
+        return dict.fromkeys(self.paths, text)
+
+
+class Samples(Strict):
+    """An axis of samples: every assumption of the scene varied over its range or options at once.
+
+    ``readings`` names readings of the study file that are varied with them, each with equal chance.
+    """
+
+    count: dict[Tier, Annotated[int, Field(ge=2, le=MOST_VALUES)]]
+    seed: Annotated[int, Field(ge=0)]
+    leave: list[str] = Field(default_factory=list)
+    readings: list[str] = Field(default_factory=list)
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if missing := [tier for tier in TIERS if tier not in self.count]:
+            raise ValueError(f"count: no number for {missing[0]}")
+        return self
+
+
+class Derived(Strict):
+    """A dataset derived from studies: those that it reads, and what its function is told besides.
+
+    What it is told may say where it comes from, as values of scenes do: ``assumed`` with a range and why.
+    """
+
+    reads: list[str]
+    settings: dict[str, Any] = Field(default_factory=dict, alias="with")
+
+    @model_validator(mode="after")
+    def _origins_are_whole(self) -> Self:
+        for path, found, allowed in unwrap(self.settings)[2]:
+            raise ValueError(f"with.{path}: {found}; {allowed}")
+        return self
+
+
+def _bare(value: Any) -> Any:
+    """A bare list is what a derived dataset reads."""
+    return {"reads": value} if isinstance(value, list) else value
+
+
+Reads = Annotated[Derived, BeforeValidator(_bare, json_schema_input_type=list[str] | Derived)]
+
+
+Labels = Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
+
+
+#: an axis over all readings of that name in the study file
+Reading = Literal["readings"]
+
+
+class StudyModel(Strict):
+    """One study. Absent set: nothing set on top of the scene; absent keep: all histories are kept."""
+
+    scene: str
+    caption: str
+    set: dict[str, Any] = Field(default_factory=dict)
+    axes: dict[AxisName, Numbers | Samples | Labels | Reading]
+    keep: list[str] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if Path(self.scene).is_absolute() or ".." in Path(self.scene).parts:
+            raise ValueError("scene: must lie below the folder of the configuration")
+        return self
+
+
+class SchematicModel(Strict):
+    """A scene drawn to scale, with what is set on top of it. Absent set: nothing."""
+
+    caption: str
+    scene: str
+    set: dict[str, Any] = Field(default_factory=dict)
+
+    def file(self, config: Path) -> SceneFile:
+        """The scene that is drawn."""
+        return read_scene(config / self.scene).with_values(self.set, "schematics.set")
+
+
+class RunInMotion(Strict):
+    """A run that the report shows moving, by its place on the axes, and the quantity that colours it."""
+
+    study: str
+    at: dict[str, str | float] = Field(default_factory=dict)
+    colour: Literal["bending_moment", "effective_tension"]
+
+
+class StudyFile(Strict):
+    """Studies of one paper, datasets derived from them, and the figures that read them.
+
+    ``readings``: named ways to read the paper, by what each sets; studies share them as axes or samples.
+    ``measured``: datasets about the engine itself; ``in_motion``: the run that the report shows moving;
+    ``left_out``: printed figures that are not drawn, and what they show. Absent: none. Absent figures:
+    every plot that fits.
+    """
+
+    paper: str
+    readings: dict[str, Labels] = Field(default_factory=dict)
+    studies: dict[Name, StudyModel]
+    derived: dict[Name, Reads] = Field(default_factory=dict)
+    measured: Measured | None = None
+    schematics: dict[Name, SchematicModel] = Field(default_factory=dict)
+    figures: dict[Name, FigureModel] = Field(default_factory=dict)
+    in_motion: RunInMotion | None = None
+    left_out: dict[str, str] = Field(default_factory=dict)
+
+    @property
+    def datasets(self) -> list[str]:
+        """Names of all datasets: simulated, derived and measured."""
+        return [*self.studies, *self.derived, *(self.measured.names if self.measured else [])]
+
+    @model_validator(mode="after")
+    def _names_are_known(self) -> Self:
+        for fault in self._unknown_names():
+            raise ValueError(fault)
+        return self
+
+    def _unknown_names(self) -> Iterator[str]:
+        """What names something that the file does not have, as ``field: fault; allowed``."""
+        for name, model in self.studies.items():
+            for axis_name, axis in model.axes.items():
+                wanted = axis.readings if isinstance(axis, Samples) else []
+                for reading in [axis_name] if axis == "readings" else wanted:
+                    if reading not in self.readings:
+                        where = f"studies.{name}.axes.{axis_name}"
+                        yield f"{where}: no readings {reading!r}; {_among(self.readings)}"
+        if self.in_motion and self.in_motion.study not in self.studies:
+            found = f"no study {self.in_motion.study!r}"
+            yield f"in_motion.study: {found}; {_among(self.studies)}"
+        for name in sorted(set(self.schematics) & set(self.figures)):
+            yield f"schematics.{name}: a figure of that name; name it anew"
+        for name, derived in self.derived.items():
+            for study in set(derived.reads).difference(self.studies):
+                yield f"derived.{name}: no study {study!r}; {_among(self.studies)}"
+        for name, figure in self.figures.items():
+            for dataset in set(figure.reads).difference(self.datasets):
+                yield f"figures.{name}.reads: no dataset {dataset!r}; {_among(self.datasets)}"
+            for study in set(figure.reads).intersection(self.studies):
+                count, least = len(self.studies[study].axes), NEEDS.get(figure.plot or "lines", 0)
+                if figure.plot and count < least:
+                    found = f"{study!r} has {count} axes"
+                    yield f"figures.{name}.plot: {found}; allowed are {least} or more"
+
+
+def _among(names: Iterable[str]) -> str:
+    return "allowed are " + ", ".join(sorted(names))

@@ -1,0 +1,77 @@
+"""Read a study file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from riserstudy.errors import InputError
+from riserstudy.folders import has_module
+from riserstudy.scene.check import check
+from riserstudy.scene.load import read_yaml
+from riserstudy.study.figures import NEEDS, FigureModel, Plot
+from riserstudy.study.models import StudyFile, StudyModel, Tier
+from riserstudy.study.study import Study, scene_file
+
+
+def read_studies(config: Path, paper: str) -> StudyFile:
+    """The checked study file of a paper.
+
+    Raises
+    ------
+    InputError
+        When it cannot be meant, or needs code that there is not.
+    """
+    path = config / "studies" / f"{paper}.yaml"
+    file = check(StudyFile, read_yaml(path, keep=True), path)
+    if file.derived and not has_module("derived", paper):
+        raise InputError(path, "derived", f"no module derived/{paper}.py", "leave it out")
+    for name, figure in file.figures.items():
+        if not figure.plot and not has_module("figures", paper):
+            allowed = "allowed are plot: " + ", ".join(NEEDS)
+            raise InputError(path, f"figures.{name}", "nothing says how to draw it", allowed)
+    if not file.figures:
+        moving = {name: _moves(config, model) for name, model in file.studies.items()}
+        file = file.model_copy(update={"figures": default_figures(file.studies, moving)})
+    return file
+
+
+def read_study(config: Path, paper: str, name: str, tier: Tier, accuracy: str | None) -> Study:
+    """One study of a paper, by name."""
+    file = read_studies(config, paper)
+    return Study(paper, name, file.studies[name], config, tier, accuracy, file.readings)
+
+
+def default_figures(
+    studies: dict[str, StudyModel], moving: dict[str, bool]
+) -> dict[str, FigureModel]:
+    """Figures of a study file that asks for none: every plot that fits each of its grids.
+
+    Parameters
+    ----------
+    moving : whether a study's runs have a time.
+    """
+    return {
+        f"{name}_{plot.replace(' ', '_')}": FigureModel(
+            caption=f"{model.caption}: {said}", reads=[name], plot=plot
+        )
+        for name, model in studies.items()
+        for plot, said in _fitting(len(model.axes), moving[name])
+    }
+
+
+def _fitting(axes: int, moving: bool) -> Iterator[tuple[Plot, str]]:
+    if axes == 1:
+        yield "lines", "extremes over the axis"
+    if axes > 1:
+        yield "heat map", "extremes over the axes"
+    yield "envelope", "envelopes along the riser" if moving else "state along the riser"
+    if moving:
+        yield "time series", "histories where they vary most"
+
+
+def _moves(config: Path, model: StudyModel) -> bool:
+    """Whether the runs of a study have a time."""
+    file = scene_file(config / model.scene).with_values(model.set, "set")
+    analysis = file.tree.get("analysis")
+    return isinstance(analysis, dict) and analysis.get("duration") is not None

@@ -1,0 +1,146 @@
+"""A study of a tier: a scene and the axes it is varied along, planned without numpy."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from dataclasses import dataclass, field
+from functools import cache, cached_property
+from pathlib import Path
+from typing import Any
+
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.origin import Origin
+from riserstudy.study.grid import Grid, Point
+from riserstudy.study.models import MOST_VALUES, Labels, Numbers, Samples, StudyModel, Tier
+from riserstudy.study.store import canonical
+
+
+def scene_file(path: Path) -> SceneFile:
+    """A scene file, read once as long as it stays the same: many studies share one."""
+    try:
+        stamp = path.stat().st_mtime_ns
+    except OSError:
+        stamp = 0  # reading it tells what is wrong
+    return _scene_file(path, stamp)
+
+
+@cache
+def _scene_file(path: Path, stamp: int) -> SceneFile:
+    return read_scene(path, keep=True)
+
+
+@dataclass(frozen=True)
+class Study:
+    """A study of a tier, ready to be planned."""
+
+    paper: str
+    name: str
+    model: StudyModel
+    config: Path
+    tier: Tier
+    accuracy: str | None = None
+    readings: dict[str, Labels] = field(default_factory=dict)
+
+    @cached_property
+    def base(self) -> SceneFile:
+        """The scene with what the study sets on top of it."""
+        path = self.config / self.model.scene
+        file = scene_file(path).with_values(self.model.set, f"{self.where}.set")
+        analysis = file.tree.get("analysis", {})
+        if self.accuracy and not ({"mesh", "step", "accuracy"} & set(analysis)):
+            file = file.with_values({"analysis.accuracy": self.accuracy}, "config.yaml")
+        return file
+
+    @property
+    def where(self) -> str:
+        """How errors name the study."""
+        return f"config/studies/{self.paper}.yaml: studies.{self.name}"
+
+    @cached_property
+    def axes(self) -> dict[str, list[tuple[Any, dict[str, Any]]]]:
+        """Per axis the coordinate values and what each sets."""
+        axes: dict[str, list[tuple[Any, dict[str, Any]]]] = {}
+        for name, axis in self.model.axes.items():
+            if isinstance(axis, Numbers):
+                axes[name] = [(x, axis.overrides(x)) for x in axis.numbers(self.tier)]
+            elif isinstance(axis, Samples):
+                axes[name] = list(enumerate(self._samples(axis)))
+            elif axis == "readings":
+                axes[name] = list(self.readings[name].items())
+            else:
+                axes[name] = list(axis.items())
+        return axes
+
+    def assumed(self, axis: Samples) -> list[dict[str, Any]]:
+        """What each sample assumes: values by path of the scene, and readings by name."""
+        from riserstudy.study.sampling import sample
+
+        open_values = {p: o for p, o in self.open_assumptions.items() if p not in axis.leave}
+        for name in axis.readings:
+            labels = tuple(self.readings[name])
+            open_values[name] = Origin("assumed", labels[0], options=labels)
+        return sample(open_values, axis.count[self.tier], axis.seed)
+
+    def _samples(self, axis: Samples) -> list[dict[str, Any]]:
+        """What each sample sets."""
+        samples = []
+        for values in self.assumed(axis):
+            sets = {path: value for path, value in values.items() if path not in axis.readings}
+            for name in axis.readings:
+                sets |= self.readings[name][values[name]]
+            samples.append(sets)
+        return samples
+
+    @property
+    def open_assumptions(self) -> dict[str, Origin]:
+        """Assumptions of the scene that have a range or options."""
+        return {
+            path: origin
+            for path, origin in self.base.origins.items()
+            if origin.status == "assumed" and (origin.range or origin.options)
+        }
+
+    @cached_property
+    def grid(self) -> Grid:
+        """The scenes of all points.
+
+        Raises
+        ------
+        InputError
+            When there are too many.
+        """
+        axes = [[sets for _, sets in steps] for steps in self.axes.values()]
+        if (points := math.prod(map(len, axes))) > MOST_VALUES:
+            raise InputError(self.where, "axes", f"{points} points", f"allowed are {MOST_VALUES}")
+        return Grid(self.base, axes, self.where)
+
+    @cached_property
+    def plan(self) -> list[Point]:
+        """All points, checked; InputError when one cannot be meant."""
+        return list(self.grid.points())
+
+    def shard(self, number: int, shards: int) -> list[Point]:
+        """Points of one of several jobs, spread over the grid; a job does not plan those of others."""
+        if "plan" in self.__dict__:
+            return self.plan[number::shards]
+        return list(self.grid.points(number, shards))
+
+    @cached_property
+    def digest(self) -> str:
+        """One string that changes when anything that the dataset depends on changes.
+
+        Titles, origins and captions change no number, but stand in the dataset.
+        """
+        axes = {name: [value for value, _ in values] for name, values in self.axes.items()}
+        about = [canonical(axes), [point.key for point in self.plan], self.model.keep]
+        origins = {path: (o.status, o.why) for path, o in self.base.origins.items()}
+        about += [self.tier, self.model.caption, canonical(self.base.tree), origins]
+        return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]
+
+
+def threads_worth(points: int) -> int:
+    """Threads that a study of so many points can use; beside few points another study does more good."""
+    return max(1, min(8, math.ceil(points / 32)))
