@@ -18,7 +18,8 @@ from tempfile import TemporaryDirectory
 
 import xarray as xr
 
-from riserstudy.figures import draw, save
+from riserstudy.chapters.draw import draw
+from riserstudy.figures import save
 from riserstudy.study.read import read_studies
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
-__all__ = ["load_scene", "open_results", "simulate"]
+__all__ = ["__version__", "load_scene", "open_results", "simulate"]
 
 _HOMES = {
     "load_scene": "riserstudy.scene.load",
@@ -14,6 +13,8 @@ _HOMES = {
 }
 
 if TYPE_CHECKING:
+    __version__: str
+
     from riserstudy.dataset.open import open_results
     from riserstudy.scene.load import load_scene
     from riserstudy.simulation.simulate import simulate
@@ -21,6 +22,10 @@ if TYPE_CHECKING:
 
 def __getattr__(name: str) -> Any:
     """Import on first use: planning a study must not load numba."""
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("riserstudy")
     if name in _HOMES:
         from importlib import import_module
 

@@ -13,7 +13,8 @@ from pathlib import Path
 
 from riserstudy.folders import PACKAGE
 
-NAME = PACKAGE.name
+#: folders of the packages whose sources count: ours, and the chapters of a study of one's own
+ROOTS = {"riserstudy": PACKAGE, "chapters": Path("chapters")}
 ENGINE = "riserstudy.simulation.refine"  # what simulates
 
 
@@ -21,8 +22,13 @@ def digest(files: Iterable[Path]) -> str:
     """Hash of the names and contents of source files, 16 hexadecimal digits."""
     total = hashlib.sha256()
     for file in sorted(files):
-        total.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
+        total.update(f"{file.name} {_content(file)} ".encode())
     return total.hexdigest()[:16]
+
+
+@cache
+def _content(file: Path) -> str:
+    return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
 @cache
@@ -37,23 +43,42 @@ def engine_digest() -> str:
     return digest(sources_behind(ENGINE))
 
 
-def sources_behind(module: str) -> set[Path]:
-    """Source files of a module of the package and of all that it imports, wherever it does so."""
+@cache
+def sources_behind(module: str) -> frozenset[Path]:
+    """Source files of a module, of all that it imports, and what they read from beside themselves."""
+    seen: set[str] = set()
     found: set[Path] = set()
     left = [module]
     while left:
-        file = source_of(left.pop())
-        if file is not None and file not in found:
-            found |= {file, *data_of(file)}
-            left += imported_by(file)
-    return found
+        name = left.pop()
+        file = source_of(name)
+        if file is None or name in seen:
+            continue
+        seen.add(name)
+        found |= {file, *data_of(file)}
+        left += [*imported_by(name, file), _above(name)]
+    return frozenset(found)
 
 
 def source_of(module: str) -> Path | None:
-    """File of a module of the package, or None: a name that is imported may be no module."""
-    place = PACKAGE.joinpath(*module.split(".")[1:])
+    """File of a module, or None: a name that is imported may be no module, or another package's."""
+    first, *steps = module.split(".")
+    if first not in ROOTS:
+        return None
+    place = ROOTS[first].joinpath(*steps)
     file = place / "__init__.py" if place.is_dir() else place.with_suffix(".py")
-    return file if module.split(".")[0] == NAME and file.exists() else None
+    return file.absolute() if file.exists() else None
+
+
+def defining(modules: Iterable[str], function: str) -> str | None:
+    """The one of some modules that defines a function of that name, if one does."""
+    return next((module for module in modules if function in _defined(module)), None)
+
+
+def _defined(module: str) -> set[str]:
+    file = source_of(module)
+    nodes = _tree(file).body if file else []
+    return {node.name for node in nodes if isinstance(node, ast.FunctionDef)}
 
 
 @cache
@@ -66,9 +91,9 @@ def data_of(file: Path) -> tuple[Path, ...]:
 
 
 @cache
-def imported_by(file: Path) -> tuple[str, ...]:
-    """Names that a source file imports from the package: modules, and what may be modules."""
-    return tuple(_imported(_tree(file)))
+def imported_by(module: str, file: Path) -> tuple[str, ...]:
+    """Names that a module imports: modules, and what may be modules."""
+    return tuple(_imported(_tree(file), module if file.stem == "__init__" else _above(module)))
 
 
 @cache
@@ -76,10 +101,27 @@ def _tree(file: Path) -> ast.Module:
     return ast.parse(file.read_bytes())
 
 
-def _imported(tree: ast.AST) -> Iterator[str]:
-    for node in ast.walk(tree):
+def _imported(tree: ast.AST, package: str) -> Iterator[str]:
+    for node in _executed(tree):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            yield node.module
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            start = package
+            for _ in range(node.level - 1):
+                start = _above(start)
+            name = ".".join(part for part in (start if node.level else "", node.module) if part)
+            yield name
+            yield from (f"{name}.{alias.name}" for alias in node.names)
+
+
+def _executed(tree: ast.AST) -> Iterator[ast.AST]:
+    """All nodes but those that only tell types."""
+    for node in ast.iter_child_nodes(tree):
+        test = node.test if isinstance(node, ast.If) else None
+        if not (isinstance(test, ast.Name) and test.id == "TYPE_CHECKING"):
+            yield node
+            yield from _executed(node)
+
+
+def _above(module: str) -> str:
+    return module.rpartition(".")[0]

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 PACKAGE = Path(__file__).parent
+CHAPTERS = "riserstudy.chapters"
 
 
 def cache_folder() -> Path:
@@ -27,9 +28,20 @@ def workflow_folder() -> Path:
     return shipped if shipped.exists() else PACKAGE.parents[1]
 
 
-def has_module(stage: str, paper: str) -> bool:
-    """Whether a stage of the package has code of its own for a paper."""
-    return (PACKAGE / stage / f"{paper}.py").exists()
+def chapter_modules(paper: str, part: str) -> list[str]:
+    """Modules of one part of a paper's chapter: ``figures``, ``derived`` or ``claims``.
+
+    A part is a file of that name or a folder of files. The folder ``chapters`` where one works comes
+    before the package's.
+    """
+    for root, package in ((Path("chapters"), "chapters"), (PACKAGE / "chapters", CHAPTERS)):
+        place = root / paper / part
+        if place.with_suffix(".py").exists():
+            return [f"{package}.{paper}.{part}"]
+        if place.is_dir():
+            names = sorted(path.stem for path in place.glob("*.py") if path.stem != "__init__")
+            return [f"{package}.{paper}.{part}.{name}" for name in names]
+    return []
 
 
 def write_whole(target: Path, content: bytes) -> None:

@@ -7,11 +7,11 @@ from scenes import COLUMN, changed, from_file
 from riserstudy.model.mesh import even
 from riserstudy.model.model import Model
 from riserstudy.simulation.equilibrium import settle
-from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march
 from riserstudy.solve.record import new_record
 from riserstudy.solve.statics import find_equilibrium
+from riserstudy.solve.sums import DONE, new_sums
 
 LENGTH = 100.0
 ROD = {
@@ -21,12 +21,12 @@ ROD = {
 }
 
 
-def stepped(model, rho, step, count, account):
+def stepped(model, rho, step, count, sums):
     """March on from where a model is."""
     start = model.s.clock[0]
     record = new_record([start + count * step], [0], model.s)
     method = Method(*generalised_alpha(rho), step, count, 1e-9 * LENGTH, 12, 6, 0)
-    done = march(model.programs, model.state, model.spare, method, model.fixed, record, account)
+    done = march(model.programs, model.state, model.spare, method, model.fixed, record, sums)
     assert done == DONE
     return record.value
 
@@ -65,8 +65,8 @@ def test_a_rod_in_free_flight_keeps_energy_momentum_and_angular_momentum(beam):
     s.v[0] += 0.3 * np.cos(2.0 * np.pi * (s.r[1] - s.r[1, 0]) / LENGTH)  # it also vibrates
     move_to(rod.programs, rod.state, 0.0)
     before, momentum, spin = sum(energies(rod.programs, rod.state)), *turning(s)
-    account = new_account()
-    stepped(rod, 1.0, 0.01, 6000, account)  # 60 s, almost five turns
+    sums = new_sums()
+    stepped(rod, 1.0, 0.01, 6000, sums)  # 60 s, almost five turns
     after, momentum1, spin1 = sum(energies(rod.programs, rod.state)), *turning(s)
     assert after == pytest.approx(before, rel=1e-5)
     assert momentum1 == pytest.approx(momentum, rel=1e-12)
@@ -96,16 +96,16 @@ def surge():
 
 def test_half_the_tension_lost_mid_run_is_survived_and_accounted_for():
     model = surge()
-    account = new_account()
+    sums = new_sums()
     before = sum(energies(model.programs, model.state))
-    whole = stepped(model, 0.8, 0.05, 400, account)
+    whole = stepped(model, 0.8, 0.05, 400, sums)
     pull = next(e.record for e in model.effects if e.name == "constant tension")
     lost = sum(energies(model.programs, model.state))
     pull.load[:] *= 0.5
     lost -= sum(energies(model.programs, model.state))  # the dead load's own potential
-    half = stepped(model, 0.8, 0.05, 800, account)
+    half = stepped(model, 0.8, 0.05, 800, sums)
     after = sum(energies(model.programs, model.state))
-    held, given, dissipated, numerical, exchanged = account.work
+    held, given, dissipated, numerical, exchanged = sums.work
     unexplained = held + given - dissipated - numerical - (after - before + lost)
     tension = [record.history[-1, 2, 0] for record in (whole, half)]  # at the lower end
     weight = 141.264 * 533.0
@@ -116,14 +116,14 @@ def test_half_the_tension_lost_mid_run_is_survived_and_accounted_for():
 
 def test_a_restart_from_a_saved_state_is_bitwise_the_same(tmp_path):
     model = surge()
-    stepped(model, 0.8, 0.1, 100, new_account())
+    stepped(model, 0.8, 0.1, 100, new_sums())
     s = model.s
     np.savez(tmp_path / "state.npz", r=s.r, v=s.v, a=s.a, moment=s.moment, clock=s.clock)
-    stepped(model, 0.8, 0.1, 100, new_account())
+    stepped(model, 0.8, 0.1, 100, new_sums())
     again = surge()
     with np.load(tmp_path / "state.npz") as saved:
         for name in saved.files:
             getattr(again.s, name)[:] = saved[name]
-    stepped(again, 0.8, 0.1, 100, new_account())
+    stepped(again, 0.8, 0.1, 100, new_sums())
     for name in ("r", "v", "a", "moment"):
         assert (getattr(again.s, name) == getattr(s, name)).all()

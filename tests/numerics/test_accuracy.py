@@ -5,11 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from riserstudy.figures import draw
+from riserstudy.chapters.draw import draw
 from riserstudy.numerics import accuracy as module
 from riserstudy.numerics.accuracy import accuracy, requests
 from riserstudy.numerics.attempt import Attempt, Outcome
 from riserstudy.numerics.references import stored
+from riserstudy.numerics.scenes import Setting
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -26,7 +27,7 @@ def surge():
         update={"set": ladder.set | SHORT, "elements": [16, 32], "steps": [0.4, 0.2, 0.1]}
     )
     few = {"scenes": {"S2c": ladder}, "repeats": {"standard": 1}, "asked": {"standard": [0.05]}}
-    return accuracy(STUDY.model_copy(update=few), CONFIG, "standard")
+    return accuracy(STUDY.model_copy(update=few), Setting(CONFIG, "standard"))
 
 
 def test_every_method_has_a_row_with_an_error_or_a_message(surge):
@@ -92,7 +93,7 @@ def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
     monkeypatch.setattr(module, "rung", rung)
     monkeypatch.setattr(module, "reference", lambda *_: (stored(HISTORY), {}))
     monkeypatch.setattr(module, "requests", lambda *_: [])
-    found = accuracy(STUDY.model_copy(update=few), CONFIG, "standard")
+    found = accuracy(STUDY.model_copy(update=few), Setting(CONFIG, "standard"))
     assert tried == [(0, 0), (0, 1), (1, 0)]
     assert str(found["message"].squeeze().values[1, 1]) == "on a coarser mesh: late"
 

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from numba import njit
 
-from riserstudy.figures import draw
+from riserstudy.chapters.draw import draw
 from riserstudy.jobs.compile_times import while_compiling
 from riserstudy.numerics.ablation import ablate
 from riserstudy.numerics.advice import COULD_GO, MISSING, NEEDED, advice
 from riserstudy.numerics.changes import changes, fitting
 from riserstudy.numerics.effect_shares import priced
 from riserstudy.numerics.effects import effects, kernels
-from riserstudy.numerics.scenes import bases
+from riserstudy.numerics.scenes import Setting, bases
 from riserstudy.scene.load import read_scene
 from riserstudy.study.read import read_studies, read_study
 
@@ -103,7 +103,7 @@ def test_a_scene_that_cannot_run_has_a_ledger_without_times():
 def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
     model = read_studies(CONFIG, "numerics").measured.effects
     studies = [read_study(CONFIG, "bench", name, "preview", "1 %") for name in ("s1", "s3")]
-    found = effects(model, studies, "preview", tmp_path / "no marker")
+    found = effects(model, Setting(CONFIG, "preview", 1, studies, tmp_path / "no marker"))
     assert list(found["scene"].values) == ["bench/s3", "bench/s1"]
     assert np.isnan(found.attrs["cold_compile_seconds"])
     assert found.attrs["compiled_entries"] > 0

@@ -5,12 +5,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from riserstudy.chapters.draw import draw
 from riserstudy.errors import InputError
-from riserstudy.figures import draw
 from riserstudy.numerics.energy import energy
 from riserstudy.numerics.long_runs import long_runs
 from riserstudy.numerics.random_scenes import draw as drawn
 from riserstudy.numerics.random_scenes import random_scenes
+from riserstudy.numerics.scenes import Setting
 from riserstudy.numerics.tiers import tiers
 from riserstudy.report.engine import engine
 from riserstudy.study.read import read_studies
@@ -28,7 +29,7 @@ def only(study, field, *names, **update):
 
 def test_energy_is_accounted_for_by_every_method():
     study = only(MEASURED.energy, "cases", "surge", instants={"preview": 2})
-    found = energy(study, CONFIG, "preview")
+    found = energy(study, Setting(CONFIG, "preview"))
     assert (found["message"] == "").all()
     assert (abs(found["unexplained"]) < 1e-3 * found["exchanged"]).all()
     assert (found["dissipated"] > 0.0).all()
@@ -37,7 +38,7 @@ def test_energy_is_accounted_for_by_every_method():
 
 def test_less_spectral_radius_dissipates_more():
     study = only(MEASURED.energy, "cases", "undamped for 1000 s", instants={"preview": 1})
-    lost = energy(study, CONFIG, "preview")["numerical"].isel(case=0, instant=0)
+    lost = energy(study, Setting(CONFIG, "preview"))["numerical"].isel(case=0, instant=0)
     assert float(lost.sel({"method": "gen.-alpha 0.8"})) > 0.0
     whole, none = (abs(float(lost.sel({"method": f"gen.-alpha {r}"}))) for r in (0.8, 1))
     assert none < 1e-3 * whole
@@ -45,7 +46,7 @@ def test_less_spectral_radius_dissipates_more():
 
 def test_finer_tiers_estimate_smaller_errors():
     study = only(MEASURED.tiers, "scenes", "Chang 2020, heave of 5 m")
-    found = tiers(study, CONFIG, "preview").isel(scene=0)
+    found = tiers(study, Setting(CONFIG, "preview")).isel(scene=0)
     assert (np.diff(found["estimated"]) < 0.0).all()
     assert float(found["estimated"].sel(tier="reference")) <= 5e-4
     assert (found["error"].sel(tier="preview") < found["estimated"].sel(tier="preview")).any()
@@ -59,7 +60,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours():
     cut = {"analysis.duration": "10 s", "analysis.output": {"interval": "0.5 s"}}
     case = case.model_copy(update=small | {"set": cut})
     study = MEASURED.long_runs.model_copy(update={"cases": {"46 hours": case}})
-    found = long_runs(study, CONFIG, "standard", 2)
+    found = long_runs(study, Setting(CONFIG, "standard", 2))
     labels = found["candidate"].values.tolist()
     assert labels[0] == "the paper's own"
     assert len(labels) == 1 + 2 * len(case.methods)
@@ -71,14 +72,18 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours():
 
 def test_random_scenes_are_the_same_every_time_and_half_are_held_out():
     study = only(MEASURED.random_scenes, "families", CHANG)
-    draws = [list(drawn(CHANG, study.families[CHANG], study, CONFIG, "standard")) for _ in "ab"]
+    draws = [
+        list(drawn(CHANG, study.families[CHANG], study, Setting(CONFIG, "standard"))) for _ in "ab"
+    ]
     assert [one.sets for one in draws[0]] == [one.sets for one in draws[1]]
     assert len({str(one.sets) for one in draws[0]}) == study.count["standard"]
     assert sum(one.held_out for one in draws[0]) == study.count["standard"] // 2
 
 
 def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_more():
-    found = random_scenes(only(MEASURED.random_scenes, "families", CHANG), CONFIG, "preview", 1)
+    found = random_scenes(
+        only(MEASURED.random_scenes, "families", CHANG), Setting(CONFIG, "preview", 1)
+    )
     assert (found["message"] == "").all()
     assert (found["true"] > 0.0).all()
     there = found.where(found["fixed_elements"] > 0, drop=True)
@@ -107,7 +112,7 @@ def test_every_scene_that_may_be_drawn_can_be_meant(tier):
 def test_a_request_that_takes_long_is_a_row_that_says_so():
     study = only(MEASURED.random_scenes, "families", CHANG)
     hasty = study.model_copy(update={"patience": {"preview": 1e-9}})
-    found = random_scenes(hasty, CONFIG, "preview", 1)
+    found = random_scenes(hasty, Setting(CONFIG, "preview", 1))
     assert all(message.startswith("not judged: ") for message in found["message"].values)
     assert found["true"].isnull().all()
     said = engine({"random_scenes": found}).said[0]

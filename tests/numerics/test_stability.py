@@ -5,11 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from riserstudy.figures import draw
+from riserstudy.chapters.draw import draw
 from riserstudy.numerics.attempt import Outcome
-from riserstudy.numerics.scenes import case_file, in_tier
+from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.numerics.stability import stability, tell
-from riserstudy.numerics.stable_step import stable_steps
+from riserstudy.numerics.stable_step import stable_step
 from riserstudy.report.engine import engine
 from riserstudy.study.measured import StabilityStudy
 from riserstudy.study.read import read_studies
@@ -23,7 +23,7 @@ FEW = ("surge", "step x10", "column above Euler's load", "Newmark beta 1/6")
 def few():
     """The study of a few cases, as in preview."""
     cases = {name: STUDY.cases[name] for name in FEW}
-    return stability(STUDY.model_copy(update={"cases": cases}), CONFIG, "preview", 1)
+    return stability(STUDY.model_copy(update={"cases": cases}), Setting(CONFIG, "preview", 1))
 
 
 def test_a_scene_at_default_accuracy_is_accurate_and_its_estimate_bounds_the_error(few):
@@ -82,6 +82,6 @@ def test_the_stable_step_of_a_linear_riser_is_predicted_to_a_hundredth():
     model = read_studies(CONFIG, "numerics").measured.stable_step
     coarse = model.variants["surge"].model_copy(update={"elements": [10]})
     short = model.model_copy(update={"variants": {"surge": coarse}, "duration": "10 s"})
-    found = stable_steps(short, CONFIG, "preview")
+    found = stable_step(short, Setting(CONFIG, "preview"))
     ratio = found["measured"] / found["predicted"]
     assert ratio.values.ravel() == pytest.approx([1.0], abs=0.01)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from riserstudy import load_scene, simulate
-from riserstudy.derived.liu2020_statics import pushed_back
-from riserstudy.derived.methods import Beamlike, by_collocation, by_hermite_elements
+from riserstudy.chapters.liu2020.derived.statics import pushed_back
+from riserstudy.chapters.liu2020.second_methods import Beamlike, by_collocation, by_hermite_elements
 from riserstudy.model.mesh import even
 from riserstudy.simulation.run import single
 

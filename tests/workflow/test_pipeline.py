@@ -71,9 +71,9 @@ def test_an_edited_package_reruns_what_the_edited_part_makes(checkout):
     checkout.own_package()
     assert checkout.planned() == set()
     for file, jobs in (
-        ("figures/chang2020.py", {"draw chang2020/fig14"}),
-        ("derived/chang2020.py", AFTER),
-        ("run.py", SIMULATE | AFTER),
+        ("chapters/chang2020/figures.py", {"draw chang2020/fig14"}),
+        ("chapters/chang2020/derived.py", AFTER),
+        ("simulation/refine.py", SIMULATE | AFTER),
         ("effects/weight.py", COMPILE | SIMULATE | AFTER),
     ):
         with (checkout / "src/riserstudy" / file).open("a") as source:

@@ -18,6 +18,12 @@ try:
 except InputError as error:
     raise WorkflowError(f"riserstudy: {error}")
 
+
+def of(question):
+    """What the plan says of the paper and the dataset or figure that a rule's wildcards name."""
+    return lambda wildcards: question(*wildcards)
+
+
 # Jobs use the Python that runs Snakemake, whether or not its environment was activated.
 shell.prefix(f"PATH={quote(str(Path(sys.executable).parent))}:$PATH; ")
 

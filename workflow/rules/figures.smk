@@ -3,7 +3,7 @@
 
 rule figure:
     input:
-        PLAN.figure_inputs,
+        of(PLAN.figure_inputs),
     output:
         png="results/{paper}/{figure}.png",
         pdf="results/{paper}/{figure}.pdf",
@@ -12,7 +12,7 @@ rule figure:
     wildcard_constraints:
         figure=PLAN.figure_pattern,
     params:
-        digest=PLAN.figure_digest,
+        digest=of(PLAN.figure_digest),
     message:
         "draw {wildcards.paper}/{wildcards.figure}"
     shell:

@@ -3,14 +3,14 @@
 
 rule grade:
     input:
-        PLAN.grade_inputs,
+        of(PLAN.grade_inputs),
     output:
         table="results/{paper}/reproduction.csv",
         errata="results/{paper}/errata.csv",
     log:
         "logs/{paper}/grade.log",
     params:
-        digest=PLAN.grade_digest,
+        digest=of(PLAN.grade_digest),
     message:
         "grade {wildcards.paper}"
     shell:

@@ -11,9 +11,9 @@ rule measure:
     wildcard_constraints:
         study=PLAN.measured_pattern,
     priority: 1
-    threads: PLAN.measured_threads
+    threads: of(PLAN.measured_threads)
     params:
-        digest=PLAN.measured_digest,
+        digest=of(PLAN.measured_digest),
         tier=PLAN.tier,
         papers=PLAN.papers,
     message:

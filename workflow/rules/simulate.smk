@@ -26,9 +26,9 @@ rule shard:
         shard=r"\d+",
         shards=r"\d+",
     priority: 1
-    threads: PLAN.shard_threads
+    threads: of(PLAN.shard_threads)
     params:
-        digest=PLAN.shard_digest,
+        digest=of(PLAN.shard_digest),
         tier=PLAN.tier,
     message:
         "simulate {wildcards.paper}/{wildcards.study}, part {wildcards.shard} of {wildcards.shards}"
@@ -40,7 +40,7 @@ rule shard:
 
 rule simulate:
     input:
-        PLAN.shard_files,
+        of(PLAN.shard_files),
         compiled=PLAN.compiled,
     output:
         "results/{paper}/{study}.nc",
@@ -49,9 +49,9 @@ rule simulate:
     wildcard_constraints:
         study=PLAN.study_pattern,
     priority: 1
-    threads: PLAN.threads
+    threads: of(PLAN.threads)
     params:
-        digest=PLAN.study_digest,
+        digest=of(PLAN.study_digest),
         tier=PLAN.tier,
     message:
         "simulate {wildcards.paper}/{wildcards.study}"
@@ -62,7 +62,7 @@ rule simulate:
 
 rule derive:
     input:
-        PLAN.derived_inputs,
+        of(PLAN.derived_inputs),
     output:
         "results/{paper}/{study}.nc",
     log:
@@ -70,8 +70,8 @@ rule derive:
     wildcard_constraints:
         study=PLAN.derived_pattern,
     params:
-        digest=PLAN.derived_digest,
-        settings=PLAN.derived_settings,
+        digest=of(PLAN.derived_digest),
+        settings=of(PLAN.derived_settings),
     message:
         "derive {wildcards.paper}/{wildcards.study}"
     shell:

@@ -10,8 +10,8 @@ from pathlib import Path
 
 from riserstudy.scene.reference import scene_reference
 from riserstudy.scene.units import USUAL, factor
-from riserstudy.semisubmersible import read_units, table
 from riserstudy.study.schemas import schema_files
+from semisubmersible import read_units, table
 
 ROOT = Path(__file__).resolve().parents[2]
 

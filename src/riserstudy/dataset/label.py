@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.dataset.variables import ENDINGS, attributes
@@ -82,10 +83,8 @@ def dimensions(name: str, values: Any) -> tuple[str, ...]:
 
 def provenance(file: SceneFile) -> dict[str, Any]:
     """Version, engine and scene behind a result, with the origin of each value that has one."""
-    from riserstudy import __version__
-
     return {
-        "riserstudy": __version__,
+        "riserstudy": version("riserstudy"),
         "engine": engine_digest(),
         "scene": file.tree,
         "origins": {path: o.status for path, o in file.origins.items()},

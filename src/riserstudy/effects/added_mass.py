@@ -15,7 +15,7 @@ import numpy as np
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread, spread_stiffness
-from riserstudy.solve.state import axis
+from riserstudy.solve.state import ACCELERATION, axis
 from riserstudy.solve.vec import at, dot, mul, outer, plus_upper, put, put_block, sub, unity
 
 
@@ -43,7 +43,7 @@ def mass(added, s):
     unit = unity(s.dim)
     for i in range(s.l0.shape[0] + 1):
         t = axis(s, added.horizontal, i)
-        put_block(s.block, i, mul(s.rate[1], sub(unit, outer(t, t))))
+        put_block(s.block, i, mul(s.rate[ACCELERATION], sub(unit, outer(t, t))))
     spread_stiffness(s, added.mass, added.mass, s.share[0], s.share[1])
     return 0.0
 

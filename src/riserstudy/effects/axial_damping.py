@@ -13,6 +13,7 @@ import numpy as np
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import DISSIPATED, VELOCITY
 from riserstudy.solve.vec import add, at, dot, mul, outer, plus, plus_block, sub, unity
 
 
@@ -44,7 +45,7 @@ def tangent(damper, s):
         turning = sub(relative, mul(rate, t))  # what changes the direction of the segment
         c = damper.damping[e]
         slope = add(
-            mul(s.rate[0], along),
+            mul(s.rate[VELOCITY], along),
             mul(s.inverse_length[e], add(outer(t, turning), mul(rate, sub(unit, along)))),
         )
         plus_block(s.k_segment, e, mul(c, slope))
@@ -57,7 +58,7 @@ def power(damper, s):
     for e in range(s.l0.shape[0]):
         t = at(s.dim, s.tangent, e)
         rate = dot(t, sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e)))
-        s.flow[0] += damper.damping[e] * rate * rate
+        s.flow[DISSIPATED] += damper.damping[e] * rate * rate
     return 0.0
 
 

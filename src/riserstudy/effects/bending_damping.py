@@ -14,6 +14,7 @@ import numpy as np
 from riserstudy.effects.registry import register
 from riserstudy.solve.blocktri import flexibility_solve
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import DISSIPATED, VELOCITY
 
 
 class BendingDamping(NamedTuple):
@@ -49,7 +50,7 @@ def tangent(damping, s):
         x, z, inverse = t[0, e], t[1, e], s.inverse_length[e]
         vx, vz = v[0, e + 1] - v[0, e], v[1, e + 1] - v[1, e]
         cross, square = -2.0 * x * z, x * x - z * z
-        rate, area = s.rate[0] * inverse, inverse * inverse
+        rate, area = s.rate[VELOCITY] * inverse, inverse * inverse
         by_x = damping.time * (rate * z + (cross * vx + square * vz) * area)
         by_z = damping.time * (-rate * x + (square * vx - cross * vz) * area)
         s.turn_low[e, 0] += by_x
@@ -89,7 +90,7 @@ def power(damping, s):
     """Power dissipated (W)."""
     _viscous_moments(damping, s)
     for i in range(s.l0.shape[0] + 1):
-        s.flow[0] += damping.moment[i] * damping.rate[i]
+        s.flow[DISSIPATED] += damping.moment[i] * damping.rate[i]
     return 0.0
 
 

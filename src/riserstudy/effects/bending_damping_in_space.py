@@ -12,6 +12,7 @@ import numpy as np
 from riserstudy.effects.registry import register
 from riserstudy.solve.blocktri import flexibility_solve
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import DISSIPATED, VELOCITY
 from riserstudy.solve.vec import (
     add,
     at,
@@ -57,7 +58,7 @@ def tangent(damping, s):
     for e in range(s.l0.shape[0]):
         t, inverse = at(s.dim, s.tangent, e), s.inverse_length[e]
         apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
-        by_velocity = mul(s.rate[0] * inverse, skew(t))
+        by_velocity = mul(s.rate[VELOCITY] * inverse, skew(t))
         turning = add(
             mul(inverse * inverse, skew(apart)),
             mul(2.0 * inverse, outer(_segment_rate(s, e), t)),
@@ -101,7 +102,7 @@ def power(damping, s):
     _viscous_moments(damping, s)
     for u in range(3):
         for i in range(s.l0.shape[0] + 1):
-            s.flow[0] += damping.moment[u, i] * damping.rate[u, i]
+            s.flow[DISSIPATED] += damping.moment[u, i] * damping.rate[u, i]
     return 0.0
 
 

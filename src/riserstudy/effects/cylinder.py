@@ -13,6 +13,7 @@ import numpy as np
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import SUPPLIED
 
 
 class Upright(NamedTuple):
@@ -54,7 +55,7 @@ def tangent(cylinders, s):
 def power(cylinders, s):
     """Power that the platform supplies through the cylinders (W)."""
     for c in range(cylinders.zero.shape[0]):
-        s.flow[1] += s.pull[c] * s.platform[1, 2]
+        s.flow[SUPPLIED] += s.pull[c] * s.platform[1, 2]
     return 0.0
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import DISSIPATED, VELOCITY
 
 
 class CylinderDamping(NamedTuple):
@@ -21,7 +22,7 @@ def force(damper, s):
     """Pull grows with the rate of extension."""
     for c in range(damper.damping.shape[0]):
         s.pull[c] += damper.damping[c] * s.reach_rate[c]
-        s.k_pull[c] += s.rate[0] * damper.damping[c]
+        s.k_pull[c] += s.rate[VELOCITY] * damper.damping[c]
     return 0.0
 
 
@@ -29,7 +30,7 @@ def force(damper, s):
 def power(damper, s):
     """Power dissipated (W)."""
     for c in range(damper.damping.shape[0]):
-        s.flow[0] += damper.damping[c] * s.reach_rate[c] ** 2
+        s.flow[DISSIPATED] += damper.damping[c] * s.reach_rate[c] ** 2
     return 0.0
 
 

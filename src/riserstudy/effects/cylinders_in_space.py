@@ -19,6 +19,7 @@ from riserstudy.effects.attitude import turned
 from riserstudy.effects.cylinder import probe
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import SUPPLIED
 
 
 class CylindersInSpace(NamedTuple):
@@ -202,7 +203,7 @@ def power(cylinders, s):
     """Power that the platform supplies through the cylinders (W)."""
     for c in range(cylinders.length.shape[0]):
         for k in range(3):
-            s.flow[1] += s.pull[c] * s.line[k, c] * s.deck[1, k, c]
+            s.flow[SUPPLIED] += s.pull[c] * s.line[k, c] * s.deck[1, k, c]
     return 0.0
 
 

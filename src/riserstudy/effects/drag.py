@@ -18,7 +18,7 @@ import numpy as np
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread_and_keep, spread_stiffness
-from riserstudy.solve.state import OTHER, OWN, axis
+from riserstudy.solve.state import ACCELERATION, DISSIPATED, OTHER, OWN, SUPPLIED, VELOCITY, axis
 from riserstudy.solve.vec import (
     add,
     at,
@@ -82,9 +82,9 @@ def tangent(drag, s):
         shear = at(s.dim, s.shear, i)
         across = sub(shear, mul(dot(shear, t), t))
         by_elevation = add(mul(speed, across), mul(share * dot(u, across), u))
-        put_block(s.block, i, sub(mul(s.rate[0], by_velocity), outer(by_elevation, up)))
+        put_block(s.block, i, sub(mul(s.rate[VELOCITY], by_velocity), outer(by_elevation, up)))
     spread_stiffness(s, drag.low, drag.up, OWN, OTHER)
-    if not drag.horizontal and s.rate[1] == 0.0:
+    if not drag.horizontal and s.rate[ACCELERATION] == 0.0:
         _turning(drag, s)
     return 0.0
 
@@ -127,8 +127,8 @@ def power(drag, s):
         f = at(s.dim, drag.force, i)
         slowed += dot(f, at(s.dim, s.v, i))
         supplied += dot(f, at(s.dim, s.water, i))
-    s.flow[0] += supplied - slowed
-    s.flow[1] += supplied
+    s.flow[DISSIPATED] += supplied - slowed
+    s.flow[SUPPLIED] += supplied
     return 0.0
 
 

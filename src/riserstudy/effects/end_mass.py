@@ -16,6 +16,7 @@ import numpy as np
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY
 
 
 class EndMass(NamedTuple):
@@ -55,8 +56,8 @@ def tangent(body, s):
                 slope = u * (s.water[q, i] - s.v[q, i]) / speed
                 if p == q:
                     slope += speed
-                s.k_node[i, p * d + q] += s.rate[0] * body.drag[0] * slope
-    s.k_node[i, d * d - 1] += s.rate[0] * 2.0 * body.drag[1] * abs(s.v[up, i])
+                s.k_node[i, p * d + q] += s.rate[VELOCITY] * body.drag[0] * slope
+    s.k_node[i, d * d - 1] += s.rate[VELOCITY] * 2.0 * body.drag[1] * abs(s.v[up, i])
     return 0.0
 
 
@@ -73,7 +74,7 @@ def mass(body, s):
     """Mass times d a / d r."""
     d = len(s.dim)
     for k in range(d):
-        s.k_node[body.node, k * d + k] += s.rate[1] * body.mass[k]
+        s.k_node[body.node, k * d + k] += s.rate[ACCELERATION] * body.mass[k]
     return 0.0
 
 
@@ -109,9 +110,9 @@ def power(body, s):
     for k in range(up):
         sideways += (s.water[k, i] - s.v[k, i]) ** 2
     speed = sqrt(sideways)
-    s.flow[0] += body.drag[0] * speed**3 + body.drag[1] * abs(s.v[up, i]) ** 3
+    s.flow[DISSIPATED] += body.drag[0] * speed**3 + body.drag[1] * abs(s.v[up, i]) ** 3
     for k in range(up):
-        s.flow[1] += body.drag[0] * speed * (s.water[k, i] - s.v[k, i]) * s.water[k, i]
+        s.flow[SUPPLIED] += body.drag[0] * speed * (s.water[k, i] - s.v[k, i]) * s.water[k, i]
     return 0.0
 
 

@@ -19,6 +19,7 @@ import numpy as np
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import SUPPLIED
 
 
 class LentForce(NamedTuple):
@@ -63,7 +64,7 @@ def power(lent, s):
     k, _, x = _piece(lent.time, s.clock[0])
     for c in range(lent.load.shape[1]):
         load = (1.0 - x) * lent.load[k, c] + x * lent.load[k + 1, c]
-        s.flow[1] += load * s.v[c, lent.node]
+        s.flow[SUPPLIED] += load * s.v[c, lent.node]
     return 0.0
 
 

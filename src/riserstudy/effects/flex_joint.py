@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import SUPPLIED
 
 
 class FlexJoint(NamedTuple):
@@ -55,7 +56,7 @@ def energy(joint, s):
 def power(joint, s):
     """Power that the turning platform supplies through the joint (W)."""
     sign = -1.0 if joint.node == 0 else 1.0
-    s.flow[1] += sign * joint.follows * s.moment[0, joint.node] * s.platform[1, 4]
+    s.flow[SUPPLIED] += sign * joint.follows * s.moment[0, joint.node] * s.platform[1, 4]
     return 0.0
 
 

@@ -22,6 +22,7 @@ from riserstudy.effects.bending_in_space import (
 from riserstudy.effects.flex_joint import compliance
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import SUPPLIED
 from riserstudy.solve.vec import at, cross, dot, plus, plus_block
 
 
@@ -89,7 +90,7 @@ def power(joint, s):
     held = joint.held
     turning = cross(_direction(joint), (held[1, 0], held[1, 1], held[1, 2]))
     sign = -1.0 if joint.node == 0 else 1.0
-    s.flow[1] += sign * dot(at(s.dim, s.moment, joint.node), turning)
+    s.flow[SUPPLIED] += sign * dot(at(s.dim, s.moment, joint.node), turning)
     return 0.0
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread
+from riserstudy.solve.state import ACCELERATION
 from riserstudy.solve.vec import at, dot
 
 
@@ -33,7 +34,7 @@ def force(inertia, s):
 def mass(inertia, s):
     """Mass times d a / d r."""
     d, n, mass = len(s.dim), s.l0.shape[0], inertia.mass
-    own, other = s.rate[1] * s.share[0], s.rate[1] * s.share[1]
+    own, other = s.rate[ACCELERATION] * s.share[0], s.rate[ACCELERATION] * s.share[1]
     for c in range(d):
         k = c * d + c
         s.k_node[0, k] += own * mass[0]

@@ -21,6 +21,7 @@ import numpy as np
 from riserstudy.effects.registry import register
 from riserstudy.effects.vessel import attitude, twisted, velocity
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import VELOCITY
 
 QUARTER = 0.25 * pi  # each derivative of the tensor by yaw is twice the last, turned so far
 
@@ -65,8 +66,8 @@ def tangent(munk, s):
     bent = twisted(2.0 * munk.difference, angle + QUARTER, munk.current)
     u = _halfway(munk, s)
     for k in range(up):
-        s.k_up[i, k * d + up] -= (rate * bent[k] + s.rate[0] * twist[k]) / munk.radius
-        s.k_low[i, up * d + k] += s.rate[0] * twist[k] / munk.radius
+        s.k_up[i, k * d + up] -= (rate * bent[k] + s.rate[VELOCITY] * twist[k]) / munk.radius
+        s.k_low[i, up * d + k] += s.rate[VELOCITY] * twist[k] / munk.radius
     s.k_node[munk.yaw, d * d - 1] -= (u[0] * bent[0] + u[1] * bent[1]) / munk.radius**2
     return 0.0
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import DISSIPATED, SUPPLIED, VELOCITY
 from riserstudy.solve.vec import (
     add,
     at,
@@ -67,7 +68,7 @@ def tangent(drag, s):
         across = sub(slip, mul(u, t))
         turning = add(mul(2.0 * abs(u), outer(t, across)), mul(abs(u) * u, sub(unit, along)))
         turned = mul(c * s.inverse_length[e], turning)  # by the upper end; minus that by the lower
-        slower = mul(s.rate[0] * c * abs(u), along)  # minus the derivative, by either end
+        slower = mul(s.rate[VELOCITY] * c * abs(u), along)  # minus the derivative, by either end
         sheared = mul(c * abs(u), outer(t, up))
         low = mul(dot(at(s.dim, s.shear, e), t), sheared)
         high = mul(dot(at(s.dim, s.shear, e + 1), t), sheared)
@@ -88,8 +89,8 @@ def power(drag, s):
         u = dot(t, _slip(s, e))
         pull = drag.low[e] * abs(u) * u
         water = mul(0.5, add(at(s.dim, s.water, e), at(s.dim, s.water, e + 1)))
-        s.flow[0] += pull * u
-        s.flow[1] += pull * dot(t, water)
+        s.flow[DISSIPATED] += pull * u
+        s.flow[SUPPLIED] += pull * dot(t, water)
     return 0.0
 
 

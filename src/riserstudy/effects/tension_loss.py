@@ -15,6 +15,7 @@ import numpy as np
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import SUPPLIED
 
 
 class TensionLoss(NamedTuple):
@@ -49,7 +50,7 @@ def power(loss, s):
     """Power of the load (W)."""
     share = _share(loss, s)
     for k in range(len(s.dim)):
-        s.flow[1] += share * loss.load[k] * s.v[k, loss.node]
+        s.flow[SUPPLIED] += share * loss.load[k] * s.v[k, loss.node]
     return 0.0
 
 

@@ -22,6 +22,7 @@ import numpy as np
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY
 
 
 class Thrusters(NamedTuple):
@@ -97,7 +98,7 @@ def force(thrusters, s):
 @inner
 def _stiffness(thrusters, s, share, a, b, k, q):
     """Minus the derivative of the limited thrust in direction k by position q, its velocity's included."""
-    gain, damping, rate = thrusters.gain, thrusters.damping, s.rate[0]
+    gain, damping, rate = thrusters.gain, thrusters.damping, s.rate[VELOCITY]
     own = gain[k, q] + rate * damping[k, q]
     if share == 1.0:
         return own
@@ -118,8 +119,8 @@ def tangent(thrusters, s):
             else:
                 s.k_low[i, k * d + first + q] += stiff / thrusters.mass
         if thrusters.lag > 0.0:
-            s.k_node[i + 1, k * d + k] += s.rate[0] / thrusters.lag
-            s.k_up[i, (first + k) * d + k] -= s.rate[0] * thrusters.mass / thrusters.lag
+            s.k_node[i + 1, k * d + k] += s.rate[VELOCITY] / thrusters.lag
+            s.k_up[i, (first + k) * d + k] -= s.rate[VELOCITY] * thrusters.mass / thrusters.lag
     return 0.0
 
 
@@ -137,7 +138,7 @@ def mass(thrusters, s):
     """Its mass times d a / d r."""
     if thrusters.lag > 0.0:
         for k in range(thrusters.count):
-            s.k_node[thrusters.node + 1, k * len(s.dim) + k] += s.rate[1]
+            s.k_node[thrusters.node + 1, k * len(s.dim) + k] += s.rate[ACCELERATION]
     return 0.0
 
 
@@ -167,11 +168,11 @@ def power(thrusters, s):
     a, b, _ = _commanded(thrusters, s)
     commanded = a, b
     for k in range(thrusters.count):
-        s.flow[1] += acting[k] * s.v[thrusters.first + k, thrusters.node]
+        s.flow[SUPPLIED] += acting[k] * s.v[thrusters.first + k, thrusters.node]
         if thrusters.lag > 0.0:
             q = s.v[k, thrusters.node + 1]
-            s.flow[1] += commanded[k] / thrusters.mass * q
-            s.flow[0] += q * q / thrusters.lag
+            s.flow[SUPPLIED] += commanded[k] / thrusters.mass * q
+            s.flow[DISSIPATED] += q * q / thrusters.lag
     return 0.0
 
 

@@ -24,6 +24,7 @@ import numpy as np
 
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY
 
 
 class Vessel(NamedTuple):
@@ -130,7 +131,7 @@ def tangent(vessel, s):
     for p in range(up):
         for q in range(up):
             slope = by_water[2 * p + q] + by_air[2 * p + q]
-            s.k_node[i, p * d + q] += s.rate[0] * slope
+            s.k_node[i, p * d + q] += s.rate[VELOCITY] * slope
     if vessel.yaw > 0:
         _, p, q, speed = _pressure(vessel.hull[0], vessel.hull[1], water, angle)
         twist = speed * (vessel.hull[0] - vessel.hull[1]) / vessel.radius
@@ -138,7 +139,7 @@ def tangent(vessel, s):
         for k in range(up):
             s.k_up[i, k * d + up] -= turned[k]
         arc = s.v[up, vessel.yaw]
-        s.k_node[vessel.yaw, d * d - 1] += s.rate[0] * 2.0 * vessel.spin * abs(arc)
+        s.k_node[vessel.yaw, d * d - 1] += s.rate[VELOCITY] * 2.0 * vessel.spin * abs(arc)
     return 0.0
 
 
@@ -182,13 +183,13 @@ def mass(vessel, s):
     d, up, i = len(s.dim), len(s.dim) - 1, vessel.node
     angle, _ = attitude(vessel, s)
     xx, xy, yy = _tensor(vessel, angle)
-    s.k_node[i, 0] += s.rate[1] * xx
+    s.k_node[i, 0] += s.rate[ACCELERATION] * xx
     if up == 2:
-        s.k_node[i, 1] += s.rate[1] * xy
-        s.k_node[i, d] += s.rate[1] * xy
-        s.k_node[i, d + 1] += s.rate[1] * yy
+        s.k_node[i, 1] += s.rate[ACCELERATION] * xy
+        s.k_node[i, d] += s.rate[ACCELERATION] * xy
+        s.k_node[i, d + 1] += s.rate[ACCELERATION] * yy
     if vessel.yaw > 0:
-        s.k_node[vessel.yaw, d * d - 1] += s.rate[1] * vessel.turning
+        s.k_node[vessel.yaw, d * d - 1] += s.rate[ACCELERATION] * vessel.turning
     return 0.0
 
 
@@ -225,12 +226,12 @@ def power(vessel, s):
     water, air, past, blown = _flows(vessel, s)
     v = velocity(vessel, s)
     for k in range(len(s.dim) - 1):
-        s.flow[0] += water[k] * past[k] + air[k] * blown[k]
-        s.flow[1] += water[k] * (past[k] + v[k]) + air[k] * (blown[k] + v[k])
-        s.flow[1] += vessel.drift[k] * v[k]
+        s.flow[DISSIPATED] += water[k] * past[k] + air[k] * blown[k]
+        s.flow[SUPPLIED] += water[k] * (past[k] + v[k]) + air[k] * (blown[k] + v[k])
+        s.flow[SUPPLIED] += vessel.drift[k] * v[k]
     if vessel.yaw > 0:
         arc = s.v[len(s.dim) - 1, vessel.yaw]
-        s.flow[0] += vessel.spin * abs(arc) * arc * arc
+        s.flow[DISSIPATED] += vessel.spin * abs(arc) * arc * arc
     return 0.0
 
 

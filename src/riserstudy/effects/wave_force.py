@@ -16,7 +16,7 @@ import numpy as np
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread_and_keep
-from riserstudy.solve.state import OTHER, OWN
+from riserstudy.solve.state import OTHER, OWN, SUPPLIED
 from riserstudy.solve.vec import at, dot, mul, put, sub
 
 
@@ -42,7 +42,7 @@ def force(wave_force, s):
 def power(wave_force, s):
     """Power that the water supplies (W); after ``force``."""
     for i in range(s.l0.shape[0] + 1):
-        s.flow[1] += dot(at(s.dim, wave_force.force, i), at(s.dim, s.v, i))
+        s.flow[SUPPLIED] += dot(at(s.dim, wave_force.force, i), at(s.dim, s.v, i))
     return 0.0
 
 

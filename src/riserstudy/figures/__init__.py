@@ -1,4 +1,4 @@
-"""Figures: functions from datasets to matplotlib figures, one module a paper; and plots for any grid."""
+"""How figures look, and plots that fit any grid."""
 
 from __future__ import annotations
 
@@ -13,17 +13,15 @@ if TYPE_CHECKING:
     from riserstudy.study.figures import FigureModel
 
 
-def draw(paper: str, name: str, datasets: dict[str, xr.Dataset]) -> Figure:
-    """Figure ``name`` of a paper, by the function of that name in the paper's module."""
-    figure: Figure = getattr(import_module(f"riserstudy.figures.{paper}"), name)(**datasets)
-    return figure
+def module_of_plot(plot: str) -> str:
+    """The module that draws a plot for any grid, by a function of its own name."""
+    return f"riserstudy.figures.{plot.replace(' ', '_')}"
 
 
 def draw_plot(model: FigureModel, dataset: xr.Dataset) -> Figure:
     """A figure that names a plot for any grid."""
-    kind = str(model.plot).replace(" ", "_")
-    module = import_module(f"riserstudy.figures.generic.{kind}")
-    figure: Figure = getattr(module, kind)(dataset, model.of)
+    module = import_module(module_of_plot(str(model.plot)))
+    figure: Figure = getattr(module, module.__name__.rpartition(".")[2])(dataset, model.of)
     return figure
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import xarray as xr
 
-from riserstudy.derived import derive
+from riserstudy.chapters.derive import derive
 from riserstudy.study.collect import write_dataset
 
 

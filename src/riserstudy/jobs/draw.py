@@ -7,8 +7,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from riserstudy.chapters.draw import draw
 from riserstudy.errors import RiserStudyError
-from riserstudy.figures import draw, draw_plot, save
+from riserstudy.figures import draw_plot, save
 from riserstudy.study.read import read_studies
 
 if TYPE_CHECKING:

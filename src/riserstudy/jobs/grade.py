@@ -8,19 +8,20 @@ from pathlib import Path
 
 import xarray as xr
 
+from riserstudy.chapters import checks_of
 from riserstudy.errors import RiserStudyError
 from riserstudy.folders import write_whole
-from riserstudy.published.grading import ErratumRow, Row, errata, grade, table
-from riserstudy.published.models import read_published
+from riserstudy.grading.grade import ErratumRow, Row, errata, grade, table
+from riserstudy.grading.models import read_published
 
 
 def main(paper: str, graded: Path, errors: Path, sources: list[Path]) -> None:
     """Read the sources, write both tables."""
     datasets = {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
     file = read_published(Path("config"), paper, datasets)
-    rows = grade(file, datasets)
+    rows = grade(file, datasets, checks_of(paper))
     write_whole(graded, table(rows, Row).encode())
-    write_whole(errors, table(errata(file, datasets), ErratumRow).encode())
+    write_whole(errors, table(errata(file, datasets, checks_of(paper)), ErratumRow).encode())
     for row in rows:
         print(f"{paper}/{row.id}: {row.verdict}")
 

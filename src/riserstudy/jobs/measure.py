@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 
 from riserstudy.errors import RiserStudyError
 from riserstudy.jobs.workplan import Workplan
@@ -18,9 +17,10 @@ def main(
 ) -> None:
     """Write one measured dataset of a tier."""
     plan = Workplan.read(Path("config"), {"tier": tier, "papers": papers}, only=[])
-    if plan.measured_digest(SimpleNamespace(paper=paper, study=study)) != expect:
+    if plan.measured_digest(paper, study) != expect:
         sys.exit("scene, study or engine changed while the workflow was running; run it again")
-    write_dataset(measure(plan, paper, study, threads), target)
+    found = measure(f"{paper} {study}", plan.measured(paper, study), plan.setting(threads))
+    write_dataset(found, target)
 
 
 if __name__ == "__main__":

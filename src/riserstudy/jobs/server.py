@@ -35,20 +35,20 @@ LOADED = (
     "matplotlib.pyplot",
     "netCDF4",
     "xarray",
-    "riserstudy.derived",
+    "riserstudy.chapters",
     "riserstudy.figures",
     "riserstudy.study.collect",
     "riserstudy.schematic",
     "riserstudy.jobs.workplan",
 )
-LATER = ("riserstudy.published.grading",)  # takes a second, and a figure alone does without
+LATER = ("riserstudy.grading.grade",)  # takes a second, and a figure alone does without
 MANY = 8  # jobs, from which on it pays to load what may not be asked for
 
 
 def serve(listener: socket.socket, compiled: Path) -> None:
     """Fork a job for everyone who asks, until standard input ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the jobs and for Snakemake
-    signal.signal(signal.SIGCHLD, bury)
+    signal.signal(signal.SIGCHLD, note_ended)
     load_libraries()
     gc.freeze()  # what a fork never touches stays shared
     jobs, waiting = 0, later()
@@ -65,7 +65,7 @@ def serve(listener: socket.socket, compiled: Path) -> None:
         with asker:
             if os.fork() == 0:
                 listener.close()
-                be(asker)
+                become_job(asker)
 
 
 def load_libraries() -> None:
@@ -78,7 +78,7 @@ def load_libraries() -> None:
     xr.Dataset({"any": ("x", [0.0])})
 
 
-def bury(_signal: int, _frame: FrameType | None) -> None:
+def note_ended(_signal: int, _frame: FrameType | None) -> None:
     """Take note of jobs that ended: their time counts as the server's."""
     with suppress(ChildProcessError):
         while os.waitpid(-1, os.WNOHANG)[0]:
@@ -100,7 +100,7 @@ def load(one: Callable[[], object]) -> None:
     gc.freeze()
 
 
-def be(asker: socket.socket) -> NoReturn:
+def become_job(asker: socket.socket) -> NoReturn:
     """Become the job that is asked for; tell its exit status."""
     status = 1
     try:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 
 from riserstudy.errors import RiserStudyError
 from riserstudy.folders import write_whole
@@ -16,8 +15,8 @@ from riserstudy.study.simulate_points import fill
 def main(
     paper: str,
     study: str,
-    shard: int,
-    shards: int,
+    shard: str,
+    shards: str,
     target: Path,
     tier: str,
     threads: int,
@@ -25,10 +24,9 @@ def main(
 ) -> None:
     """Store the points of a shard; the target says how many there are."""
     plan = Workplan.read(Path("config"), {"tier": tier, "papers": [paper]}, only=[])
-    about = SimpleNamespace(paper=paper, study=study, shard=shard, shards=shards)
-    if plan.shard_digest(about) != expect:
+    if plan.shard_digest(paper, study, shard, shards) != expect:
         sys.exit("scene, study or engine changed while the workflow was running; run it again")
-    points = plan.shard(about)
+    points = plan.shard(paper, study, shard, shards)
     made = fill(plan.study(paper, study), points, threads)
     said = f"{made} points simulated, {len(points) - made} from the store"
     print(f"{paper}/{study}, part {shard} of {shards}: {said}")
@@ -39,8 +37,8 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("paper")
     parser.add_argument("study")
-    parser.add_argument("shard", type=int)
-    parser.add_argument("shards", type=int)
+    parser.add_argument("shard")
+    parser.add_argument("shards")
     parser.add_argument("target", type=Path)
     parser.add_argument("--tier", required=True)
     parser.add_argument("--threads", type=int, required=True)

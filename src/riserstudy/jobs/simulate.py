@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 
 from riserstudy.errors import RiserStudyError
 from riserstudy.jobs.workplan import Workplan
@@ -16,8 +15,7 @@ def simulate(paper: str, study: str, target: Path, tier: str, threads: int, expe
     """Write the dataset of one study of a tier."""
     settings = {"tier": tier, "papers": [paper]}
     plan = Workplan.read(Path("config"), settings, only=[(paper, study)])
-    digest = plan.study_digest(SimpleNamespace(paper=paper, study=study))
-    if digest != expect:
+    if plan.study_digest(paper, study) != expect:
         sys.exit("scene, study or engine changed while the workflow was running; run it again")
     planned = plan.study(paper, study)
     results, _ = results_of(planned, threads, print)

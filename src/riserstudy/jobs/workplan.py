@@ -1,7 +1,7 @@
-"""What the workflow has to do, as Snakemake asks for it: names, inputs and one digest a rule.
+"""What the workflow has to do: names, inputs and one digest a rule.
 
 Snakemake reruns a job when a string among its params changes. Each rule therefore carries one digest
-over everything that its output depends on and that Snakemake cannot see.
+over everything that its output depends on and that Snakemake cannot see; of code, all that is imported.
 """
 
 from __future__ import annotations
@@ -10,16 +10,18 @@ import hashlib
 import json
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Set
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Self
 
-from riserstudy.digests import digest
+from riserstudy.digests import defining, digest, sources_behind
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE
-from riserstudy.numerics.scenes import MeasuredStudy, scenes_of
-from riserstudy.published.models import PublishedFile, published_path, read_published
+from riserstudy.figures import module_of_plot
+from riserstudy.folders import chapter_modules
+from riserstudy.grading.models import PublishedFile, published_path, read_published
+from riserstudy.numerics.measure import module_of
+from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
 from riserstudy.scene.check import check
 from riserstudy.scene.load import SceneFile, read_yaml
 from riserstudy.solve.kernel_cache import kernel_cache
@@ -30,6 +32,10 @@ from riserstudy.study.read import read_studies
 from riserstudy.study.store import canonical, key_of
 from riserstudy.study.study import Study, scene_file, threads_worth
 
+#: what joins points, derives, grades and reports
+COLLECT, DERIVE = "riserstudy.study.collect", "riserstudy.chapters.derive"
+GRADE = "riserstudy.grading.grade"
+REPORT = "riserstudy.report"
 ALL_CORES = 64  # more than there are: Snakemake gives what it has
 
 
@@ -110,108 +116,118 @@ class Workplan:
         """The scene that a schematic shows."""
         return self.files[paper].schematics[name].file(self.config)
 
-    # what Snakemake asks, with a rule's wildcards
+    # grids
 
-    def study_digest(self, wildcards: Any) -> str:
+    def study_digest(self, paper: str, study: str) -> str:
         """Axes, point keys and the code that joins points into a dataset."""
-        names = ("gather.py", "names.py", "simulation.py", "variables.yaml")
-        joining = digest(PACKAGE / name for name in names)
-        return f"{self.study(wildcards.paper, wildcards.study).digest}-{joining}"
+        return f"{self.study(paper, study).digest}-{digest(sources_behind(COLLECT))}"
 
-    def threads(self, wildcards: Any) -> int:
+    def threads(self, paper: str, study: str) -> int:
         """Threads that a study can use."""
-        return threads_worth(len(self.study(wildcards.paper, wildcards.study).grid))
+        return threads_worth(len(self.study(paper, study).grid))
 
-    def shard_files(self, wildcards: Any) -> list[str]:
+    def shard_files(self, paper: str, study: str) -> list[str]:
         """Markers of the jobs that share the points of a study; none when one job simulates all."""
-        paper, study = wildcards.paper, wildcards.study
         per_job = self.settings.points_per_job
         shards = math.ceil(len(self.study(paper, study).grid) / per_job) if per_job else 1
         folder = f"results/{paper}/{study}.shards"
         return [f"{folder}/{k}-of-{shards}" for k in range(shards)] if shards > 1 else []
 
-    def shard(self, wildcards: Any) -> list[Point]:
+    def shard(self, paper: str, study: str, shard: str, shards: str) -> list[Point]:
         """Points of a shard."""
-        study = self.study(wildcards.paper, wildcards.study)
-        return study.shard(int(wildcards.shard), int(wildcards.shards))
+        return self.study(paper, study).shard(int(shard), int(shards))
 
-    def shard_digest(self, wildcards: Any) -> str:
+    def shard_digest(self, paper: str, study: str, shard: str, shards: str) -> str:
         """Keys of a shard."""
-        keys = " ".join(point.key for point in self.shard(wildcards))
-        return hashlib.sha256(keys.encode()).hexdigest()[:16]
+        return _hash(" ".join(point.key for point in self.shard(paper, study, shard, shards)))
 
-    def shard_threads(self, wildcards: Any) -> int:
+    def shard_threads(self, paper: str, study: str, shard: str, shards: str) -> int:
         """Threads that a shard can use."""
-        points = len(self.study(wildcards.paper, wildcards.study).grid)
-        return threads_worth(math.ceil(points / int(wildcards.shards)))
+        return threads_worth(math.ceil(len(self.study(paper, study).grid) / int(shards)))
 
-    def derived_inputs(self, wildcards: Any) -> list[str]:
+    # derived and measured datasets
+
+    def derived_inputs(self, paper: str, name: str) -> list[str]:
         """Datasets that a derived dataset is made from."""
-        names = self.files[wildcards.paper].derived[wildcards.study].reads
-        return [f"results/{wildcards.paper}/{name}.nc" for name in names]
+        return [f"results/{paper}/{source}.nc" for source in self.files[paper].derived[name].reads]
 
-    def derived_digest(self, wildcards: Any) -> str:
+    def derived_settings(self, paper: str, name: str) -> str:
+        """What it is told besides, as JSON."""
+        return json.dumps(self.files[paper].derived[name].settings)
+
+    def derived_code(self, paper: str, name: str) -> Set[Path]:
+        """Sources of the function that derives a dataset."""
+        return sources_behind(DERIVE) | sources_behind(_module(paper, "derived", name))
+
+    def derived_digest(self, paper: str, name: str) -> str:
         """The code that derives, and what it is told."""
-        settings = self.derived_settings(wildcards)
-        told = hashlib.sha256(settings.encode()).hexdigest()[:16]
-        return f"{told}-{self._code('derived', wildcards.paper)}"
+        settings = self.derived_settings(paper, name)
+        return f"{_hash(settings)}-{digest(self.derived_code(paper, name))}"
 
-    def derived_settings(self, wildcards: Any) -> str:
-        """What it is told, as JSON."""
-        return json.dumps(self.files[wildcards.paper].derived[wildcards.study].settings)
-
-    def measured_digest(self, wildcards: Any) -> str:
-        """Scenes and settings of a measured dataset, the engine, and the code that measures."""
-        model = self._measured(wildcards)
-        scenes = scenes_of(model, self.config, self.tier, self.studies)
-        about = [self.tier, model.model_dump_json(), {n: key_of(f.scene()) for n, f in scenes}]
-        code = digest(_files(PACKAGE / "numerics"))
-        return f"{hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]}-{code}"
-
-    def _measured(self, wildcards: Any) -> MeasuredStudy:
-        model: MeasuredStudy = getattr(self.files[wildcards.paper].measured, wildcards.study)
+    def measured(self, paper: str, name: str) -> MeasuredStudy:
+        """A dataset about the engine itself."""
+        model: MeasuredStudy = getattr(self.files[paper].measured, name)
         return model
 
-    def measured_threads(self, wildcards: Any) -> int:
+    def setting(self, threads: int) -> Setting:
+        """What such datasets are measured with."""
+        return Setting(self.config, self.tier, threads, self.studies, Path(self.compiled))
+
+    def measured_digest(self, paper: str, name: str) -> str:
+        """Scenes and settings of a measured dataset, the engine, and the code that measures."""
+        model = self.measured(paper, name)
+        scenes = scenes_of(model, self.setting(1))
+        about = [self.tier, model.model_dump_json(), {n: key_of(f.scene()) for n, f in scenes}]
+        return f"{_hash(json.dumps(about))}-{digest(sources_behind(module_of(model)))}"
+
+    def measured_threads(self, paper: str, name: str) -> int:
         """All there are for a dataset that tells times: nothing may run beside it."""
-        return ALL_CORES if self._measured(wildcards).timed else 1
+        return ALL_CORES if self.measured(paper, name).timed else 1
 
-    def figure_inputs(self, wildcards: Any) -> list[str]:
+    # figures
+
+    def figure_inputs(self, paper: str, name: str) -> list[str]:
         """Datasets that a figure reads; a schematic shows a scene and reads none."""
-        figure = self.files[wildcards.paper].figures.get(wildcards.figure)
-        return [f"results/{wildcards.paper}/{name}.nc" for name in figure.reads] if figure else []
+        figure = self.files[paper].figures.get(name)
+        return [f"results/{paper}/{dataset}.nc" for dataset in figure.reads] if figure else []
 
-    def figure_digest(self, wildcards: Any) -> str:
-        """The code that draws, and what a plot for any grid, or a schematic, is to show."""
-        figure = self.files[wildcards.paper].figures.get(wildcards.figure)
+    def figure_code(self, paper: str, name: str) -> Set[Path]:
+        """Sources of the function, the plot or the schematic that draws a figure."""
+        figure = self.files[paper].figures.get(name)
         if figure is None:
-            scene = json.dumps(canonical(self.schematic(wildcards.paper, wildcards.figure).scene()))
-            code = [*(PACKAGE / "schematic").glob("*.py"), PACKAGE / "figures/style.py"]
-            return f"{hashlib.sha256(scene.encode()).hexdigest()[:16]}-{digest(code)}"
-        if not figure.plot:
-            return self._code("figures", wildcards.paper)
-        drawing = [*(PACKAGE / "figures/generic").glob("*.py"), PACKAGE / "figures/style.py"]
-        return " ".join((figure.plot, *(figure.of or []), digest(drawing)))
+            return sources_behind("riserstudy.schematic")
+        if figure.plot:
+            return sources_behind(module_of_plot(figure.plot))
+        return sources_behind(_module(paper, "figures", name))
 
-    def grade_inputs(self, wildcards: Any) -> list[str]:
+    def figure_digest(self, paper: str, name: str) -> str:
+        """The code that draws, and what a plot for any grid, or a schematic, is to show."""
+        figure = self.files[paper].figures.get(name)
+        shown = "" if figure is None else " ".join((figure.plot or "", *(figure.of or [])))
+        if figure is None:
+            shown = json.dumps(canonical(self.schematic(paper, name).scene()))
+        return f"{_hash(shown)}-{digest(self.figure_code(paper, name))}"
+
+    # grading and report
+
+    def grade_inputs(self, paper: str) -> list[str]:
         """Datasets that a paper's numbers and claims are graded with."""
-        paper = wildcards.paper
         return [f"results/{paper}/{name}.nc" for name in self.published[paper].datasets]
 
-    def grade_digest(self, wildcards: Any) -> str:
-        """The printed numbers and claims, and the code that grades."""
-        printed = digest([published_path(self.config, wildcards.paper)])
-        return f"{printed}-{self._code('published', wildcards.paper)}"
+    def grade_code(self, paper: str) -> Set[Path]:
+        """Sources of the checks, and of what makes verdicts of them."""
+        modules = {_module(paper, "claims", name) for name in self.published[paper].checks}
+        return frozenset().union(*map(sources_behind, (GRADE, *modules)))
 
-    def _code(self, folder: str, paper: str) -> str:
-        shared = [f for f in (PACKAGE / folder).glob("*.py") if f.stem not in self.files]
-        common = (PACKAGE / "quantities").glob("*.py")
-        return digest([*shared, *common, PACKAGE / folder / f"{paper}.py"])
+    def grade_digest(self, paper: str) -> str:
+        """The printed numbers and claims, and the code that grades."""
+        printed = digest([published_path(self.config, paper)])
+        return f"{printed}-{digest(self.grade_code(paper))}"
 
     @property
     def report_digest(self) -> str:
         """The code of the report."""
-        return digest(_files(PACKAGE / "report"))
+        return digest(sources_behind(REPORT))
 
     @property
     def study_files(self) -> list[str]:
@@ -276,9 +292,13 @@ class Workplan:
         return _either(name for _, name in self.figures())
 
 
-def _files(folder: Path) -> Iterator[Path]:
-    """Files of a folder, beside which Python puts its bytecode."""
-    return (path for path in folder.iterdir() if path.is_file())
+def _module(paper: str, part: str, name: str) -> str:
+    """The module of a chapter that defines a function."""
+    return defining(chapter_modules(paper, part), name) or ""
+
+
+def _hash(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
 def _either(names: Any) -> str:

@@ -9,7 +9,6 @@ import os
 import statistics
 import time as clock
 from collections.abc import Callable, Iterable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,7 +17,7 @@ from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, too_long
 from riserstudy.numerics.outside import RADAU, outside
 from riserstudy.numerics.references import OPINIONS, QUANTITIES, Reference, reference
-from riserstudy.numerics.scenes import in_tier
+from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.numerics.stability import FREE, attempt_limit, stepped, whole
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
@@ -28,7 +27,6 @@ from riserstudy.study.measured import AccuracyStudy, Ladder, Method
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study.models import Tier
 
 COSTS = (
     "wall_seconds",
@@ -44,11 +42,11 @@ ENOUGH = 2.0  # seconds of a rung's runs, after which it is timed no more
 WHERE = "config/studies/numerics.yaml: measured.accuracy"
 
 
-def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
+def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
     """All scenes by all methods, as a dataset over scene, method, mesh and step of the ladder."""
     import xarray as xr
 
-    scenes, methods = in_tier(study.scenes, tier), in_tier(study.methods, tier)
+    scenes, methods = in_tier(study.scenes, setting.tier), in_tier(study.methods, setting.tier)
     most = [max(len(getattr(s, way)) for s in scenes.values()) for way in ("elements", "steps")]
     shape = (len(scenes), len(methods), *most)
     value: dict[str, Any] = {
@@ -59,8 +57,10 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
     about: list[str] = []
     asked: list[dict[str, Any]] = []
     for i, (name, ladder) in enumerate(scenes.items()):
-        file = read_scene(config / ladder.scene).with_values(FREE | ladder.set, f"{WHERE}: {name}")
-        best, others = reference(file, ladder, config)
+        file = read_scene(setting.config / ladder.scene).with_values(
+            FREE | ladder.set, f"{WHERE}: {name}"
+        )
+        best, others = reference(file, ladder, setting.config)
         about.append(best.about)
         for other, found in others.items():
             opinion[i, OPINIONS.index(other)] = [found.get(q, np.nan) for q in QUANTITIES]
@@ -72,7 +72,9 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
                     if m in given_up:
                         value["message"][at] = f"on a coarser mesh: {given_up[m]}"
                         continue
-                    one = rung(file, method, ladder, (k, m), study.budget, study.repeats[tier])
+                    one = rung(
+                        file, method, ladder, (k, m), study.budget, study.repeats[setting.tier]
+                    )
                     if one.refused == Outcome.TOO_LONG:
                         given_up[m] = one.message
                     value["message"][at] = one.message
@@ -82,7 +84,7 @@ def accuracy(study: AccuracyStudy, config: Path, tier: Tier) -> xr.Dataset:
                         value[f"error_{q}"][at] = error
                     for cost in COSTS:
                         value[cost][at] = one.result.facts.get(cost, np.nan)
-        asked += requests(file, name, study.asked[tier], best, study.patience)
+        asked += requests(file, name, study.asked[setting.tier], best, study.patience)
     dims = ("scene", "method", "mesh_level", "step_level")
     data: dict[str, Any] = {
         name: (dims, array.astype(str) if array.dtype == object else array)

@@ -13,7 +13,7 @@ from riserstudy.errors import RiserStudyError
 from riserstudy.numerics.ablation import Ablation, ablate
 from riserstudy.numerics.changes import changes
 from riserstudy.numerics.effect_cost import Cost, Freedom, costs, freedom
-from riserstudy.numerics.scenes import bases
+from riserstudy.numerics.scenes import Setting, bases
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.kernel_cache import kernel_cache
 from riserstudy.study.measured import EffectsStudy
@@ -21,31 +21,29 @@ from riserstudy.study.measured import EffectsStudy
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study.models import Tier
-    from riserstudy.study.study import Study
 
 QUANTITIES = ("displacement", "moment", "tension")
 
 
-def effects(study: EffectsStudy, studies: list[Study], tier: Tier, compiled: Path) -> xr.Dataset:
+def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
     """Every fitting change of every kind of scene, one after another: they are timed."""
     import xarray as xr
 
-    repeats = study.repeats[tier]
+    repeats = study.repeats[setting.tier]
     found: dict[str, Ablation] = {}
     refused: dict[str, str] = {}
     spent: dict[str, list[Cost]] = {}
     free: dict[str, Freedom] = {}
-    for name, file in bases(studies, tier):
+    for name, file in bases(setting.studies, setting.tier):
         try:
-            one = found[name] = ablate(file, repeats, study.budget[tier])
+            one = found[name] = ablate(file, repeats, study.budget[setting.tier])
             scene = one.file.scene()
             if scene.analysis.solver is None:
                 free[name] = freedom(scene, settle(scene, one.mesh)[0])
                 spent[name] = costs(scene, one.mesh, one.step)
         except RiserStudyError as error:
             refused[name] = str(error)
-    dataset = xr.Dataset(_changed(found) | _cost(found, spent) | kernels(compiled))
+    dataset = xr.Dataset(_changed(found) | _cost(found, spent) | kernels(setting.compiled))
     dataset = dataset.assign_coords(scene=list(found), change=_labels())
     for key in ("base_seconds", "elements", "unknowns"):
         values = {
@@ -57,7 +55,7 @@ def effects(study: EffectsStudy, studies: list[Study], tier: Tier, compiled: Pat
     dataset["freedom"] = ("scene", [free[n].because if n in free else "" for n in found])
     for name, about in ABOUT.items():
         dataset[name].attrs = {"units": about[0], "long_name": about[1]}
-    dataset.attrs = {"refused": json.dumps(refused)} | compiling(compiled)
+    dataset.attrs = {"refused": json.dumps(refused)} | compiling(setting.compiled)
     return dataset
 
 

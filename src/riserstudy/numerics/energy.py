@@ -6,14 +6,13 @@ A run's ledger is told at its end; runs of growing length with one step give it 
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from riserstudy.model.mesh import even
 from riserstudy.numerics.attempt import attempt_on
-from riserstudy.numerics.scenes import case_file, in_tier
+from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.numerics.stability import FREE, stepped
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.measured import EnergyCase, EnergyStudy, Method
@@ -21,7 +20,6 @@ from riserstudy.study.measured import EnergyCase, EnergyStudy, Method
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study.models import Tier
 
 PARTS = {
     "stored": "stored",
@@ -31,18 +29,18 @@ PARTS = {
 }
 
 
-def energy(study: EnergyStudy, config: Path, tier: Tier) -> xr.Dataset:
+def energy(study: EnergyStudy, setting: Setting) -> xr.Dataset:
     """Every case by every method at instants of its duration."""
     import xarray as xr
 
-    cases, methods = in_tier(study.cases, tier), in_tier(study.methods, tier)
-    instants = study.instants[tier]
+    cases, methods = in_tier(study.cases, setting.tier), in_tier(study.methods, setting.tier)
+    instants = study.instants[setting.tier]
     shape = (len(cases), len(methods), instants)
     value = {name: np.full(shape, np.nan) for name in (*PARTS, "exchanged")}
     message = np.full(shape[:2], "", object)
     time = np.full((len(cases), instants), np.nan)
     for i, (name, case) in enumerate(cases.items()):
-        file = case_file(config, name, case).with_values(FREE, name)
+        file = case_file(setting.config, name, case).with_values(FREE, name)
         time[i] = case.duration * np.arange(1, instants + 1) / instants
         for j, method in enumerate(methods.values()):
             for k, duration in enumerate(time[i]):

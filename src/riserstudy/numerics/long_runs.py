@@ -20,7 +20,7 @@ from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.accuracy import timed
 from riserstudy.numerics.attempt import Attempt, attempt_on, largest
 from riserstudy.numerics.references import by_run
-from riserstudy.numerics.scenes import in_tier
+from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.numerics.stability import FREE, stepped, whole
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
@@ -35,17 +35,17 @@ if TYPE_CHECKING:
 WHERE = "config/studies/numerics.yaml: measured.long_runs"
 
 
-def long_runs(study: LongStudy, config: Path, tier: Tier, threads: int) -> xr.Dataset:
+def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
     """All candidates of all cases, one after another: they are timed. References, which are not, before."""
     import xarray as xr
 
-    cases = in_tier(study.cases, tier)
-    files = [scene_of(config, name, case, tier) for name, case in cases.items()]
-    with ThreadPoolExecutor(threads) as pool:
+    cases = in_tier(study.cases, setting.tier)
+    files = [scene_of(setting.config, name, case, setting.tier) for name, case in cases.items()]
+    with ThreadPoolExecutor(setting.threads) as pool:
         best = list(pool.map(reference, cases.values(), files))
     rows: list[dict[str, Any]] = []
     for (name, case), file, known in zip(cases.items(), files, best, strict=True):
-        rows += candidates(name, case, file, known, study.repeats, tier)
+        rows += candidates(name, case, file, known, study.repeats, setting.tier)
     dataset = xr.Dataset({key: ("run", [row[key] for row in rows]) for key in rows[0]})
     for name, (unit, words) in ABOUT.items():
         dataset[name].attrs = {"units": unit, "long_name": words}

@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from riserstudy.digests import engine_digest
-from riserstudy.numerics.accuracy import accuracy
-from riserstudy.numerics.effects import effects
-from riserstudy.numerics.energy import energy
-from riserstudy.numerics.long_runs import long_runs
-from riserstudy.numerics.random_scenes import random_scenes
-from riserstudy.numerics.stability import stability
-from riserstudy.numerics.stable_step import stable_steps
-from riserstudy.numerics.tiers import tiers
+from riserstudy.numerics.scenes import MeasuredStudy, Setting
 from riserstudy.solve.kernel_cache import mends_kernel_cache
 from riserstudy.study.measured import (
     AccuracyStudy,
@@ -29,35 +22,33 @@ from riserstudy.study.measured import (
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.jobs.workplan import Workplan
+#: the module that measures each kind of study, by a function of its own name
+MODULES: dict[type[MeasuredStudy], str] = {
+    StabilityStudy: "stability",
+    LimitStudy: "stable_step",
+    EffectsStudy: "effects",
+    AccuracyStudy: "accuracy",
+    RandomStudy: "random_scenes",
+    LongStudy: "long_runs",
+    TiersStudy: "tiers",
+    EnergyStudy: "energy",
+}
+
+
+def module_of(study: MeasuredStudy) -> str:
+    """The module that measures a study."""
+    return f"riserstudy.numerics.{MODULES[type(study)]}"
 
 
 @mends_kernel_cache
-def measure(plan: Workplan, paper: str, name: str, threads: int) -> xr.Dataset:
+def measure(title: str, study: MeasuredStudy, setting: Setting) -> xr.Dataset:
     """One measured dataset of a chapter, labelled with the engine it is about."""
-    study = getattr(plan.files[paper].measured, name)
-    if isinstance(study, StabilityStudy):
-        dataset = stability(study, plan.config, plan.tier, threads)
-    elif isinstance(study, EffectsStudy):
-        dataset = effects(study, plan.studies, plan.tier, Path(plan.compiled))
-    elif isinstance(study, AccuracyStudy):
-        dataset = accuracy(study, plan.config, plan.tier)
-    elif isinstance(study, RandomStudy):
-        dataset = random_scenes(study, plan.config, plan.tier, threads)
-    elif isinstance(study, EnergyStudy):
-        dataset = energy(study, plan.config, plan.tier)
-    elif isinstance(study, TiersStudy):
-        dataset = tiers(study, plan.config, plan.tier)
-    elif isinstance(study, LongStudy):
-        dataset = long_runs(study, plan.config, plan.tier, threads)
-    elif isinstance(study, LimitStudy):
-        dataset = stable_steps(study, plan.config, plan.tier)
-    else:
-        raise TypeError(f"{paper}/{name} cannot be measured")
+    module = import_module(module_of(study))
+    dataset: xr.Dataset = getattr(module, MODULES[type(study)])(study, setting)
     dataset.attrs |= {
         "Conventions": "CF-1.11",
-        "title": f"{paper} {name}: {study.caption}",
-        "tier": plan.tier,
+        "title": f"{title}: {study.caption}",
+        "tier": setting.tier,
         "engine": engine_digest(),
     }
     return dataset

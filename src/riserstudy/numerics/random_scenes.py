@@ -22,7 +22,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, mesh_of
 from riserstudy.numerics.references import QUANTITIES, Reference, by_run
-from riserstudy.numerics.scenes import in_tier
+from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.numerics.stability import FREE, stepped, whole
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
@@ -64,12 +64,12 @@ class Drawn:
     cost: dict[str, float] = field(default_factory=dict)
 
 
-def random_scenes(study: RandomStudy, config: Path, tier: Tier, threads: int) -> xr.Dataset:
+def random_scenes(study: RandomStudy, setting: Setting) -> xr.Dataset:
     """Draw scenes, ask for the accuracy, and measure what was reached and spent."""
-    families = in_tier(study.families, tier).items()
-    drawn = [one for item in families for one in draw(*item, study, config, tier)]
-    with ThreadPoolExecutor(max(1, threads)) as pool:
-        list(pool.map(partial(judge, patience=study.patience[tier]), drawn))
+    families = in_tier(study.families, setting.tier).items()
+    drawn = [one for item in families for one in draw(*item, study, setting.config, setting.tier)]
+    with ThreadPoolExecutor(max(1, setting.threads)) as pool:
+        list(pool.map(partial(judge, patience=study.patience[setting.tier]), drawn))
     for one in drawn:  # one after another: they are timed
         spend(one)
     return tabulated(study, drawn)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.study.measured import (
@@ -24,6 +24,7 @@ from riserstudy.study.measured import (
 )
 
 if TYPE_CHECKING:
+    from riserstudy.study.models import Tier
     from riserstudy.study.study import Study
 
 MeasuredStudy = (
@@ -36,6 +37,18 @@ MeasuredStudy = (
     | TiersStudy
     | EnergyStudy
 )
+
+
+class Setting(NamedTuple):
+    """What is measured with; ``compiled`` is the marker that tells what compiling took."""
+
+    config: Path
+    tier: Tier
+    threads: int = 1
+    studies: Sequence[Study] = ()
+    compiled: Path = Path()
+
+
 Scenes = Iterator[tuple[str, SceneFile]]
 # parts of a scene that leave its kind as it is
 _VALUES = {"title", "note", "paper", "output", "mesh", "step", "accuracy", "points", "profile"}
@@ -44,9 +57,7 @@ _WHERE = "config/studies/numerics.yaml: measured"
 
 def scenes_of(
     study: MeasuredStudy,
-    config: Path,
-    tier: str,
-    others: list[Study],
+    setting: Setting,
 ) -> Scenes:
     """Name and scene of every case of a tier.
 
@@ -56,7 +67,7 @@ def scenes_of(
         When a scene cannot be meant.
     """
     if isinstance(study, EffectsStudy):
-        yield from bases(others, tier)
+        yield from bases(setting.studies, setting.tier)
         return
     if isinstance(study, AccuracyStudy | TiersStudy):
         cases: dict[str, Any] = study.scenes
@@ -64,8 +75,8 @@ def scenes_of(
         cases = study.families
     else:
         cases = study.variants if isinstance(study, LimitStudy) else study.cases
-    for name, case in in_tier(cases, tier).items():
-        yield name, case_file(config, name, case)
+    for name, case in in_tier(cases, setting.tier).items():
+        yield name, case_file(setting.config, name, case)
 
 
 def in_tier(things: dict[str, Any], tier: str) -> dict[str, Any]:
@@ -80,7 +91,7 @@ def case_file(
     return read_scene(config / case.scene, keep=True).with_values(case.set, f"{_WHERE}: {name}.set")
 
 
-def bases(studies: list[Study], tier: str) -> Scenes:
+def bases(studies: Sequence[Study], tier: str) -> Scenes:
     """The scenes that studies vary, each kind once: a kind is what is in a scene, whatever its values.
 
     First those of the studies, then what their named options make of them. In preview a scene file stands

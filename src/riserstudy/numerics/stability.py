@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -28,7 +27,7 @@ from riserstudy.numerics.attempt import (
     judged,
     mesh_of,
 )
-from riserstudy.numerics.scenes import case_file, in_tier
+from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
@@ -226,16 +225,16 @@ def as_expected(case: Case, told: Told) -> tuple[bool, str]:
     return told_so, "" if told_so else f"{outcome} and not said: {says}"
 
 
-def stability(study: StabilityStudy, config: Path, tier: Tier, threads: int) -> xr.Dataset:
+def stability(study: StabilityStudy, setting: Setting) -> xr.Dataset:
     """All cases, as a dataset over case, method and rung of the ladder."""
-    cases = in_tier(study.cases, tier)
+    cases = in_tier(study.cases, setting.tier)
 
     @mends_kernel_cache
     def one(item: tuple[str, Case]) -> Told:
-        return tell(study, item[1], case_file(config, *item), tier)
+        return tell(study, item[1], case_file(setting.config, *item), setting.tier)
 
-    told = dict(zip(cases, each(one, list(cases.items()), threads), strict=True))
-    return tabulated(study, cases, told, tier)
+    told = dict(zip(cases, each(one, list(cases.items()), setting.threads), strict=True))
+    return tabulated(study, cases, told, setting.tier)
 
 
 def tabulated(

@@ -7,39 +7,37 @@ halving a bracket around the prediction, to 0.6 %, with the engine's own refusal
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.numerics.scenes import case_file, in_tier
+from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.run import EXPLICIT_BOUND
 from riserstudy.simulation.stable_step import explicit_limit
-from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.record import new_record
+from riserstudy.solve.sums import DONE, new_sums
 from riserstudy.study.measured import LimitStudy
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study.models import Tier
 
 GROWN = 10.0  # times the largest speed of a calm run, which growth without bound exceeds
 BRACKET = (0.9, 1.1)  # of the predicted step: within a tenth, the prediction itself tried first
 HALVINGS = 5  # of the bracket
 
 
-def stable_steps(study: LimitStudy, config: Path, tier: Tier) -> xr.Dataset:
+def stable_step(study: LimitStudy, setting: Setting) -> xr.Dataset:
     """Predicted and measured stable step of every variant on every mesh."""
     import xarray as xr
 
-    variants = in_tier(study.variants, tier)
+    variants = in_tier(study.variants, setting.tier)
     most = max(len(variant.elements) for variant in variants.values())
     shape = (len(variants), most)
     values = {name: np.full(shape, np.nan) for name in ("elements", "predicted", "measured")}
@@ -53,7 +51,7 @@ def stable_steps(study: LimitStudy, config: Path, tier: Tier) -> xr.Dataset:
                 "analysis.duration": study.duration,
                 "analysis.output": {"interval": study.duration},
             }
-            scene = case_file(config, name, variant).with_values(settings, name).scene()
+            scene = case_file(setting.config, name, variant).with_values(settings, name).scene()
             mesh = even(scene, elements)
             predicted = limit(scene, mesh)
             values["elements"][i, k] = len(mesh.l0)
@@ -113,7 +111,7 @@ def speed(scene: Scene, mesh: Mesh, step: float) -> float:
             EXPLICIT_BOUND,
             model.fixed,
             record,
-            new_account(),
+            new_sums(),
         )
     except SimulationError:
         return math.inf

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 
 from riserstudy.numerics.ablation import peaks
 from riserstudy.numerics.attempt import Attempt, attempt, deciding
-from riserstudy.numerics.scenes import case_file, in_tier
+from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 from riserstudy.study.measured import TiersStudy
@@ -23,28 +22,27 @@ from riserstudy.study.measured import TiersStudy
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study.models import Tier
 
 PEAKS = ("displacement", "moment", "tension")
 COSTS = ("wall_seconds", "elements", "step")
 DEFAULT = "default"
 
 
-def tiers(study: TiersStudy, config: Path, tier: Tier) -> xr.Dataset:
-    """Every scene at the accuracy of every tier, one after another: they are timed."""
+def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
+    """Every scene at the accuracy of every setting.tier, one after another: they are timed."""
     import xarray as xr
 
-    scenes = in_tier(study.scenes, tier)
+    scenes = in_tier(study.scenes, setting.tier)
     names = list(study.accuracies)
     shape = (len(scenes), len(names))
     cost = {name: np.full(shape, np.nan) for name in (*COSTS, "estimated")}
     peak = np.full((*shape, len(PEAKS)), np.nan)
     message = np.full(shape, "", object)
     for i, (name, case) in enumerate(scenes.items()):
-        file = case_file(config, name, case)
+        file = case_file(setting.config, name, case)
         once(file, study.accuracies[names[0]], 0.0)  # loads its kernels
         for k, of in enumerate(names):
-            tried = once(file, study.accuracies[of], study.patience[tier])
+            tried = once(file, study.accuracies[of], study.patience[setting.tier])
             message[i, k] = tried.message
             if tried.result is None:
                 continue
@@ -53,11 +51,15 @@ def tiers(study: TiersStudy, config: Path, tier: Tier) -> xr.Dataset:
             cost["estimated"][i, k] = deciding(tried.result.facts.get("error_estimate", {}))
             peak[i, k] = peaks(tried.result)
     off = beside_finest(peak)
-    data: dict[str, Any] = {name: (("scene", "tier"), values) for name, values in cost.items()}
-    data["message"] = (("scene", "tier"), message.astype(str))
-    data["peak"] = (("scene", "tier", "quantity"), peak)
-    data["error"] = (("scene", "tier", "quantity"), off)
-    dataset = xr.Dataset(data, {"scene": list(scenes), "tier": names, "quantity": list(PEAKS)})
+    data: dict[str, Any] = {
+        name: (("scene", "setting.tier"), values) for name, values in cost.items()
+    }
+    data["message"] = (("scene", "setting.tier"), message.astype(str))
+    data["peak"] = (("scene", "setting.tier", "quantity"), peak)
+    data["error"] = (("scene", "setting.tier", "quantity"), off)
+    dataset = xr.Dataset(
+        data, {"scene": list(scenes), "setting.tier": names, "quantity": list(PEAKS)}
+    )
     for name, (unit, words) in ABOUT.items():
         dataset[name].attrs = {"units": unit, "long_name": words}
     dataset.attrs["load_average"] = os.getloadavg()[0]

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.model.platform_motion import displacement
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
@@ -79,7 +78,7 @@ def motion_of(shown: RunInMotion, dataset: xr.Dataset) -> Motion:
         colour = np.repeat(colour, len(SPRING), axis=1)
         rest = (0.0 * SPRING, foot + SPRING * (rest[1] - foot))
     moments = _some(len(time), MOMENTS)
-    moved = displacement(scene.platform, scene.wave, time) if scene.platform else None
+    moved = _displaced(scene, time)
     place = None
     if moved is not None or scene.vessel:
         place = _platform(scene, geometry, x, z, None if moved is None else moved[frames])
@@ -101,6 +100,16 @@ def motion_of(shown: RunInMotion, dataset: xr.Dataset) -> Motion:
             run.isel(time=moments), scene, None if moved is None else moved[moments]
         ),
     )
+
+
+def _displaced(scene: Scene, time: Array) -> Array | None:
+    """Displacement of the platform over time, (times, 6), if there is one."""
+    if scene.platform is None:
+        return None
+    # Brings the kernels with it, which a report without a platform does not need.
+    from riserstudy.model.platform_motion import displacement
+
+    return displacement(scene.platform, scene.wave, time)
 
 
 def _some(count: int, most: int) -> NDArray[np.int64]:

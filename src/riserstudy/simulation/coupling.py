@@ -25,12 +25,12 @@ from riserstudy.model.vessel import floating, loose_nodes, unknowns
 from riserstudy.scene.models import Scene
 from riserstudy.scene.vessel import Coupling
 from riserstudy.simulation.time_stepping import steps_in
-from riserstudy.solve.account import DONE, Account, new_account
 from riserstudy.solve.evaluate import forces_and_tangent, move_to
 from riserstudy.solve.implicit import Method, march
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.record import Record, new_record
 from riserstudy.solve.state import OTHER, OWN, State
+from riserstudy.solve.sums import DONE, HALVED, ITERATIONS, Sums, fail, new_sums
 
 FloatArray = NDArray[np.float64]
 MOST_ROUNDS = 50  # of a turn that is repeated
@@ -84,9 +84,9 @@ def march_in_turns(
     method: Method,
     duration: float,
     record: Frozen,
-    account: Account,
+    sums: Sums,
 ) -> tuple[int, dict[str, Any]]:
-    """March both sides from the state of the riser's; outputs go to ``record``, work to ``account``.
+    """March both sides from the state of the riser's; outputs go to ``record``, work to ``sums``.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def march_in_turns(
         for table in (sides.lent, sides.told):
             table.time[:] = np.linspace(begin, end, method.steps + 1)
         one = method._replace(step=(end - begin) / method.steps)
-        outcome, needed = _turn(sides, coupling, one, record, account)
+        outcome, needed = _turn(sides, coupling, one, record, sums)
         if outcome != DONE:
             break
         sides.lent.load[:] = _reaction(sides)
@@ -128,32 +128,34 @@ def march_in_turns(
 
 
 def _turn(
-    sides: Sides, coupling: Coupling, method: Method, record: Frozen, account: Account
+    sides: Sides, coupling: Coupling, method: Method, record: Frozen, sums: Sums
 ) -> tuple[int, int]:
     """One turn: its outcome, and how often it was gone through."""
     platform, riser = sides.platform, sides.riser
     starts = [(side, _kept(side.s)) for side in (platform, riser)]
     tolerance = coupling.tolerance or method.tolerance
-    alone = new_account()  # of the platform
-    aside = new_account()  # of rounds that are gone through again
+    alone = new_sums()  # of the platform
+    aside = new_sums()  # of rounds that are gone through again
     for rounds in range(1, MOST_ROUNDS + 1):
         for side, start in starts:
             _restore(side.s, start)
         outcome, seen = _step_by_step(platform, method, sides.lent.time, alone)
         if outcome != DONE:
-            account.failure[:] = alone.failure[0], sides.told.node, alone.failure[2]
+            time, _, size = alone.failure
+            fail(sums, time, sides.told.node, size)
             return outcome, rounds
         moved = _tell(sides, seen)
         move_to(riser.programs, riser.state, float(sides.told.time[0]))
         if coupling.scheme == "staggered" or (rounds > 1 and moved <= tolerance):
-            account.count[1:3] += aside.count[1:3]
+            for kind in (ITERATIONS, HALVED):
+                sums.count[kind] += aside.count[kind]
             outcome = march(
-                riser.programs, riser.state, riser.spare, method, riser.fixed, record, account
+                riser.programs, riser.state, riser.spare, method, riser.fixed, record, sums
             )
             return int(outcome), rounds
         outcome, seen = _step_by_step(riser, method, sides.told.time, aside)
         if outcome != DONE:
-            account.failure[:] = aside.failure
+            sums.failure[:] = aside.failure
             return outcome, rounds
         sides.lent.load[:] = seen.probe[:, sides.reaction]
     raise SimulationError(
@@ -163,12 +165,10 @@ def _turn(
     )
 
 
-def _step_by_step(
-    side: Model, method: Method, times: FloatArray, account: Account
-) -> tuple[int, Record]:
+def _step_by_step(side: Model, method: Method, times: FloatArray, sums: Sums) -> tuple[int, Record]:
     """March one side, and what it reports at the begin and after each step."""
     seen = new_record(times, [0], side.s)
-    outcome = march(side.programs, side.state, side.spare, method, side.fixed, seen, account)
+    outcome = march(side.programs, side.state, side.spare, method, side.fixed, seen, sums)
     return int(outcome), seen.value
 
 

@@ -28,10 +28,10 @@ from riserstudy.simulation.failure import suspect
 from riserstudy.simulation.hermite_run import solve_small_angle
 from riserstudy.simulation.stable_step import explicit_limit
 from riserstudy.simulation.time_stepping import march_on, method_of, steps_in
-from riserstudy.solve.account import DONE, new_account
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.record import Record, evaluate_once, new_record
+from riserstudy.solve.sums import DONE, EVALUATIONS, HALVED, ITERATIONS, STEPS, new_sums
 
 FloatArray = NDArray[np.float64]
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
@@ -147,13 +147,11 @@ def _march(
     times = _times(a.output.start or 0.0, a.duration, a.output.interval)
     stations = _stations(mesh.s, None if where == EVERYWHERE else a.output.stations)
     notes = new_record(times, stations, state)
-    account = new_account()
+    sums = new_sums()
     before = sum(energies(model.programs, model.state))
     if coupling:
         turn, _ = method_of(scene, mesh, step, steps)
-        outcome, facts["coupling"] = march_in_turns(
-            sides, coupling, turn, a.duration, notes, account
-        )
+        outcome, facts["coupling"] = march_in_turns(sides, coupling, turn, a.duration, notes, sums)
     elif a.method == "explicit":
         limit = explicit_limit(scene, model)
         if step > limit:
@@ -171,15 +169,15 @@ def _march(
             EXPLICIT_BOUND,
             model.fixed,
             notes,
-            account,
+            sums,
         )
         facts["stable_step"] = limit
     else:
-        outcome = march_on(scene, model, mesh, step, notes, account)
+        outcome = march_on(scene, model, mesh, step, notes, sums)
     if outcome != DONE:
-        raise StepFailed(_why(model, mesh, account, step))
+        raise StepFailed(_why(model, mesh, sums, step))
     after = sum(energies(model.programs, model.state))
-    _audit(facts, account, before, after, step)
+    _audit(facts, sums, before, after, step)
     if coupling:
         _account_for_exchange(facts, coupling)
     names, record = quantities(model), notes.value
@@ -283,8 +281,8 @@ def _lean(t: FloatArray, upright: FloatArray, d: int) -> FloatArray:
     return np.asarray(size * np.sign(across[:, 1]) if d == 2 else size)
 
 
-def _audit(facts: dict[str, Any], account: Any, before: float, after: float, step: float) -> None:
-    held, supplied, dissipated, numerical, exchanged = (float(x) for x in account.work)
+def _audit(facts: dict[str, Any], sums: Any, before: float, after: float, step: float) -> None:
+    held, supplied, dissipated, numerical, exchanged = (float(x) for x in sums.work)
     residual = held + supplied - dissipated - numerical - (after - before)
     still = 1e-12 * max(abs(before), abs(after), 1.0)  # rounding of a riser that stays at rest (J)
     scale = max(exchanged, abs(after - before), still / UNEXPLAINED)
@@ -299,9 +297,9 @@ def _audit(facts: dict[str, Any], account: Any, before: float, after: float, ste
         "unexplained": residual,
         "unexplained_share": abs(residual) / scale,
     }
-    facts["steps"] = int(account.count[0])
-    facts["newton_iterations"] = int(account.count[1])
-    facts["halved_steps"] = int(account.count[2])
+    facts["steps"] = int(sums.count[STEPS])
+    facts["newton_iterations"] = int(sums.count[ITERATIONS])
+    facts["halved_steps"] = int(sums.count[HALVED])
     if abs(residual) > UNEXPLAINED * scale:
         facts["warnings"].append(
             f"energy: {abs(residual) / scale:.2g} of what was exchanged is unexplained; "
@@ -350,11 +348,11 @@ def _check_tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str,
         )
 
 
-def _why(model: Model, mesh: Mesh, account: Any, step: float) -> str:
+def _why(model: Model, mesh: Mesh, sums: Any, step: float) -> str:
     """What to tell about a step that failed."""
-    time, node, size = account.failure
+    time, node, size = sums.failure
     how = "Newton's iteration did not converge even after halving the step"
-    if account.count[3]:
+    if sums.count[EVALUATIONS]:
         how = "velocities grow without bound"
     return (
         f"stopped at t = {time:.6g} s, node {int(node)} (s = {mesh.s[int(node)]:.4g} m), last correction "

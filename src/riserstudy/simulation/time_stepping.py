@@ -12,11 +12,11 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
 from riserstudy.scene.models import Scene
-from riserstudy.solve.account import DONE
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
+from riserstudy.solve.sums import DONE
 
 RHO_INF = 0.8  # default spectral radius
 NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
@@ -30,12 +30,10 @@ def steps_in(time: float, step: float) -> int:
     return max(1, math.ceil(time / step * (1.0 - 1e-9)))
 
 
-def march_on(
-    scene: Scene, model: Model, mesh: Mesh, step: float, record: Frozen, account: Any
-) -> int:
+def march_on(scene: Scene, model: Model, mesh: Mesh, step: float, record: Frozen, sums: Any) -> int:
     """March by the scene's implicit method, anew from every jolt on, with a graded start there.
 
-    Returns DONE, or why it stopped; the account then tells where.
+    Returns DONE, or why it stopped; the sums then tells where.
 
     Across a jump of a held node's acceleration a step longer than the periods of short segments would make
     moments that are not there, the larger the finer the mesh. A step that the scene gives is kept.
@@ -53,7 +51,7 @@ def march_on(
         length, graded = (until - begin) / count, GRADED if sudden else 0
         method, stepped = method_of(scene, mesh, length, count, graded)
         outcome = stepped(
-            model.programs, model.state, model.spare, method, model.fixed, record, account
+            model.programs, model.state, model.spare, method, model.fixed, record, sums
         )
         if outcome != DONE:
             break

@@ -9,7 +9,15 @@ import numpy as np
 from riserstudy.solve.blocktri import factor_flexibility, flexibility_solve
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import every
-from riserstudy.solve.state import clear, clear_forces, clear_tangent, gather, keep_ends, measure
+from riserstudy.solve.state import (
+    ACCELERATION,
+    clear,
+    clear_forces,
+    clear_tangent,
+    gather,
+    keep_ends,
+    measure,
+)
 
 
 class Programs(NamedTuple):
@@ -87,7 +95,7 @@ def tangent(p, s):
     """Stiffness, with damping and mass at the rates ``s.rate``; after ``forces``."""
     clear_tangent(s)
     every(p.tangent, s)
-    if s.rate[1] > 0.0:
+    if s.rate[ACCELERATION] > 0.0:
         every(p.mass, s)
 
 

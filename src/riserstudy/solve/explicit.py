@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from riserstudy.solve.account import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.evaluate import load, move, shape, true_moments
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import every
 from riserstudy.solve.record import due, evaluate_and_note, interpolate, widen
-from riserstudy.solve.state import clear, copy
+from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, clear, copy
+from riserstudy.solve.sums import DONE, EVALUATIONS, NOT_CONVERGED, enter, fail
 from riserstudy.solve.vec import at, outer, put, solved
 
 
@@ -104,7 +104,7 @@ def halfway(s, h, into):
 
 
 @kernel
-def leapfrog(p, s, so, h, steps, bound, fixed, record, account):
+def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
     """March ``steps`` steps of ``h`` from the state ``s``; outputs go to ``record``.
 
     Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``.
@@ -113,7 +113,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, account):
     n = s.r.shape[1] - 1  # the last node, loose ones included
     r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
     v1 = np.zeros((d, n + 1))
-    s.rate[0], s.rate[1] = 0.0, 1.0
+    s.rate[VELOCITY], s.rate[ACCELERATION] = 0.0, 1.0
     start = s.clock[0]
     move(p, s, start)
     power0 = accelerate(p, s, fixed)
@@ -131,11 +131,11 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, account):
             halfway(s, h, v0)
         if not advance(s, h) < bound:
             halfway(s, -h, v0)
-            return failed(account, v0, t, h)
+            return failed(sums, v0, t, h)
         move(p, s, t + h)
         power1 = accelerate(p, s, fixed)
         lost, given = flow(p, s)
-        account.count[3] += 1
+        sums.count[EVALUATIONS] += 1
         if told:
             halfway(s, h, v1)
         while due(record, t + h * (1.0 - 1e-9)):
@@ -145,7 +145,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, account):
             evaluate_and_note(p, so, record)
             widen(record)
         enter(
-            account,
+            sums,
             0.5 * h * (power0 + power1),
             0.5 * h * (given + given0),
             0.5 * h * (lost + lost0),
@@ -161,19 +161,18 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, account):
 @inner
 def flow(p, s):
     """Power dissipated, and power supplied by water and devices (W)."""
-    s.flow[0], s.flow[1] = 0.0, 0.0
+    s.flow[DISSIPATED], s.flow[SUPPLIED] = 0.0, 0.0
     every(p.power, s)
-    return s.flow[0], s.flow[1]
+    return s.flow[DISSIPATED], s.flow[SUPPLIED]
 
 
 @inner
-def failed(account, v, t, h):
+def failed(sums, v, t, h):
     """Say where velocities ``v`` grew most."""
-    fastest = 0.0
+    fastest, node = 0.0, 0
     for c in range(v.shape[0]):
         for i in range(v.shape[1]):
             if not abs(v[c, i]) <= fastest:
-                fastest = abs(v[c, i])
-                account.failure[1] = i
-    account.failure[0], account.failure[2] = t, h * fastest
+                fastest, node = abs(v[c, i]), i
+    fail(sums, t, node, h * fastest)
     return NOT_CONVERGED

@@ -17,14 +17,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.solve.account import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.jit import kernel
-from riserstudy.solve.newton import balance, correct, new_memory
+from riserstudy.solve.newton import account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
-from riserstudy.solve.state import copy, keep, restore
+from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, copy, keep, restore
+from riserstudy.solve.sums import DONE, NOT_CONVERGED, enter
 
 
 class Method(NamedTuple):
@@ -51,11 +51,11 @@ def generalised_alpha(rho_inf) -> tuple[float, float, float, float]:
 
 
 @kernel
-def march(p, s, so, method, fixed, record, account):
+def march(p, s, so, method, fixed, record, sums):
     """March from the state ``s`` at time ``s.clock[0]``; outputs go to ``record``.
 
     ``so`` is a second state of the same model, for evaluations at output times.
-    Returns DONE or NOT_CONVERGED (then ``account.failure`` tells where).
+    Returns DONE or NOT_CONVERGED (then ``sums.failure`` tells where).
     """
     d = len(s.dim)
     nb = len(s.dof)
@@ -74,7 +74,7 @@ def march(p, s, so, method, fixed, record, account):
     follower = s.a.copy()  # the auxiliary acceleration
     held0 = account(p, s, force, fixed)
     copy(inert1, s.force)
-    lost0, given0 = s.flow[0], s.flow[1]
+    lost0, given0 = s.flow[DISSIPATED], s.flow[SUPPLIED]
     kinetic0 = every(p.kinetic, s)
     begin = s.clock[0]
     note_start(p, s, record, begin)
@@ -83,8 +83,8 @@ def march(p, s, so, method, fixed, record, account):
         t, h = s.clock[0], pace[LENGTH]
         keep(s, r0, v0, a0, moment0)
         copy(inert0, inert1)
-        s.rate[0] = gamma / (beta * h)
-        s.rate[1] = (1.0 - am) / ((1.0 - af) * beta * h * h)
+        s.rate[VELOCITY] = gamma / (beta * h)
+        s.rate[ACCELERATION] = (1.0 - am) / ((1.0 - af) * beta * h * h)
         for c in range(d):
             for i in range(n + 1):
                 s.r[c, i] += h * v0[c, i] + 0.5 * h * h * follower[c, i]
@@ -92,11 +92,9 @@ def march(p, s, so, method, fixed, record, account):
                 s.a[c, i] = (follower[c, i] - af * a0[c, i]) / (1.0 - af)
         move(p, s, t + h)
 
-        if not correct(
-            p, s, method.tolerance, method.iterations, memory, out, work, fixed, account
-        ):
+        if not correct(p, s, method.tolerance, method.iterations, memory, out, work, fixed, sums):
             restore(s, r0, v0, a0, moment0)
-            if not halve(p, s, t, pace, method, memory, account):
+            if not halve(p, s, t, pace, method, memory, sums):
                 return NOT_CONVERGED
             continue
 
@@ -112,10 +110,10 @@ def march(p, s, so, method, fixed, record, account):
                     1.0 - am
                 )
                 numerical -= 0.5 * (inert0[c, i] + inert1[c, i]) * (s.r[c, i] - r0[c, i])
-        lost, given = s.flow[0], s.flow[1]
+        lost, given = s.flow[DISSIPATED], s.flow[SUPPLIED]
         half = 0.5 * h
         enter(
-            account,
+            sums,
             half * (held + held0),
             half * (given + given0),
             half * (lost + lost0),

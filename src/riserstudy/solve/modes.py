@@ -17,6 +17,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from riserstudy.solve.evaluate import forces_and_tangent, one_call
 from riserstudy.solve.program import Frozen
+from riserstudy.solve.state import ACCELERATION, VELOCITY
 
 FEW = 300  # unknowns up to which all eigenvalues come faster than the largest alone
 VECTORS = 40  # that the search for the largest keeps
@@ -47,7 +48,7 @@ def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
     d, m, nodes = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1]
 
     def at_rate(velocity: float) -> csr_array:
-        s.rate[0], s.rate[1] = velocity, 0.0
+        s.rate[VELOCITY], s.rate[ACCELERATION] = velocity, 0.0
         forces_and_tangent(programs, state)
         return _stiffness(s, d)
 
@@ -56,7 +57,7 @@ def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
     damping = at_rate(1.0) - stiff
     for array in (s.k_segment, s.k_node, s.k_up, s.k_low):
         array[:] = 0.0
-    s.rate[1] = 1.0
+    s.rate[ACCELERATION] = 1.0
     one_call(programs.value.mass, state)
     mass = _stiffness(s, d)
     s.rate[:] = 0.0

@@ -15,7 +15,8 @@ from riserstudy.solve.blocktri import solve
 from riserstudy.solve.evaluate import forces, inertia, tangent
 from riserstudy.solve.jit import inner
 from riserstudy.solve.program import every
-from riserstudy.solve.state import clear_tangent, copy
+from riserstudy.solve.state import ACCELERATION, VELOCITY, clear_tangent, copy
+from riserstudy.solve.sums import ITERATIONS
 
 CONFIRM_EVERY = 32  # steps after which C is measured anew
 SAFETY = 4.0  # on the estimate C d^2
@@ -48,7 +49,7 @@ def imbalance(p, s, out):
 
 
 @inner
-def correct(p, s, tolerance, iterations, memory, out, work, fixed, account):
+def correct(p, s, tolerance, iterations, memory, out, work, fixed, sums):
     """Correct positions until forces balance; velocity and acceleration follow at the rates ``s.rate``.
 
     Returns whether it converged; the memory then tells the size of the last correction, and where.
@@ -66,15 +67,15 @@ def correct(p, s, tolerance, iterations, memory, out, work, fixed, account):
             for i in range(n + 1):
                 delta = out[i, m + c]
                 s.r[c, i] += delta
-                s.v[c, i] += s.rate[0] * delta
-                s.a[c, i] += s.rate[1] * delta
+                s.v[c, i] += s.rate[VELOCITY] * delta
+                s.a[c, i] += s.rate[ACCELERATION] * delta
                 square += delta * delta
                 if not abs(delta) <= worst:
                     worst, where = abs(delta), i
         for u in range(m):
             for i in range(n + 1):
                 s.moment[u, i] += out[i, u]
-        account.count[1] += 1
+        sums.count[ITERATIONS] += 1
         memory[NODE], memory[SIZE] = where, worst
         correction = sqrt(square / (n + 1))
         if not correction < 1e12 * tolerance:
@@ -102,7 +103,7 @@ def balance(p, s, out, work, fixed):
     for f in range(fixed.shape[0]):
         out[fixed[f, 0], fixed[f, 1]] = 0.0
     clear_tangent(s)
-    s.rate[0], s.rate[1] = 0.0, 1.0
+    s.rate[VELOCITY], s.rate[ACCELERATION] = 0.0, 1.0
     every(p.mass, s)
     for i in range(n + 1):
         for c in range(d):

@@ -7,6 +7,7 @@ import numpy as np
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.jit import inner
 from riserstudy.solve.newton import NODE, SIZE
+from riserstudy.solve.sums import HALVED, fail
 
 LENGTH, DONE_STEPS, LEVEL, LEFT = 0, 1, 2, 3  # what a pace holds
 
@@ -52,17 +53,15 @@ def advance(s, pace, method, begin):
 
 
 @inner
-def halve(p, s, t, pace, method, memory, account):
+def halve(p, s, t, pace, method, memory, sums):
     """Go back to the time ``t`` and halve the step; returns False where it was halved often enough."""
     s.clock[0] = t
     if pace[LEVEL] == method.halvings:
         move(p, s, t)
-        account.failure[0] = t
-        account.failure[1] = memory[NODE]
-        account.failure[2] = memory[SIZE]
+        fail(sums, t, memory[NODE], memory[SIZE])
         return False
     pace[LEVEL] += 1.0
     pace[LEFT] *= 2.0
     pace[LENGTH] *= 0.5
-    account.count[2] += 1
+    sums.count[HALVED] += 1
     return True

@@ -19,14 +19,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.solve.account import DONE, NOT_CONVERGED, enter
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.jit import inner, kernel
-from riserstudy.solve.newton import balance, correct, new_memory
+from riserstudy.solve.newton import account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
-from riserstudy.solve.state import copy, keep, restore
+from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, copy, keep, restore
+from riserstudy.solve.sums import DONE, NOT_CONVERGED, enter
 
 _G = 1.0 - sqrt(0.5)
 TABLEAUS = {
@@ -49,6 +49,7 @@ TABLEAUS = {
         ]
     ),
 }
+SUPPORTS, INERTIA = 2, 3  # entries of power of a stage, beside those of `flow`
 
 
 class Stages(NamedTuple):
@@ -64,7 +65,7 @@ class Stages(NamedTuple):
 
 
 @inner
-def _work(s):
+def _inertial_power(s):
     """Power of the inertial forces (W)."""
     power = 0.0
     for c in range(len(s.dim)):
@@ -74,7 +75,7 @@ def _work(s):
 
 
 @kernel
-def march_in_stages(p, s, so, method, fixed, record, account):
+def march_in_stages(p, s, so, method, fixed, record, sums):
     """March from the state ``s`` at time ``s.clock[0]``; arguments and outcome are those of `march`."""
     d = len(s.dim)
     nb = len(s.dof)
@@ -93,14 +94,13 @@ def march_in_stages(p, s, so, method, fixed, record, account):
     r0, moment0 = np.zeros((d, n + 1)), np.zeros((m, n + 1))
     v, a = np.zeros((stages, d, n + 1)), np.zeros((stages, d, n + 1))
     force = np.zeros((d, n + 1))
-    # by stage: dissipated, supplied by water and devices, by supports, by inertia
     power = np.zeros((stages, 4))
 
     memory, pace = new_memory(), new_pace(method)
     balance(p, s, out, work, fixed)
-    power[last, 2] = account(p, s, force, fixed)
-    power[last, 0], power[last, 1] = s.flow[0], s.flow[1]
-    power[last, 3] = _work(s)
+    power[last, SUPPORTS] = account(p, s, force, fixed)
+    power[last, DISSIPATED], power[last, SUPPLIED] = s.flow[DISSIPATED], s.flow[SUPPLIED]
+    power[last, INERTIA] = _inertial_power(s)
     kinetic0 = every(p.kinetic, s)
     begin = s.clock[0]
     note_start(p, s, record, begin)
@@ -110,8 +110,8 @@ def march_in_stages(p, s, so, method, fixed, record, account):
         keep(s, r0, v[0], a[0], moment0)
         for k in range(4):
             power[0, k] = power[last, k]
-        s.rate[0] = 1.0 / (diagonal * h)
-        s.rate[1] = s.rate[0] * s.rate[0]
+        s.rate[VELOCITY] = 1.0 / (diagonal * h)
+        s.rate[ACCELERATION] = s.rate[VELOCITY] * s.rate[VELOCITY]
         failed = False
         for i in range(1, stages):
             ahead = 0.0  # how far accelerations go on as they did
@@ -129,20 +129,20 @@ def march_in_stages(p, s, so, method, fixed, record, account):
                     s.r[c, k] = place + h * diagonal * s.v[c, k]
             move(p, s, t + reached[i] * h)
             if not correct(
-                p, s, method.tolerance, method.iterations, memory, out, work, fixed, account
+                p, s, method.tolerance, method.iterations, memory, out, work, fixed, sums
             ):
                 failed = True
                 break
             copy(v[i], s.v)
             copy(a[i], s.a)
-            power[i, 2] = account(p, s, force, fixed)
-            power[i, 0], power[i, 1] = s.flow[0], s.flow[1]
-            power[i, 3] = _work(s)
+            power[i, SUPPORTS] = account(p, s, force, fixed)
+            power[i, DISSIPATED], power[i, SUPPLIED] = s.flow[DISSIPATED], s.flow[SUPPLIED]
+            power[i, INERTIA] = _inertial_power(s)
         if failed:
             restore(s, r0, v[0], a[0], moment0)
             for k in range(4):
                 power[last, k] = power[0, k]
-            if not halve(p, s, t, pace, method, memory, account):
+            if not halve(p, s, t, pace, method, memory, sums):
                 return NOT_CONVERGED
             continue
 
@@ -151,11 +151,11 @@ def march_in_stages(p, s, so, method, fixed, record, account):
         lost, given, held = 0.0, 0.0, 0.0
         for i in range(stages):
             weight = h * weights[last, i]
-            lost += weight * power[i, 0]
-            given += weight * power[i, 1]
-            held += weight * power[i, 2]
-            numerical -= weight * power[i, 3]
-        enter(account, held, given, lost, numerical)
+            lost += weight * power[i, DISSIPATED]
+            given += weight * power[i, SUPPLIED]
+            held += weight * power[i, SUPPORTS]
+            numerical -= weight * power[i, INERTIA]
+        enter(sums, held, given, lost, numerical)
         kinetic0 = kinetic1
         note_step(p, s, so, r0, v[0], a[0], moment0, t, h, record)
         advance(s, pace, method, begin)

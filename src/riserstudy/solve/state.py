@@ -31,6 +31,9 @@ from riserstudy.solve.vec import at, mul, norm, plus, put, sub, upward
 
 OWN, OTHER = 5.0 / 12.0, 1.0 / 12.0
 
+VELOCITY, ACCELERATION = 0, 1  # entries of `rate`
+DISSIPATED, SUPPLIED = 0, 1  # entries of `flow`
+
 
 class State(NamedTuple):
     """Arrays are component-major; d directions, m moments a node (0, 1 or 3), n segments.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Collection
+from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -215,8 +216,6 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
 
 
 def _about(study: Study, results: list[Result]) -> dict[str, Any]:
-    from riserstudy import __version__
-
     origins = study.base.origins
     effects = {name: why for r in results for name, why in r.facts["effects"].items()}
     return {
@@ -226,7 +225,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "tier": study.tier,
         "digest": study.digest,
         "engine": engine_digest(),
-        "riserstudy": __version__,
+        "riserstudy": version("riserstudy"),
         "scene": json.dumps(study.base.tree),
         "scene_file": study.base.source,
         "origins": json.dumps({p: o.status for p, o in origins.items()}),

@@ -6,9 +6,8 @@ import shutil
 from pathlib import Path
 
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE
 
-TEMPLATE = PACKAGE / "template"
+TEMPLATE = Path(__file__).with_name("template")
 
 
 def new_study(folder: Path) -> None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+from riserstudy.digests import defining
 from riserstudy.errors import InputError
-from riserstudy.folders import has_module
+from riserstudy.folders import chapter_modules
 from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml
 from riserstudy.study.figures import NEEDS, FigureModel, Plot
@@ -24,10 +25,12 @@ def read_studies(config: Path, paper: str) -> StudyFile:
     """
     path = config / "studies" / f"{paper}.yaml"
     file = check(StudyFile, read_yaml(path, keep=True), path)
-    if file.derived and not has_module("derived", paper):
-        raise InputError(path, "derived", f"no module derived/{paper}.py", "leave it out")
+    for name in file.derived:
+        if defining(chapter_modules(paper, "derived"), name) is None:
+            found = f"chapters/{paper}/derived.py defines no function {name}"
+            raise InputError(path, f"derived.{name}", found, "leave it out, or define it")
     for name, figure in file.figures.items():
-        if not figure.plot and not has_module("figures", paper):
+        if not figure.plot and defining(chapter_modules(paper, "figures"), name) is None:
             allowed = "allowed are plot: " + ", ".join(NEEDS)
             raise InputError(path, f"figures.{name}", "nothing says how to draw it", allowed)
     if not file.figures:

@@ -1,0 +1,1 @@
+"""Bench scenes: what is derived from its runs, drawn and claimed."""

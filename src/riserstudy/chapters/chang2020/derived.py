@@ -1,0 +1,110 @@
+"""Chang et al. 2020: the asymmetry index, Eq. 9, and the reductions of Fig 8, in each reading."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.dataset.describe import described
+
+PAPER = "chang2020"
+#: how the printed motion height H = 5 m can be meant, and the amplitude (m) that each gives
+HEIGHTS = {"amplitude": 5.0, "height": 2.5}
+QUANTITIES = {"heave": "z", "tension": "effective_tension"}
+
+
+def asymmetry(steady: xr.Dataset, from_rest: xr.Dataset, quasi_static: xr.Dataset) -> xr.Dataset:
+    """S = (max x - x_eq) / (x_eq - min x) over (reading, tensioner_model, heave_amplitude).
+
+    x_eq is the static equilibrium of the same law. The quasi-static reading takes the equilibria with
+    the platform at rest at the two ends of its heave.
+    """
+    rest = _top(quasi_static)["z_static"].sel(heave_position=0.0, drop=True)
+    readings = {
+        name: (_top(runs)["z_max"] - rest, rest - _top(runs)["z_min"])
+        for name, runs in {"steady": steady, "from_rest": from_rest}.items()
+    }
+    held = _held(quasi_static, "z_static", steady["heave_amplitude"])
+    readings["quasi_static"] = held["above"] - rest, rest - held["below"]
+    names = xr.DataArray(list(readings), dims="reading", name="reading")
+    up, down = (
+        xr.concat(
+            [sides[k] for sides in readings.values()], names, coords="minimal", compat="override"
+        )
+        for k in range(2)
+    )
+    return described(
+        xr.Dataset(
+            {"displacement_up": up, "displacement_down": down, "asymmetry_index": up / down}
+        ),
+        PAPER,
+        "asymmetry index S of Eq. 9",
+    )
+
+
+def reductions(
+    steady: xr.Dataset, from_rest: xr.Dataset, quasi_static: xr.Dataset, rigid: xr.Dataset
+) -> xr.Dataset:
+    """What the tensioner takes off the riser's oscillation, in every way the text can be read.
+
+    1 - (with tensioner) / (without) over (quantity, measure, height, reading): swing is the difference
+    of largest and smallest value, deviation the standard deviation, peak the largest value.
+    """
+    ways = {
+        (quantity, height, reading): 1.0
+        - _measures(runs, quantity, a) / _measures(rigid, quantity, a)
+        for quantity in QUANTITIES
+        for height, a in HEIGHTS.items()
+        for reading, runs in {
+            "steady": steady,
+            "from_rest": from_rest,
+            "quasi_static": quasi_static,
+        }.items()
+    }
+    table = xr.concat(ways.values(), "way", coords="minimal", compat="override")
+    for k, name in enumerate(("quantity", "height", "reading")):
+        table = table.assign_coords({name: ("way", [way[k] for way in ways])})
+    table = table.set_index(way=["quantity", "height", "reading"]).unstack("way")
+    order = ("quantity", "measure", "height", "reading")
+    return described(
+        table.transpose(*order).to_dataset(name="reduction"),
+        PAPER,
+        "reduction of the riser's oscillation by the tensioner",
+    )
+
+
+def _measures(runs: xr.Dataset, quantity: str, amplitude: float) -> xr.DataArray:
+    """Swing, standard deviation and peak of a quantity at the ring, over ``measure``."""
+    if "tensioner_model" in runs.dims:
+        runs = runs.sel(tensioner_model="gas law", drop=True)
+    name = QUANTITIES[quantity]
+    zero = float(runs["s_node"][-1]) if name == "z" else 0.0
+    if "time" in runs.dims:
+        run = _top(runs.sel(heave_amplitude=amplitude, drop=True))
+        highest, lowest = run[f"{name}_max"] - zero, run[f"{name}_min"] - zero
+        deviation = run[name].isel(s=-1, drop=True).isel(time=slice(None, -1)).std("time")
+    else:
+        held = _held(runs, f"{name}_static", xr.DataArray(amplitude))
+        highest, lowest = held["above"] - zero, held["below"] - zero
+        turn = xr.DataArray(np.linspace(0.0, 2.0 * np.pi, 720, endpoint=False), dims="turn")
+        at = amplitude * np.sin(turn)
+        everywhere = _top(runs)[f"{name}_static"].interp(heave_position=at, method="cubic")
+        deviation = everywhere.std("turn")
+    measures = xr.DataArray(["swing", "deviation", "peak"], dims="measure", name="measure")
+    parts = [part.drop_vars(part.coords) for part in (highest - lowest, deviation, highest)]
+    return xr.concat(parts, measures)
+
+
+def _top(runs: xr.Dataset) -> xr.Dataset:
+    return runs.isel(s_node=-1, drop=True)
+
+
+def _held(runs: xr.Dataset, name: str, amplitude: xr.DataArray) -> dict[str, xr.DataArray]:
+    """Values with the platform held at the upper and the lower end of its heave."""
+    value = _top(runs)[name]
+    return {
+        side: value.sel(heave_position=sign * amplitude, drop=True).drop_vars(
+            "heave_position", errors="ignore"
+        )
+        for side, sign in (("above", 1.0), ("below", -1.0))
+    }

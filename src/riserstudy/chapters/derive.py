@@ -1,0 +1,37 @@
+"""Derive a dataset of a chapter from others."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.chapters import function_of
+from riserstudy.scene.origin import unwrap
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def derive(
+    paper: str,
+    name: str,
+    datasets: dict[str, xr.Dataset],
+    settings: dict[str, Any] | None = None,
+) -> xr.Dataset:
+    """Derived dataset ``name`` of a paper, by the function of that name in its chapter's ``derived``.
+
+    ``settings`` are what the study file tells it besides the datasets; the attribute ``settings`` keeps them
+    with ranges and reasons.
+
+    Its attribute ``origins`` joins those of its sources: where a calibrated value went must stay known.
+    """
+    plain, told, _ = unwrap(settings or {})
+    dataset: xr.Dataset = function_of(paper, "derived", name)(**datasets, **plain)
+    origins = {f"with.{path}": origin.status for path, origin in told.items()}
+    if settings:
+        dataset.attrs["settings"] = json.dumps(settings)
+    for source in datasets.values():
+        for path, status in json.loads(source.attrs.get("origins", "{}")).items():
+            origins[path] = status if origins.get(path) != "calibrated" else "calibrated"
+    dataset.attrs["origins"] = json.dumps(origins)
+    return dataset

@@ -1,0 +1,258 @@
+"""The Hamilton-principle riser paper: what its claims and errata are checked against.
+
+Shares of a length count from the bottom; trends are compared between all neighbouring values of an axis.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from riserstudy.grading.grade import Found
+
+FloatArray = NDArray[np.float64]
+LUMPED, BEAM = "lumped masses", "Hermite beam"
+PERIOD = 8.0  # s, of the wave, over which slow motion is averaged
+PHASES = {"first": (0.0, 16.0), "second": (16.0, 260.0), "last": (260.0, 300.0)}  # s
+TOGETHER = ("B5", "B6", "B7", "B8", "B9", "B10")
+
+
+# Fig 3: the sea
+
+
+def fades_with_depth(water: xr.Dataset, share: float, within: float) -> Found:
+    """Wave motion has fallen to a share of its surface value within a share of the depth; value: where."""
+    places = []
+    for name in ("wave_velocity", "wave_acceleration"):
+        size = abs(water[name]).max("time")
+        below = (
+            size["below_surface"]
+            .where(size <= share * size.isel(below_surface=0))
+            .min("below_surface")
+        )
+        places.append(below / water["below_surface"].max())
+    deepest = xr.concat(places, "of").max("of")
+    return Found(deepest, deepest <= within)
+
+
+# Fig 4: three phases
+
+
+def fast_at_first(motion: xr.Dataset, at_least: float) -> Found:
+    """Mid-length deflects faster in the first two wave periods than after them; value: ratio of the rates."""
+    x = middle(motion)
+    rates = {
+        name: (at(x, end) - at(x, start)) / (end - start) for name, (start, end) in PHASES.items()
+    }
+    ratio = abs(rates["first"]) / abs(rates["second"])
+    return Found(ratio, ratio >= at_least)
+
+
+def reciprocates(motion: xr.Dataset, at_least: float) -> Found:
+    """Deflection averaged over a wave swings back in the second phase; value: how far, of its last."""
+    slow = averaged(middle(motion))
+    start, end = PHASES["second"]
+    within = slow.sel(time=slice(start, end))
+    highest = np.maximum.accumulate(within.values, axis=within.get_axis_num("time"))
+    back = (within.copy(data=highest) - within).max("time")
+    share = back / abs(slow.isel(time=-1))
+    return Found(share, share >= at_least)
+
+
+def periodic_at_last(motion: xr.Dataset, within: float) -> Found:
+    """Settled by the last phase; value: the settling time (s)."""
+    time = settling_time(motion, within)
+    return Found(time, time <= PHASES["last"][0] + 1.0)
+
+
+def settling_time(motion: xr.Dataset, within: float) -> xr.DataArray:
+    """Time (s) after which the average over a wave stays within a share of its last value."""
+    slow = averaged(middle(motion))
+    last = slow.isel(time=-1)
+    away = abs(slow - last) > within * abs(last)
+    time: xr.DataArray = away["time"].where(away).max("time").fillna(0.0)
+    return time
+
+
+def middle(motion: xr.Dataset) -> xr.DataArray:
+    """Deflection at mid-length over time, of the lumped masses where there are both solvers."""
+    x = motion["x"].sel(solver=LUMPED, drop=True) if "solver" in motion.dims else motion["x"]
+    return x.isel(s=x.sizes["s"] // 2, drop=True)
+
+
+def averaged(x: xr.DataArray) -> xr.DataArray:
+    """Mean over the wave period around each time that has one."""
+    count = round(PERIOD / float(x["time"][1] - x["time"][0]))
+    ends = xr.zeros_like(x.isel(time=slice(count, None)))
+    total = x.cumsum("time")
+    mean = (
+        total.isel(time=slice(count, None)).values - total.isel(time=slice(None, -count)).values
+    ) / count
+    times = x["time"].values[count:] - 0.5 * PERIOD
+    return ends.copy(data=mean).assign_coords(time=times)
+
+
+def at(x: xr.DataArray, time: float) -> xr.DataArray:
+    """Value at a time."""
+    return x.sel(time=time, method="nearest", drop=True)
+
+
+# Fig 5: where along the riser
+
+
+def deflects_at_mid_length(trends: xr.Dataset, within: float) -> Found:
+    """The largest deflection lies near mid-length; value: its place."""
+    found = base(trends, "deflection_place")
+    return Found(found, abs(found - 0.5) <= within)
+
+
+def bends_near_the_ends(trends: xr.Dataset, within: float) -> Found:
+    """Stress and angle of each half are largest near its end; value: the farthest from an end."""
+    names = ("stress_from_bottom", "stress_from_top", "angle_from_bottom", "angle_from_top")
+    farthest = xr.concat([base(trends, name) for name in names], "of").max("of")
+    return Found(farthest, farthest <= within)
+
+
+def base(trends: xr.Dataset, name: str) -> xr.DataArray:
+    """A measure of the base case, or of the longest riser where there is none."""
+    label = f"{name}_by_ratio"
+    if label in trends:
+        return solved(trends[label]).sel(tension_ratio=1.3, drop=True)
+    return solved(trends[f"{name}_by_length"]).isel(length=-1, drop=True)
+
+
+# Figs 6 to 8: trends
+
+
+def trend(trends: xr.Dataset, measures: list[str], axis: str, grows: float) -> Found:
+    """All measures grow (1) or fall (-1) at each step of an axis; value: last over first, of the first."""
+    dims = {"length": "length", "ratio": "tension_ratio", "factor": "buoyant_factor"}
+    dim, true, value = dims[axis], xr.DataArray(True), None
+    for name in measures:
+        along = solved(trends[f"{name}_by_{axis}"])
+        true = true & (grows * along.diff(dim) > 0).all(dim)
+        if value is None:
+            value = along.isel({dim: -1}, drop=True) / along.isel({dim: 0}, drop=True)
+    if value is None:
+        raise TypeError("a trend of nothing")
+    return Found(value, true)
+
+
+def solved(values: xr.DataArray) -> xr.DataArray:
+    """What the lumped masses give, where there are both solvers."""
+    return values.sel(solver=LUMPED, drop=True) if "solver" in values.dims else values
+
+
+def together(trends: xr.Dataset, mid: float, near: float) -> Found:
+    """Claims B5 to B10 at once; value: how many of the six are true."""
+    each = claims(trends, mid, near)
+    return Found(each.sum("claim").astype(float), each.all("claim"))
+
+
+def claims(trends: xr.Dataset, mid: float = 0.1, near: float = 0.1) -> xr.DataArray:
+    """Truth of B5 to B10 over ``claim`` and whatever the measures are over."""
+    found = [deflects_at_mid_length(trends, mid), bends_near_the_ends(trends, near)]
+    for name, grows in (("vibration", -1.0), ("stress", -1.0), ("deflection", 1.0), ("angle", 1.0)):
+        found.append(trend(trends, [name], "length", grows))
+    true = [f.true for f in found if f.true is not None]
+    return xr.concat(true, xr.DataArray(list(TOGETHER), dims="claim", name="claim"))
+
+
+# the numerical settings
+
+
+def grid_suffices(grid: xr.Dataset, element: str, step: float, at_most: float) -> Found:
+    """Error at an element length and step; value: the larger of those of deflection and moment.
+
+    Against the finest grid, or where runs are on that one alone, as they estimate it.
+    """
+    if "element" in grid.dims:
+        error = grid_error(grid).sel(element=element, time_step=step, drop=True)
+    else:
+        error = xr.concat([grid["error_displacement"], grid["error_moment"]], "of").max("of")
+    return Found(error, error <= at_most)
+
+
+def grid_error(grid: xr.Dataset) -> xr.DataArray:
+    """Relative error of largest deflection and largest moment, the larger of the two, of each grid."""
+    sides = [abs(grid[f"bending_moment_{side}"]) for side in ("max", "min")]
+    moment = xr.concat(sides, "side").max("side")
+    found = []
+    for values in (grid["x_max"], moment):
+        largest = values.max("s_node")
+        finest = largest.sel(element="2.5 m").sel(time_step=float(grid["time_step"].min()))
+        found.append(abs(largest / finest.drop_vars(["element", "time_step"]) - 1.0))
+    worst: xr.DataArray = xr.concat(found, "of").max("of")
+    return worst
+
+
+# errata: text filled with what was simulated
+
+
+def readings(table: xr.Dataset) -> dict[str, Any]:
+    """Largest deflection (m) in each reading at the smallest and the largest factor."""
+    deflection = table["deflection_by_factor"]
+    out: dict[str, Any] = {}
+    for reading in ("R1", "R2", "R3"):
+        low, high = deflection.sel(reading=reading).values[[0, -1]]
+        out |= {f"{reading}_low": float(low), f"{reading}_high": float(high)}
+    return out
+
+
+def stiff_joints(table: xr.Dataset) -> dict[str, Any]:
+    """Bending stress (MPa) at 500 m and 1500 m, without joints and with stiff ones."""
+    stress = table["stress_by_length"].sel(tide=1.0, wave_height=8.0) / 1e6
+    out: dict[str, Any] = {}
+    for name, joints in (("soft", "none"), ("stiff", "7.3 MN m/rad")):
+        low, high = stress.sel(joints=joints).values[[0, -1]]
+        out |= {f"{name}_short": float(low), f"{name}_long": float(high)}
+    return out
+
+
+def tide_carries(table: xr.Dataset) -> dict[str, Any]:
+    """Largest deflection (m) at 1500 m under the weakest and the strongest tide (m/s), in the same wave."""
+    deflection = table["deflection_by_length"].sel(wave_height=8.0, joints="none").isel(length=-1)
+    tides = deflection["tide"]
+    return {
+        "weak_tide": float(tides[0]),
+        "strong_tide": float(tides[-1]),
+        "weak": float(deflection.isel(tide=0)),
+        "strong": float(deflection.isel(tide=-1)),
+    }
+
+
+def run_time(grid: xr.Dataset) -> dict[str, Any]:
+    """Hours that 600 000 steps of 400 elements take, from the finest step at 5 m; and grid errors."""
+    finest = float(grid["time_step"].min())
+    seconds = float(grid["wall_seconds"].sel(element="5 m", time_step=finest))
+    # the time covers the run and two coarser ones for its error, which take 1/4 and 1/16 of it
+    a_step = seconds / 1.3125 / (80.0 / finest)
+    error = grid_error(grid).sel(element="5 m")
+    return {
+        "hours": a_step * 600_000 / 3600.0,
+        "milliseconds": 1e3 * a_step,
+        "paper_milliseconds": 46 * 3.6e6 / 600_000,
+        "step": 0.1,
+        "error": float(error.sel(time_step=0.1)),
+    }
+
+
+def solvers(runs: xr.Dataset) -> dict[str, Any]:
+    """How far the lumped masses and the Hermite beam are apart, at the weakest and the strongest tide."""
+    apart = differences(runs)
+    largest = abs(runs["x"].sel(solver=BEAM)).max(("time", "s"))
+    return {
+        "weak": float(apart["x"][0]), "strong": float(apart["x"][-1]),
+        "weak_deflection": float(largest[0]), "strong_deflection": float(largest[-1]),
+        "weak_moment": float(apart["bending_moment"][0]), "strong_moment": float(apart["bending_moment"][-1]),
+    }  # fmt: skip
+
+
+def differences(runs: xr.Dataset) -> xr.Dataset:
+    """Largest difference of the solvers anywhere, over the largest value, of deflection and moment."""
+    both = runs[["x", "bending_moment"]]
+    apart = abs(both.sel(solver=LUMPED) - both.sel(solver=BEAM))
+    return apart.max(("time", "s")) / abs(both.sel(solver=BEAM)).max(("time", "s"))

@@ -1,0 +1,302 @@
+"""Figures of the Hamilton-principle riser paper: the printed ones by number, others by what they show.
+
+Filled: envelope of the lumped masses. Lines of the same colour: envelope of the Hermite beam, the
+paper's own method. Heights count along the riser from its lower end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.chapters.fem_riser.along import angles, stress_factor
+from riserstudy.chapters.fem_riser.claims import (
+    BEAM,
+    LUMPED,
+    TOGETHER,
+    averaged,
+    claims,
+    differences,
+    grid_error,
+    middle,
+)
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+
+HEIGHT, TIME = "s from the bottom (m)", "time (s)"
+DEFLECTION, STRESS, ANGLE = "deflection x (m)", "bending stress (MPa)", "angle (deg)"
+WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
+SETTLED = 0.005  # share of the last mean; config/published/fem_riser.yaml, B4
+
+
+# the sea
+
+
+def fig03(water: xr.Dataset) -> Figure:
+    """Velocity and acceleration under the wave, and current."""
+    figure, axes = panels(1, 3, 3.8)
+    near = water.sel(below_surface=slice(0.0, 60.0))
+    for ax, name, label in zip(
+        axes,
+        ("wave_velocity", "wave_acceleration"),
+        ("velocity (m/s)", "acceleration (m/s²)"),
+        strict=False,
+    ):
+        drawn = ax.pcolormesh(
+            near["time"],
+            near["below_surface"],
+            near[name].T,
+            cmap="RdBu_r",
+            shading="gouraud",
+            rasterized=True,
+        )
+        figure.colorbar(drawn, ax=ax, label=label, location="top", shrink=0.9)
+        ax.invert_yaxis()
+        ax.set_xlabel(TIME)
+    axes[0].set_ylabel("depth (m), upper 60 m")
+    axes[2].plot(water["water_speed"], water["below_surface"], color=COLOURS[0])
+    axes[2].invert_yaxis()
+    axes[2].set_xlabel("current (m/s)")
+    axes[2].set_ylabel("depth (m), whole riser")
+    axes[2].set_xlim(left=0.0)
+    return figure
+
+
+# the base case
+
+
+def fig04(motion: xr.Dataset) -> Figure:
+    """Deflection profiles and histories in the three windows."""
+    figure, axes = panels(2, 3, 3.2)
+    x = motion["x"].sel(solver=LUMPED)
+    for k, (start, end) in enumerate(WINDOWS):
+        window = x.sel(time=slice(start, end))
+        shapes = window.isel(time=slice(None, None, max(1, window.sizes["time"] // 24)))
+        for j, time in enumerate(shapes["time"].values):
+            shade = 0.85 - 0.75 * j / max(1, shapes.sizes["time"] - 1)
+            axes[k].plot(shapes.sel(time=time), shapes["s"], color=str(shade), linewidth=0.7)
+        beam = motion["x"].sel(solver=BEAM).sel(time=end, method="nearest")
+        axes[k].plot(beam, beam["s"], **PRINTED, label=f"Hermite beam at {end:g} s")
+        axes[k].set_title(f"{start:g} to {end:g} s", loc="right", fontsize="small")
+        axes[k].set_xlabel(DEFLECTION)
+        axes[k].legend(fontsize="x-small", loc="upper right")
+        history = axes[k + 3]
+        for j, s in enumerate(np.arange(200.0, 2000.0, 200.0)):
+            track = window.sel(s=s, method="nearest")
+            colour = COLOURS[j % len(COLOURS)]
+            history.plot(track["time"], track, color=colour, linewidth=0.8, label=f"{s:g} m",
+                         linestyle="-" if j < len(COLOURS) else "--")  # fmt: skip
+        history.set_xlabel(TIME)
+    slow = averaged(middle(motion))
+    last = float(slow.isel(time=-1))
+    axes[5].axhspan((1 - SETTLED) * last, (1 + SETTLED) * last, color="0.85", zorder=0)
+    axes[0].set_ylabel(HEIGHT)
+    axes[3].set_ylabel(DEFLECTION)
+    key_below(figure, axes[3], 9)
+    return figure
+
+
+def fig05(settled: xr.Dataset) -> Figure:
+    """Envelopes of the base case."""
+    return _envelopes({"2000 m, ratio 1.3, factor 0.7": settled})
+
+
+# parameters
+
+
+def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Dataset) -> Figure:
+    """Envelopes for three lengths."""
+    return _envelopes({"500 m": length_500, "1000 m": length_1000, "1500 m": length_1500})
+
+
+def fig07(tension_ratio: xr.Dataset) -> Figure:
+    """Envelopes for three top tension ratios."""
+    return _envelopes(_each(tension_ratio, "tension_ratio", "ratio"))
+
+
+def fig08(buoyant_factor: xr.Dataset) -> Figure:
+    """Envelopes for three buoyant factors."""
+    return _envelopes(_each(buoyant_factor, "buoyant_factor", "factor"))
+
+
+def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
+    return {f"{word} {value:g}": runs.sel({axis: value}) for value in runs[axis].values}
+
+
+def _envelopes(cases: Mapping[str, xr.Dataset]) -> Figure:
+    """Deflection, stress and angle over height, of each case and solver."""
+    figure, axes = panels(1, 3, 4.4, sharey=True)
+    for colour, (name, runs) in zip(COLOURS, cases.items(), strict=False):
+        factor = stress_factor(runs) / 1e6
+        for solver in (LUMPED, BEAM):
+            run = runs.sel(solver=solver)
+            angle: xr.DataArray = xr.apply_ufunc(np.rad2deg, angles(run))
+            length = float(run["s_node"][-1])
+            fields = (
+                (run["x_min"], run["x_max"], run["s_node"]),
+                (
+                    factor * run["bending_moment_min"],
+                    factor * run["bending_moment_max"],
+                    run["s_node"],
+                ),
+                (angle.min("time"), angle.max("time"), length * angle["middle"]),
+            )
+            for ax, (low, high, s) in zip(axes, fields, strict=True):
+                _envelope(ax, low, high, s, colour, name if solver == LUMPED else None)
+    for ax, label in zip(axes, (DEFLECTION, STRESS, ANGLE), strict=True):
+        ax.set_xlabel(label)
+    axes[0].set_ylabel(HEIGHT)
+    axes[0].plot([], [], color=GREY, linewidth=0.8, linestyle="--", label="Hermite beam")
+    key_below(figure, axes[0], 4)
+    return figure
+
+
+def _envelope(
+    ax: Axes, low: xr.DataArray, high: xr.DataArray, s: xr.DataArray, colour: str, label: str | None
+) -> None:
+    if label is None:
+        for side in (low, high):
+            ax.plot(side, s, color=colour, linewidth=0.8, linestyle="--")
+        return
+    ax.fill_betweenx(s, low, high, color=colour, alpha=0.35, linewidth=0)
+    ax.plot(low, s, color=colour, linewidth=0.6)
+    ax.plot(high, s, color=colour, linewidth=0.6, label=label)
+
+
+def readings(reading_trends: xr.Dataset) -> Figure:
+    """Deflection, stress and angle over the buoyant factor in its three readings."""
+    figure, axes = panels(1, 3, 3.4)
+    fields = (("deflection", 1.0, "largest deflection (m)"), ("stress", 1e-6, "largest stress (MPa)"),
+              ("angle", np.rad2deg(1.0), "largest angle (deg)"))  # fmt: skip
+    for ax, (name, scale, label) in zip(axes, fields, strict=True):
+        for colour, reading in zip(COLOURS, ("R1", "R2", "R3"), strict=False):
+            curve = scale * reading_trends[f"{name}_by_factor"].sel(reading=reading)
+            ax.plot(curve["buoyant_factor"], curve, "o-", color=colour, label=f"reading {reading}")
+        ax.set_xlabel("buoyant factor (-)")
+        ax.set_ylabel(label)
+        ax.set_ylim(bottom=0.0)
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+# beside the paper
+
+
+def region(map_trends: xr.Dataset, open_trends: xr.Dataset) -> Figure:
+    """Where B5 to B10 hold together."""
+    figure, axes = panels(2, 2, 3.6)
+    held = claims(map_trends)
+    for ax, joints in zip(axes, map_trends["joints"].values, strict=False):
+        here = held.sel(joints=joints)
+        for tide in here["tide"].values:
+            for wave in here["wave_height"].values:
+                true = here.sel(tide=tide, wave_height=wave)
+                every = bool(true.all())
+                missed = [str(c)[1:] for c in TOGETHER if not bool(true.sel(claim=c))]
+                ax.plot(tide, wave, "o" if every else "s", ms=17, mfc=COLOURS[2] if every else "0.9",
+                        mec="none")  # fmt: skip
+                ax.annotate("all" if every else " ".join(missed), (tide, wave), ha="center",
+                            va="center", fontsize=6, color="white" if every else "black")  # fmt: skip
+        ax.margins(0.15)
+        ax.set_title(f"joints: {joints}", loc="right", fontsize="small")
+        ax.set_xlabel("surface speed of the tide (m/s)")
+        ax.set_ylabel("wave height (m)")
+    _shares(axes[3], claims(open_trends))
+    figure.suptitle("Claims B5 to B10: green where all hold, else the numbers of those that do not",
+                    fontsize="small")  # fmt: skip
+    return figure
+
+
+def _shares(ax: Axes, held: xr.DataArray) -> None:
+    """Share of the samples in which each claim and all six are true."""
+    shares = {str(c): float(held.sel(claim=c).mean()) for c in TOGETHER}
+    shares["all six"] = float(held.all("claim").mean())
+    for k, (name, share) in enumerate(shares.items()):
+        bar = ax.barh(k, 100.0 * share, color=COLOURS[2] if name == "all six" else COLOURS[0])
+        ax.bar_label(bar, fmt="%.0f", fontsize="x-small", padding=2)
+    ax.set_yticks(range(len(shares)), list(shares))
+    ax.invert_yaxis()
+    ax.set_xlim(0, 112)
+    ax.set_xlabel(f"share of {held.sizes['sample']} samples of all that is open (%)")
+
+
+def solvers(small_deflection: xr.Dataset) -> Figure:
+    """Difference of the two solvers over the deflection."""
+    figure, (ax,) = panels()
+    largest = abs(small_deflection["x"].sel(solver=BEAM)).max(("time", "s"))
+    apart = differences(small_deflection)
+    for colour, (name, label) in zip(
+        COLOURS, (("x", "deflection"), ("bending_moment", "bending moment")), strict=False
+    ):
+        ax.loglog(largest, 100.0 * apart[name], "o-", color=colour, label=label)
+    ax.loglog(largest, 100.0 * float(apart["x"][-1]) * (largest / largest[-1]) ** 2, **PRINTED,
+              label="square of the deflection")  # fmt: skip
+    ax.set_xticks(largest.values, [f"{value:.2g}" for value in largest.values])
+    ax.minorticks_off()
+    ax.set_xlabel("largest deflection (m)")
+    ax.set_ylabel("largest difference over largest value (%)")
+    ax.legend(fontsize="small")
+    return figure
+
+
+def grid_test(grid_test: xr.Dataset) -> Figure:
+    """Error over element length and step, and the time of a run."""
+    figure, axes = panels(1, 2, 3.6)
+    error = 100.0 * grid_error(grid_test)
+    for colour, element in zip(COLOURS, grid_test["element"].values, strict=False):
+        curve = error.sel(element=element)
+        curve = curve.where(curve > 0.0)
+        axes[0].loglog(
+            curve["time_step"], curve, "o-", color=colour, ms=4, label=f"elements of {element}"
+        )
+        axes[1].loglog(curve["time_step"], grid_test["wall_seconds"].sel(element=element), "o-", ms=4,
+                       color=colour)  # fmt: skip
+    for ax in axes:
+        ax.axvline(5e-4, **PRINTED)
+        ax.annotate("paper: 0.0005 s", (5e-4, 0.96), xycoords=("data", "axes fraction"), rotation=90,
+                    xytext=(3, 0), textcoords="offset points", va="top", fontsize="x-small")  # fmt: skip
+        ax.set_xlabel("time step (s)")
+    axes[0].set_ylabel("error against the finest grid (%)")
+    axes[1].set_ylabel("time for 80 s, with its error estimate (s)")
+    key_below(figure, axes[0], 5)
+    return figure
+
+
+def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
+    """Envelopes of the API riser by both solvers, and over its surge; and how far the solvers are apart."""
+    figure, axes = panels(1, 3, 4.0)
+    for ax, name, scale, label in (
+        (axes[0], "x", 1.0, "displacement x (m)"),
+        (axes[1], "bending_moment", 1e-3, "bending moment (kN m)"),
+    ):
+        over = ("surge_amplitude", "surge_phase")
+        low, high = (
+            scale * api2j_surge[f"{name}_min"].min(over),
+            scale * api2j_surge[f"{name}_max"].max(over),
+        )
+        ax.fill_betweenx(
+            api2j_surge["s_node"], low, high, color="0.88", linewidth=0, label="any surge"
+        )
+        for solver, style in ((LUMPED, {"color": COLOURS[0]}), (BEAM, PRINTED)):
+            run = api2j.sel(solver=solver)
+            for side in ("min", "max"):
+                word = solver if side == "min" else None
+                ax.plot(scale * run[f"{name}_{side}"], run["s_node"], label=word, **style)
+        ax.set_xlabel(label)
+        ax.set_ylabel(HEIGHT)
+    both = api2j[["x", "bending_moment"]]
+    apart = abs(both.sel(solver=LUMPED) - both.sel(solver=BEAM)).max("s")
+    largest = abs(both.sel(solver=BEAM)).max(("time", "s"))
+    for colour, (name, label) in zip(
+        COLOURS, (("x", "displacement"), ("bending_moment", "bending moment")), strict=False
+    ):
+        axes[2].plot(apart["time"], 100.0 * apart[name] / largest[name], color=colour, label=label)
+    axes[2].set_xlabel(TIME)
+    axes[2].set_ylabel("difference over largest value (%)")
+    axes[2].set_ylim(bottom=0.0)
+    axes[2].legend(fontsize="small", loc="center right")
+    key_below(figure, axes[0], 3)
+    return figure

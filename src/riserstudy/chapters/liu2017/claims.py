@@ -1,0 +1,221 @@
+"""Liu et al. 2017: what its numbers, claims and errata are checked against.
+
+Datasets hold both drive-off directions, ``heading`` along and against the environment.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.chapters.liu2017.crossing import first_crossing
+from riserstudy.chapters.liu2017.limits import LIMITS, at_time, reached, shares
+from riserstudy.grading.grade import Found
+
+TARGET = 100.0  # m, the false position
+SLOW = ("lower flex joint", "conductor", "wellhead")
+START = 0.02  # share of a limit by which a quantity has begun to respond
+
+
+# printed numbers
+
+
+def time_of_ufj_limit(runs: xr.Dataset, degrees: float) -> Found:
+    """Time (s) at which the upper flex joint reaches an angle; infinite where it never does."""
+    return Found(first_crossing(abs(_along(runs)["ufj_angle"]), np.deg2rad(degrees)))
+
+
+def riser_force(runs: xr.Dataset, time: float) -> Found:
+    """Force of the riser on the platform (MN) at a time."""
+    return Found(
+        _along(runs)["riser_force_x"].interp(time=time, assume_sorted=True).drop_vars("time") / 1e6
+    )
+
+
+# Fig 4
+
+
+def faster_along(runs: xr.Dataset, until: float) -> Found:
+    """Speed along exceeds speed against; value: smallest difference after the first second (m/s)."""
+    speed = runs["platform_speed_x"].sel(time=slice(1.0, until))
+    ahead = _along(speed) - _against(speed)
+    return Found(ahead.min("time"), (ahead > 0.0).all("time"))
+
+
+def arrives_earlier_along(runs: xr.Dataset) -> Found:
+    """The false position is reached along, and later or never against; value: time along (s)."""
+    time = _arrival(runs)
+    return Found(_finite(_along(time), runs), _along(time) < _against(time))
+
+
+def smaller_with_riser(runs: xr.Dataset, heading: str, at_least: float) -> Found:
+    """Surge is smaller with riser from 50 to 100 s; value: by how much at 50 s over the surge then."""
+    run = runs.sel(heading=heading, drop=True).sel(time=slice(50.0, 100.0))
+    less = run["surge_alone"] - run["platform_surge"]
+    share = (less / run["surge_alone"]).isel(time=0, drop=True)
+    return Found(share, (less > 0.0).all("time") & (share >= at_least))
+
+
+# Fig 6
+
+
+def drives_then_inhibits(runs: xr.Dataset, after: float) -> Found:
+    """Along, the force drives at first and inhibits after some time until arrival; value: at first (kN)."""
+    force = _along(runs["riser_force_x"])
+    until = _by_arrival(runs, "along")
+    first = force.isel(time=0, drop=True)
+    inhibits = (force < 0.0) | (force["time"] <= after) | ~until
+    return Found(first / 1e3, (first > 0.0) & inhibits.all("time"))
+
+
+def always_inhibits(runs: xr.Dataset) -> Found:
+    """Against, the force inhibits until arrival; value: its largest value (kN)."""
+    force = _against(runs["riser_force_x"]).where(_by_arrival(runs, "against"))
+    return Found(force.max("time") / 1e3, force.max("time") < 0.0)
+
+
+def larger_against(runs: xr.Dataset) -> Found:
+    """Force is larger against than along until arrival along; value: smallest difference (kN)."""
+    size = abs(runs["riser_force_x"]).where(_by_arrival(runs, "along"))
+    size = size.isel(time=slice(1, None))  # at rest both are mirror images
+    ahead = (_against(size) - _along(size)).min("time")
+    return Found(ahead / 1e3, ahead > 0.0)
+
+
+def inhibits_overall(runs: xr.Dataset) -> Found:
+    """Impulse of the force along until arrival is against the drive-off; value: in MN s."""
+    force = _along(runs["riser_force_x"]).where(_by_arrival(runs, "along"), 0.0)
+    impulse = force.integrate("time") / 1e6
+    return Found(impulse, impulse < 0.0)
+
+
+# Fig 7
+
+
+def ufj_first(runs: xr.Dataset) -> Found:
+    """The upper flex joint is the first to reach its limit; value: largest share of another then."""
+    run = _along(runs)
+    times = reached(run)
+    others = times.sel(limit=[name for name in LIMITS if name != "upper flex joint"])
+    first = times.sel(limit="upper flex joint", drop=True)
+    used = at_time(shares(run), first).sel(limit=others["limit"]).max("limit")
+    return Found(used, (first < np.inf) & (first < others.min("limit")))
+
+
+def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
+    """At a time the upper joint has used more of its limit than any other; value: how many times."""
+    used = shares(_along(runs)).interp(time=time, assume_sorted=True).drop_vars("time")
+    ratio = used.sel(limit="upper flex joint", drop=True) / used.sel(
+        limit=[name for name in LIMITS if name != "upper flex joint"]
+    ).max("limit")
+    return Found(ratio, ratio > 1.0)
+
+
+def slow_below(runs: xr.Dataset, later: float) -> Found:
+    """What is at the bottom begins to respond later than the upper joint; value: least delay (s)."""
+    starts = _starts(runs)
+    delay = starts.sel(limit=list(SLOW)).min("limit") - starts.sel(
+        limit="upper flex joint", drop=True
+    )
+    return Found(_finite(delay, runs), delay >= later)
+
+
+def stroke_responds_fast(runs: xr.Dataset, times: float) -> Found:
+    """At 50 s the stroke has used more of its limit than all at the bottom; value: how many times."""
+    used = shares(_along(runs)).interp(time=50.0, assume_sorted=True).drop_vars("time")
+    ratio = used.sel(limit="telescopic joint", drop=True) / used.sel(limit=list(SLOW)).max("limit")
+    return Found(ratio, ratio >= times)
+
+
+def stroke_begins_with_the_ufj(runs: xr.Dataset) -> Found:
+    """The stroke begins nearer to the upper joint than to what is at the bottom; value: its delay (s)."""
+    starts = _starts(runs)
+    first = starts.sel(limit="upper flex joint", drop=True)
+    stroke = starts.sel(limit="telescopic joint", drop=True)
+    slow = starts.sel(limit=list(SLOW)).min("limit")
+    return Found(_finite(stroke - first, runs), stroke - first < slow - stroke)
+
+
+# the environment
+
+
+def environment_helps_or_opposes(runs: xr.Dataset) -> Found:
+    """At the start thrust and environment agree along and oppose against; value: environment (MN)."""
+    start = runs.isel(time=1, drop=True)
+    work = start["thrust_x"] * start["environment_force_x"]
+    value = _against(start["environment_force_x"]) / 1e6
+    return Found(value, (_along(work) > 0.0) & (_against(work) < 0.0))
+
+
+def deadline_along_is_safe(runs: xr.Dataset) -> Found:
+    """The deadline found along holds against as well; value: time of the first limit against (s)."""
+    times = reached(runs).min("limit")
+    return Found(_finite(_against(times), runs), _along(times) <= _against(times))
+
+
+def _along(runs: Any) -> Any:
+    return runs.sel(heading="along", drop=True) if "heading" in runs.dims else runs
+
+
+def _against(runs: Any) -> Any:
+    return runs.sel(heading="against", drop=True)
+
+
+def _arrival(runs: xr.Dataset) -> xr.DataArray:
+    """When the platform reaches the false position (s), infinite if never."""
+    return first_crossing(runs["platform_surge"], TARGET)
+
+
+def _by_arrival(runs: xr.Dataset, heading: str) -> xr.DataArray:
+    arrival = _arrival(runs.sel(heading=heading, drop=True))
+    before: xr.DataArray = runs["time"] <= arrival
+    return before
+
+
+def _starts(runs: xr.Dataset) -> xr.DataArray:
+    """When each quantity along has changed by a small share of its limit."""
+    used = shares(_along(runs))
+    return first_crossing(abs(used - used.isel(time=0, drop=True)), START)
+
+
+def _finite(value: xr.DataArray, runs: xr.Dataset) -> xr.DataArray:
+    """Never told as the end of the record."""
+    return value.where(np.isfinite(value), float(runs["time"][-1]))
+
+
+# errata
+
+
+def facts(base: xr.Dataset, losses: xr.Dataset) -> dict[str, Any]:
+    """Numbers that errata quote."""
+    times = reached(base)
+    stroke = shares(_along(base)).sel(limit="telescopic joint") * LIMITS["telescopic joint"].most
+    fifty = _along(base).interp(time=50.0)
+    printed, exact = (float(fifty[f"riser_{name}_x"]) / 1e6 for name in ("force", "reaction"))
+    chord = np.hypot(float(fifty["platform_surge"]), 1327.0) - 1327.0
+    drift = losses["limit_time"].sel(loss="drift-off")
+    return {
+        "along": float(_along(times).min("limit")),
+        "against": float(_against(times).min("limit")),
+        "stroke": float(stroke.interp(time=50.0)),
+        "chord": float(chord),
+        "stroke_time": float(_along(times).sel(limit="telescopic joint")),
+        "stroke_surge": float(
+            at_time(_along(base)["platform_surge"], _along(times).sel(limit="telescopic joint"))
+        ),
+        "arrives_along": float(_along(_arrival(base))),
+        "arrives_against": float(_against(_arrival(base))),
+        "thrust": float(abs(base["thrust_x"]).max() / 1e6),
+        "printed": printed,
+        "exact": exact,
+        "overshoot": float(_along(base)["platform_surge"].max()),
+        "lower": float(shares(fifty).sel(limit=list(SLOW)).max()),
+        "drift_stroke": float(drift.sel(limit="telescopic joint")),
+        "drift_lower": float(drift.sel(limit="lower flex joint")),
+        "drift_upper": float(
+            np.rad2deg(LIMITS["upper flex joint"].most)
+            * losses["limit_share"].sel(loss="drift-off", limit="upper flex joint").max()
+        ),
+    }

@@ -1,0 +1,193 @@
+"""Liu et al. 2017: drive-offs side by side, when limits are reached, watch circles, static offsets.
+
+x and forces count in each run's own drive-off direction.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.chapters.liu2017.crossing import first_crossing
+from riserstudy.chapters.liu2017.limits import (
+    LIMITS,
+    MEANINGS,
+    at_time,
+    first_limit,
+    reached,
+    shares,
+    watch_circle,
+)
+from riserstudy.dataset.describe import described
+from riserstudy.scene.units import to_si
+
+PAPER = "liu2017"
+ALONE = "_no_riser"
+WELLHEAD = 73.0  # m above the conductor's foot
+OF_THE_PLATFORM = ("platform_surge", "platform_speed_x", "thrust_x", "environment_force_x")
+OF_THE_RISER = ("riser_reaction_x", "ufj_angle", "lfj_angle", "stroke")
+DEADLINE = 50.0  # s, the printed number
+
+
+# drive-offs
+
+
+def driveoff(**runs: xr.Dataset) -> xr.Dataset:
+    """All cases over time; what belongs to the riser is missing where there is none, its force zero."""
+    cases = [
+        measured(run).assign_coords(case=name).expand_dims("case") for name, run in runs.items()
+    ]
+    joined = xr.concat(cases, "case", join="outer", coords="minimal", compat="override")
+    for name in ("riser_force_x", "riser_reaction_x"):
+        joined[name] = joined[name].where(~joined["case"].str.endswith(ALONE), 0.0)
+    return described(joined, PAPER, "drive-off of the platform, with and without riser")
+
+
+def base(**runs: xr.Dataset) -> xr.Dataset:
+    """Unlimited thrust, along and against the environment, as claims read it."""
+    return _both_ways(runs, "ref")
+
+
+def base_limited(**runs: xr.Dataset) -> xr.Dataset:
+    """Limited thrust, likewise."""
+    return _both_ways(runs, "sat")
+
+
+def open_drive_off(open_runs: xr.Dataset, open_no_riser: xr.Dataset) -> xr.Dataset:
+    """The same over samples of what the paper leaves open, and when each sample reaches each limit."""
+    found = measured(open_runs)
+    found["surge_alone"] = open_no_riser["platform_surge"].squeeze("below", drop=True)
+    found["limit_time"] = reached(found)
+    for name, values in open_runs.data_vars.items():
+        if str(name).startswith("assumed_"):
+            found[name] = values
+    return described(found, PAPER, "drive-off over what the paper leaves open")
+
+
+def _both_ways(runs: dict[str, xr.Dataset], kind: str) -> xr.Dataset:
+    parts = []
+    for heading, degrees in (("along", 0), ("against", 180)):
+        part = measured(runs[f"{kind}_{degrees}"])
+        alone = runs[f"{kind}_{degrees}{ALONE}"]["platform_surge"].squeeze(drop=True)
+        parts.append(part.assign(surge_alone=alone).assign_coords(heading=heading))
+    joined = xr.concat(parts, "heading", coords="minimal", compat="override")
+    return described(joined, PAPER, "drive-off along and against the environment")
+
+
+def measured(run: xr.Dataset) -> xr.Dataset:
+    """What figures and limits are read from, of runs of the platform with or without riser."""
+    if "ufj_angle" not in run:
+        return run[list(OF_THE_PLATFORM)].squeeze(drop=True)
+    found = run[[name for name in (*OF_THE_PLATFORM, *OF_THE_RISER) if name in run]]
+    aside = run.get("platform_sway", 0.0)
+    found["platform_offset"] = np.hypot(run["platform_surge"], aside)
+    found["riser_force_x"] = -top_tension(run) * np.sin(run["ufj_angle"])
+    found["conductor_stress"] = run["largest_stress"]
+    moment = run["bending_moment"]
+    found["wellhead_moment"] = moment.sel(s=WELLHEAD, method="nearest", drop=True)
+    return found
+
+
+def calibration(fits: xr.Dataset) -> xr.Dataset:
+    """Upper flex joint at the printed time, and when it reaches its limit, over what can be fitted."""
+    angle = abs(fits["ufj_angle"])
+    found = xr.Dataset(
+        {
+            "ufj_angle": angle.interp(time=DEADLINE).drop_vars("time"),
+            "ufj_limit_time": first_crossing(angle, LIMITS["upper flex joint"].most),
+        }
+    )
+    return described(found, PAPER, "fits to the one printed number")
+
+
+# limits
+
+
+def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr.Dataset:
+    """When and where each limit is reached, which is first, and the watch circles that follow.
+
+    Parameters
+    ----------
+    eds_times : how long the emergency disconnect takes, from the red alarm on, with units.
+    preparing : time from the yellow alarm to the red one, with its unit.
+    """
+    seconds = [to_si(time, "s") for time in eds_times]
+    runs = measured(headings)
+    runs = runs.assign_coords(environment_heading=headings["environment_heading"].astype(float))
+    times = reached(runs)
+    eds = xr.DataArray(seconds, dims="eds_time", coords={"eds_time": seconds})
+    red, yellow = (watch_circle(runs, eds + more) for more in (0.0, to_si(preparing, "s")))
+    found = xr.Dataset(
+        {
+            "limit_time": times,
+            "limit_offset": at_time(runs["platform_offset"], times).where(np.isfinite(times)),
+            "first_limit": first_limit(times),
+            "disconnect_time": times.min("limit"),
+            **{f"red_{name}": values for name, values in red.items()},
+            **{f"yellow_{name}": values for name, values in yellow.items()},
+        }
+    )
+    found = described(found, PAPER, "point of disconnect and watch circles")
+    for colour in ("red", "yellow"):
+        found[f"{colour}_circle_outcome"].attrs |= {
+            "flag_values": np.array([0, 1, 2], np.int8),
+            "flag_meanings": MEANINGS,
+        }
+    return found
+
+
+def losses(ref_0: xr.Dataset, drift: xr.Dataset) -> xr.Dataset:
+    """Shares of the limits over time in a drive-off and in a drift-off, and when they are reached."""
+    parts = []
+    for name, run in (("drive-off", ref_0), ("drift-off", drift)):
+        found = measured(run)
+        part = xr.Dataset({"limit_share": shares(found), "platform_surge": found["platform_surge"]})
+        part["riser_force_x"] = found["riser_force_x"]
+        part["limit_time"] = reached(found)
+        parts.append(part.assign_coords(loss=name))
+    joined = xr.concat(parts, "loss", join="outer", coords="minimal", compat="override")
+    return described(joined, PAPER, "drive-off and drift-off")
+
+
+def envelope(offsets: xr.Dataset) -> xr.Dataset:
+    """Shares of the limits at rest, and the offset at which each is reached, over the current."""
+    found = xr.Dataset({"limit_share": shares(_at_rest(offsets))})
+    found["limit_offset"] = first_crossing(found["limit_share"], 1.0, along="offset")
+    return described(found, PAPER, "static offsets at which limits are reached")
+
+
+def _at_rest(rest: xr.Dataset) -> xr.Dataset:
+    """Angles, stroke, stress and moment of risers at rest, from their shapes and moments."""
+    scene = json.loads(rest.attrs["scene"])
+    riser, joint = scene["riser"], scene["top"]["telescopic_joint"]
+    x, z, moment = rest["x_static"], rest["z_static"], rest["bending_moment_static"]
+    across, up = (part.isel(s_node=-1) - part.isel(s_node=-2) for part in (x, z))
+    length = (across**2 + up**2) ** 0.5
+    soft = to_si(joint["length"], "m") / to_si(joint["bending_stiffness"], "N*m^2")
+    bend = soft * (moment.isel(s_node=-1) / 3.0 + moment.isel(s_node=-2) / 6.0)
+    stiffness = to_si(riser[2]["flex_joint_below"]["stiffness"], "N*m/rad")
+    foot = WELLHEAD + to_si(riser[1]["length"], "m")
+    conductor = rest["s_node"] <= WELLHEAD + 1e-6
+    outer, inner = (to_si(riser[0][f"{side}_diameter"], "m") for side in ("outer", "inner"))
+    area = 0.25 * math.pi * (outer**2 - inner**2)
+    fibre = 32.0 * outer / (math.pi * (outer**4 - inner**4))
+    stress = abs(rest["effective_tension_static"]) / area + fibre * abs(moment)
+    return xr.Dataset(
+        {
+            "ufj_angle": np.arctan2(across, up) + bend,
+            "lfj_angle": moment.sel(s_node=foot, method="nearest", drop=True) / stiffness,
+            "stroke": length - length.sel(offset=0.0),
+            "conductor_stress": stress.where(conductor).max("s_node"),
+            "wellhead_moment": moment.sel(s_node=WELLHEAD, method="nearest", drop=True),
+        }
+    )
+
+
+def top_tension(run: xr.Dataset) -> float:
+    """The constant tension (N)."""
+    top: dict[str, Any] = json.loads(run.attrs["scene"])["top"]
+    return to_si(top["telescopic_joint"]["tension"], "N")

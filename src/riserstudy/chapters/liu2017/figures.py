@@ -1,0 +1,254 @@
+"""Figures of Liu et al. 2017: the printed ones by number, others by what they show.
+
+Axis ranges are not printed: the first 100 s are shown, up to the largest surge of about 150 m.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.chapters.liu2017.limits import LIMITS, TOO_LATE, shares
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+
+SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
+HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
+TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
+TIME, SURGE = "time (s)", "surge of the platform (m)"
+SHOWN = 100.0  # s
+DEGREES = 180.0 / np.pi
+AS_ONE = "as one"  # of platform and riser
+LEAST = 1e-8  # difference that is shown (m, deg)
+DEADLINE, UFJ_LIMIT = 50.0, 12.0  # s and degrees; config/published/liu2017.yaml, N1
+FORCE_AT_LIMIT = -3.02 * np.sin(np.deg2rad(UFJ_LIMIT))  # MN, which Fig 6 implies
+
+
+def fig04(driveoff: xr.Dataset) -> Figure:
+    """Surge and speed over time, with and without riser, for both sets of inputs."""
+    figure, axes = panels(2, 2, 3.2, sharex=True)
+    shown = driveoff.sel(time=slice(0.0, SHOWN))
+    for column, (kind, title) in enumerate(SETS.items()):
+        for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
+            for ending, line, word in (("", "-", "with"), ("_no_riser", "--", "without")):
+                run = shown.sel(case=f"{kind}_{heading}{ending}")
+                text = f"{label}, {word} riser"
+                axes[column].plot(
+                    run["time"], run["platform_surge"], line, color=colour, label=text
+                )
+                axes[2 + column].plot(run["time"], run["platform_speed_x"], line, color=colour)
+        axes[column].axhline(100.0, color=GREY, linewidth=0.9)
+        axes[column].set_title(title, loc="right", fontsize="small")
+        axes[2 + column].set_xlabel(TIME)
+    axes[0].set_ylabel(SURGE)
+    axes[2].set_ylabel("speed of the platform (m/s)")
+    key_below(figure, axes[0], 4)
+    return figure
+
+
+def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
+    """Shapes of the riser; against the environment mirrored, so that x is the same in both panels."""
+    figure, axes = panels(1, 2, 4.2, sharey=True)
+    for ax, run, sign, label in zip(
+        axes, (ref_0, ref_180), (1.0, -1.0), HEADINGS.values(), strict=True
+    ):
+        rest = run.isel(time=0)
+        ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="at rest")
+        for colour, time in zip(COLOURS, TIMES, strict=False):
+            shape = run.sel(time=time)
+            ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
+        ax.set_xlabel("lateral displacement (m)")
+        ax.set_title(label, loc="right", fontsize="small")
+    axes[0].set_ylabel("elevation above the wellhead (m)")
+    axes[1].legend(fontsize="small", loc="lower left")
+    return figure
+
+
+def fig06(driveoff: xr.Dataset) -> Figure:
+    """Force of the riser on the platform."""
+    figure, axes = panels(1, 2, 3.6, sharey=True)
+    shown = driveoff.sel(time=slice(0.0, SHOWN))
+    for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
+        for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
+            run = shown.sel(case=f"{kind}_{heading}")
+            printed, exact = run["riser_force_x"] / 1e6, run["riser_reaction_x"] / 1e6
+            ax.plot(run["time"], printed, color=colour, label=f"{label}, T sin θ as printed")
+            ax.plot(run["time"], exact, ":", color=colour, label=f"{label}, exact reaction")
+        ax.axhline(FORCE_AT_LIMIT, label="T sin 12°", **PRINTED)
+        ax.set_xlabel(TIME)
+        ax.set_title(title, loc="right", fontsize="small")
+    axes[0].set_ylabel("force of the riser on the platform (MN)")
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def fig07(driveoff: xr.Dataset) -> Figure:
+    """Shares of the limits that are used, along the environment."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    shown = driveoff.sel(time=slice(0.0, SHOWN))
+    for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
+        used = shares(shown.sel(case=f"{kind}_0"))
+        _limits(ax, used)
+        ax.plot([DEADLINE], [1.0], "o", color="black", label="printed: 12° at 50 s")
+        ax.set_title(title, loc="right", fontsize="small")
+    axes[0].set_ylabel("share of the limit that is used (-)")
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+# beyond the paper
+
+
+def losses(losses: xr.Dataset) -> Figure:
+    """Shares of the limits in a drive-off and in a drift-off."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    for ax, loss in zip(axes, ("drive-off", "drift-off"), strict=True):
+        run = losses["limit_share"].sel(loss=loss).dropna("time", how="all")
+        _limits(ax, run.sel(time=slice(0.0, 150.0 if loss == "drive-off" else 400.0)))
+        ax.set_title(loss, loc="right", fontsize="small")
+    axes[0].set_ylabel("share of the limit that is used (-)")
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def _limits(ax: Axes, used: xr.DataArray) -> None:
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        ax.plot(used["time"], used.sel(limit=name), color=colour, label=name)
+    ax.axhline(1.0, **PRINTED)
+    ax.set_xlabel(TIME)
+
+
+def disconnect(disconnect: xr.Dataset) -> Figure:
+    """When limits are reached, and where the alarm must be, by angle to the environment."""
+    scenarios = disconnect["scenario"].values
+    figure, axes = panels(2, len(scenarios), 3.4, sharex=True)
+    for column, scenario in enumerate(scenarios):
+        run = disconnect.sel(scenario=scenario)
+        times, circles = axes[column], axes[len(scenarios) + column]
+        _limit_times(times, run)
+        _circles(circles, run)
+        times.set_title(str(scenario), loc="right", fontsize="small")
+        circles.set_xlabel("environment to hull (deg)")
+        circles.set_xticks(range(0, 181, 45))
+    axes[0].set_ylabel("limit reached after (s)")
+    axes[len(scenarios)].set_ylabel("red watch circle (m)")
+    for ax, word in (
+        (axes[0], "limits; without a line: not reached"),
+        (axes[len(scenarios)], "time to disconnect; cross: too late"),
+    ):
+        ax.set_ylim(top=ax.get_ylim()[1] + 0.7 * (ax.get_ylim()[1] - ax.get_ylim()[0]))
+        ax.legend(fontsize="small", loc="upper left", title=word, title_fontsize="small", ncols=2)
+    return figure
+
+
+def _limit_times(ax: Axes, run: xr.Dataset) -> None:
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        times = run["limit_time"].sel(limit=name)
+        shown = times.where(np.isfinite(times))
+        ax.plot(run["environment_heading"], shown, ".-", color=colour, label=name)
+
+
+def _circles(ax: Axes, run: xr.Dataset) -> None:
+    sizes = np.linspace(
+        9.0, 3.0, run.sizes["eds_time"]
+    )  # marks at one place show around each other
+    for colour, size, eds in zip(COLOURS, sizes, run["eds_time"].values, strict=False):
+        circle = run.sel(eds_time=eds)
+        radius = circle["red_circle_radius"]
+        late = circle["red_circle_outcome"] == TOO_LATE
+        heading = run["environment_heading"]
+        style: dict[str, Any] = {"color": colour, "ms": size, "mew": 1.0, "mfc": "none"}
+        ax.plot(heading, radius.where(~late), "o-", label=f"{eds:g} s", lw=1.0, **style)
+        ax.plot(heading, radius.where(late), "x", **style)
+
+
+def envelope(envelope: xr.Dataset) -> Figure:
+    """Static offsets at which limits are reached, over the current."""
+    figure, (ax,) = panels(height=3.8)
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        offset = envelope["limit_offset"].sel(limit=name)
+        ax.plot(
+            offset["surface_speed"],
+            offset.where(np.isfinite(offset)),
+            ".-",
+            color=colour,
+            label=name,
+        )
+    ax.set_xlabel("current at the surface, + away from the well (m/s)")
+    ax.set_ylabel("offset at rest (m)")
+    ax.set_ylim(bottom=0.0)
+    key_below(figure, ax, 3)
+    return figure
+
+
+def calibration(calibration: xr.Dataset) -> Figure:
+    """Gains and hull drags that meet the printed number, for three weights of the riser."""
+    figure, (ax,) = panels(height=3.8)
+    handles = []
+    for colour, weight in zip(COLOURS, calibration["riser_weight"].values, strict=False):
+        angle = calibration["ufj_angle"].sel(riser_weight=weight) * DEGREES
+        shown = angle.transpose("hull_drag", "gain")
+        ax.contour(shown["gain"], shown["hull_drag"], shown, levels=[UFJ_LIMIT], colors=[colour])
+        handles += ax.plot([], [], color=colour, label=f"riser's weight in water: {weight}")
+    handles += ax.plot([65.1], [250.0], "o", color="black", label="fit that is used")
+    ax.set_xlabel("thrusters' gain (kN/m)")
+    ax.set_ylabel("hull drag (kN s²/m²)")
+    ax.set_title("lines: 12° at 50 s", loc="right", fontsize="small")
+    ax.legend(handles=handles, fontsize="small", loc="upper left")
+    return figure
+
+
+def coupling(coupling: xr.Dataset) -> Figure:
+    """What solving platform and riser in turns changes, and the riser's iterations and time that it takes."""
+    figure, axes = panels(1, 3, 3.6)
+    one, turns = coupling.sel(exchange=AS_ONE), coupling.drop_sel(exchange=AS_ONE)
+    ways = [str(way) for way in turns["exchange"].values]
+    for colour, way in zip(COLOURS, ways, strict=False):
+        off = abs(turns.sel(exchange=way)[["platform_surge", "ufj_angle"]] - one)
+        off = off.where(off > 0.0)
+        axes[0].plot(off["time"], off["platform_surge"], color=colour, label=way)
+        axes[1].plot(off["time"], off["ufj_angle"] * DEGREES, color=colour)
+    for ax, what in zip(axes, ("surge (m)", "upper flex joint (deg)"), strict=False):
+        ax.set_yscale("log")
+        ax.set_ylim(bottom=LEAST)
+        ax.set_xlabel(TIME)
+        ax.set_ylabel(f"difference in {what}")
+    cost = turns[["newton_iterations", "solve_seconds"]] / one
+    axes[2].barh(ways, cost["newton_iterations"], color=COLOURS[: len(ways)], alpha=0.6)
+    axes[2].plot(cost["solve_seconds"], ways, "o", color="black")
+    axes[2].axvline(1.0, **PRINTED)
+    axes[2].invert_yaxis()
+    axes[2].set_xlabel("cost over that as one (-)")
+    axes[2].set_title("bars: iterations, dots: time", loc="right", fontsize="small")
+    key_below(figure, axes[0], len(ways))
+    return figure
+
+
+def open_choices(open_drive_off: xr.Dataset) -> Figure:
+    """Upper flex joint over what is open, and when the first limits are reached."""
+    figure, axes = panels(1, 2, 3.6)
+    angle = abs(open_drive_off["ufj_angle"]).sel(time=slice(0.0, SHOWN)) * DEGREES
+    bins = list(range(20, 151, 5))
+    for colour, (heading, label) in zip(
+        COLOURS, (("along", "0°"), ("against", "180°")), strict=False
+    ):
+        run = angle.sel(heading=heading)
+        low, middle, high = (run.quantile(q, "sample") for q in (0.05, 0.5, 0.95))
+        axes[0].fill_between(run["time"], low, high, color=colour, alpha=0.2, linewidth=0.0)
+        axes[0].plot(run["time"], middle, color=colour, label=f"{label}, median and 90 %")
+        times = open_drive_off["limit_time"].sel(heading=heading, limit="upper flex joint")
+        reached = times.values[np.isfinite(times.values)]
+        text = f"{label}, reached in {100 * len(reached) / times.size:.0f} %"
+        axes[1].hist(reached, bins, color=colour, alpha=0.5, label=text)
+    axes[0].plot([DEADLINE], [UFJ_LIMIT], "o", color="black", label="printed")
+    axes[1].axvline(DEADLINE, label="printed", **PRINTED)
+    axes[0].set_xlabel(TIME)
+    axes[0].set_ylabel("upper flex joint (deg)")
+    axes[1].set_xlabel("upper flex joint at 12° after (s)")
+    axes[1].set_ylabel("samples (-)")
+    for ax in axes:
+        ax.legend(fontsize="small")
+    return figure

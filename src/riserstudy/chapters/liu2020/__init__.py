@@ -1,0 +1,1 @@
+"""Liu et al. 2020: what is derived from its runs, drawn and claimed."""

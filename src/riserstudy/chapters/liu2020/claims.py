@@ -1,0 +1,268 @@
+"""Liu et al. 2020: what its numbers, claims and errata are checked against."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.grading.grade import Found
+from riserstudy.grading.verdict import ALMOST_ALWAYS
+
+#: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
+WITHOUT = ["constant", "vertical force at the ring", "riser's top on the platform"]
+INCH, DEGREES = 0.0254, 180.0 / np.pi  # m, a radian
+LENGTH = 533.0  # m of riser
+WET = 220.0 / 15.24  # kg/m in water, of a joint of Table 1
+PRINTED = {0.2: 337.0, 0.6: 3166.0, 1.0: 8765.0}  # N at a surface speed (m/s)
+
+# Table 2 and the constant tension
+
+
+def constant_tension(readings: xr.Dataset) -> Found:
+    """Tension of all cylinders in tonnes, in every reading."""
+    return Found(readings["top_tension"] / readings["gravity"] / 1e3)
+
+
+# Fig 10: the check riser
+
+
+def codes_agree(codes: xr.Dataset, at_most: float) -> Found:
+    """Three methods give nearly the same displacement; value: largest difference over the largest."""
+    apart = codes["codes_apart"]
+    return Found(apart, apart <= at_most)
+
+
+# Figs 11 and 12: statics
+
+
+def pushed_back(force: xr.Dataset, speed: float) -> Found:
+    """Horizontal force of the tensioners at a surface speed (N)."""
+    return Found(force["horizontal_force"].sel(surface_speed=speed, drop=True))
+
+
+def opposes(readings: xr.Dataset) -> Found:
+    """The tensioners push against the current at every speed; value: least force at 1 m/s (N)."""
+    force = readings["horizontal_force"].sel(counted="all cylinders", drop=True)
+    return Found(force.sel(surface_speed=1.0, drop=True), (force > 0).all("surface_speed"))
+
+
+def moves_less(readings: xr.Dataset) -> Found:
+    """With tensioners the riser moves less in every current; value: ratio to the other at 1 m/s."""
+    moved = readings["largest_displacement"]
+    ratio = moved.sel(tensioner_model="gas law", drop=True) / moved.sel(tensioner_model=WITHOUT)
+    return Found(ratio.sel(surface_speed=1.0, drop=True), (ratio < 1.0).all("surface_speed"))
+
+
+def bends_apart_near_the_top(readings: xr.Dataset, at_most: float) -> Found:
+    """Moments differ near the ring only, where tensioners make them smaller; value: difference below.
+
+    The value is the largest difference further down over the largest moment, at 1 m/s.
+    """
+    ours, other = (readings.sel(tensioner_model=model) for model in ("gas law", WITHOUT))
+    below = other["moment_apart_below"] / ours["largest_moment"].drop_vars("tensioner_model")
+    smaller = other["moment_near_ring"] > ours["moment_near_ring"].drop_vars("tensioner_model")
+    true = ((below <= at_most) & smaller).all("surface_speed")
+    return Found(below.sel(surface_speed=1.0, drop=True), true)
+
+
+# Figs 13 to 15: heave
+
+
+def uniform(
+    heave: xr.Dataset, amplitude: float, period: float, at_most: float, lag: float
+) -> Found:
+    """Axial force repeats itself, alike at both ends in amplitude and phase (degrees).
+
+    Value: largest relative difference, of the ends and of the last two periods.
+    """
+    run = heave.sel(heave_amplitude=amplitude, heave_period=period, drop=True)
+    apart = abs(run["axial_force_amplitude_top"] / run["axial_force_amplitude"] - 1.0)
+    worst = apart.where(apart > run["settling"], run["settling"])
+    return Found(worst, (worst <= at_most) & (abs(run["axial_force_lag"]) <= np.deg2rad(lag)))
+
+
+def amplitude_not_period(heave: xr.Dataset, at_most: float) -> Found:
+    """Force grows with every step of heave, and changes little with period; value: largest spread."""
+    force = heave["axial_force_amplitude"]
+    spread = (force.max("heave_period") / force.min("heave_period") - 1.0).max("heave_amplitude")
+    grows = (force.diff("heave_amplitude") > 0).all(["heave_amplitude", "heave_period"])
+    return Found(spread, grows & (spread <= at_most))
+
+
+# Figs 16 to 18: surge
+
+
+def travels_down(motion: xr.Dataset) -> Found:
+    """Each depth lags behind the one above; value: least lag from one to the next (degrees)."""
+    step = motion["displacement_lag"].sortby("depth").diff("depth").min("depth")
+    return Found(step * DEGREES, step > 0)
+
+
+def surges_less(surge: xr.Dataset) -> Found:
+    """With tensioners every depth moves less; value: largest ratio to the other model."""
+    moved = surge["displacement_amplitude"]
+    ratio = moved.sel(tensioner_model="gas law", drop=True) / moved.sel(tensioner_model=WITHOUT)
+    return Found(ratio.max("depth"), (ratio < 1.0).all("depth"))
+
+
+def lags(surge: xr.Dataset) -> Found:
+    """With tensioners every depth comes later; value: least lag behind the other model (degrees)."""
+    lag = surge["displacement_lag"]
+    behind = lag.sel(tensioner_model="gas law", drop=True) - lag.sel(tensioner_model=WITHOUT)
+    least = ((behind + np.pi) % (2.0 * np.pi) - np.pi).min("depth")
+    return Found(least * DEGREES, least > 0)
+
+
+# Figs 19 and 20: roll
+
+
+def rolls_down(motion: xr.Dataset, amplitude: float, period: float) -> Found:
+    """Under one roll each depth lags behind the one above; value: least lag (degrees)."""
+    return travels_down(motion.sel(roll_amplitude=amplitude, roll_period=period, drop=True))
+
+
+def largest_moment(roll: xr.Dataset, amplitude: float, period: float) -> Found:
+    """Largest bending moment (kN m)."""
+    moment = roll["max_bending_moment"].sel(roll_amplitude=amplitude, roll_period=period, drop=True)
+    return Found(moment / 1e3)
+
+
+def bending_stress(roll: xr.Dataset, amplitude: float, period: float) -> Found:
+    """Stress of the largest moment at the outer fibre, as amplitude and peak to peak (MPa)."""
+    outer, inner = 21.0 * INCH, 19.0 * INCH
+    modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
+    stress = 1e3 * largest_moment(roll, amplitude, period).value / modulus / 1e6
+    names = xr.DataArray(["amplitude", "peak to peak"], dims="reading", name="reading")
+    return Found(xr.concat([stress, 2.0 * stress], names))
+
+
+def grows_with_amplitude(roll: xr.Dataset) -> Found:
+    """Moment rises with roll amplitude at every period; value: least ratio of neighbours."""
+    moment = roll["max_bending_moment"]
+    ratio = moment / moment.shift(roll_amplitude=1)
+    least = ratio.min(["roll_amplitude", "roll_period"])
+    return Found(least, least > 1.0)
+
+
+def falls_with_period(roll: xr.Dataset) -> Found:
+    """Moment falls with every step of the period; value: largest ratio of a period to the one before."""
+    moment = roll["max_bending_moment"]
+    most = (moment / moment.shift(roll_period=1)).max(["roll_amplitude", "roll_period"])
+    return Found(most, most < 1.0)
+
+
+# Figs 23 and 24: response in waves
+
+
+def surge_largest(rao: xr.Dataset, at_least: float) -> Found:
+    """Surge stresses the riser most, heave and pitch less but not by nothing; value: share of surge."""
+    share = rao["stress_share"]
+    surge = share.sel(motion="surge", drop=True)
+    others = share.sel(motion=["heave", "pitch"])
+    return Found(surge, (others < surge).all("motion") & (others >= at_least).all("motion"))
+
+
+# errata
+
+
+def tensions(readings: xr.Dataset) -> dict[str, Any]:
+    """Tonnes in the readings that the erratum names, and times the riser's weight in water."""
+    every = constant_tension(readings).value.sel(gravity=9.81, pressures="absolute")
+    tonnes = every.sel(mid_stroke="riser in equilibrium")
+    six = every.sel(cylinders="six", pistons="6050 kg in all")
+    once, other = (
+        float(six.sel(mid_stroke=zero, inclination=0.0))
+        for zero in ("riser in equilibrium", "riser unstretched")
+    )
+    return {
+        "once": once,
+        "unstretched": other,
+        "lost": once - other,
+        "inclined": float(six.sel(mid_stroke="riser in equilibrium", inclination=11.3)),
+        "ratio": 1e3 * once / (LENGTH * WET),
+        "each": float(tonnes.sel(cylinders="six", pistons="6050 kg each", inclination=0.0)),
+        "seven": float(tonnes.sel(cylinders="seven", pistons="6050 kg each", inclination=9.5)),
+        "leaning": float(tonnes.sel(cylinders="six", pistons="massless", inclination=12.8)),
+    }
+
+
+def forces(force: xr.Dataset, calibrated: xr.Dataset) -> dict[str, Any]:
+    """Horizontal forces (N) in the calibrated current, and drag coefficients that profiles would need."""
+    tuned = calibrated["horizontal_force"]
+    found = force["horizontal_force"].sel(surface_speed=1.0)
+    apart = [printed / float(tuned.sel(surface_speed=u)) for u, printed in PRINTED.items()]
+    needed = PRINTED[1.0] / found  # of a drag coefficient of 1, to which the force is proportional
+    return {
+        "slow": float(tuned.sel(surface_speed=0.2)),
+        "middle": float(tuned.sel(surface_speed=0.6)),
+        "fast": float(tuned.sel(surface_speed=1.0)),
+        # one factor on all forces, which are proportional to the drag coefficient
+        "spread": (max(apart) - min(apart)) / (max(apart) + min(apart)),
+        "linear_all": float(needed.sel(current_profile="linear", counted="all cylinders")),
+        "linear_one": float(needed.sel(current_profile="linear", counted="one cylinder")),
+        "surface_all": float(
+            needed.sel(current_profile="exponential 50 m", counted="all cylinders")
+        ),
+    }
+
+
+def baselines(readings: xr.Dataset, surge: xr.Dataset) -> dict[str, Any]:
+    """Shares of samples in which static (Q2) and dynamic claims (Q8, Q9) are true, by baseline.
+
+    Named are the baselines with which Q2 and Q8 are both almost always true.
+    """
+    claims = {"Q2": moves_less(readings), "Q8": surges_less(surge), "Q9": lags(surge)}
+    shares: dict[str, dict[str, float]] = {}
+    for claim, found in claims.items():
+        if found.true is None:
+            raise TypeError(f"{claim} judges nothing")
+        rate = found.true.mean([dim for dim in found.true.dims if dim != "tensioner_model"])
+        shares[claim] = {model: float(rate.sel(tensioner_model=model)) for model in WITHOUT}
+    both = [m for m in WITHOUT if min(shares["Q2"][m], shares["Q8"][m]) >= ALMOST_ALWAYS]
+    told = [
+        f"{claim} " + ", ".join(f"{model} {100 * share:.0f} %" for model, share in each.items())
+        for claim, each in shares.items()
+    ]
+    return {"shares": "; ".join(told), "both": " and ".join(both) or "none"}
+
+
+def waves_on_the_riser(waves: xr.Dataset) -> dict[str, Any]:
+    """Stress amplitude with waves on the riser too over that by the platform's motion alone.
+
+    Named are the least and the most over wave periods with their periods (s), and the most by which what
+    waves do above the mean level tells readings apart (%).
+    """
+    stress = waves["stress_amplitude"]
+    alone = "on the platform alone"
+    readings = stress.drop_sel(waves=alone)
+    ratio = stress.sel(waves="stretched to the surface") / stress.sel(waves=alone)
+    period = ratio["wave_period"].values
+    apart = readings.max("waves") / readings.min("waves") - 1.0
+    return {
+        "least": float(ratio.min()),
+        "least_at": period[ratio.values.argmin()],
+        "most": float(ratio.max()),
+        "most_at": period[ratio.values.argmax()],
+        "above": 100.0 * float(apart.max()),
+    }
+
+
+def stresses(roll: xr.Dataset) -> dict[str, Any]:
+    """Stress of the printed moment in both readings (MPa)."""
+    outer, inner = 21.0 * INCH, 19.0 * INCH
+    modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
+    return {
+        "moment": float(largest_moment(roll, 4.0, 10.0).value),
+        "amplitude": 32.8e3 / modulus / 1e6,
+        "range": 2.0 * 32.8e3 / modulus / 1e6,
+    }
+
+
+def peaks(roll: xr.Dataset) -> dict[str, Any]:
+    """Periods (s) at which the largest moment peaks, 4 degrees of roll."""
+    moment = roll["max_bending_moment"].sel(roll_amplitude=4.0)
+    values, period = moment.values, moment["roll_period"].values
+    inside = (values[1:-1] > values[:-2]) & (values[1:-1] > values[2:])
+    return {"peaks": ", ".join(f"{x:g} s" for x in period[1:-1][inside]) or "none"}

@@ -1,0 +1,70 @@
+"""Statics of the check riser beside other methods, in the currents assumed."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.chapters.liu2020.second_methods import beamlike, by_collocation, by_hermite_elements
+from riserstudy.dataset.describe import described, sampled, scenes_of
+
+PAPER = "liu2020"
+
+
+def current_profiles(check_riser: xr.Dataset) -> xr.Dataset:
+    """Speed of the current over its surface speed, over (current_profile, depth)."""
+    length = float(check_riser["s_node"][-1])
+    depth = xr.DataArray(np.linspace(0.0, length, 201), dims="depth", name="depth")
+    shares = {}
+    for place, scene in scenes_of(check_riser.isel(contents=[0])):
+        speed = beamlike(scene).current(length - depth.values)
+        shares[place["current_profile"]] = depth.copy(data=speed / speed[0])
+    names = xr.DataArray(list(shares), dims="current_profile", name="current_profile")
+    table = xr.concat(shares.values(), names).assign_coords(depth=depth)
+    return described(table.to_dataset(name="current_share"), PAPER, "current profiles (assumed)")
+
+
+def codes(check_riser: xr.Dataset) -> xr.Dataset:
+    """Displacement of the riser of Fig 10 over (code, contents, current_profile, depth)."""
+    length = float(check_riser["s_node"][-1])
+    depth = xr.DataArray(np.linspace(0.0, length, 201), dims="depth", name="depth")
+    at = length - depth
+    ours = check_riser["x_static"].interp(s_node=at, method="cubic").drop_vars("s_node")
+    found = {"lumped masses": ours.assign_coords(depth=depth)}
+    for name, solve in (
+        ("Hermite elements", by_hermite_elements),
+        ("collocation", by_collocation),
+    ):
+        other = found["lumped masses"].copy(deep=True)
+        for place, scene in scenes_of(check_riser):
+            other.loc[place] = solve(beamlike(scene), at.values)
+        found[name] = other
+    names = xr.DataArray(list(found), dims="code", name="code")
+    table = xr.concat(found.values(), names).to_dataset(name="displacement")
+    table = table.squeeze("surface_speed", drop=True)
+    table["codes_apart"] = _apart(table["displacement"])
+    return described(table, PAPER, "displacement of the riser of Fig 10 by three methods")
+
+
+def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
+    """How far three methods are apart for every sample of what the paper leaves open."""
+    apart = xr.zeros_like(check_open["elements"], dtype=float)
+    for place, scene in scenes_of(check_open):
+        beam = beamlike(scene)
+        at = np.linspace(0.0, beam.length, 201)
+        ours = check_open["x"].sel(place).dropna("s")
+        curves = [
+            ours.interp(s=at, method="cubic").values,
+            by_hermite_elements(beam, at),
+            by_collocation(beam, at),
+        ]
+        apart.loc[place] = _apart(xr.DataArray(curves, dims=("code", "depth")))
+    found = apart.squeeze("surface_speed", drop=True).to_dataset(name="codes_apart")
+    found = found.assign(sampled(check_open))
+    return described(found, PAPER, "difference of three methods over what the paper leaves open")
+
+
+def _apart(moved: xr.DataArray) -> xr.DataArray:
+    """Largest difference between methods over the largest displacement."""
+    largest = abs(moved).max(["depth", "code"])
+    return (moved.max("code") - moved.min("code")).max("depth") / largest

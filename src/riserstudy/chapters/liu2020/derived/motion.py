@@ -1,0 +1,234 @@
+"""Liu et al. 2020, motions of the platform: surge, roll, response in waves, three hours of a sea."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from scipy.signal import welch
+
+from riserstudy.chapters.liu2020.periods import first_harmonic, half_swing, settling
+from riserstudy.dataset.describe import described, sampled, scenes_of
+from riserstudy.model.rao import operator
+from riserstudy.scene.models import Scene
+from riserstudy.scene.units import to_si
+
+PAPER = "liu2020"
+RING = 533.0  # m, arclength of the riser's top
+SURGE_PERIOD = 15.0  # s
+DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
+PERIODS = np.arange(3.0, 40.01, 0.1)  # s, of the responses drawn
+WITHOUT = ["constant", "vertical force at the ring", "riser's top on the platform"]
+
+
+# surge
+
+
+def surge(surge_case: xr.Dataset) -> xr.Dataset:
+    """Amplitude and lag of the displacement at four depths, over (tensioner_model, depth)."""
+    depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
+    riser = surge_case["x"].sel(s=surge_case["s"] <= RING + 1e-6)
+    x = riser.interp(s=RING - depth, method="cubic").assign_coords(depth=depth)
+    lag = lag_at(DEPTHS, riser, SURGE_PERIOD)
+    return described(
+        _moved(x.drop_vars("s"), lag), PAPER, "displacement under surge at four depths"
+    )
+
+
+def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of what the paper leaves open."""
+    x = surge_open["x"].assign_coords(depth=RING - surge_open["s"]).swap_dims(s="depth")
+    x = x.drop_vars("s").sortby("depth")
+    found = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
+    return described(found, PAPER, "displacement under surge over what the paper leaves open")
+
+
+def _moved(x: xr.DataArray, lag: xr.DataArray) -> xr.Dataset:
+    """Amplitude and lag behind the platform down the riser, and how settled the motion is."""
+    return xr.Dataset(
+        {
+            "displacement_amplitude": half_swing(x, SURGE_PERIOD),
+            "displacement_lag": lag,
+            "settling": settling(x, SURGE_PERIOD),
+        }
+    )
+
+
+def lag_at(depths: Sequence[float], x: xr.DataArray, period: str | float) -> xr.DataArray:
+    """Lag of the first harmonic at depths below the ring, counted on from node to node from there.
+
+    Between depths far apart the lag may grow by more than half a turn, between nodes it does not.
+
+    Parameters
+    ----------
+    depths : below the ring (m), in any order.
+    x : displacement over ``time``, ``s`` and more, at the nodes of the riser (m).
+    period : as in ``first_harmonic``.
+
+    Returns
+    -------
+    Lag over ``depth`` and what else the displacement has (rad), within half a turn at the ring.
+    """
+    depth = xr.DataArray(list(depths), dims="depth", name="depth")
+    down = x.sel(s=x["s"] <= RING + 1e-6).sortby("s", ascending=False)
+    near = _lag(down, period, "s").interp(s=RING - depth, method="linear")
+    exact = _lag(down.interp(s=RING - depth, method="cubic"), period, "depth")
+    turns = np.round((near - exact) / (2.0 * np.pi))
+    return (exact + 2.0 * np.pi * turns).drop_vars("s").assign_coords(depth=depth)
+
+
+def _lag(x: xr.DataArray, period: str | float, along: str) -> xr.DataArray:
+    """Lag of the first harmonic, unwrapped along a dimension (rad)."""
+    lag = -xr.apply_ufunc(np.angle, first_harmonic(x, period))
+    unwrapped: xr.DataArray = xr.apply_ufunc(
+        np.unwrap, lag, input_core_dims=[[along]], output_core_dims=[[along]]
+    )
+    return unwrapped
+
+
+# roll
+
+
+def roll(roll_runs: xr.Dataset) -> xr.Dataset:
+    """Largest bending moment over (roll_amplitude, roll_period), and how settled it is.
+
+    Settled motion bends as far to one side as to the other.
+    """
+    high, low = _extremes(roll_runs)
+    found = _largest(roll_runs).to_dataset(name="max_bending_moment")
+    found["settling"] = abs(high + low) / (high - low)
+    made = described(
+        found, PAPER, "largest bending moment under roll, centre of rotation calibrated"
+    )
+    made["settling"].attrs["long_name"] = (
+        "difference of largest and smallest moment over their sum, by size"
+    )
+    return made
+
+
+def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
+    """The same about an assumed centre, and the lag of the riser down its length."""
+    lag = lag_at(DEPTHS, roll_base["x"], "roll_period")
+    found = xr.Dataset({"max_bending_moment": _largest(roll_base), "displacement_lag": lag})
+    found["settling"] = settling(roll_base["x"], "roll_period")
+    return described(found, PAPER, "largest bending moment under roll, centre of rotation assumed")
+
+
+def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of what the paper leaves open, the lag at nodes near the four depths."""
+    x = roll_open["x"].assign_coords(depth=RING - roll_open["s"]).swap_dims(s="depth")
+    lag = _lag(x.drop_vars("s").sortby("depth"), "roll_period", "depth")
+    near = lag.sel(depth=list(DEPTHS), method="nearest")
+    found = xr.Dataset({"max_bending_moment": _largest(roll_open), "displacement_lag": near})
+    return described(
+        found.assign(sampled(roll_open)), PAPER, "roll over what the paper leaves open"
+    )
+
+
+def _largest(runs: xr.Dataset) -> xr.DataArray:
+    high, low = _extremes(runs)
+    return high.where(high > -low, -low)
+
+
+def _extremes(runs: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
+    return runs["bending_moment_max"].max("s_node"), runs["bending_moment_min"].min("s_node")
+
+
+# response in waves
+
+
+def rao_table(rao_runs: xr.Dataset) -> xr.Dataset:
+    """Response amplitudes of the platforms over (platform_unit, wave_period), a metre of wave amplitude."""
+    period = xr.DataArray(PERIODS, dims="wave_period", name="wave_period")
+    names = {"surge": "rao_surge", "heave": "rao_heave", "pitch": "rao_pitch"}
+    one = rao_runs.isel(reference=[0], motion=[0], wave_period=[0])
+    units = {}
+    for place, scene in scenes_of(one):
+        response = scene.platform and scene.platform.response
+        if not response:
+            raise TypeError("a scene without response")
+        w = 2.0 * math.pi / PERIODS
+        units[place["platform_unit"]] = xr.Dataset(
+            {
+                variable: period.copy(data=np.abs(operator(response, name, w)))
+                for name, variable in names.items()
+            }
+        )
+    label = xr.DataArray(list(units), dims="platform_unit", name="platform_unit")
+    found = xr.concat(units.values(), label).assign_coords(wave_period=period)
+    return described(found, PAPER, "response of three generic semi-submersibles")
+
+
+def rao(rao_runs: xr.Dataset) -> xr.Dataset:
+    """Largest stress amplitude along the riser by each motion, and each motion's share of their sum."""
+    swing = half_swing(fibre_stress(rao_runs), "wave_period").max(["s", "side"])
+    return described(
+        _shared(swing), PAPER, "stress amplitude by each motion of the platform in waves of 3 m"
+    )
+
+
+def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of what the paper leaves open, each in waves of its own period."""
+    stress, periods = fibre_stress(rao_open), rao_open["assumed_platform_response_wave_period"]
+    swings = [
+        half_swing(stress.isel(sample=k), to_si(str(period), "s")).max(["s", "side"])
+        for k, period in enumerate(periods.values)
+    ]
+    found = _shared(xr.concat(swings, stress["sample"])).assign(sampled(rao_open))
+    return described(found, PAPER, "stress amplitude by motion over what the paper leaves open")
+
+
+def waves(wave_runs: xr.Dataset) -> xr.Dataset:
+    """Largest stress amplitude along the riser by all motions at once, waves on the riser or not."""
+    swing = half_swing(fibre_stress(wave_runs), "wave_period").max(["s", "side"])
+    found = swing.to_dataset(name="stress_amplitude")
+    return described(found, PAPER, "stress amplitude in waves of 3 m that act on the riser too")
+
+
+def _shared(stress: xr.DataArray) -> xr.Dataset:
+    return xr.Dataset({"stress_amplitude": stress, "stress_share": stress / stress.sum("motion")})
+
+
+def fibre_stress(runs: xr.Dataset) -> xr.DataArray:
+    """Stress along the riser of either outermost fibre, T/A + M D/(2 I) and T/A - M D/(2 I) (Pa)."""
+    _, scene = next(scenes_of(runs.isel({dim: [0] for dim in runs["point_key"].dims})))
+    area, modulus = section(scene)
+    on_riser = runs.isel(s=(runs["s"] < RING + 1e-6).values)
+    bending = on_riser["bending_moment"].fillna(0.0) / modulus  # none under heave alone
+    side = xr.DataArray([1.0, -1.0], dims="side")
+    return on_riser["effective_tension"] / area + side * bending
+
+
+def section(scene: Scene) -> tuple[float, float]:
+    """Area (m2) and section modulus (m3) of the riser's pipe."""
+    pipe = scene.riser[0]
+    outer, inner = pipe.outer_diameter or 0.0, pipe.inner_diameter or 0.0
+    second = math.pi / 64.0 * (outer**4 - inner**4)
+    return 0.25 * math.pi * (outer**2 - inner**2), 2.0 * second / outer
+
+
+# three hours of a sea
+
+
+def storm(sea: xr.Dataset) -> xr.Dataset:
+    """Histories of the sea's response with extremes, standard deviations and spectra over frequency."""
+    run = sea.squeeze("tensioner_model", drop=True)
+    interval = float(run["time"][1] - run["time"][0])
+    found: dict[str, xr.DataArray] = {}
+    for name in ("x", "effective_tension", "bending_moment", "stroke", "ufj_angle", "lfj_angle"):
+        values = run[name]
+        found |= {
+            name: values,
+            f"{name}_largest": values.max("time"),
+            f"{name}_smallest": values.min("time"),
+            f"{name}_deviation": values.std("time"),
+        }
+        frequency, density = welch(
+            values.values, 1.0 / interval, nperseg=1024, axis=values.dims.index("time")
+        )
+        dims = ["frequency" if dim == "time" else dim for dim in values.dims]
+        spectrum = xr.DataArray(density, dims=dims, coords={"frequency": frequency})
+        found[f"{name}_spectrum"] = spectrum
+    return described(xr.Dataset(found), PAPER, "three hours of an irregular sea")

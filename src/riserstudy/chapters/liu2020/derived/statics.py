@@ -1,0 +1,106 @@
+"""Liu et al. 2020, statics: horizontal force of the tensioners, displacement and moment by baseline."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from riserstudy.dataset.describe import described, sampled, scenes_of
+from riserstudy.scene.models import Scene
+
+PAPER = "liu2020"
+RING = 533.0  # m, arclength
+NEAR = 60.0  # m below the ring, what the text calls near the sea surface
+#: deg, of cylinders between ring and deck, all alike
+INCLINATIONS = (0.0, 2.0, 5.7, 9.5, 11.3, 12.8)
+
+
+def tension_readings(tension: xr.Dataset) -> xr.Dataset:
+    """Tension of all cylinders at rest over the readings of Table 2, upright and inclined.
+
+    An inclined cylinder carries its pull times the cosine; the ring's height hardly changes.
+    """
+    pull = tension["tensioner_force_static"].sum("cylinder")
+    lean = xr.DataArray(list(INCLINATIONS), dims="inclination", name="inclination")
+    lean = lean.assign_coords(inclination=lean)
+    found = xr.Dataset({"top_tension": pull * np.cos(np.deg2rad(lean))})
+    return described(found, PAPER, "top tension at rest in every reading")
+
+
+def dat_force(statics: xr.Dataset) -> xr.Dataset:
+    """Horizontal force of the tensioners on the ring over (counted, current_profile, surface_speed)."""
+    found = _force(statics.sel(tensioner_model=["gas law"])).squeeze("tensioner_model", drop=True)
+    return described(found.to_dataset(name="horizontal_force"), PAPER, "force of the tensioners")
+
+
+def dat_force_calibrated(statics_calibrated: xr.Dataset) -> xr.Dataset:
+    """The same in the current that was tuned to the printed force at 1 m/s."""
+    force = _force(statics_calibrated).sel(counted="all cylinders", drop=True)
+    found = force.to_dataset(name="horizontal_force")
+    return described(found, PAPER, "force of the tensioners, current profile calibrated")
+
+
+def statics_readings(statics_open: xr.Dataset) -> xr.Dataset:
+    """Largest displacement and moments of every sample, over (sample, tensioner_model, surface_speed).
+
+    Moments are the largest within 60 m below the ring and the largest difference from the gas law's
+    further below.
+    """
+    moment = statics_open["bending_moment_static"]
+    at = moment["s_node"]
+    near = abs(moment.where((at > RING - NEAR) & (at < RING + 1e-6)))
+    deep = moment.where(at <= RING - NEAR)
+    other = abs(deep - deep.sel(tensioner_model="gas law")).max("s_node")
+    force = _force(statics_open.sel(tensioner_model=["gas law"]))
+    found = xr.Dataset(
+        {
+            "largest_displacement": abs(statics_open["x_static"]).max("s_node"),
+            "largest_moment": abs(moment.where(at < RING + 1e-6)).max("s_node"),
+            "moment_near_ring": near.max("s_node"),
+            "moment_apart_below": other,
+            "horizontal_force": force.squeeze("tensioner_model", drop=True),
+        }
+    ).assign(sampled(statics_open))
+    return described(
+        found, PAPER, "displacement and moments at rest over what the paper leaves open"
+    )
+
+
+def _force(runs: xr.Dataset) -> xr.DataArray:
+    """Horizontal force (N) against the current, of all cylinders and of one in the mean."""
+    place = list(runs["point_key"].dims)
+    riser = runs.sel(s_node=runs["s_node"] <= RING + 1e-6).isel(s_node=[-2, -1])
+    total = xr.zeros_like(runs["tensioner_force_static"].isel(cylinder=0, drop=True))
+    total.attrs = {}
+    for at, scene in scenes_of(runs):
+        top = riser.sel(at)
+        pull = top["tensioner_force_static"].dropna("cylinder").values
+        total.loc[at] = pushed_back(scene, pull, top["x_static"].values, top["z_static"].values)
+    total = total.transpose(*place)
+    counted = xr.DataArray(["all cylinders", "one cylinder"], dims="counted", name="counted")
+    return xr.concat([total, total / runs["tensioner_force_static"].count("cylinder")], counted)
+
+
+def pushed_back(
+    scene: Scene, pull: NDArray[np.float64], x: NDArray[np.float64], z: NDArray[np.float64]
+) -> float:
+    """Horizontal force of all cylinders against +x (N).
+
+    Parameters
+    ----------
+    pull : of each cylinder (N).
+    x, z : place of the node below the ring and of the ring (m); the ring turns with the riser there.
+    """
+    rig = scene.top.tensioners
+    if rig is None or rig.arrangement is None:
+        raise TypeError("no tensioners in space")
+    where = rig.arrangement
+    bearing = np.array(where.bearings(rig.count))
+    lean = np.arctan2(x[1] - x[0], z[1] - z[0])
+    round_about = np.stack([np.cos(bearing), np.sin(bearing), np.zeros(rig.count)])
+    deck = where.deck_radius * round_about + np.array([[0.0], [0.0], [where.deck_elevation]])
+    east, north = where.ring_radius * round_about[:2]
+    ring = np.stack([x[1] + east * np.cos(lean), north, z[1] - east * np.sin(lean)])
+    line = deck - ring
+    return float(-(pull * line[0] / np.sqrt((line**2).sum(axis=0))).sum())

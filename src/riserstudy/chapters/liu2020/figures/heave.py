@@ -1,0 +1,121 @@
+"""Axial force under heave, and where the tensioners reach their stroke."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from riserstudy.figures.style import COLOURS, GREY, field, key_below, panels
+
+DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
+MODELS = {"gas law": "-", "linear": "--"}
+DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
+STROKE = 7.5  # m, either way
+TENSION = "effective tension (kN)"
+AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
+
+
+def fig13(heave_case: xr.Dataset) -> Figure:
+    """Effective tension over depth and time."""
+    figure, (ax,) = panels(height=3.8)
+    tension = _by_depth(heave_case.sel(tensioner_model="gas law"))["effective_tension"] / 1e3
+    field(figure, ax, tension, "time", "depth", TENSION)
+    ax.set_xlabel(TIME)
+    ax.set_ylabel(DEPTH)
+    ax.invert_yaxis()
+    return figure
+
+
+def fig14(heave_case: xr.Dataset) -> Figure:
+    """Effective tension over time at four depths."""
+    figure, (ax,) = panels(height=3.8)
+    tension = _by_depth(heave_case)["effective_tension"] / 1e3
+    for colour, depth in zip(COLOURS, DEPTHS, strict=False):
+        for model, line in MODELS.items():
+            curve = tension.sel(tensioner_model=model).interp(depth=depth)
+            label = f"{depth:.0f} m, {model}"
+            ax.plot(curve["time"], curve, line, color=colour, linewidth=1.1, label=label)
+    ax.set_xlabel(TIME)
+    ax.set_ylabel(TENSION)
+    key_below(figure, ax, 4)
+    return figure
+
+
+def fig15(heave: xr.Dataset) -> Figure:
+    """Amplitude of the axial force over heave amplitude and period."""
+    figure, axes = panels(1, 3, 3.8)
+    kinds = {"gas law": "axial_force_amplitude", "linear": "axial_force_amplitude_linear"}
+    periods = [p for p in (5.0, 15.0, 30.0) if p in heave["heave_period"]]
+    for model, name in kinds.items():
+        force = heave[name] / 1e3
+        for colour, period in zip(COLOURS, periods, strict=False):
+            curve = force.sel(heave_period=period)
+            label = f"{period:g} s, {model}"
+            axes[0].plot(
+                curve["heave_amplitude"],
+                curve,
+                MODELS[model],
+                color=colour,
+                label=label,
+                marker=".",
+            )
+        for colour, amplitude in zip(COLOURS, heave["heave_amplitude"].values, strict=False):
+            curve = force.sel(heave_amplitude=amplitude)
+            axes[1].plot(curve["heave_period"], curve, MODELS[model], color=colour)
+            if model == "gas law":
+                end = (float(curve["heave_period"][-1]), float(curve[-1]))
+                axes[1].annotate(
+                    f"{amplitude:g} m",
+                    end,
+                    xytext=(4, 0),
+                    textcoords="offset points",
+                    va="center",
+                    fontsize="small",
+                )
+    axes[0].set_xlabel(AMPLITUDE)
+    axes[0].set_ylabel("amplitude of the axial force (kN)")
+    axes[0].legend(fontsize="small")
+    axes[1].set_xlabel(PERIOD)
+    axes[1].set_ylabel("amplitude of the axial force (kN)")
+    axes[1].margins(x=0.16)
+    axes[1].set_title("heave amplitudes; dashed: linear", loc="right", fontsize="small")
+    for colour, amplitude in zip(COLOURS, heave["heave_amplitude"].values, strict=False):
+        change = 100.0 * heave["settling"].sel(heave_amplitude=amplitude)
+        axes[2].plot(change["heave_period"], change, color=colour, label=f"{amplitude:g} m")
+    axes[2].set_yscale("log")
+    axes[2].set_xlabel(PERIOD)
+    axes[2].set_ylabel("change in the last period (%)")
+    axes[2].set_title("how settled, by heave amplitude", loc="right", fontsize="small")
+    axes[2].legend(fontsize="small", ncols=2)
+    return figure
+
+
+def heave_limit(heave_limit: xr.Dataset) -> Figure:
+    """Stroke and tension up to and beyond the end stops."""
+    figure, axes = panels(1, 2, 3.6)
+    reach = heave_limit["tensioner_stroke"].isel(cylinder=0)
+    tension = heave_limit["effective_tension"].isel(s=0) / 1e6
+    for colour, stiffness in zip(COLOURS, heave_limit["stop_stiffness"].values, strict=False):
+        for quantity, ax in ((reach, axes[0]), (tension, axes[1])):
+            curve = quantity.sel(stop_stiffness=stiffness)
+            for side in ("max", "min"):
+                ends = getattr(curve, side)("time")
+                label = f"stops of {stiffness:g} MN/m" if side == "max" else None
+                ax.plot(ends["heave_amplitude"], ends, color=colour, marker=".", label=label)
+    for limit in (-STROKE, STROKE):
+        axes[0].axhline(limit, color=GREY, linewidth=0.9)
+    axes[1].axhline(0.0, color=GREY, linewidth=0.9)
+    axes[0].set_ylabel("reach of a cylinder, extremes (m)")
+    axes[1].set_ylabel("tension at the bottom, extremes (MN)")
+    axes[1].set_title("below zero: slack", loc="right", fontsize="small")
+    for ax in axes:
+        ax.set_xlabel(AMPLITUDE)
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def _by_depth(runs: xr.Dataset) -> xr.Dataset:
+    """Over depth below the riser's top instead of arclength from its bottom."""
+    length = float(np.max(runs["s"]))
+    return runs.assign_coords(depth=length - runs["s"]).swap_dims(s="depth").sortby("depth")

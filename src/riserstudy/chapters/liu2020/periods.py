@@ -1,0 +1,55 @@
+"""Amplitudes over the last periods of a history, and whether they have settled."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+
+
+def half_swing(history: xr.DataArray, period: str | float, back: int = 0) -> xr.DataArray:
+    """Half of (largest - smallest) over one period, the last or one ``back`` from it.
+
+    Parameters
+    ----------
+    history : over ``time`` (s).
+    period : in seconds, or a dimension of the history whose values are periods.
+    """
+    return _by_period(history, period, back, lambda h, _: 0.5 * (h.max("time") - h.min("time")))
+
+
+def first_harmonic(history: xr.DataArray, period: str | float) -> xr.DataArray:
+    """Complex amplitude of exp(2 pi i t / period) over the last period."""
+
+    def harmonic(part: xr.DataArray, seconds: float) -> xr.DataArray:
+        turn = np.exp(-2j * np.pi * part["time"] / seconds)
+        return 2.0 * (part * turn).mean("time")
+
+    return _by_period(history, period, 0, harmonic)
+
+
+def settling(history: xr.DataArray, period: str | float) -> xr.DataArray:
+    """Relative change of the half swing from the last period but one to the last."""
+    last, before = half_swing(history, period), half_swing(history, period, back=1)
+    return abs(last / before - 1.0)
+
+
+def _by_period(
+    history: xr.DataArray,
+    period: str | float,
+    back: int,
+    measure: Callable[[xr.DataArray, float], xr.DataArray],
+) -> xr.DataArray:
+    end = float(history["time"][-1])
+
+    def of(part: xr.DataArray, seconds: float) -> xr.DataArray:
+        time = part["time"]
+        inside = (time > end - (back + 1) * seconds + 1e-6) & (time <= end - back * seconds + 1e-6)
+        return measure(part.isel(time=inside.values), seconds)
+
+    if not isinstance(period, str):
+        return of(history, period)
+    parts = [of(history.sel({period: value}), float(value)) for value in history[period].values]
+    joined = xr.concat(parts, history[period])
+    return joined.transpose(*(dim for dim in history.dims if dim in joined.dims))

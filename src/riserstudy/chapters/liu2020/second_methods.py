@@ -1,0 +1,107 @@
+"""Static displacement of a riser in a current by methods that share nothing with the engine.
+
+Both solve the small-slope beam (EI u'')'' - (T u')' = c |U| U, pinned at both ends, with the tension of
+the straight riser and the current of the undeformed one.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_bvp
+
+from riserstudy.model.sea import current_table
+from riserstudy.scene.models import Scene
+
+FloatArray = NDArray[np.float64]
+ELEMENTS = 400
+
+
+class Beamlike(NamedTuple):
+    """What the small-slope beam needs of a scene with one section and a top tension."""
+
+    length: float  # m
+    stiffness: float  # N m2
+    tension: float  # N, at the top
+    weight: float  # N/m
+    drag: float  # N s2/m3
+    elevation: FloatArray  # m above the bottom, of the current's table
+    speed: FloatArray  # m/s
+
+    def current(self, s: FloatArray) -> FloatArray:
+        """Speed of the water at arclengths (m/s)."""
+        return np.interp(s, self.elevation, self.speed)
+
+    def pull(self, s: FloatArray) -> FloatArray:
+        """Tension at arclengths (N)."""
+        return self.tension - self.weight * (self.length - s)
+
+
+def beamlike(scene: Scene) -> Beamlike:
+    """Numbers of a scene."""
+    pipe = scene.riser[0]
+    if not (scene.top.tension and scene.current and scene.water and pipe.drag):
+        raise TypeError("a beam in a current needs top tension, current and drag")
+    outer, inner = pipe.outer_diameter or 0.0, pipe.inner_diameter or 0.0
+    z, speed = current_table(scene.current, scene.water)
+    return Beamlike(
+        pipe.total_length,
+        (pipe.young_modulus or 0.0) * math.pi / 64.0 * (outer**4 - inner**4),
+        scene.top.tension,
+        pipe.submerged_weight or 0.0,
+        0.5 * scene.water.density * pipe.drag.constant * pipe.drag.diameter,
+        z - (scene.bottom.elevation or 0.0),
+        speed,
+    )
+
+
+def by_hermite_elements(beam: Beamlike, at: FloatArray) -> FloatArray:
+    """Displacement (m) at arclengths by cubic finite elements."""
+    # Brings compiled kernels with it, for which other derived datasets need not wait.
+    from riserstudy.solve.hermite import Beam, statics
+
+    s = np.linspace(0.0, beam.length, ELEMENTS + 1)
+    pull = beam.pull(s)
+    whole = np.ones(ELEMENTS)
+    found = statics(
+        Beam(
+            s=s,
+            bending_stiffness=np.full((ELEMENTS, 2), beam.stiffness),
+            tension=np.column_stack([pull[:-1], pull[1:]]),
+            mass=whole,
+            added_mass=0.0 * whole,
+            drag=beam.drag * whole,
+            load=np.zeros((ELEMENTS, 2)),
+            current=beam.current,
+        )
+    )
+    return np.interp(at, s, np.asarray(found.displacement))
+
+
+def by_collocation(beam: Beamlike, at: FloatArray) -> FloatArray:
+    """Displacement (m) at arclengths by SciPy's solver of boundary value problems.
+
+    Unknowns over x = s / L: u/L, slope, M L / EI, Q L^2 / EI with Q the force across the undeformed riser.
+    """
+    scale = beam.length**2 / beam.stiffness
+
+    def slopes(x: FloatArray, y: FloatArray) -> FloatArray:
+        s = beam.length * x
+        water = beam.current(s)
+        load = beam.drag * np.abs(water) * water
+        # M' = T u' - Q and Q' = -load
+        return np.vstack(
+            [y[1], y[2], scale * beam.pull(s) * y[1] - y[3], -scale * beam.length * load]
+        )
+
+    def ends(low: FloatArray, high: FloatArray) -> FloatArray:
+        return np.array([low[0], low[2], high[0], high[2]])
+
+    x = np.linspace(0.0, 1.0, 401)
+    found = solve_bvp(slopes, ends, x, np.zeros((4, x.size)), tol=1e-6, max_nodes=20000)
+    if not found.success:
+        raise RuntimeError(f"boundary value problem: {found.message}")
+    return np.asarray(beam.length * found.sol(at / beam.length)[0])

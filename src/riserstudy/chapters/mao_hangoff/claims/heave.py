@@ -1,0 +1,107 @@
+"""Mao, Zeng, Liu: what claims on axial motion, Figs 9d to 14c, are checked against.
+
+a is the amplitude of axial motion at the period of the heave.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.chapters.mao_hangoff.runs import follows, last_over_first, with_printed_lmrp
+from riserstudy.grading.grade import Found
+
+SETTLED = 70.0  # s, by then every ramp of the heave has ended
+SMALL = 0.05  # change that counts as small
+
+
+def one_frequency(heave: xr.Dataset, depths: list[float]) -> Found:
+    """The heave's period explains 90 % of the motion at all depths; value: the smallest share."""
+    share = harmonic(with_printed_lmrp(_z_at(heave, depths)), heave)["share"].min("depth")
+    return Found(share, share >= 0.9)
+
+
+def amplitude_grows_with_depth(heave: xr.Dataset, depths: list[float]) -> Found:
+    """Amplitude a grows from depth to depth; value: deepest over first."""
+    a = harmonic(with_printed_lmrp(_z_at(heave, depths)), heave)["amplitude"]
+    ratio = a.isel(depth=-1, drop=True) / a.isel(depth=0, drop=True)
+    return Found(ratio, (a.diff("depth") > 0).all("depth"))
+
+
+def level_rises(heave: xr.Dataset, depth: float) -> Found:
+    """The mean level at a depth rises while the riser trails off; value: m a minute."""
+    rate = 60.0 * harmonic(with_printed_lmrp(_z_at(heave, [depth])), heave)["drift"].isel(
+        depth=0, drop=True
+    )
+    return Found(rate, rate > 0.0)
+
+
+def amplitude_follows(heave: xr.Dataset, axis: str, sign: float) -> Found:
+    """Amplitude a of the LMRP rises or falls along an axis, at one frequency; value: last over first."""
+    fit = lmrp_motion(heave)
+    steady = (fit["share"] >= 0.9).all(axis)
+    a = fit["amplitude"]
+    return Found(last_over_first(a, axis), follows(a, axis, sign) & steady)
+
+
+def amplitude_hardly_changes(heave: xr.Dataset, axis: str) -> Found:
+    """Amplitude a of the LMRP changes little along an axis; value: last over first."""
+    ratio = last_over_first(lmrp_motion(heave)["amplitude"], axis)
+    return Found(ratio, abs(ratio - 1.0) <= SMALL)
+
+
+def _z_at(heave: xr.Dataset, depths: list[float]) -> xr.DataArray:
+    """Elevation at depths below the joint (m), over ``depth``."""
+    z = heave["z"]
+    s = xr.DataArray(float(z["s"][-1]) - np.array(depths), dims="depth", coords={"depth": depths})
+    return z.sel(s=s, method="nearest").drop_vars("s")
+
+
+def lmrp_motion(heave: xr.Dataset) -> xr.Dataset:
+    """Amplitude (m), drift (m/s) and share of the LMRP's motion at the heave's period."""
+    return harmonic(heave["z"].isel(s=0, drop=True), heave)
+
+
+def harmonic(z: xr.DataArray, heave: xr.Dataset) -> xr.Dataset:
+    """Amplitude (m) at the heave's period, drift (m/s), and the share of the motion at that period.
+
+    Least squares with a quadratic drift: the slow change of level is no part of the amplitude.
+    """
+    z = z.sel(time=slice(SETTLED, None))
+    t = z["time"] - float(z["time"][0])
+    period = _period(heave)
+
+    def fit(z: Any, period: Any) -> tuple[float, float, float]:
+        w = 2.0 * np.pi / period
+        slow = np.stack([np.ones_like(t), t, t.values**2], axis=1)
+        terms = np.concatenate(
+            [slow, np.cos(w * t.values)[:, None], np.sin(w * t.values)[:, None]], 1
+        )
+        found = np.linalg.lstsq(terms, z, rcond=None)[0]
+        wave = z - slow @ found[:3]
+        left = z - terms @ found
+        share = 1.0 - float(left @ left) / float(wave @ wave)
+        drift = float((slow[-1] - slow[0]) @ found[:3]) / float(t[-1])
+        return float(np.hypot(*found[3:])), drift, share
+
+    amplitude, drift, share = xr.apply_ufunc(
+        fit,
+        z,
+        period,
+        input_core_dims=[["time"], []],
+        output_core_dims=[[], [], []],
+        vectorize=True,
+    )
+    return xr.Dataset({"amplitude": amplitude, "drift": drift, "share": share})
+
+
+def _period(heave: xr.Dataset) -> xr.DataArray:
+    """Period of the platform's heave (s): sampled, or that of the scene."""
+    if "assumed_platform_heave_period" in heave:
+        texts = heave["assumed_platform_heave_period"]
+        return texts.copy(data=[float(str(text).split()[0]) for text in texts.values])
+    scene = json.loads(heave.attrs["scene"])
+    return xr.DataArray(float(scene["platform"]["heave"]["period"].split()[0]))

@@ -1,0 +1,177 @@
+"""Mao, Zeng, Liu: what its numbers and claims on shape and moment are checked against.
+
+x is the LMRP's distance from the platform along the track, M the largest moment, both at 130 s; a is the
+amplitude of axial motion at the period of the heave.
+"""
+
+from __future__ import annotations
+
+import xarray as xr
+
+from riserstudy.chapters.mao_hangoff.claims.heave import (
+    lmrp_motion,
+)
+from riserstudy.chapters.mao_hangoff.runs import (
+    PRINTED,
+    STATED,
+    at_angle,
+    distance,
+    follows,
+    largest,
+    last_over_first,
+    misses_of_print,
+    moments,
+    with_printed_lmrp,
+)
+from riserstudy.chapters.mao_hangoff.towed import displacement
+from riserstudy.grading.grade import Found
+
+SURFACE_ZONE = 150.0  # m below the joint, where C_D is large
+TIMES = [10.0, 40.0, 70.0, 100.0, 130.0]  # s, of Fig 9c
+NEARLY = 0.99  # of the largest, which counts as the largest
+
+
+# printed numbers
+
+
+def lmrp_distance(runs: xr.Dataset, lmrp_mass: float) -> Found:
+    """Distance x (m) with an LMRP of a mass (t)."""
+    return Found(distance(runs).sel(lmrp_mass=lmrp_mass, drop=True))
+
+
+def largest_moment(runs: xr.Dataset, lmrp_mass: float) -> Found:
+    """M (kN m) with an LMRP of a mass (t)."""
+    return Found(largest(runs).sel(lmrp_mass=lmrp_mass, drop=True) / 1e3)
+
+
+def all_numbers(
+    runs: xr.Dataset, heavy: float, light: float, moment: float, within: float
+) -> Found:
+    """Whether one reading meets the three numbers within a share; value: its worst miss."""
+    found = misses_of_print(runs, heavy, light, moment)
+    worst = xr.concat([found[name] for name in PRINTED], "number").max("number")
+    return Found(worst, worst <= within)
+
+
+# Fig 9: the base case
+
+
+def grows_with_depth(runs: xr.Dataset) -> Found:
+    """Distance grows from node to node at 130 s; value: x over the largest distance."""
+    away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
+    value = away.isel(s=0, drop=True) / away.max("s")
+    return Found(value, (away.diff("s") <= 1e-9).all("s"))
+
+
+def upright_at_the_lmrp(runs: xr.Dataset, at_most: float) -> Found:
+    """Slope over the lowest 50 m is much smaller than the mean one; value: their ratio."""
+    away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
+    lowest = (away.isel(s=0, drop=True) - away.interp(s=50.0).drop_vars("s")) / 50.0
+    mean = away.isel(s=0, drop=True) / (float(away["s"][-1]) - float(away["s"][0]))
+    return Found(lowest / mean, lowest <= at_most * mean)
+
+
+def moment_at_the_top(runs: xr.Dataset) -> Found:
+    """M lies in the surface zone; value: its depth below the joint (m)."""
+    moment = with_printed_lmrp(moments(runs))
+    depth = float(moment["s"][-1]) - moment.idxmax("s")
+    return Found(depth, depth <= SURFACE_ZONE)
+
+
+def small_below(runs: xr.Dataset, at_most: float) -> Found:
+    """Moments below the surface zone are small; value: the largest there over M."""
+    moment = with_printed_lmrp(moments(runs))
+    below = moment.where(moment["s"] < float(moment["s"][-1]) - SURFACE_ZONE).max("s")
+    share = below / moment.max("s")
+    return Found(share, share <= at_most)
+
+
+def grows_in_time(runs: xr.Dataset, at_most: float) -> Found:
+    """Distance x grows from time to time of Fig 9c and is small at first; value: first over last."""
+    x = abs(with_printed_lmrp(displacement(runs))).sel(time=TIMES).isel(s=0, drop=True)
+    first = x.isel(time=0, drop=True) / x.isel(time=-1, drop=True)
+    return Found(first, (x.diff("time") > 0).all("time") & (first <= at_most))
+
+
+def lower_half_moves_more(runs: xr.Dataset) -> Found:
+    """The LMRP is farthest at all times, the lower half farther than the upper; value: at 130 s."""
+    away = abs(with_printed_lmrp(displacement(runs))).sel(time=TIMES)
+    middle = 0.5 * (float(away["s"][0]) + float(away["s"][-1]))
+    lower, upper = away.where(away["s"] <= middle), away.where(away["s"] >= middle)
+    farthest = away.isel(s=0, drop=True) >= NEARLY * away.max("s")
+    ratio = lower.mean("s") / upper.mean("s")
+    true = (farthest & (ratio > 1.0)).all("time")
+    return Found(ratio.isel(time=-1, drop=True), true)
+
+
+# Figs 10 to 14: what changes with what
+
+
+def distance_and_moment_follow(runs: xr.Dataset, axis: str, sign: float) -> Found:
+    """Both x and M rise (sign 1) or fall (-1) along an axis; value: last x over first."""
+    x, m = distance(runs), largest(runs)
+    return Found(last_over_first(x, axis), follows(x, axis, sign) & follows(m, axis, sign))
+
+
+def distance_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
+    """Distance x rises or falls along an axis; value: last over first."""
+    x = distance(runs)
+    return Found(last_over_first(x, axis), follows(x, axis, sign))
+
+
+def moment_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
+    """M rises or falls along an axis; value: last over first."""
+    m = largest(runs)
+    return Found(last_over_first(m, axis), follows(m, axis, sign))
+
+
+def top_moment_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
+    """M rises or falls along an axis, and is near the top at its end; value: last over first."""
+    over_s = moments(runs)
+    m = over_s.max("s")
+    depth = float(over_s["s"][-1]) - over_s.isel({axis: 0}, drop=True).idxmax("s")
+    return Found(last_over_first(m, axis), follows(m, axis, sign) & (depth <= SURFACE_ZONE))
+
+
+def joint_angle_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
+    """The angle of the flex joint at 130 s rises or falls along an axis; value: last over first."""
+    angle = abs(runs["ufj_angle"].sel(time=STATED, drop=True))
+    return Found(last_over_first(angle, axis), follows(angle, axis, sign))
+
+
+def change_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
+    """Most of what a lighter LMRP changes arises in the lowest quarter; value: the share."""
+    away = abs(displacement(runs)).sel(time=STATED, drop=True)
+    change = away.sel(lmrp_mass=120.0, drop=True) - away.sel(lmrp_mass=140.0, drop=True)
+    quarter = 0.25 * float(change["s"][-1])
+    low = change.isel(s=0, drop=True)
+    share = (low - change.interp(s=quarter).drop_vars("s")) / low
+    return Found(share, share >= at_least)
+
+
+def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float) -> Found:
+    """x, M and a all rise or fall along an axis; value: last x over first."""
+    x, m, a = distance(runs), largest(runs), lmrp_motion(heave)["amplitude"]
+    true = follows(x, axis, sign) & follows(m, axis, sign) & follows(a, axis, sign)
+    return Found(last_over_first(x, axis), true)
+
+
+def other_way_at_90_degrees(runs: xr.Dataset) -> Found:
+    """At 90 deg the LMRP is on another side than at 0 and 45 deg; value: place at 90 over that at 0 deg."""
+    place = displacement(runs).sel(time=STATED, drop=True).isel(s=0, drop=True)
+    at0, at45, at90 = (at_angle(place, angle) for angle in (0, 45, 90))
+    return Found(at90 / at0, (at0 * at45 > 0) & (at0 * at90 < 0))
+
+
+def falls_with_angle(runs: xr.Dataset, considerably: float) -> Found:
+    """Distance x falls from 0 over 45 to 90 deg, 0 deg considerably largest; value: x at 90 over 0 deg."""
+    x = distance(runs)
+    at0, at45, at90 = (at_angle(x, angle) for angle in (0, 45, 90))
+    return Found(at90 / at0, (at0 >= considerably * at45) & (at45 > at90))
+
+
+def grows_beyond_90_degrees(runs: xr.Dataset) -> Found:
+    """Distance x grows from 90 over 135 to 180 deg; value: x at 180 over 90 deg."""
+    x = distance(runs)
+    at90, at135, at180 = (at_angle(x, angle) for angle in (90, 135, 180))
+    return Found(at180 / at90, (at135 > at90) & (at180 > at135))

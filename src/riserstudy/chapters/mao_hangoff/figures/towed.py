@@ -1,0 +1,297 @@
+"""Figures of Mao, Zeng, Liu: the printed ones by number, others by what they show.
+
+Displacements are distances behind the platform, along its track; depths count from the upper flex joint.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.chapters.mao_hangoff.towed import displacement
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+
+ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
+MOMENT = "bending moment at 130 s (kN m)"
+RISE = "rise of the LMRP (m)"
+TIME = "time (s)"
+STATED = 130.0  # s, the time of Fig 9
+TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
+START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
+DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
+#: printed values; config/published/mao_hangoff.yaml, N1 to N3
+X_HEAVY, X_LIGHT, LARGEST = 58.2, 62.7, 52.0
+ONE_PROFILE = ("0 deg, 2.5 m/s", "45 deg, 2.5 m/s", "90 deg")  # tracks of Fig 13
+MARKS = ("o", "s", "^", "D", "v", "P")
+
+
+# printed figures
+
+
+def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
+    """Shape and moment in the first 12 s of the case without open inputs, by both integrators."""
+    figure, axes = panels(1, 2, 3.8)
+    runs = hangoff_ref_start
+    shapes, moments = -displacement(runs), runs["bending_moment"] / 1e3
+    depth = float(runs["s"][-1]) - runs["s"]
+    for ax, curves in zip(axes, (shapes, moments), strict=True):
+        for colour, time in zip(COLOURS, START, strict=False):
+            at = curves.sel(time=time)
+            ax.plot(at.sel(integrator="implicit"), depth, color=colour, label=f"{time:g} s")
+            ax.plot(at.sel(integrator="explicit"), depth, ".", color=colour, ms=4)
+    axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit, dots")
+    _down(axes[0], ASTERN)
+    _down(axes[1], "bending moment (kN m)")
+    axes[1].legend(fontsize="small")
+    return figure
+
+
+def fig07(pe_pipe: xr.Dataset) -> Figure:
+    """Shape of the PE pipe at several speeds."""
+    figure, (ax,) = panels(height=3.8)
+    below = float(pe_pipe["s"][-1]) - pe_pipe["s"]
+    for colour, speed in zip(COLOURS, pe_pipe["current_speed"].values, strict=False):
+        for line, filling in (("-", "flooded"), (":", "closed")):
+            shape = pe_pipe["x"].sel(current_speed=speed, filling=filling)
+            label = f"{speed:g} m/s" if filling == "flooded" else None
+            ax.plot(1e3 * shape, 1e3 * below, line, color=colour, label=label)
+    ax.plot([], [], ":", color=GREY, label="closed, dotted")
+    ax.set_xlabel("deflection (mm)")
+    ax.set_ylabel("distance from the clamp (mm)")
+    ax.invert_yaxis()
+    ax.legend(fontsize="small")
+    return figure
+
+
+def fig08(current_profiles: xr.Dataset) -> Figure:
+    """Current over depth: the surface speeds of Fig 11, and the shapes that the text leaves open."""
+    figure, axes = panels(1, 2, 3.7, sharey=True)
+    share = current_profiles["current_share"]
+    depth, shapes = share["below_surface"], list(share["current_profile"].values)
+    for colour, speed in zip(COLOURS, (1.0, 1.1, 1.2), strict=False):
+        axes[0].plot(speed * share[0], depth, color=colour, label=f"{speed:g} m/s")
+    for k, shape in enumerate(shapes):
+        line, colour = ("-", "--")[k // len(COLOURS)], COLOURS[k % len(COLOURS)]
+        axes[1].plot(share.sel(current_profile=shape), depth, line, color=colour, label=str(shape))
+    for ax, title in zip(axes, (str(shapes[0]), "1 m/s at the surface"), strict=True):
+        ax.set_xlabel("current speed (m/s)")
+        ax.set_title(title, loc="right", fontsize="small")
+    axes[0].set_ylabel("depth below the surface (m)")
+    axes[0].invert_yaxis()
+    axes[0].legend(fontsize="small")
+    key_below(figure, axes[1], 4)
+    return figure
+
+
+def fig09(base: xr.Dataset, base_runs: xr.Dataset, variants: xr.Dataset) -> Figure:
+    """The evacuation of Table 2: shape, moment, shapes in time, axial motion; the paper's own setting."""
+    figure, axes = panels(2, 2, 3.6)
+    depth = float(base["s"][-1]) - base["s"]
+    axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=COLOURS[0])
+    axes[0].axvline(X_HEAVY, label="printed at the LMRP: 58.2 m", **PRINTED)
+    axes[1].plot(base["max_bending_moment"] / 1e3, depth, color=COLOURS[0])
+    axes[1].axvline(LARGEST, label="printed largest: 52 kN m", **PRINTED)
+    own = variants.sel(variant="mesh and step of the paper")
+    shape = -displacement(own).sel(time=STATED).dropna("s")
+    moment = abs(own["bending_moment"]).sel(time=STATED).dropna("s") / 1e3
+    for ax, curve in zip(axes, (shape, moment), strict=False):
+        ax.plot(
+            curve,
+            float(curve["s"][-1]) - curve["s"],
+            ":",
+            color=COLOURS[1],
+            label="mesh and step of the paper",
+        )
+    axes[0].set_title("130 s", loc="right", fontsize="small")
+    for colour, time in zip(COLOURS, TIMES, strict=False):
+        shape = -base["displacement_along"].sel(time=time)
+        axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
+    z = base_runs["z"]
+    for colour, line, below in zip(COLOURS, ("-", "-", "-", "--"), DEPTHS, strict=False):
+        at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
+        axes[3].plot(at["time"], at - at[0], line, color=colour, lw=1.1, label=f"{below:g} m")
+    for ax, label in zip(axes, (ASTERN, MOMENT, ASTERN), strict=False):
+        _down(ax, label)
+    axes[3].set_xlabel(TIME)
+    axes[3].set_ylabel("axial motion (m)")
+    for ax in axes:
+        ax.legend(fontsize="small")
+    return figure
+
+
+def fig10(lmrp_mass: xr.Dataset) -> Figure:
+    """Shape, moment and axial motion for three LMRP masses."""
+    figure = _three(lmrp_mass, "lmrp_mass", (140.0, 130.0, 120.0), "LMRP {:g} t")
+    for value, colour in ((X_HEAVY, COLOURS[0]), (X_LIGHT, COLOURS[2])):
+        figure.axes[0].axvline(value, **(PRINTED | {"color": colour}))
+    figure.axes[0].set_xlim(right=1.05 * X_LIGHT)
+    figure.axes[0].set_title("dashed: printed", loc="right", fontsize="small")
+    return figure
+
+
+def fig11(current_speed: xr.Dataset) -> Figure:
+    """The same for three speeds of the current."""
+    return _three(current_speed, "current_speed", (1.0, 1.1, 1.2), "current {:g} m/s")
+
+
+def fig12(platform_speed: xr.Dataset) -> Figure:
+    """The same for three speeds of the platform."""
+    return _three(platform_speed, "platform_speed", (2.4, 2.5, 2.6), "platform {:g} kn")
+
+
+def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
+    """The same for three angles of the track, speeds apart and in one profile."""
+    figure = _three(track_angle, "track_angle", (0.0, 45.0, 90.0), "track at {:g} deg", key=False)
+    axes = figure.axes
+    shapes = displacement(track_one_profile).sel(time=STATED)
+    moments = abs(track_one_profile["bending_moment"].sel(time=STATED)) / 1e3
+    z = track_one_profile["z"].isel(s=0)
+    for colour, track in zip(COLOURS, ONE_PROFILE, strict=False):
+        depth = float(shapes["s"][-1]) - shapes["s"]
+        axes[0].plot(-shapes.sel(track=track), depth, "--", color=colour)
+        axes[1].plot(moments.sel(track=track), depth, "--", color=colour)
+        risen = z.sel(track=track) - z.sel(track=track).isel(time=0)
+        axes[2].plot(risen["time"], risen, "--", color=colour, lw=1.0)
+    axes[0].plot([], [], "--", color=GREY, label="both speeds in one profile")
+    key_below(figure, axes[0], 4)
+    return figure
+
+
+def fig14(riser_length: xr.Dataset) -> Figure:
+    """The same for three lengths of riser."""
+    return _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
+
+
+def _three(
+    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, key: bool = True
+) -> Figure:
+    """Panels (a) to (c) of Figs 10 to 14, with their key unless more is to come."""
+    figure, axes = panels(1, 3, 3.7)
+    for colour, value in zip(COLOURS, values, strict=False):
+        run = runs.sel({axis: value}, method="nearest")
+        shape = run["displacement_along"].sel(time=STATED).dropna("s")
+        moment = run["max_bending_moment"].dropna("s")
+        name = label.format(value)
+        top = float(shape["s"][-1])
+        axes[0].plot(-shape, top - shape["s"], color=colour, label=name)
+        axes[1].plot(moment / 1e3, top - moment["s"], color=colour)
+        axes[2].plot(run["time"], run["lmrp_rise"], color=colour, lw=1.0)
+    _down(axes[0], ASTERN)
+    _down(axes[1], MOMENT)
+    axes[2].set_xlabel(TIME)
+    axes[2].set_ylabel(RISE)
+    if key:
+        key_below(figure, axes[0], 3)
+    return figure
+
+
+def _down(ax: Axes, label: str) -> None:
+    ax.set_xlabel(label)
+    ax.set_ylabel(DEPTH)
+    ax.invert_yaxis()
+
+
+# beside the paper
+
+
+def trends(
+    lmrp_mass: xr.Dataset,
+    current_speed: xr.Dataset,
+    platform_speed: xr.Dataset,
+    riser_length: xr.Dataset,
+    track_angle: xr.Dataset,
+) -> Figure:
+    """Displacement along and across the track, moment and joint angle at 130 s over all five axes."""
+    figure, axes = panels(3, 5, 2.3)
+    columns: dict[str, tuple[xr.Dataset, str]] = {
+        "lmrp_mass": (lmrp_mass, "LMRP mass (t)"),
+        "current_speed": (current_speed, "current (m/s)"),
+        "platform_speed": (platform_speed, "platform (kn)"),
+        "riser_length": (riser_length, "riser length (m)"),
+        "track_angle": (track_angle, "track angle (deg)"),
+    }
+    for k, (axis, (runs, label)) in enumerate(columns.items()):
+        at = runs.sel(time=STATED)
+        curves: tuple[xr.DataArray, ...] = (
+            -at["lmrp_displacement"],
+            runs["max_bending_moment"].max("s") / 1e3,
+            180.0 / np.pi * abs(at["ufj_angle"]),
+        )
+        for ax, curve in zip(axes[k :: len(columns)], curves, strict=True):
+            ax.plot(curve[axis], curve, marker=".", color=COLOURS[k])
+        across = at["lmrp_displacement_cross"]
+        if float(abs(across).max()) > 0.0:
+            axes[k].plot(across[axis], across, "--", color=COLOURS[k], label="across")
+            axes[k].legend(fontsize="small")
+        axes[2 * len(columns) + k].set_xlabel(label)
+    for ax, label in zip(
+        axes[:: len(columns)], ("LMRP astern (m)", "M (kN m)", "joint (deg)"), strict=True
+    ):
+        ax.set_ylabel(label)
+    return figure
+
+
+def readings(readings: xr.Dataset) -> Figure:
+    """Every reading of riser weight, flow and profile beside the printed numbers."""
+    found = _numbers(readings)
+    figure, axes = _beside_print()
+    flows = list(found["flow"].values)
+    for weight, colour in _coloured(found["riser_weight"]).items():
+        for mark, flow in zip(MARKS, flows, strict=False):
+            one = found.sel(riser_weight=weight, flow=flow)
+            style: dict[str, Any] = {"color": colour, "marker": mark, "ls": "none", "ms": 4}
+            axes[0].plot(one["x"], one["moment"], **style)
+            axes[1].plot(one["x"], one["ratio"], **style)
+        axes[0].plot([], [], "o", color=colour, ms=4, label=str(weight))
+    for mark, flow in zip(MARKS, flows, strict=False):
+        axes[0].plot([], [], ls="none", marker=mark, color=GREY, ms=4, label=str(flow))
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def open_choices(open_lmrp_mass: xr.Dataset) -> Figure:
+    """Samples of all that is open beside the printed numbers."""
+    found = _numbers(open_lmrp_mass)
+    figure, axes = _beside_print()
+    weights = open_lmrp_mass["assumed_riser_weight"]
+    for weight, colour in _coloured(weights).items():
+        one = found.sel(sample=weights == weight)
+        axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=3, label=str(weight))
+        axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
+    key_below(figure, axes[0], 2)
+    return figure
+
+
+def _coloured(readings: xr.DataArray) -> dict[str, str]:
+    """One colour a reading, the same in every figure that has the same readings."""
+    return dict(zip(sorted(set(map(str, readings.values))), COLOURS, strict=False))
+
+
+def _beside_print() -> tuple[Figure, list[Axes]]:
+    figure, axes = panels(1, 2, 4.2, sharex=True)
+    axes[0].axhline(LARGEST, label="printed", **PRINTED)
+    axes[1].axhline(X_LIGHT / X_HEAVY, **PRINTED)
+    labels = ("largest moment at 130 s (kN m)", "displacement, 120 t over 140 t (-)")
+    for ax, label in zip(axes, labels, strict=True):
+        ax.axvline(X_HEAVY, **PRINTED)
+        ax.set_xlabel("LMRP astern at 130 s, 140 t (m)")
+        ax.set_ylabel(label)
+    return figure, axes
+
+
+def _numbers(runs: xr.Dataset) -> xr.Dataset:
+    """Distance x (m) and M (kN m) with 140 t, and x with 120 t over that."""
+    x = abs(displacement(runs).sel(time=STATED, drop=True).isel(s=0, drop=True))
+    moment = abs(runs["bending_moment"].sel(time=STATED, drop=True)).max("s") / 1e3
+    heavy = x.sel(lmrp_mass=140.0, drop=True)
+    return xr.Dataset(
+        {
+            "x": heavy,
+            "moment": moment.sel(lmrp_mass=140.0, drop=True),
+            "ratio": x.sel(lmrp_mass=120.0, drop=True) / heavy,
+        }
+    )

@@ -1,0 +1,1 @@
+"""The engine measured: what is derived from its runs, drawn and claimed."""

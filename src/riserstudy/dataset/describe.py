@@ -1,0 +1,41 @@
+"""What derived datasets share: their attributes, what was sampled, the scenes behind points."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.dataset.variables import attributes
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+
+
+def described(dataset: xr.Dataset, paper: str, title: str) -> xr.Dataset:
+    """The dataset with CF attributes; coordinates that are no dimensions are left out."""
+    for name in dataset.variables:
+        kept = {k: v for k, v in dataset[name].attrs.items() if str(name).startswith("assumed_")}
+        dataset[name].attrs = attributes(str(name)) | kept
+    dataset.attrs = {"Conventions": "CF-1.11", "paper": paper, "title": f"{paper}: {title}"}
+    return dataset.drop_vars([n for n in dataset.coords if n not in dataset.dims])
+
+
+def sampled(source: xr.Dataset) -> dict[str, xr.DataArray]:
+    """What each sample assumed."""
+    return {str(n): v for n, v in source.data_vars.items() if str(n).startswith("assumed_")}
+
+
+def scenes_of(dataset: xr.Dataset) -> Iterator[tuple[dict[str, Any], Scene]]:
+    """The place on the axes and the scene of every point of a simulated dataset."""
+    axes = [str(dim) for dim in dataset["point_key"].dims]
+    sets = {axis: json.loads(dataset[axis].attrs["sets"]) for axis in axes}
+    base = SceneFile(dataset.attrs["scene_file"], json.loads(dataset.attrs["scene"]))
+    for index in np.ndindex(dataset["point_key"].shape):
+        place = {axis: dataset[axis].values[k].item() for axis, k in zip(axes, index, strict=True)}
+        values: dict[str, Any] = {}
+        for axis, value in place.items():
+            values |= sets[axis][str(value)]
+        yield place, base.with_values(values, "dataset").scene()

@@ -1,1 +1,0 @@
-"""Plots that fit any grid of simulations: dataset in, figure out."""

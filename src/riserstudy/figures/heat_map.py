@@ -1,0 +1,78 @@
+"""Extremes of the runs in colours over two axes of a grid."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from riserstudy.figures.grid import (
+    ENDINGS,
+    along,
+    extreme,
+    label,
+    laid_out,
+    points,
+    present,
+    read,
+    varies_within,
+)
+
+#: the extreme that matters
+EXTREMES = {
+    "bending_moment": "bending_moment_max",
+    "effective_tension": "effective_tension_min",
+    "x": "x_max",
+    "ufj_angle": "ufj_angle_max",
+    "stroke": "stroke_max",
+    "z": "z_max",
+}
+PANELS = 4
+LEAST = 1e-3  # share of a value that the colours tell apart
+
+
+def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
+    """One panel a quantity; where the grid has a third axis, the first quantity at some of its points."""
+    across, up = along(dataset, 2)
+    names = of or present(dataset, EXTREMES)[:PANELS]
+    whole = [n for n in names if not varies_within(dataset, n) or n.endswith(ENDINGS)]
+    ends = [n if n in whole else EXTREMES.get(n, n + ENDINGS[0]) for n in names]
+    extremes = xr.Dataset({end: extreme(dataset, end) for end in ends})
+    slices = points(extremes, over=[across, up])
+    shown = [
+        (called, point[end])
+        for called, point in slices
+        for end in ends[: 1 if slices[1:] else None]
+    ]
+    figure, axes = laid_out(len(shown))
+    for ax, (called, values) in zip(axes, shown, strict=True):
+        _draw(figure, ax, values.transpose(up, across))
+        ax.set_title(called, loc="right", fontsize="small")
+    return figure
+
+
+def _draw(figure: Figure, ax: Axes, values: xr.DataArray) -> None:
+    up, across = (values[dim] for dim in values.dims)
+    x, y = _places(across, ax.set_xticks), _places(up, ax.set_yticks)
+    low, high = float(read(values).min()), float(read(values).max())
+    apart = max(high - low, LEAST * abs(high))  # differences by rounding are none
+    colours = ax.pcolormesh(
+        x, y, read(values), shading="nearest", cmap="viridis", vmin=high - apart, vmax=high
+    )
+    figure.colorbar(colours, ax=ax, label=label(values))
+    ax.set_xlabel(label(across))
+    ax.set_ylabel(label(up))
+    ax.grid(False)
+
+
+def _places(axis: xr.DataArray, set_ticks: Callable[..., object]) -> NDArray[np.float64]:
+    """Where the values of an axis are drawn: at themselves, or words one after the other."""
+    if axis.dtype.kind in "fiu":
+        return np.asarray(axis.values, float)
+    places = np.arange(axis.size, dtype=float)
+    set_ticks(places, [str(value) for value in axis.values])
+    return places

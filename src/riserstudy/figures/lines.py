@@ -1,0 +1,59 @@
+"""Extremes of the runs over one axis of a grid, a colour for each point of the other axes."""
+
+from __future__ import annotations
+
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.figures.grid import (
+    ENDINGS,
+    along,
+    extreme,
+    key,
+    label,
+    laid_out,
+    points,
+    present,
+    read,
+    varies_within,
+)
+from riserstudy.figures.style import COLOURS, GREY
+
+QUANTITIES = ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z")
+STYLES = ("-", "--")
+PANELS = 4
+DENSE = 30  # values, beyond which no markers are drawn
+
+
+def lines(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
+    """One panel a quantity: largest (solid) and smallest value (dashed) of each run, or its one value."""
+    (axis,) = along(dataset, 1)
+    names = of or present(dataset, QUANTITIES)[:PANELS]
+    figure, axes = laid_out(len(names))
+    for ax, name in zip(axes, names, strict=True):
+        ends = [name + end for end in ENDINGS] if varies_within(dataset, name) else [name]
+        extremes = xr.Dataset({end: extreme(dataset, end) for end in ends})
+        for end, style in zip(ends, STYLES, strict=False):
+            _draw(ax, extremes, end, axis, style)
+        ax.set_xlabel(label(dataset[axis]))
+        ax.set_ylabel(label(dataset.get(name, extremes[ends[0]])))
+    for style, word in zip(STYLES, ("largest", "smallest"), strict=True):
+        axes[0].plot([], [], style, color=GREY, label=word)
+    key(figure, axes[0])
+    return figure
+
+
+def _draw(ax: Axes, extremes: xr.Dataset, name: str, axis: str, style: str) -> None:
+    """One extreme over the axis."""
+    for colour, (called, point) in zip(COLOURS, points(extremes, over=[axis]), strict=False):
+        marker = "o" if extremes.sizes[axis] <= DENSE else None
+        ax.plot(
+            point[axis],
+            read(point[name]),
+            style,
+            color=colour,
+            marker=marker,
+            markersize=3.0,
+            label=called if style == STYLES[0] else None,
+        )

@@ -1,0 +1,1 @@
+"""What papers printed beside what was simulated: verdicts, and what decides them."""

@@ -1,0 +1,244 @@
+"""Grade datasets against what a paper printed: one row a number or claim, one an erratum."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import asdict, dataclass, fields
+from functools import partial
+from typing import Any, NamedTuple
+
+import xarray as xr
+from scipy.stats import binomtest
+
+from riserstudy.errors import SimulationError
+from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
+from riserstudy.grading.sensitivity import deciding, listed, shares_by_option
+from riserstudy.grading.verdict import Verdict, error, met, verdict_of_claim, verdict_of_number
+
+Datasets = Mapping[str, xr.Dataset]
+Checks = Callable[[str], Callable[..., Any]]  # by their names
+MANY = 100  # samples from which a band is told
+
+
+class Found(NamedTuple):
+    """What a check finds: a quantity, and for a claim whether it is true; over the same cells."""
+
+    value: xr.DataArray
+    true: xr.DataArray | None = None
+
+    def at(self, cell: Mapping[str, Any]) -> Found:
+        """One cell of it."""
+        return Found(self.value.sel(cell), None if self.true is None else self.true.sel(cell))
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of reproduction.csv; the fields are its columns."""
+
+    paper: str
+    id: str
+    figure: str
+    kind: str
+    statement: str
+    published: float | None
+    simulated: float | None
+    unit: str
+    error: float | None
+    verdict: Verdict
+    depends_on: str
+    note: str
+
+
+@dataclass(frozen=True)
+class ErratumRow:
+    """One line of errata.csv; the fields are its columns."""
+
+    paper: str
+    id: str
+    where: str
+    printed: str
+    reading: str
+    simulation: str
+
+
+def grade(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Row]:
+    """A row for every number and claim of a paper, by its checks.
+
+    Raises
+    ------
+    SimulationError
+        When a check finds no finite value.
+    """
+    return [graded(file.paper, item, checks, datasets) for item in file.items]
+
+
+def graded(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Row:
+    """The row of one number or claim."""
+    if item.impossible:
+        return _row(paper, item, None, None, "not reproducible", "", [item.impossible, item.note])
+    look = partial(_look, item, checks=checks, datasets=datasets)
+    found = look(item.reads)
+    base = found.at(item.base) if item.base else found
+    space = look(item.over) if item.over else found
+    simulated = float(base.value)
+    if not math.isfinite(simulated):
+        raise SimulationError(f"{paper}/{item.id}: {item.check} finds {simulated}")
+    # a claim is judged over what is open, where a value fitted for the base case may be free
+    judging = item.datasets if item.kind == "number" or not item.over else item.over.values()
+    calibrated = any(_calibrated(datasets[name]) for name in judging)
+    hits = _hits(item, space)
+    share = float(hits.mean())
+    if item.published is None:
+        off, verdict = None, verdict_of_claim(share, calibrated)
+    else:
+        off = error(simulated, item.published)
+        sampled = share if hits.ndim else None
+        verdict = verdict_of_number(bool(_hits(item, base)), sampled, calibrated)
+    about = datasets[next(iter((item.over or item.reads).values()))]
+    depends_on, said = _explained(item, hits, about, verdict) if hits.ndim else ("", "")
+    cases = [_case(item, "Base case", base, about) if item.published is None else ""]
+    for name, reads in item.beside.items():
+        about = datasets[next(iter(reads.values()))]
+        cases.append(_case(item, name, _at_base(item, look(reads)), about))
+    return _row(paper, item, simulated, off, verdict, depends_on, [said, *cases, item.note])
+
+
+def _hits(item: Item, found: Found) -> xr.DataArray:
+    """Where a number is met, or a claim true."""
+    if item.published is None or item.rounding is None:
+        if found.true is None:
+            raise TypeError(f"{item.id}: {item.check} judges no claim")
+        return found.true
+    hits: xr.DataArray = xr.apply_ufunc(
+        partial(met, published=item.published, rounding=item.rounding), found.value, vectorize=True
+    )
+    return hits
+
+
+def _at_base(item: Item, found: Found) -> Found:
+    """The cells of a further case that lie at the base where it has the same dimensions."""
+    return found.at({dim: value for dim, value in item.base.items() if dim in found.value.dims})
+
+
+def _case(item: Item, name: str, found: Found, about: xr.Dataset) -> str:
+    """One further case as a sentence, of one cell or many."""
+    hits = _hits(item, found)
+    words = ("met", "missed") if item.kind == "number" else ("true", "false")
+    unit = f" {item.unit}" if item.unit not in ("", "1") else ""
+    if not hits.ndim:
+        hit = words[0] if bool(hits) else words[1]
+        return f"{name}: {float(found.value):.3g}{unit}, {hit}."
+    low, high = float(found.value.min()), float(found.value.max())
+    names = deciding(hits, about).names
+    by = f", decided by {listed(names)}" if names else ""
+    return f"{name}: {low:.3g} to {high:.3g}{unit}, {_told(hits, words[0])}{by}."
+
+
+def _told(hits: xr.DataArray, word: str) -> str:
+    """How many samples are hits."""
+    percent = f"{100 * float(hits.mean()):.0f} %{_band(hits)}"
+    return f"{word} in {int(hits.sum())} of {hits.size} samples ({percent})"
+
+
+def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[ErratumRow]:
+    """A row for every erratum of a paper, its text filled with what was simulated."""
+    return [
+        ErratumRow(file.paper, e.id, e.where, e.printed, e.reading, _filled(e, checks, datasets))
+        for e in file.errata
+    ]
+
+
+def table(rows: Iterable[Any], kind: type) -> str:
+    """Rows as CSV text with a header; numbers to six digits."""
+    text = io.StringIO()
+    writer = csv.DictWriter(text, [field.name for field in fields(kind)], lineterminator="\n")
+    writer.writeheader()
+    for row in rows:
+        writer.writerow({name: _cell(value) for name, value in asdict(row).items()})
+    return text.getvalue()
+
+
+def _look(entry: Checked, reads: Mapping[str, str], checks: Checks, datasets: Datasets) -> Any:
+    return checks(entry.check or "")(
+        **{name: datasets[of] for name, of in reads.items()}, **entry.options
+    )
+
+
+def _filled(erratum: Erratum, checks: Checks, datasets: Datasets) -> str:
+    if not erratum.check:
+        return erratum.simulation
+    return erratum.simulation.format(**_look(erratum, erratum.reads, checks, datasets))
+
+
+def _explained(
+    item: Item, hits: xr.DataArray, about: xr.Dataset, verdict: Verdict
+) -> tuple[str, str]:
+    """What decides, and the share of the samples, as text."""
+    word = "met" if item.kind == "number" else "true"
+    share = _told(hits, word)
+    if verdict != "depends":
+        return "", f"{share[0].upper()}{share[1:]}."
+    names, why = deciding(hits, about)
+    said = [why, *_by_option(hits, about, names, word)]
+    name = listed(names) if names else "no single input or pair"
+    return f"{name}; {share}", " ".join(text for text in said if text)
+
+
+def _by_option(hits: xr.DataArray, about: xr.Dataset, names: list[str], word: str) -> Iterator[str]:
+    """How often it comes out under each option of deciding inputs, a sentence an input."""
+    for name, shares in shares_by_option(hits, about, names).items():
+        each = ", ".join(f"{option}: {100 * share:.0f} %" for option, share in shares.items())
+        yield f"{word.capitalize()} by {name}: {each}."
+
+
+def _band(hits: xr.DataArray) -> str:
+    """95 % confidence band of a share of many samples, by Wilson; too wide for evenly spread ones.
+
+    All cells of a sample count as one draw.
+    """
+    count = hits.sizes.get("sample", 0)
+    if count < MANY:
+        return ""
+    true = round(float(hits.mean()) * count)
+    band = binomtest(true, count).proportion_ci(method="wilson")
+    return f", {100 * band.low:.0f} to {100 * band.high:.0f} %"
+
+
+def _calibrated(dataset: xr.Dataset) -> bool:
+    return "calibrated" in json.loads(dataset.attrs.get("origins", "{}")).values()
+
+
+def _row(
+    paper: str,
+    item: Item,
+    simulated: float | None,
+    off: float | None,
+    verdict: Verdict,
+    depends_on: str,
+    notes: list[str],
+) -> Row:
+    note = " ".join(text for text in notes if text)
+    return Row(
+        paper,
+        item.id,
+        item.figure,
+        item.kind,
+        item.statement,
+        item.published,
+        simulated,
+        item.unit,
+        off,
+        verdict,
+        depends_on,
+        note,
+    )
+
+
+def _cell(value: Any) -> Any:
+    if value is None:
+        return ""
+    return f"{value:.6g}" if isinstance(value, float) else value

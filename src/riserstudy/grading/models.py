@@ -1,0 +1,150 @@
+"""config/published/<paper>.yaml: numbers, claims and errata of a paper, each with an ID."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Literal, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.digests import defining
+from riserstudy.errors import InputError
+from riserstudy.folders import chapter_modules
+from riserstudy.scene.base import Strict
+from riserstudy.scene.check import check
+from riserstudy.scene.load import read_yaml
+
+Option = str | float | list[float] | list[str]
+
+
+class Checked(Strict):
+    """Something that a function of the paper's module looks up in datasets.
+
+    ``reads`` names a dataset for each dataset argument of the function ``check``, ``with`` its options.
+    """
+
+    id: str
+    check: str | None = None
+    reads: dict[str, str] = Field(default_factory=dict)
+    options: dict[str, Option] = Field(default_factory=dict, alias="with")
+
+    @model_validator(mode="after")
+    def _reads_for_a_check(self) -> Self:
+        if bool(self.check) != bool(self.reads):
+            raise ValueError("check and reads go together")
+        return self
+
+    @property
+    def datasets(self) -> set[str]:
+        """Names of all datasets needed."""
+        return set(self.reads.values())
+
+
+class Item(Checked):
+    """A printed number or claim.
+
+    ``over`` names the datasets that take the place of ``reads`` where the check runs over what the
+    paper leaves open; without it the check's own dimensions are that space, and ``base`` picks the cell
+    that counts as the simulated value. ``beside`` names datasets of further cases, told in the note:
+    one cell, or many with their range and the share of hits.
+    ``impossible`` says why nothing can be compared.
+    """
+
+    figure: str
+    kind: Literal["number", "claim"]
+    statement: str
+    published: float | None = None
+    unit: str = ""
+    rounding: float | None = Field(default=None, gt=0)
+    over: dict[str, str] = Field(default_factory=dict)
+    base: dict[str, str | float] = Field(default_factory=dict)
+    beside: dict[str, dict[str, str]] = Field(default_factory=dict)
+    impossible: str = ""
+    note: str = ""
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if (self.kind == "number") != (self.published is not None):
+            raise ValueError("published: every number has a printed value, and no claim has one")
+        if (self.published is None) != (self.rounding is None):
+            raise ValueError(
+                "rounding: the unit of the last printed digit goes with a printed value"
+            )
+        if bool(self.check) == bool(self.impossible):
+            raise ValueError("needs one of check and impossible")
+        for name, reads in {"over": self.over, **self.beside}.items():
+            if reads and set(reads) != set(self.reads):
+                raise ValueError(f"{name}: needs the same arguments as reads")
+        return self
+
+    @property
+    def datasets(self) -> set[str]:
+        """Names of all datasets needed."""
+        more = {name for reads in self.beside.values() for name in reads.values()}
+        return {*self.reads.values(), *self.over.values(), *more}
+
+
+class Erratum(Checked):
+    """An error or gap of a paper: what is printed, what is read instead, what the simulation says.
+
+    ``simulation`` may hold fields such as ``{swing:.0%}``, filled with what ``check`` returns.
+    """
+
+    where: str
+    printed: str
+    reading: str
+    simulation: str = ""
+
+
+class PublishedFile(Strict):
+    """All that is graded of one paper."""
+
+    paper: str
+    items: list[Item] = Field(min_length=1)
+    errata: list[Erratum] = Field(default_factory=list)
+
+    @model_validator(mode="after")
+    def _each_id_once(self) -> Self:
+        entries: list[Checked] = [*self.items, *self.errata]
+        ids = [entry.id for entry in entries]
+        twice = sorted({name for name in ids if ids.count(name) > 1})
+        if twice:
+            raise ValueError(f"id {twice[0]!r} stands twice")
+        return self
+
+    @property
+    def datasets(self) -> list[str]:
+        """Names of all datasets needed."""
+        return sorted(set().union(*(entry.datasets for entry in (*self.items, *self.errata))))
+
+    @property
+    def checks(self) -> set[str]:
+        """Names of the functions that they are checked by."""
+        return {entry.check for entry in (*self.items, *self.errata) if entry.check}
+
+
+def published_path(config: Path, paper: str) -> Path:
+    """The file of a paper."""
+    return config / "published" / f"{paper}.yaml"
+
+
+def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
+    """The checked file of a paper.
+
+    Raises
+    ------
+    InputError
+        When it cannot be meant, or needs a dataset that is not ``known``.
+    """
+    path = published_path(config, paper)
+    file = check(PublishedFile, read_yaml(path, keep=True), path)
+    for name in file.datasets:
+        if name not in known:
+            allowed = "allowed are " + ", ".join(sorted(known))
+            raise InputError(path, "reads", f"no dataset {name!r}", allowed)
+    modules = chapter_modules(paper, "claims")
+    for name in sorted(file.checks):
+        if defining(modules, name) is None:
+            found = f"chapters/{paper}/claims.py defines no function {name!r}"
+            raise InputError(path, "check", found, "define it, or say why nothing is compared")
+    return file

@@ -1,1 +1,0 @@
-"""What papers printed, as data, and how simulations come out beside it."""

@@ -1,1 +1,0 @@
-"""Quantities that derived datasets, figures and checks all take from datasets; they know nothing else."""

@@ -1,0 +1,44 @@
+"""What a march adds up, and how it ends."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.solve.jit import inner
+
+DONE, NOT_CONVERGED = 0, 1
+STEPS, ITERATIONS, HALVED, EVALUATIONS = 0, 1, 2, 3  # what is counted
+
+
+class Sums(NamedTuple):
+    """What a run adds up."""
+
+    work: np.ndarray  # (5,) J: by supports, by water and devices, dissipated, numerical, exchanged
+    count: (
+        np.ndarray
+    )  # (4,) steps, Newton iterations, halved steps, evaluations of explicit stepping
+    failure: np.ndarray  # (3,) time (s), node, size of its last correction (m)
+
+
+def new_sums() -> Sums:
+    """All zero."""
+    return Sums(np.zeros(5), np.zeros(4, np.int64), np.zeros(3))
+
+
+@inner
+def enter(sums, held, given, lost, numerical):
+    """Enter one step: work of supports, of water and devices, dissipated by physics and by the method."""
+    sums.work[0] += held
+    sums.work[1] += given
+    sums.work[2] += lost
+    sums.work[3] += numerical
+    sums.work[4] += abs(held) + abs(given) + abs(lost)
+    sums.count[STEPS] += 1
+
+
+@inner
+def fail(sums, time, node, size):
+    """Note when and where a step failed, and the size of its last correction."""
+    sums.failure[0], sums.failure[1], sums.failure[2] = time, node, size

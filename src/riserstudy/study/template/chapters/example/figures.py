@@ -1,0 +1,21 @@
+"""Figures of this study: a function each, named in config/studies/example.yaml."""
+
+import xarray as xr
+from matplotlib.figure import Figure
+
+from riserstudy.figures.style import COLOURS, panels
+
+
+def swing_over_heave(tension_swing: xr.Dataset) -> Figure:
+    """Swing of the top tension beside the straight line through its first value."""
+    figure, (ax,) = panels()
+    swing = tension_swing["tension_swing"] / 1e3
+    amplitude = swing["heave_amplitude"]
+    ax.plot(amplitude, swing, "o-", color=COLOURS[0], label="simulated")
+    straight = amplitude * float(swing[0] / amplitude[0])
+    ax.plot(amplitude, straight, "--", color=COLOURS[1], label="proportional to heave")
+    ax.set_xlabel("heave amplitude (m)")
+    ax.set_ylabel("half of the range of top tension (kN)")
+    ax.set_title("How far top tension swings, by heave")
+    ax.legend()
+    return figure

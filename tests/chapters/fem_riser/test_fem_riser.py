@@ -1,0 +1,125 @@
+"""What fem_riser measures and how its claims are judged, on curves whose answer is known."""
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.chapters.fem_riser import claims as checks
+from riserstudy.chapters.fem_riser.along import amplitude_at, angles, place, stress_factor
+from riserstudy.model.sea import current_table
+from riserstudy.scene.load import read_scene
+
+BASE = "config/scenes/fem_riser/base.yaml"
+
+
+@pytest.fixture(scope="module")
+def base(request):
+    return read_scene(request.config.rootpath / BASE)
+
+
+@pytest.mark.parametrize(
+    "reading, left, held",
+    [("R1", 0.3, 0.3), ("R2", 0.7, 0.7), ("R3", 0.7, 1.0)],
+)
+def test_a_buoyant_factor_gives_weight_and_tension_in_each_reading(base, reading, left, held):
+    scene = base.with_values({"buoyancy.reading": reading}, "test").scene()
+    outer, inner = 0.25 * np.pi * 0.5334**2, 0.25 * np.pi * 0.4826**2
+    inside = 1200.0 * inner * 9.81
+    dry = 7850.0 * (outer - inner) * 9.81 + inside
+    section = scene.riser[0]
+    assert section.submerged_weight + inside == pytest.approx(left * dry, rel=1e-12)
+    assert scene.top.tension == pytest.approx(held * 1.3 * dry * 2000.0, rel=1e-12)
+
+
+def test_the_current_is_tide_and_drift(base):
+    scene = base.scene()
+    z, speed = current_table(scene.current, scene.water)
+    strength = 20.0 / np.sqrt(np.sin(np.deg2rad(20.0)))
+    fall = np.pi * (z - 2000.0) / (7.6 * strength)
+    drift = 0.0127 * strength * np.exp(fall) * np.cos(np.pi / 4.0 + fall)
+    np.testing.assert_allclose(speed, (z / 2000.0) ** 0.142857 + drift, atol=1e-12)
+
+
+def test_an_amplitude_is_found_beside_a_drift_and_on_few_times():
+    t = 261.0 + 3.1 * np.arange(13)
+    x = xr.DataArray(
+        40.0 + 0.02 * t + 0.3 * np.sin(2.0 * np.pi * t / 8.0 + 1.0), coords={"time": t}
+    )
+    assert float(amplitude_at(x, 8.0)) == pytest.approx(0.3, rel=1e-9)
+
+
+def test_angles_and_places_are_those_of_a_parabola():
+    s = np.linspace(0.0, 100.0, 201)
+    x = xr.DataArray(s * (100.0 - s) / 500.0, coords={"s": s}).expand_dims(time=[0.0])
+    slope = angles(xr.Dataset({"x": x})).isel(time=0)
+    expected = np.arctan((100.0 - 200.0 * slope["middle"]) / 500.0)
+    np.testing.assert_allclose(slope, expected, atol=1e-12)
+    share = xr.DataArray(s / 100.0, dims="s")
+    assert float(place(x.isel(time=0, drop=True), share, "s", share >= 0.0)) == 0.5
+
+
+def test_stress_follows_the_diameters_of_each_sample(base):
+    runs = xr.Dataset(attrs={"scene": json.dumps(base.tree)})
+    plain = 32.0 * 0.5334 / (np.pi * (0.5334**4 - 0.4826**4))
+    assert float(stress_factor(runs)) == pytest.approx(plain)
+    runs["assumed_riser[0]_outer_diameter"] = ("sample", ["0.5334 m", "20 in"])
+    found = stress_factor(runs)
+    assert float(found[0]) == pytest.approx(plain)
+    assert float(found[1]) == pytest.approx(32.0 * 0.508 / (np.pi * (0.508**4 - 0.4826**4)))
+
+
+def motion(curve):
+    t = np.arange(301.0)
+    x = curve(t) + 0.1 * np.sin(2.0 * np.pi * t / 8.0)
+    return xr.Dataset({"x": (("time", "s"), np.stack([0 * x, x, 0 * x], axis=1))}, {"time": t})
+
+
+def test_settling_is_told_from_the_mean_over_a_wave():
+    """10 (1 - e^(-t/T)) against its mean of 292 to 300 s, around 296 s."""
+    scale = 40.0
+    found = checks.settling_time(motion(lambda t: 10.0 * (1.0 - np.exp(-t / scale))), 0.005)
+    assert float(found) == pytest.approx(-scale * np.log(0.005 + np.exp(-296.0 / scale)), abs=2.0)
+    assert bool(
+        checks.periodic_at_last(motion(lambda t: 10.0 * (1.0 - np.exp(-t / 40.0))), 0.005).true
+    )
+    assert not bool(checks.periodic_at_last(motion(lambda t: t), 0.005).true)
+
+
+def test_reciprocating_is_a_swing_back_of_the_mean():
+    monotone = checks.reciprocates(motion(lambda t: 10.0 * (1.0 - np.exp(-t / 40.0))), 0.005)
+    assert not bool(monotone.true)
+    over = checks.reciprocates(
+        motion(lambda t: 10.0 * (1.0 - np.exp(-t / 60.0) * np.cos(2.0 * np.pi * t / 120.0))), 0.005
+    )
+    # extremes where tan w t = -1/(60 w), at 54.1 and 114.1 s; the mean over 8 s takes 0.7 % off
+    assert bool(over.true)
+    assert float(over.value) == pytest.approx(0.3866 + 0.1422, rel=0.02)
+
+
+def test_fast_is_told_from_rates():
+    found = checks.fast_at_first(
+        motion(lambda t: np.where(t < 16, t, 16.0 + 0.1 * (t - 16.0))), 2.0
+    )
+    assert float(found.value) == pytest.approx(10.0, rel=0.01)
+
+
+def measured(**by_length):
+    rows = {f"{name}_by_length": ("length", values) for name, values in by_length.items()}
+    return xr.Dataset(rows, {"length": [500.0, 1000.0, 1500.0]})
+
+
+def test_a_trend_needs_every_step_and_together_every_claim():
+    rows = {
+        "vibration": [3.0, 2.0, 1.0], "stress": [3.0, 2.0, 1.0], "deflection": [1.0, 2.0, 3.0],
+        "angle": [1.0, 2.0, 3.0], "deflection_place": [0.5] * 3,
+        "stress_from_bottom": [0.05] * 3, "stress_from_top": [0.01] * 3,
+        "angle_from_bottom": [0.0] * 3, "angle_from_top": [0.0] * 3,
+    }  # fmt: skip
+    assert bool(checks.together(measured(**rows), 0.1, 0.1).true)
+    for name, values in (("stress", [3.0, 2.0, 2.0]), ("deflection_place", [0.3] * 3),
+                         ("angle_from_top", [0.2] * 3)):  # fmt: skip
+        found = checks.together(measured(**(rows | {name: values})), 0.1, 0.1)
+        assert not bool(found.true)
+        assert float(found.value) == 5.0

@@ -1,0 +1,209 @@
+"""Every figure draws from its datasets, in whole, with units on its axes."""
+
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from ruamel.yaml import YAML
+
+from riserstudy.chapters import checks_of
+from riserstudy.chapters.derive import derive
+from riserstudy.chapters.draw import draw
+from riserstudy.figures import save
+from riserstudy.grading.grade import ErratumRow, Row, errata, grade, table
+from riserstudy.grading.models import read_published
+from riserstudy.study.collect import dataset_of, results_of
+from riserstudy.study.models import StudyFile
+from riserstudy.study.read import read_studies
+from riserstudy.study.study import Study
+
+CONFIG = Path(__file__).parents[2] / "config"
+
+
+class Small(NamedTuple):
+    """A paper in small: axes with few points, what else its studies set; the rest is as in preview."""
+
+    axes: dict[str, Any]
+    settings: dict[str, dict[str, str]]
+
+
+FEW = {"preview": 4, "standard": 128, "reference": 256}
+PAPERS = {
+    "chang2020": Small(
+        {"heave_period": [2.0, 2.63, 5.0], "sample": FEW},
+        {
+            "period_sweep": {"analysis.duration": "40 s", "analysis.output.start": "30 s"},
+            "from_rest": {"analysis.step": "0.01 s"},
+        },
+    ),
+    "liu2017": Small(
+        {"sample": FEW, "offset": [0.0, 100.0, 400.0], "surface_speed": [-1.0, 1.0]},
+        {"headings": {"analysis.accuracy": "5 %"}},
+    ),
+    "liu2020": Small(
+        {"sample": FEW, "wave_period": [10.0, 15.0], "roll_period": [5.0, 10.0, 20.0]},
+        {
+            "sea": {"analysis.duration": "900 s"},
+            "surge_case": {"analysis.output.interval": "0.5 s"},
+        },
+    ),
+}
+FIGURES = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).figures]
+UNIT = re.compile(r"\((m|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|kN/m|kN s²/m²|MPa|-|%|deg|deg/m)\)")
+
+
+def small(paper, name, model):
+    """A study with few points."""
+    axes = dict(model.axes)
+    for axis, values in PAPERS[paper].axes.items():
+        if axis in axes:
+            field = "count" if axis == "sample" else "preview"
+            axes[axis] = axes[axis].model_copy(update={field: values})
+    settings = model.set | PAPERS[paper].settings.get(name, {})
+    return model.model_copy(update={"axes": axes, "set": settings})
+
+
+@cache
+def datasets_of(paper):
+    """All datasets of a paper, simulated on few points."""
+    file: StudyFile = read_studies(CONFIG, paper)
+    made = {}
+    for name, model in file.studies.items():
+        study = Study(
+            paper, name, small(paper, name, model), CONFIG, "preview", "1 %", file.readings
+        )
+        results, _ = results_of(study, 1, lambda text: None)
+        made[name] = dataset_of(study, results)
+    for name, how in file.derived.items():
+        sources = {source: made[source] for source in how.reads}
+        made[name] = derive(paper, name, sources, how.settings)
+    return made
+
+
+@cache
+def drawn(paper, name):
+    """A figure."""
+    reads = read_studies(CONFIG, paper).figures[name].reads
+    return draw(paper, name, {source: datasets_of(paper)[source] for source in reads})
+
+
+@pytest.fixture(scope="module")
+def datasets():
+    """All datasets of Chang et al."""
+    return datasets_of("chang2020")
+
+
+def row_of(ax):
+    """The panels beside one, of which one may say what all show."""
+    if ax.get_label() == "<colorbar>":
+        return [ax]
+    rows = ax.get_subplotspec().rowspan
+    others = [other for other in ax.figure.axes if other.get_subplotspec()]
+    return [other for other in others if other.get_subplotspec().rowspan == rows]
+
+
+def said_by(ax):
+    """What is shown upwards; of a colour bar, along it."""
+    return ax.get_ylabel() or (ax.get_label() == "<colorbar>" and ax.get_xlabel())
+
+
+@pytest.mark.parametrize("paper, name", FIGURES)
+def test_every_panel_shows_something_with_units(paper, name):
+    figure = drawn(paper, name)
+    labels = [figure.get_supxlabel(), figure.get_supylabel()]
+    for ax in figure.axes:
+        assert ax.lines or ax.patches or ax.collections
+        assert figure.get_supylabel() or any(map(said_by, row_of(ax)))
+        labels += [ax.get_xlabel(), ax.get_ylabel()]
+    written = [label for label in labels if label]
+    assert written
+    for label in written:
+        assert UNIT.search(label), label
+
+
+@pytest.mark.parametrize("paper, name", FIGURES)
+def test_nothing_is_cut_off(paper, name):
+    figure = drawn(paper, name)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    inside = figure.get_tightbbox(canvas.get_renderer())
+    width, height = figure.get_size_inches()
+    assert inside.x0 >= -0.01
+    assert inside.y0 >= -0.01
+    assert inside.x1 <= width + 0.01
+    assert inside.y1 <= height + 0.01
+
+
+@pytest.mark.parametrize("paper", PAPERS)
+def test_every_paper_is_graded_from_its_datasets(paper):
+    file = read_published(CONFIG, paper, datasets_of(paper))
+    rows = grade(file, datasets_of(paper), checks_of(paper))
+    assert [row.id for row in rows] == [item.id for item in file.items]
+    for row in rows:
+        assert (row.verdict == "depends") == bool(row.depends_on)
+    assert "{" not in table(errata(file, datasets_of(paper), checks_of(paper)), ErratumRow)
+    assert table(rows, Row).count("\n") == len(rows) + 1
+
+
+def test_figures_are_written_whole(tmp_path):
+    save(drawn("chang2020", "fig14"), tmp_path / "a.png", tmp_path / "a.pdf")
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
+    assert {path.name for path in tmp_path.iterdir()} == {"a.png", "a.pdf"}
+
+
+def test_all_figures_of_the_paper_that_show_results_are_drawn():
+    printed = {f"fig{k:02d}" for k in (5, 6, 8, 9, 10, 11, 12, 13, 14)}
+    assert printed <= {name for paper, name in FIGURES if paper == "chang2020"}
+
+
+def test_verdicts_that_must_come_out_whatever_the_numbers(datasets):
+    """Two percentages cannot be one, a gas law is convex."""
+    file = read_published(CONFIG, "chang2020", datasets)
+    rows = {row.id: row for row in grade(file, datasets, checks_of("chang2020"))}
+    assert rows["A13"].verdict == "fails"
+    assert rows["A3"].verdict == rows["A4"].verdict == "holds"
+
+
+def test_the_asymmetry_dataset_is_as_promised(datasets):
+    index = datasets["asymmetry"]["asymmetry_index"]
+    assert set(index.dims) == {"reading", "tensioner_model", "heave_amplitude"}
+    assert set(index["reading"].values) == {"steady", "from_rest", "quasi_static"}
+    assert datasets["asymmetry"]["heave_amplitude"].attrs["units"] == "m"
+    assert datasets["asymmetry"].sel(heave_amplitude=5).sizes["reading"] == 3
+
+
+def test_preview_grids_hold_what_figures_and_checks_need():
+    """Amplitudes of the text: 2.5, 3, 5, 10 m and the assumed 1 m."""
+    file = YAML(typ="safe").load(CONFIG / "studies" / "chang2020.yaml")
+    for study in file["studies"].values():
+        axis = study["axes"].get("heave_amplitude", {})
+        if "preview" in axis:
+            assert set(axis["preview"]) >= {1, 2.5, 3, 5, 10}
+
+
+def test_the_heave_dataset_is_as_promised():
+    found = datasets_of("liu2020")["heave"]
+    force = found["axial_force_amplitude"]
+    assert force.dims == ("heave_amplitude", "heave_period")
+    assert force.attrs["units"] == "N"
+    assert force.sizes == found["axial_force_amplitude_linear"].sizes
+    assert float(found["settling"].max()) < 0.005
+
+
+def test_the_roll_dataset_is_as_promised():
+    found = datasets_of("liu2020")["roll"]["max_bending_moment"]
+    assert found.dims == ("roll_amplitude", "roll_period")
+    assert found.attrs["units"] == "N m"
+    # the number that the centre of rotation is tuned to, at the accuracy of a preview
+    assert float(found.sel(roll_amplitude=4, roll_period=10)) == pytest.approx(32.8e3, rel=0.02)
+
+
+def test_shares_of_stress_sum_to_one():
+    share = datasets_of("liu2020")["rao"]["stress_share"]
+    assert set(share["motion"].values) == {"surge", "heave", "pitch"}
+    assert np.allclose(share.sum("motion"), 1.0)

@@ -1,0 +1,209 @@
+"""Platforms in waves: the formula's limits, and motion from operators in every convention."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy.errors import InputError
+from riserstudy.model.rao import harmonics, operator
+from riserstudy.model.sea import components_of
+from riserstudy.scene.rao import Operator, Response
+from riserstudy.scene.sea import RegularWave, Storm, Swell
+from semisubmersible import DENSITY, GRAVITY, heave, read_units, response
+
+UNITS = read_units(Path(__file__).parents[2] / "config/platforms/semisubmersibles.yaml")
+each = pytest.mark.parametrize("unit", UNITS.values(), ids=UNITS)
+LONG = 1000.0  # s
+
+
+def number(period):
+    return (2.0 * math.pi / period) ** 2 / GRAVITY
+
+
+def test_there_are_three_platforms_of_different_size():
+    volumes = [u.pontoon_volume + u.waterplane * u.column_depth for u in UNITS.values()]
+    assert len(volumes) >= 3
+    assert [round(DENSITY * v / 1e6) for v in volumes] == [25, 38, 52]
+
+
+@each
+def test_in_long_waves_the_platform_goes_with_the_water(unit):
+    found = {name: complex(r[0]) for name, r in response(unit, np.array([LONG])).items()}
+    assert found["heave"] == pytest.approx(1.0, abs=0.01)
+    assert found["surge"] == pytest.approx(-1j, abs=0.01)
+    # of cos(kx - wt) the slope at x = 0 is k sin(wt), and pitch leans the other way
+    assert found["pitch"] / number(LONG) == pytest.approx(1j, abs=0.02)
+
+
+@each
+def test_in_short_waves_it_hardly_moves(unit):
+    found = response(unit, np.array([2.0]))
+    assert max(abs(found["surge"][0]), abs(found["heave"][0])) < 0.05
+
+
+@each
+def test_heave_cancels_shortly_before_it_resonates(unit):
+    period = np.arange(12.0, 30.0, 0.05)
+    size = np.abs(response(unit, period)["heave"])
+    peak, natural = period[size.argmax()], heave(unit).period
+    assert peak == pytest.approx(natural, abs=1.0)
+    assert size.max() > 1.3
+    before = period < peak
+    low = np.where(before & (period > 16.0), size, np.inf).argmin()
+    assert 0.8 * natural < period[low] < peak
+    assert size[low] < 0.5
+    assert size[low] < size[period < period[low]].max() - 0.02  # a dip, not a slope
+
+
+def test_undamped_heave_cancels_where_pressure_and_inertia_balance():
+    unit = UNITS["medium"].model_copy(update={"heave_damping": 1e-9})
+    period = np.linspace(15.0, 21.8, 100001)
+    found = response(unit, period)["heave"]
+    zero = float(period[np.abs(found).argmin()])
+    w, k = 2.0 * math.pi / zero, number(zero)
+    lift = DENSITY * GRAVITY * unit.waterplane * math.exp(-k * unit.column_depth)
+    lift *= math.cos(0.5 * k * unit.column_spacing)
+    mass = DENSITY * unit.pontoon_volume * (1.0 + unit.pontoon_added_mass_vertical)
+    along = 0.5 * k * unit.pontoon_length
+    load = mass * w**2 * math.exp(-k * unit.pontoon_depth) * math.sin(along) / along
+    assert lift == pytest.approx(load, rel=1e-3)
+
+
+ROWS = [
+    {"period": "5 s", "heave": "0.2 m/m", "heave_phase": "170 deg"},
+    {"period": "10 s", "heave": "0.5 m/m", "heave_phase": "-170 deg"},
+    {"period": "20 s", "heave": "1.1 m/m", "heave_phase": "-20 deg"},
+]
+
+
+def made(**changes):
+    return Response.model_validate({"operators": ROWS, "phases": "lead"} | changes)
+
+
+def motion(found, name, t):
+    chosen = np.array([m == name for m in found.motion])
+    parts = [x[chosen][:, None] for x in found[1:]]
+    return (parts[0] * np.sin(parts[1] * t + parts[2])).sum(axis=0)
+
+
+@pytest.mark.parametrize("phases, sign", [("lead", 1.0), ("lag", -1.0)])
+def test_a_regular_wave_gives_the_printed_motion(phases, sign):
+    t = np.linspace(0.0, 40.0, 101)
+    wave = Swell.model_validate({"height": "3 m", "period": "20 s", "phase": "30 deg"})
+    found = motion(harmonics(made(phases=phases), wave), "heave", t)
+    w = 2.0 * math.pi / 20.0
+    lead = math.radians(-20.0 * sign)
+    np.testing.assert_allclose(found, 1.5 * 1.1 * np.cos(w * t - math.radians(30.0) + lead))
+
+
+def test_between_lines_phases_cross_180_degrees_without_harm():
+    middle = math.pi * (1.0 / 5.0 + 1.0 / 10.0)
+    r = complex(operator(made(), "heave", np.array([middle]))[0])
+    assert abs(r) == pytest.approx(0.35, rel=0.02)
+    assert abs(math.degrees(np.angle(r))) > 170.0
+
+
+def test_a_seed_gives_the_same_sea_to_the_last_bit_and_another_other_phases():
+    def sea(seed):
+        values = {"significant_height": "4 m", "peak_period": "12 s", "peak_enhancement": 2.0}
+        return components_of(Storm.model_validate(values | {"components": 60, "seed": seed}))
+
+    amplitude, frequency, phase = sea(3)
+    for one, again in zip((amplitude, frequency, phase), sea(3), strict=True):
+        assert one.tobytes() == again.tobytes()
+    others = sea(4)
+    assert others[0].tobytes() == amplitude.tobytes()
+    assert others[1].tobytes() == frequency.tobytes()
+    assert (others[2] != phase).all()
+    assert len(set(phase)) == 60
+    assert 0.0 <= phase.min() < 1.0 < 5.0 < phase.max() < 2.0 * math.pi
+
+
+def test_a_sea_gives_the_variance_of_spectrum_times_operator():
+    sea = Storm.model_validate(
+        {
+            "significant_height": "4 m",
+            "peak_period": "12 s",
+            "peak_enhancement": 2.0,
+            "components": 60,
+            "seed": 3,
+        }
+    )
+    flat = [{"period": f"{p} s", "heave": "0.8 m/m", "heave_phase": "0 deg"} for p in (1, 60)]
+    found = harmonics(made(operators=flat), sea)
+    assert 4.0 * math.sqrt(0.5 * (found.amplitude**2).sum()) == pytest.approx(0.8 * 4.0)
+
+
+def towards(degrees, factor):
+    return [
+        row | {"heading": f"{degrees} deg", "heave": f"{factor * float(row['heave'][:3])} m/m"}
+        for row in ROWS
+    ]
+
+
+HEADED = [*towards(0, 1.0), *towards(90, 2.0), *towards(180, 3.0), *towards(-90, 2.0)]
+
+
+@pytest.mark.parametrize(
+    "degrees, factor",
+    [(0, 1.0), (45, 1.5), (90, 2.0), (135, 2.5), (180, 3.0), (-180, 3.0), (225, 2.5), (330, 4 / 3)],
+)
+def test_between_headings_the_response_is_linear_all_around(degrees, factor):
+    frequency = np.array([2.0 * math.pi / 10.0])
+    headed = made(operators=HEADED, headings="towards")
+    found = operator(headed, "heave", frequency, math.radians(degrees))
+    plain = operator(made(), "heave", frequency)
+    np.testing.assert_allclose(found, factor * plain, rtol=1e-12)
+
+
+def test_the_wave_says_where_it_goes():
+    swell = {"amplitude": "1 m", "period": "10 s"}
+    to = {"operators": HEADED, "headings": "towards"}
+    of_the_response = made(**to, wave=swell, heading="90 deg")
+    assert harmonics(of_the_response, of_the_response.wave).amplitude[0] == pytest.approx(1.0)
+    of_the_scene = RegularWave.model_validate(
+        swell | {"heading": "180 deg", "above_mean_level": "none"}
+    )
+    assert harmonics(made(**to), of_the_scene).amplitude[0] == pytest.approx(1.5)
+
+
+def test_a_heading_that_the_operators_do_not_reach_is_refused():
+    half = made(operators=[*towards(0, 1.0), *towards(90, 2.0)], headings="towards")
+    with pytest.raises(InputError, match="go to -45 deg"):
+        operator(half, "heave", np.array([0.6]), math.radians(-45.0))
+
+
+def test_waves_beyond_the_operators_are_refused():
+    wave = Swell.model_validate({"amplitude": "1 m", "period": "25 s"})
+    with pytest.raises(InputError, match="from 5 s to 20 s"):
+        harmonics(made(), wave)
+
+
+@pytest.mark.parametrize(
+    "changes, reason",
+    [
+        ({"operators": ROWS[::-1]}, "periods must rise"),
+        ({"operators": [ROWS[0], {"period": "9 s"}]}, "same motions"),
+        ({"operators": [{"period": "5 s", "heave": "1 m/m"}, ROWS[1]]}, "go together"),
+        ({"operators": [{"period": "5 s", "pitch": "1 m/m", "pitch_phase": "0 deg"}, ROWS[1]]}, "rad/m"),
+        ({"motions": ["surge"]}, "no surge"),
+        ({"operators": [*towards(0, 1.0), *ROWS]}, "in every line or in none"),
+        ({"operators": HEADED}, "'towards' or 'from'"),
+        ({"operators": ROWS, "headings": "from"}, "'towards' or 'from'"),
+        ({"operators": [ROWS[2], {"frequency": "1 Hz", "heave": "0 m/m", "heave_phase": "0 deg"}]},
+         "in every line"),
+        ({"operators": [ROWS[0], ROWS[1] | {"frequency": "0.1 Hz"}]}, "needs one of period and frequency"),
+        ({"operators": [*towards(0, 1.0), *towards(90, 1.0)[1:]]}, "same periods"),
+        ({"heading": "90 deg"}, "has its own"),
+        ({"phases": "upwards"}, "lead"),
+    ],
+)  # fmt: skip
+def test_operators_that_cannot_be_meant_are_refused(changes, reason):
+    with pytest.raises(ValueError, match=reason):
+        made(**changes)
+
+
+def test_an_operator_knows_its_motions():
+    assert Operator.model_validate(ROWS[0]).motions == {"heave"}

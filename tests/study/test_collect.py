@@ -1,0 +1,64 @@
+"""Runs become one dataset over the axes of their grid, whatever meshes they are on."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.dataset.result import Result
+from riserstudy.study.collect import dataset_of, write_dataset
+from riserstudy.study.models import Numbers, StudyModel
+from riserstudy.study.study import Study
+
+CONFIG = Path(__file__).parents[2] / "config"
+TIME, LENGTH = np.array([0.0, 1.0, 2.0]), 533.0
+GAINS = np.array([[3.0, 1.0], [4.0, 2.0]])
+FACTS = {"wall_seconds": 0.1, "elements": 4, "smallest_tension": 1.0, "warnings": [], "effects": {}}
+
+
+def grid():
+    """Two amplitudes by two periods."""
+    axes = {
+        "surge_amplitude": Numbers(path="platform.surge.amplitude", unit="m", values=[1.0, 2.0]),
+        "surge_period": Numbers(path="platform.surge.period", unit="s", values=[9.0, 10.0]),
+    }
+    model = StudyModel(scene="scenes/bench/s2c.yaml", caption="a grid", axes=axes)
+    return Study("bench", "grid", model, CONFIG, "standard")
+
+
+def run(gain, nodes):
+    """A run whose displacement is gain (1 + t) s."""
+    s = np.linspace(0.0, LENGTH, nodes)
+    x = gain * np.outer(1.0 + TIME, s)
+    arrays = {"time": TIME, "s": s, "s_node": s, "x": x, "x_max": x[-1]}
+    return Result(arrays, FACTS)
+
+
+def test_numbers_are_put_at_every_path_of_their_axis():
+    axis = Numbers(path=["wave.period", "platform.heave.period"], unit="s", values=[9.0])
+    assert axis.overrides(9.0) == {"wave.period": "9.0 s", "platform.heave.period": "9.0 s"}
+
+
+@pytest.mark.parametrize("nodes", [(9, 9, 9, 9), (9, 5, 9, 5), (5, 9, 17, 9)])
+def test_every_run_stands_at_its_place_on_the_finest_mesh(nodes):
+    runs = [run(gain, count) for gain, count in zip(GAINS.ravel(), nodes, strict=True)]
+    dataset = dataset_of(grid(), runs)
+    assert dataset["x"].dims == ("surge_amplitude", "surge_period", "time", "s")
+    assert dataset.sizes["s"] == dataset.sizes["s_node"] == max(nodes)
+    expected = GAINS[:, :, None, None] * np.outer(1.0 + TIME, dataset["s"].values)
+    # displacements to 7 km; a spline through a straight line errs by rounding
+    np.testing.assert_allclose(dataset["x"].values, expected, rtol=1e-12, atol=1e-9)
+    np.testing.assert_allclose(dataset["x_max"].values, expected[:, :, -1], rtol=1e-12, atol=1e-9)
+    assert dataset["elements"].shape == GAINS.shape
+
+
+def test_a_file_keeps_ten_digits_of_large_arrays_and_all_of_small_ones(tmp_path):
+    rng = np.random.default_rng(3)
+    large = rng.standard_normal(2000) * 10.0 ** rng.integers(-9, 9, 2000)
+    dataset = xr.Dataset({"large": ("n", large), "small": ("k", large[:100])})
+    write_dataset(dataset, tmp_path / "a.nc")
+    found = xr.load_dataset(tmp_path / "a.nc")
+    np.testing.assert_allclose(found["large"], large, rtol=1e-9)
+    np.testing.assert_array_equal(found["small"], large[:100])
+    assert (found["large"] != large).any()

@@ -1,0 +1,100 @@
+"""Grids: points planned from parts are the scenes that the whole of their values makes."""
+
+import resource
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from riserstudy.errors import InputError
+from riserstudy.jobs.workplan import Workplan
+from riserstudy.scene.load import read_scene
+from riserstudy.study.grid import Grid
+from riserstudy.study.store import key_of
+
+CONFIG = Path(__file__).parents[2] / "config"
+SURGE = CONFIG / "scenes/bench/s2c.yaml"
+STUDIES = Workplan.read(CONFIG, {"tier": "preview"}, only=[]).studies
+
+
+def steps(path, *values):
+    return [{path: value} for value in values]
+
+
+@pytest.mark.parametrize("study", STUDIES, ids=lambda s: f"{s.paper}-{s.name}")
+def test_a_point_has_the_key_of_its_whole_scene(study):
+    some = study.plan[:: max(1, len(study.plan) // 3)]
+    for point in [*some, study.plan[-1]]:
+        assert point.key == key_of(study.grid.file(point.index).scene())
+
+
+def test_a_later_axis_wins_and_takes_away_what_an_earlier_one_set():
+    axes = [
+        steps("platform.surge.amplitude", "1 m", "2 m"),
+        [{}, {"platform.surge": {"amplitude": "3 m", "period": "9 s", "ramp": "9 s"}}],
+    ]
+    keys = {point.index: point.key for point in Grid(read_scene(SURGE), axes, "test").points()}
+    assert len(keys) == 4
+    assert keys[0, 0] != keys[1, 0]
+    assert keys[0, 1] == keys[1, 1] not in (keys[0, 0], keys[1, 0])
+
+
+def test_shards_planned_by_themselves_are_those_of_the_whole():
+    study = next(study for study in STUDIES if study.name == "steady")
+    alone = [replace(study).shard(number, 3) for number in range(3)]
+    assert len(study.plan) == len(study.grid)
+    assert alone == [study.shard(number, 3) for number in range(3)]
+    assert sorted(p.index for points in alone for p in points) == [p.index for p in study.plan]
+
+
+@pytest.mark.parametrize(
+    "path, value, field",
+    [
+        ("platform.nothing", "1 m", "platform.nothing"),
+        ("nothing", "1 m", "nothing"),
+        ("riser[7].mass", "1 t/m", "riser"),
+        ("platform.surge.period", "-9 s", "platform.surge.period"),
+        ("riser", None, "riser"),
+        ("water", None, "water"),  # each part is right, and the whole is not
+    ],
+)
+def test_a_point_that_cannot_be_meant_is_refused_as_the_whole_scene_is(path, value, field):
+    grid = Grid(read_scene(SURGE), [steps("riser[0].mass", "900 kg/m"), steps(path, value)], "test")
+    with pytest.raises(InputError) as of_grid:
+        list(grid.points())
+    with pytest.raises(InputError) as of_scene:
+        grid.file((0, 0)).scene()
+    assert str(of_grid.value) == str(of_scene.value)
+    assert field in str(of_grid.value)
+
+
+def test_planning_imports_neither_solver_nor_arrays():
+    heavy = ["numba", "scipy", "xarray", "matplotlib", "pint", "riserstudy.simulation.refine"]
+    script = f"""if True:
+        import sys
+        from pathlib import Path
+        from riserstudy.jobs.workplan import Workplan
+        Workplan.read(Path({str(CONFIG)!r}), {{"papers": ["bench", "fem_riser"]}}, [("bench", "s2")])
+        print([name for name in {heavy} if name in sys.modules])"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert done.stdout == "[]\n", done.stderr
+
+
+@pytest.mark.slow
+def test_a_hundred_thousand_points_are_planned_in_ten_seconds_and_a_gigabyte():
+    tenths = [f"{k / 10} m" for k in range(1, 101)]
+    axes = [
+        steps("riser[0].mass", *(f"{k} kg/m" for k in range(900, 1900, 100))),
+        steps("platform.surge.period", *(f"{k} s" for k in range(8, 18))),
+        steps("riser[0].drag.coefficient", *(0.7 + k / 10 for k in range(10))),
+        steps("platform.surge.amplitude", *tenths),
+    ]
+    began = time.process_time()
+    points = list(Grid(read_scene(SURGE), axes, "test").points())
+    seconds = time.process_time() - began
+    assert len({point.key for point in points}) == len(points) == 100_000
+    assert seconds < 10.0
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < 1e6  # kB

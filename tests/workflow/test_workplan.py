@@ -1,0 +1,132 @@
+"""What the workflow has to do, without Snakemake."""
+
+import ast
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from riserstudy import digests
+from riserstudy.digests import digest, source_of, sources_behind
+from riserstudy.folders import PACKAGE
+from riserstudy.jobs.workplan import Workplan
+
+CONFIG = Path(__file__).parents[2] / "config"
+PLAN = Workplan.read(CONFIG, {"tier": "preview"})
+
+
+def outputs_that_read(file):
+    """Figures, derived datasets and tables that a source file makes stale."""
+    path = PACKAGE / file
+    found = {f"{p}/{n}" for p, n in PLAN.figures() if path in PLAN.figure_code(p, n)}
+    for paper, of in PLAN.files.items():
+        found |= {f"{paper}/{n}.nc" for n in of.derived if path in PLAN.derived_code(paper, n)}
+    return found | {f"{paper}.csv" for paper in PLAN.published if path in PLAN.grade_code(paper)}
+
+
+def calls(paper, part, names):
+    """Names of the functions that a file of a chapter defines, among some."""
+    tree = ast.parse((PACKAGE / f"chapters/{paper}/{part}.py").read_text())
+    return {node.name for node in tree.body if isinstance(node, ast.FunctionDef)} & set(names)
+
+
+def test_an_edit_of_a_chapter_s_figures_redraws_those_it_defines():
+    figures = PLAN.files["liu2020"].figures
+    drawn = calls("liu2020", "figures/motion", figures)
+    assert len(drawn) > 5
+    assert outputs_that_read("chapters/liu2020/figures/motion.py") == {
+        f"liu2020/{n}" for n in drawn
+    }
+
+
+def test_an_edit_of_what_one_chapter_shares_stays_in_that_chapter():
+    for file in ("chapters/mao_hangoff/towed.py", "chapters/fem_riser/claims.py"):
+        paper = file.split("/")[1]
+        stale = outputs_that_read(file)
+        assert f"{paper}.csv" in stale
+        assert all(name.startswith(paper) for name in stale)
+    assert "fem_riser/fig05" in outputs_that_read("chapters/fem_riser/claims.py")
+
+
+def test_an_edit_of_how_figures_look_redraws_figures_and_derives_nothing():
+    every = {f"{p}/{n}" for p, n in PLAN.figures()}
+    stale = outputs_that_read("figures/style.py")
+    assert stale <= every
+    assert {"chang2020/fig14", "liu2020/fig13", "bench/heave"} <= stale
+
+
+@pytest.mark.parametrize(
+    "module",
+    [
+        *("riserstudy.simulation.refine", "riserstudy.report", "riserstudy.schematic"),
+        *("riserstudy.study.collect", "riserstudy.grading.grade", "riserstudy.numerics.stability"),
+        *("riserstudy.chapters.liu2020.derived.codes", "riserstudy.chapters.fem_riser.figures"),
+    ],
+)
+def test_what_is_imported_is_behind_the_digest(module):
+    names = f"import sys, {module}; print(*(m.__file__ for m in list(sys.modules.values())"
+    names += " if m.__name__.startswith('riserstudy')), sep='\\n')"
+    ran = subprocess.run([sys.executable, "-c", names], capture_output=True, text=True, check=True)
+    imported = {Path(line) for line in ran.stdout.splitlines()}
+    assert source_of(module) in imported
+    assert imported <= sources_behind(module)
+
+
+@pytest.mark.parametrize("module", ["riserstudy.report", "riserstudy.schematic"])
+def test_what_draws_and_reports_loads_no_kernels(module):
+    assert "numba" not in modules_loaded_by(module)
+
+
+def test_no_chapter_loads_kernels():
+    modules = [
+        ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts)
+        for path in sorted((PACKAGE / "chapters").rglob("*.py"))
+        if path.name != "__init__.py"
+    ]
+    assert "numba" not in modules_loaded_by(*modules)
+
+
+def modules_loaded_by(*modules):
+    names = f"import sys, {', '.join(modules)}; print(*sys.modules)"
+    ran = subprocess.run([sys.executable, "-c", names], capture_output=True, text=True, check=True)
+    return ran.stdout.split()
+
+
+def test_what_a_source_reads_from_beside_it_counts(tmp_path, monkeypatch):
+    names = {path.name for path in sources_behind("riserstudy.report")}
+    assert {"page.html", "page.js"} <= names
+    assert "variables.yaml" in {path.name for path in sources_behind("riserstudy.study.collect")}
+
+
+def test_bytecode_beside_the_sources_is_nothing_that_counts(tmp_path, monkeypatch):
+    made = []
+    for name in ("clean", "compiled"):
+        package = tmp_path / name
+        shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
+        for folder in [path for path in package.rglob("*") if path.is_dir()]:
+            if name == "compiled":
+                (folder / "__pycache__").mkdir()
+                (folder / "__pycache__/module.cpython-313.pyc").write_bytes(b"\0")
+        monkeypatch.setitem(digests.ROOTS, "riserstudy", package)
+        sources_behind.cache_clear()
+        made.append(
+            [digest(sources_behind(f"riserstudy.{x}")) for x in ("numerics.measure", "report")]
+        )
+    sources_behind.cache_clear()
+    assert made[0] == made[1]
+
+
+def test_chapters_of_a_study_of_one_s_own_count_with_all_that_they_import(tmp_path, monkeypatch):
+    chapter = tmp_path / "chapters/mine"
+    chapter.mkdir(parents=True)
+    (chapter / "figures.py").write_text("from .helpers import colour\ndef fig01(a): ...\n")
+    (chapter / "helpers.py").write_text(
+        "from riserstudy.figures.style import COLOURS\ncolour = 1\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    sources_behind.cache_clear()
+    names = {path.name for path in sources_behind("chapters.mine.figures")}
+    sources_behind.cache_clear()
+    assert {"figures.py", "helpers.py", "style.py"} <= names
