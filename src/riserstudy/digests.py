@@ -43,9 +43,13 @@ def engine_digest() -> str:
     return digest(sources_behind(ENGINE))
 
 
-@cache
 def sources_behind(module: str) -> frozenset[Path]:
     """Source files of a module, of all that it imports, and what they read from beside themselves."""
+    return _sources_behind(module, tuple(root.absolute() for root in ROOTS.values()))
+
+
+@cache
+def _sources_behind(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
     seen: set[str] = set()
     found: set[Path] = set()
     left = [module]

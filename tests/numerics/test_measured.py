@@ -72,9 +72,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours():
 
 def test_random_scenes_are_the_same_every_time_and_half_are_held_out():
     study = only(MEASURED.random_scenes, "families", CHANG)
-    draws = [
-        list(drawn(CHANG, study.families[CHANG], study, Setting(CONFIG, "standard"))) for _ in "ab"
-    ]
+    draws = [list(drawn(CHANG, study.families[CHANG], study, CONFIG, "standard")) for _ in "ab"]
     assert [one.sets for one in draws[0]] == [one.sets for one in draws[1]]
     assert len({str(one.sets) for one in draws[0]}) == study.count["standard"]
     assert sum(one.held_out for one in draws[0]) == study.count["standard"] // 2

@@ -14,7 +14,7 @@ from riserstudy.study.processes import each
 
 PARENT = """
 import time
-from riserstudy.processes import each
+from riserstudy.study.processes import each
 list(each(lambda k: time.sleep(600), range(4), 2))
 """
 

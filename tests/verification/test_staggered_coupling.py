@@ -274,7 +274,8 @@ def test_a_platform_too_light_for_turns_that_are_repeated_fails():
 
 
 def test_a_platform_too_light_for_staggered_turns_owes_its_energy_to_the_exchange():
-    run = simulate(load_scene(REF, **(GRID | LIGHT | in_turns("staggered"))))
+    light = LIGHT | {"vessel.mass": "10 t"}  # one of 1 t runs away so fast that steps may fail
+    run = simulate(load_scene(REF, **(GRID | light | in_turns("staggered"))))
     audit = json.loads(run.attrs["audit"])
     assert audit["made_by_exchange"] > 0.5 * audit["exchanged"]
     assert f"made {audit['made_by_exchange']:.3g} J" in run.attrs["warnings"]

@@ -110,11 +110,9 @@ def test_bytecode_beside_the_sources_is_nothing_that_counts(tmp_path, monkeypatc
                 (folder / "__pycache__").mkdir()
                 (folder / "__pycache__/module.cpython-313.pyc").write_bytes(b"\0")
         monkeypatch.setitem(digests.ROOTS, "riserstudy", package)
-        sources_behind.cache_clear()
         made.append(
             [digest(sources_behind(f"riserstudy.{x}")) for x in ("numerics.measure", "report")]
         )
-    sources_behind.cache_clear()
     assert made[0] == made[1]
 
 
@@ -126,7 +124,5 @@ def test_chapters_of_a_study_of_one_s_own_count_with_all_that_they_import(tmp_pa
         "from riserstudy.figures.style import COLOURS\ncolour = 1\n"
     )
     monkeypatch.chdir(tmp_path)
-    sources_behind.cache_clear()
     names = {path.name for path in sources_behind("chapters.mine.figures")}
-    sources_behind.cache_clear()
     assert {"figures.py", "helpers.py", "style.py"} <= names

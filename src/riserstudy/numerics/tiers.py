@@ -29,7 +29,7 @@ DEFAULT = "default"
 
 
 def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
-    """Every scene at the accuracy of every setting.tier, one after another: they are timed."""
+    """Every scene at the accuracy of every tier, one after another: they are timed."""
     import xarray as xr
 
     scenes = in_tier(study.scenes, setting.tier)
@@ -51,15 +51,11 @@ def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
             cost["estimated"][i, k] = deciding(tried.result.facts.get("error_estimate", {}))
             peak[i, k] = peaks(tried.result)
     off = beside_finest(peak)
-    data: dict[str, Any] = {
-        name: (("scene", "setting.tier"), values) for name, values in cost.items()
-    }
-    data["message"] = (("scene", "setting.tier"), message.astype(str))
-    data["peak"] = (("scene", "setting.tier", "quantity"), peak)
-    data["error"] = (("scene", "setting.tier", "quantity"), off)
-    dataset = xr.Dataset(
-        data, {"scene": list(scenes), "setting.tier": names, "quantity": list(PEAKS)}
-    )
+    data: dict[str, Any] = {name: (("scene", "tier"), values) for name, values in cost.items()}
+    data["message"] = (("scene", "tier"), message.astype(str))
+    data["peak"] = (("scene", "tier", "quantity"), peak)
+    data["error"] = (("scene", "tier", "quantity"), off)
+    dataset = xr.Dataset(data, {"scene": list(scenes), "tier": names, "quantity": list(PEAKS)})
     for name, (unit, words) in ABOUT.items():
         dataset[name].attrs = {"units": unit, "long_name": words}
     dataset.attrs["load_average"] = os.getloadavg()[0]
