@@ -49,8 +49,8 @@ from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
-from riserstudy.model.build import AXES
-from riserstudy.model.model import Effect, Model
+from riserstudy.model.layout import AXES
+from riserstudy.model.model import Effect, Model, Unknowns
 from riserstudy.model.tensioner_law import table_law
 from riserstudy.scene.tensioners import TableRow
 from riserstudy.solve.evaluate import energies, forces_and_tangent, one_call, shape_of
@@ -312,9 +312,8 @@ class Rig:
         # an end carries no moment where nothing holds its direction
         ends = [0] if kind in (FlexJoint, SpatialFlexJoint) else [0, N]
         fixed = [(node, u) for node in ends for u in range(self.m)]
-        self.model = Model(
-            L0, d, self.m, effects, fixed, (OWN, OTHER), CYLINDERS, probes=PROBES, loose=case.loose
-        )
+        unknowns = Unknowns(L0, d, self.m, cylinders=CYLINDERS, probes=PROBES, loose=case.loose)
+        self.model = Model(unknowns, effects, fixed)
         self.s: State = self.model.s
         self.record = next(e.record for e in self.model.effects if type(e.record) is kind)
         stir(self.s, seed)

@@ -52,7 +52,7 @@ from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.effects.weight import Weight
-from riserstudy.model.build import AXES
+from riserstudy.model.layout import AXES
 
 
 def along(s):

@@ -6,7 +6,7 @@ from cases import N, Rig
 
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
-from riserstudy.model.model import Effect, Model
+from riserstudy.model.model import Effect, Model, Unknowns
 from riserstudy.model.sea import components, jonswap, wave_number
 from riserstudy.scene.sea import IrregularSea
 from riserstudy.solve.evaluate import shape_of
@@ -21,7 +21,7 @@ class Sea:
         self.record = frozen.value._replace(above=NONE, ramp=0.0, **changes)
         model = self.rig.model
         model.effects[:] = [e._replace(record=self.record) for e in model.effects]
-        self.model = type(model)(model.s.l0, 2, 0, model.effects, [], (0.5, 0.0))
+        self.model = Model(Unknowns(model.s.l0, 2, 0, (0.5, 0.0)), model.effects)
 
     def at(self, x, z, t):
         s = self.model.s
@@ -83,7 +83,7 @@ def test_above_the_surface_there_is_no_wave(above):
     )
     line = Waterline(45.0, np.ones((3, N)), np.ones(N), *np.ones((4, N)))
     effects = [Effect("wave", crest, ""), Effect("waterline", line, "")]
-    sea.model = Model(sea.model.s.l0, 2, 0, effects, [], (0.5, 0.0))
+    sea.model = Model(Unknowns(sea.model.s.l0, 2, 0, (0.5, 0.0)), effects)
     t = 2.0 * np.pi / 0.8  # the crest passes x = 0
     inside = {NONE: 0.0, CONSTANT: 1.0, STRETCHED: 1.0}[above]
     at_level, below = (sea.at(0.0, 45.0 + dz, t)[0][0] for dz in (0.0, -1e-9))

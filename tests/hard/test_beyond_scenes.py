@@ -5,7 +5,7 @@ import pytest
 from scenes import COLUMN, changed, from_file
 
 from riserstudy.model.mesh import even
-from riserstudy.model.model import Model
+from riserstudy.model.model import Model, Unknowns
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march
@@ -35,7 +35,7 @@ def like(model, fixed, left_out=()):
     """The same model, held in other places and without some of its effects."""
     effects = [effect for effect in model.effects if effect.name not in left_out]
     d, m = len(model.s.dim), len(model.s.dof) - len(model.s.dim)
-    other = Model(model.s.l0, d, m, effects, fixed, tuple(model.s.share))
+    other = Model(Unknowns(model.s.l0, d, m, tuple(model.s.share)), effects, fixed)
     other.s.r[:] = model.s.r
     return other
 

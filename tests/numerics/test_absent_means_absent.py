@@ -57,14 +57,8 @@ def history(monkeypatch, *extra):
         model = build(scene, mesh, elevation, d)
         # Under a name of their own: statics goes to its tolerance another way where there is a current.
         more = [Effect(f"no {name}", ZERO_LOAD[name](), "test") for name in extra]
-        built = type(model)(
-            mesh.l0,
-            len(model.s.dim),
-            len(model.s.dof) - len(model.s.dim),
-            [*more, *model.effects],
-            [tuple(pair) for pair in model.fixed],
-            tuple(model.s.share),
-        )
+        pairs = [tuple(pair) for pair in model.fixed]
+        built = type(model)(model.unknowns, [*more, *model.effects], pairs)
         built.s.r[:] = model.s.r
         return built
 

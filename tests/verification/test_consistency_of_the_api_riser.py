@@ -7,7 +7,7 @@ import pytest
 from engine import scene
 from scipy.integrate import solve_bvp
 
-from riserstudy.model.build import stiffness
+from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import even
 from riserstudy.simulation.run import single
 

@@ -11,15 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.effects.added_mass import AddedMass
+from riserstudy.effects.current import Current
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.drag_over_depth import DragOverDepth
 from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
+from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
-from riserstudy.model.sea import components_of, wave_number
+from riserstudy.model.sea import components_of, current_table, wave_number
 from riserstudy.scene.forcing import Water
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import IrregularSea, RegularWave
@@ -28,37 +30,76 @@ FloatArray = NDArray[np.float64]
 ABOVE = {"none": NONE, "constant": CONSTANT, "stretched": STRETCHED}
 
 
-def wet(scene: Scene, mesh: Mesh, d: int) -> Iterator[Effect]:
-    """Their effects in ``d`` directions; along a line there is none but tangential drag."""
-    rho = scene.water.density if scene.water else 0.0
-    across = [*_masses(scene, mesh, d, rho), *_drag(scene, mesh, d, rho)] if d > 1 else []
-    effects = [*across, *_tangential(scene, mesh, rho)]
-    yield from [e for e in effects if not isinstance(e.record, DragOverDepth)]
-    yield from _waterline(scene, effects, len(mesh.l0))
-    # after the waterline, which changes their scale
-    yield from [e for e in effects if isinstance(e.record, DragOverDepth)]
+def current(of: Layout) -> Iterator[Effect]:
+    """Steady flow over elevation, where the riser can move across it."""
+    flow = of.scene.current
+    if flow is None or of.d == 1:
+        return
+    z, speed = current_table(flow, of.scene.water)
+    near = np.zeros(of.last + 1, np.int64)
+    yield Effect(
+        "current", Current(z, speed, of.along(flow.towards), near, flow.ramp or 0.0), "current"
+    )
 
 
-def _masses(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
-    """What goes with the pipe, and with the water's acceleration."""
+def wave(of: Layout) -> Iterator[Effect]:
+    """Flow under waves, where the riser can move across it."""
+    sea, water = of.scene.wave, of.scene.water
+    if sea and water and of.d > 1:
+        yield Effect("wave", wave_of(sea, water, of.gravity, of.along(sea.heading)), "wave")
+
+
+def hydrodynamics(of: Layout) -> Iterator[Effect]:
+    """What water around and contents within do; along a line there is none but tangential drag."""
+    scene, mesh, rho = of.scene, of.mesh, of.density
+    across = of.d > 1
+    added = [*_added_mass(scene, mesh, rho)] if across else []
+    waves = [*_wave_force(scene, mesh, of.d, rho)] if across else []
+    drags = [*_drag(scene, mesh, of.d, rho)] if across else []
+    by_depth = [drag for drag in drags if isinstance(drag.record, DragOverDepth)]
+    tangential = [*_tangential(scene, mesh, rho)]
+    if across:
+        yield from _contents(scene, mesh)
+    yield from [*added, *waves, *(drag for drag in drags if drag not in by_depth), *tangential]
+    yield from _waterline(scene, [*drags, *tangential], added, waves, of.last)
+    yield from by_depth  # after the waterline, which changes their scale
+
+
+def _contents(scene: Scene, mesh: Mesh) -> Iterator[Effect]:
     inside = over(mesh, [s.contents_mass for s in scene.riser])
     if np.any(inside):
         yield Effect("contents", AddedMass(inside, -inside, 0), "riser.contents")
-    accelerated = np.zeros(len(mesh.l0))
+
+
+def _added_mass(scene: Scene, mesh: Mesh, rho: float) -> Iterator[Effect]:
+    """What goes with the pipe, normal to it or horizontal."""
     for direction in (None, "horizontal"):
-        around = [s.added_mass for s in scene.riser]
-        these = [a if a and a.direction == direction else None for a in around]
-        displaced = [a.displaced(rho) if a else 0.0 for a in these]
-        added = over(
-            mesh, [a.coefficient * m if a else 0.0 for a, m in zip(these, displaced, strict=True)]
-        )
-        accelerated += over(mesh, displaced) + added
+        _, added = _accelerated(scene, mesh, rho, direction)
         if np.any(added):
             record = AddedMass(added, -added, int(direction is not None))
             yield Effect("added mass", record, "riser.added_mass")
-    if scene.wave and np.any(accelerated):
-        force = WaveForce(accelerated, np.zeros((d, len(mesh.l0) + 1)))
-        yield Effect("wave force", force, "wave, riser.added_mass")
+
+
+def _wave_force(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
+    """What goes with the water's acceleration: water displaced, and added mass."""
+    force = np.zeros(len(mesh.l0))
+    for direction in (None, "horizontal"):
+        displaced, added = _accelerated(scene, mesh, rho, direction)
+        force += displaced + added
+    if scene.wave and np.any(force):
+        record = WaveForce(force, np.zeros((d, len(mesh.l0) + 1)))
+        yield Effect("wave force", record, "wave, riser.added_mass")
+
+
+def _accelerated(
+    scene: Scene, mesh: Mesh, rho: float, direction: str | None
+) -> tuple[FloatArray, FloatArray]:
+    """Mass of water displaced and added mass of the segments that have it in a direction, (n,), kg."""
+    around = [s.added_mass for s in scene.riser]
+    these = [a if a and a.direction == direction else None for a in around]
+    displaced = [a.displaced(rho) if a else 0.0 for a in these]
+    added = [a.coefficient * m if a else 0.0 for a, m in zip(these, displaced, strict=True)]
+    return over(mesh, displaced), over(mesh, added)
 
 
 def _drag(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
@@ -91,21 +132,20 @@ def _tangential(scene: Scene, mesh: Mesh, rho: float) -> Iterator[Effect]:
         yield Effect("tangential drag", TangentialDrag(scale), "riser.tangential_drag")
 
 
-def _waterline(scene: Scene, effects: list[Effect], n: int) -> Iterator[Effect]:
+def _waterline(
+    scene: Scene, drags: list[Effect], added: list[Effect], waves: list[Effect], n: int
+) -> Iterator[Effect]:
     """What wets segments in part, by changing the arrays of the others, where there is a surface."""
     if scene.water is None or scene.water.surface is None:
         return
-
-    def records(name: str) -> list[Any]:
-        return [effect.record for effect in effects if effect.name == name]
-
-    drags = records("drag") + records("tangential drag")
-    added = records("added mass")
+    resisting: list[Any] = [effect.record for effect in drags]
+    moving: list[Any] = [effect.record for effect in added]
+    carrying: list[Any] = [effect.record for effect in waves]
     rows = zip_longest(
-        [drag.scale if isinstance(drag, DragOverDepth) else drag.low for drag in drags],
-        [record.mass for record in added],
-        [record.minus for record in added],
-        [record.mass for record in records("wave force")],
+        [drag.scale if isinstance(drag, DragOverDepth) else drag.low for drag in resisting],
+        [record.mass for record in moving],
+        [record.minus for record in moving],
+        [record.mass for record in carrying],
     )
     for row in rows:
         drag, mass, minus, wave = (np.zeros(n) if a is None else a for a in row)

@@ -1,4 +1,4 @@
-"""What stands within and at the top of the riser string: inner joints, a sliding joint, gauges, a vessel."""
+"""What stands within and at the top of the riser string: inner joints, a sliding joint, a gauge."""
 
 from __future__ import annotations
 
@@ -8,42 +8,37 @@ from collections.abc import Iterator
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.sliding_tension import SlidingTension
 from riserstudy.effects.stress_gauge import StressGauge
+from riserstudy.model.layout import Layout, Report
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
-from riserstudy.model.soil import springs
-from riserstudy.model.vessel import floating
 from riserstudy.scene.ends import TelescopicJoint
-from riserstudy.scene.models import Scene
 from riserstudy.scene.riser import Section
 
 
-def devices(
-    scene: Scene, mesh: Mesh, bottom: float, bends: bool, d: int, probes: list[str]
-) -> Iterator[Effect]:
-    """Their effects; names of what they report are added to ``probes``."""
-    rig, joint, output = scene.top.tensioners, scene.top.telescopic_joint, scene.analysis.output
+def inner_joints(of: Layout, report: Report) -> Iterator[Effect]:
+    """Flex joints below sections."""
+    for k in of.jointed if of.m else []:
+        joint = of.scene.riser[k].flex_joint_below
+        flexibility = 1.0 / joint.stiffness if joint else 0.0
+        record = InnerFlexJoint(of.mesh.foot(k), flexibility, report("lfj_angle"))
+        yield Effect("inner flex joint", record, f"riser[{k}].flex_joint_below")
 
-    def probe(*names: str) -> int:
-        """Index of the first of some probes."""
-        first = 2 * (rig.count if rig else 0) + len(probes)
-        probes.extend(names)
-        return first
 
-    for k, section in enumerate(scene.riser):
-        if section.flex_joint_below and bends:
-            flexibility = 1.0 / section.flex_joint_below.stiffness
-            inner = InnerFlexJoint(mesh.foot(k), flexibility, probe("lfj_angle"))
-            yield Effect("inner flex joint", inner, f"riser[{k}].flex_joint_below")
-    if scene.soil:
-        yield Effect("soil", springs(scene.soil, scene.riser[0], mesh, bottom), "soil")
+def sliding_joint(of: Layout) -> Iterator[Effect]:
+    """A telescopic joint under its own constant tension."""
+    joint = of.scene.top.telescopic_joint
     if joint and joint.tension:
-        sliding = sliding_tension(joint, len(mesh.l0) - 1)
-        yield Effect("sliding tension", sliding, "top.telescopic_joint.tension")
+        record = sliding_tension(joint, of.last - 1)
+        yield Effect("sliding tension", record, "top.telescopic_joint.tension")
+
+
+def stress_gauge(of: Layout, report: Report) -> Iterator[Effect]:
+    """What reports the largest stress in a section."""
+    output = of.scene.analysis.output
     if output and output.stress_in:
-        k = [section.name for section in scene.riser].index(output.stress_in)
-        record = gauge(scene.riser[k], mesh, k, probe("largest_stress"))
+        k = [section.name for section in of.scene.riser].index(output.stress_in)
+        record = gauge(of.scene.riser[k], of.mesh, k, report("largest_stress"))
         yield Effect("stress gauge", record, "analysis.output.stress_in")
-    yield from floating(scene, d, len(mesh.l0), probe)
 
 
 def gauge(section: Section, mesh: Mesh, k: int, probe: int) -> StressGauge:

@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.effects.soil import LinearSoil, SoftClay
+from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Effect
 from riserstudy.scene.riser import Section
 from riserstudy.scene.soil import ElasticSoil, Matlock, Soil
 
 DEEP = 9.0  # ultimate resistance over shear strength and diameter where clay flows around the conductor
 SHALLOW = 3.0  # the same at the mudline
+
+
+def soil(of: Layout) -> Iterator[Effect]:
+    """Soil around the lowest section."""
+    if of.scene.soil:
+        record = springs(of.scene.soil, of.scene.riser[0], of.mesh, of.bottom)
+        yield Effect("soil", record, "soil")
 
 
 def springs(soil: Soil, conductor: Section, mesh: Mesh, bottom: float) -> LinearSoil | SoftClay:

@@ -17,11 +17,32 @@ from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
+from riserstudy.model.bending import shared_flexibility
+from riserstudy.model.layout import Layout
 from riserstudy.model.model import Effect
+from riserstudy.model.platform_motion import centre
 from riserstudy.model.tensioner_law import linear_law, table_law
 from riserstudy.scene.tensioners import Arrangement, Tensioners
 
 GAS_FIELDS = ("area", "pressure", "volume")
+
+
+def tensioners(of: Layout) -> Iterator[Effect]:
+    """Cylinders between platform and tension ring."""
+    rig, ring = of.scene.top.tensioners, of.mesh.ring
+    if rig is None:
+        return
+    yield from laws(rig, of.gravity)
+    yield from pistons(rig, ring, of.d)
+    elevation = of.bottom + of.mesh.riser_length
+    if rig.mid_stroke == "riser in equilibrium" and of.ring is not None:
+        elevation = of.ring
+    if rig.arrangement is None:
+        yield upright(rig, ring, elevation)
+        return
+    bend = shared_flexibility(of)[[-2, -1]] if of.m and of.mesh.joint else np.zeros((2, 2))
+    about = centre(of.scene.platform)
+    yield in_space(rig, rig.arrangement, ring, elevation, about, bend)
 
 
 def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,9 @@ from riserstudy.model.model import Effect
 from riserstudy.model.sea import current_table
 from riserstudy.scene import vessel as scenes
 from riserstudy.scene.models import Scene
+
+if TYPE_CHECKING:
+    from riserstudy.model.layout import Report
 
 FloatArray = NDArray[np.float64]
 AHEAD = ("platform_speed", "riser_reaction", "environment_force")  # reported by direction
@@ -49,8 +53,8 @@ def unknowns(scene: Scene, d: int, top: int) -> list[tuple[int, int]]:
     return free
 
 
-def floating(scene: Scene, d: int, node: int, probe: Callable[..., int]) -> Iterator[Effect]:
-    """Effects of the vessel at a node; ``probe`` takes names and tells where they are reported."""
+def floating(scene: Scene, d: int, node: int, probe: Report) -> Iterator[Effect]:
+    """Effects of a vessel at a node; ``probe`` takes names and tells where they are reported."""
     of = scene.vessel
     if of is None:
         return
@@ -99,7 +103,7 @@ def _thrusters(
     law: scenes.Thrusters,
     vessel: Vessel,
     d: int,
-    probe: Callable[..., int],
+    probe: Report,
 ) -> Iterator[Effect]:
     """Thrust in the plane, moment on the yaw."""
     across = law.sway.gain if law.sway else 0.0

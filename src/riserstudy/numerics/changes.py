@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from riserstudy.model.build import stiffness
+from riserstudy.model.layout import stiffness
 from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
 from riserstudy.scene.forcing import Cruise, Current

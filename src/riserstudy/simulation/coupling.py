@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from riserstudy.effects.exchange import LentForce, ToldMotion
 from riserstudy.errors import SimulationError
-from riserstudy.model.model import Effect, Model
+from riserstudy.model.model import Effect, Model, Unknowns
 from riserstudy.model.vessel import floating, loose_nodes, unknowns
 from riserstudy.scene.models import Scene
 from riserstudy.scene.vessel import Coupling
@@ -29,7 +29,7 @@ from riserstudy.solve.evaluate import forces_and_tangent, move_to
 from riserstudy.solve.implicit import Method, march
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.record import Record, new_record
-from riserstudy.solve.state import OTHER, OWN, State
+from riserstudy.solve.state import State
 from riserstudy.solve.sums import DONE, HALVED, ITERATIONS, Sums, fail, new_sums
 
 FloatArray = NDArray[np.float64]
@@ -65,7 +65,7 @@ def sides_of(scene: Scene, model: Model, steps: int) -> Sides:
     loose = loose_nodes(scene, d)
     held = [(i, u) for i in range(2 + loose) for u in range(m + d) if (i, u - m) not in free]
     # a metre of string without mass or stiffness, with the platform for its top
-    platform = Model(np.ones(1), d, m, effects, held, (OWN, OTHER), probes=names, loose=loose)
+    platform = Model(Unknowns(np.ones(1), d, m, probes=names, loose=loose), effects, held)
     platform.s.r[:, :2] = s.r[:, [top]]
     platform.s.r[-1, 0] -= 1.0
 

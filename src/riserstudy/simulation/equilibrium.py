@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from riserstudy.effects.current import Current
 from riserstudy.errors import PhysicallyUnstable, SimulationError
-from riserstudy.model.build import build, stiffness
+from riserstudy.model.build import build
+from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.model import Model
 from riserstudy.model.tensioner_law import tension_at_mid_stroke
@@ -49,7 +51,7 @@ def _equilibrium(
     scene: Scene, mesh: Mesh, elevation: float | None, d: int | None
 ) -> tuple[Model, Equilibrium]:
     model = build(scene, mesh, elevation, d)
-    current = any(effect.name == "current" for effect in model.effects)
+    current = model.has(Current)
     tolerance = 1e-10 * float(mesh.l0.sum())
     try:
         found = find_equilibrium(

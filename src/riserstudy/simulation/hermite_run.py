@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
-from riserstudy.model.build import flexibility_of, stiffness
 from riserstudy.model.hydrodynamics import wave_of
+from riserstudy.model.layout import flexibility_of, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.sea import current_table
 from riserstudy.scene.analysis import Newmark

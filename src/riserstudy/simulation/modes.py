@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
-from riserstudy.model.build import AXES, directions, stiffness
+from riserstudy.model.layout import AXES, directions, stiffness
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle

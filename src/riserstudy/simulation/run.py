@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, StepFailed
-from riserstudy.model.build import AXES, stiffness
+from riserstudy.model.layout import AXES, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.tensioner_law import leaves_table, stops_touched

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from riserstudy.errors import PhysicallyUnstable, SimulationError
-from riserstudy.model.build import stiffness
+from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import COARSEST, Layer, Mesh, even, graded
 from riserstudy.model.model import Model
 from riserstudy.model.sea import depth_of_action

@@ -1,0 +1,79 @@
+"""Bending of the string, and what holds its ends in direction."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.effects.bending import Bending
+from riserstudy.effects.bending_damping import BendingDamping
+from riserstudy.effects.bending_damping_in_space import SpatialBendingDamping
+from riserstudy.effects.bending_in_space import SpatialBending
+from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
+from riserstudy.effects.foreshortening import Foreshortening
+from riserstudy.model.layout import Layout, flexibility_of
+from riserstudy.model.model import Effect
+from riserstudy.solve.state import OTHER, OWN
+
+
+def flexibility(of: Layout) -> NDArray[np.float64]:
+    """Flexibility l/EI of each segment, (n,), rad/(N m)."""
+    joint = of.scene.top.telescopic_joint
+    stiff = joint.bending_stiffness if joint else 0.0
+    return of.mesh.l0 / of.per_segment(lambda k: of.sections[k].bending, stiff)
+
+
+def shared_flexibility(of: Layout) -> NDArray[np.float64]:
+    """Turn of a segment's end by its own and by the far moment, (n, 2), rad/(N m).
+
+    The moment is a parabola over three nodes; it is straight where it has a corner or an end holds it.
+    """
+    own, other = np.full(of.last, OWN), np.full(of.last, OTHER)
+    straight = [0] if flexibility_of(of.scene.bottom.rotation) is not None else []
+    straight += [-1] if flexibility_of(of.scene.top.rotation) is not None else []
+    straight += (
+        [-1, -2] if of.scene.top.telescopic_joint else []
+    )  # the moment has a corner at the ring
+    body = of.scene.bottom.body
+    for k in [*of.jointed, *([1] if body and body.reach else [])]:
+        straight += [of.mesh.foot(k) - 1, of.mesh.foot(k)]  # and where a joint or rigid body is
+    own[straight], other[straight] = 1.0 / 3.0, 1.0 / 6.0
+    return np.stack([own, other], axis=1) * flexibility(of)[:, None]
+
+
+def bending(of: Layout, relaxation: float) -> Iterator[Effect]:
+    """Bending and its damping, with the time (s) by which moments lag behind curvature; end joints."""
+    why = "riser.young_modulus or bending_stiffness"
+    own, other = shared_flexibility(of).T
+    flex = np.zeros(of.last + 1)
+    flex[:-1] += own
+    flex[1:] += own
+    record: Any = (Bending if of.m == 1 else SpatialBending)(flex, other.copy())
+    yield Effect("bending", record, why)
+    yield Effect("foreshortening", Foreshortening(of.axial * flexibility(of) ** 2 / 72.0), why)
+    if relaxation:
+        if of.m == 1:
+            record = BendingDamping(relaxation, *np.zeros((2, of.last + 1)))
+        else:
+            record = SpatialBendingDamping(relaxation, *np.zeros((2, 3, of.last + 1)))
+        yield Effect("bending damping", record, "riser.structural_damping")
+    yield from _end_joints(of)
+
+
+def _end_joints(of: Layout) -> Iterator[Effect]:
+    bottom, top = of.scene.bottom, of.scene.top
+    for node, end, name in ((0, bottom, "bottom"), (of.last, top, "top")):
+        soft = flexibility_of(end.rotation)
+        if soft is None:
+            continue
+        follows = end is top and top.x == "platform"
+        record: Any = FlexJoint(node, soft, 0.0, float(follows))
+        if of.m == 3:
+            upwards = np.array([0.0, 0.0, 1.0])
+            held = np.stack([upwards, *np.zeros((2, 3))])
+            record = SpatialFlexJoint(node, soft, upwards, int(follows), held)
+        yield Effect("flex joint" if soft > 0.0 else "clamp", record, f"{name}.rotation")

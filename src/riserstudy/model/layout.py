@@ -1,0 +1,144 @@
+"""A scene laid out on a mesh: directions, elevations and section values by segment, before any effect."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.vessel import loose_nodes
+from riserstudy.scene.ends import FlexJoint, Rotation
+from riserstudy.scene.models import Scene
+from riserstudy.scene.riser import Section
+
+FloatArray = NDArray[np.float64]
+Report = Callable[
+    ..., int
+]  # takes names that effects report under, and tells the first one's place
+AXES = {1: [2], 2: [0, 2], 3: [0, 1, 2]}  # which of x, y, z a model of so many directions has
+
+
+class Stiffness(NamedTuple):
+    """Stiffness and inner area of a section."""
+
+    axial: float  # EA (N)
+    bending: float  # EI (N m2), 0 for a string
+    bore: float  # inner area (m2)
+
+
+def stiffness(section: Section) -> Stiffness:
+    """EA, EI and bore of a section."""
+    return Stiffness(*section.elasticity, 0.25 * math.pi * (section.inner_diameter or 0.0) ** 2)
+
+
+def directions(scene: Scene) -> int:
+    """Directions that the scene needs: 1 along the riser, 2 in a plane, 3 in space."""
+    if scene.spatial:
+        return 3
+    return 2 if scene.lateral else 1
+
+
+def flexibility_of(rotation: Rotation | None) -> float | None:
+    """1/K of what holds an end in direction (rad/(N m)), 0 for a clamp, None where it turns freely."""
+    if isinstance(rotation, FlexJoint):
+        return 1.0 / rotation.stiffness if rotation.stiffness > 0.0 else None
+    return 0.0 if rotation == "fixed" else None
+
+
+class Layout(NamedTuple):
+    """What the effects of a scene on a mesh are made from."""
+
+    scene: Scene
+    mesh: Mesh
+    d: int  # directions
+    m: int  # bending moments of a node
+    sections: list[Stiffness]
+    axial: FloatArray  # (n,) EA of the segments (N), 0 in a telescopic joint
+    weight: FloatArray  # (n,) in water with contents (N/m)
+    bottom: float  # elevation of the riser's lower end (m)
+    top: float | None  # elevation of the upper end at rest (m); None: found by statics
+    ring: float | None  # elevation of the tension ring at rest (m); None: found by statics
+    loose: int  # nodes beyond the riser's
+
+    @property
+    def gravity(self) -> float:
+        """In m/s2, 0 where the scene has none."""
+        return self.scene.gravity or 0.0
+
+    @property
+    def density(self) -> float:
+        """Of the water (kg/m3), 0 without water."""
+        return self.scene.water.density if self.scene.water else 0.0
+
+    @property
+    def last(self) -> int:
+        """The riser's last node."""
+        return len(self.mesh.l0)
+
+    def per_segment(self, value: Callable[[int], float], joint: float = 0.0) -> FloatArray:
+        """Values of the sections by number, over the segments, (n,); ``joint`` of a telescopic joint."""
+        return per_segment(self.scene, self.mesh, value, joint)
+
+    def along(self, heading: float | None) -> FloatArray:
+        """Unit vector of a heading (rad) in the horizontal directions of the model, (d - 1,)."""
+        return np.array([math.cos(heading or 0.0), math.sin(heading or 0.0)])[: self.d - 1]
+
+    @property
+    def jointed(self) -> list[int]:
+        """Sections with a flex joint below them."""
+        return [k for k, section in enumerate(self.scene.riser) if section.flex_joint_below]
+
+
+def layout_of(scene: Scene, mesh: Mesh, ring_elevation: float | None, d: int) -> Layout:
+    """Layout of a scene on a mesh in ``d`` directions.
+
+    Parameters
+    ----------
+    ring_elevation : elevation of the riser's top found by an earlier statics (m), None before.
+    """
+    sections = [stiffness(section) for section in scene.riser]
+    bends = d > 1 and all(section.bending > 0 for section in sections)
+    contents = [s.contents.density if s.contents else 0.0 for s in scene.riser]
+    gravity = scene.gravity or 0.0
+
+    def weight(k: int) -> float:
+        own = scene.riser[k].submerged_weight or 0.0
+        return own + contents[k] * sections[k].bore * gravity
+
+    bottom = scene.bottom.elevation or 0.0
+    if scene.bottom.hold == "free":
+        bottom = (scene.top.elevation or 0.0) - float(mesh.l0.sum())
+    top = scene.top.elevation if scene.top.elevation is not None else ring_elevation
+    return Layout(
+        scene,
+        mesh,
+        d,
+        {2: 1, 3: 3}[d] if bends else 0,
+        sections,
+        axial=per_segment(scene, mesh, lambda k: sections[k].axial),
+        weight=per_segment(scene, mesh, weight),
+        bottom=bottom,
+        top=top,
+        ring=top if ring_elevation is None and not mesh.joint else ring_elevation,
+        loose=loose_nodes(scene, d),
+    )
+
+
+def per_segment(
+    scene: Scene, mesh: Mesh, value: Callable[[int], float], joint: float = 0.0
+) -> FloatArray:
+    """Values of the sections by number, over the segments, (n,); ``joint`` of a telescopic joint."""
+    values = [float(value(k)) for k in range(len(scene.riser))]
+    return np.array([*values, joint])[mesh.section]
+
+
+def halves(segment: FloatArray) -> FloatArray:
+    """Half of each segment's load to either node, (n + 1,)."""
+    nodes = np.zeros(len(segment) + 1)
+    nodes[:-1] += 0.5 * segment
+    nodes[1:] += 0.5 * segment
+    return nodes

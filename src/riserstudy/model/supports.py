@@ -1,0 +1,80 @@
+"""What holds the riser's ends, and the unknowns that solvers leave alone for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.support import Support
+from riserstudy.model.layout import AXES, Layout, flexibility_of
+from riserstudy.model.model import Effect
+from riserstudy.model.platform_motion import centre
+from riserstudy.model.vessel import unknowns
+
+Pairs = list[tuple[int, int]]  # (node, unknown); moments count before positions
+
+
+class Hold(NamedTuple):
+    """Where and in which of x, y, z a node is held, and which of them follow the platform."""
+
+    node: int
+    place: list[float]  # m
+    held: list[bool]
+    follow: list[bool]
+    because: str
+
+
+def holds(of: Layout) -> Iterator[Hold]:
+    """How the ends are held."""
+    bottom, top = of.scene.bottom, of.scene.top
+    if bottom.hold in ("wellhead", "foot"):
+        sideways = bottom.hold == "wellhead"
+        place = [0.0, 0.0, of.bottom]
+        yield Hold(0, place, [sideways, sideways, True], [False] * 3, "bottom.hold")
+    held = [top.x not in (None, "free")] * 2 + [top.z != "free"]
+    if top.x == "vessel":
+        held[0], held[1] = False, (of.last, 1) not in unknowns(of.scene, of.d, of.last)
+    if any(held[k] for k in AXES[of.d]):
+        follow = [top.x == "platform"] * 2 + [top.z == "platform"]
+        # free in z, it turns with the platform from where the riser ends before it stretches
+        high = of.bottom + float(of.mesh.l0.sum()) if of.top is None else of.top
+        yield Hold(of.last, [top.offset or 0.0, 0.0, high], held, follow, "top.x, top.z")
+
+
+def supports(of: Layout) -> Iterator[Effect]:
+    """Effects that keep held nodes in their places."""
+    axes = np.array(AXES[of.d])
+    for hold in holds(of):
+        record = Support(
+            hold.node,
+            np.array(hold.place),
+            axes,
+            np.array(hold.held, np.int64)[axes],
+            np.array(hold.follow, np.int64)[axes],
+            np.array(hold.place) - centre(of.scene.platform),
+            np.zeros((3, 3)),
+        )
+        yield Effect("support", record, hold.because)
+
+
+def fixed(of: Layout) -> Pairs:
+    """Unknowns that stay as they are: held positions, moments of ends that turn freely, loose nodes."""
+    pairs = [
+        (hold.node, of.m + k)
+        for hold in holds(of)
+        for k, axis in enumerate(AXES[of.d])
+        if hold.held[axis]
+    ]
+    for node, end in ((0, of.scene.bottom), (of.last, of.scene.top)):
+        if flexibility_of(end.rotation) is None:
+            pairs += [(node, u) for u in range(of.m)]
+    loose = range(of.last + 1, of.last + 1 + of.loose)
+    every = {(node, k) for node in loose for k in range(of.m + of.d)}
+    return [*pairs, *every.difference(afloat(of))]
+
+
+def afloat(of: Layout) -> Pairs:
+    """Unknowns that are free because a vessel floats, though held at rest."""
+    return [(node, of.m + k) for node, k in unknowns(of.scene, of.d, of.last)]
