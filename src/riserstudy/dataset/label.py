@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from riserstudy.dataset.result import Result
 
+UNLABELLED = ("zero_", "mesh_")  # what tells values between nodes and displacements
 S_DIGITS = 9  # decimals of arclengths (m), by which a node is selected
 
 
@@ -63,7 +64,7 @@ def quantities(arrays: dict[str, Any]) -> dict[str, tuple[tuple[str, ...], str]]
     found = {
         name: (dimensions(name, values), name)
         for name, values in arrays.items()
-        if name not in coords and name != "l0" and not name.startswith("zero_")
+        if name not in coords and name != "l0" and not name.startswith(UNLABELLED)
     }
     if "time" not in arrays:
         for name in [name for name in found if name.endswith("_static")]:

@@ -8,7 +8,12 @@ from pathlib import Path
 
 from riserstudy.scene.load import read_yaml
 
-ENDINGS = {"_max": "largest ", "_min": "smallest ", "_static": "static "}
+ENDINGS = {
+    "_max": "largest ",
+    "_min": "smallest ",
+    "_absmax": "largest size of ",
+    "_static": "static ",
+}
 OVER_TIME = {
     "_largest": "largest ",
     "_smallest": "smallest ",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import product
+from textwrap import fill
 
 import numpy as np
 import xarray as xr
@@ -17,7 +18,11 @@ from riserstudy.figures.style import key_below, panels
 WITHIN_A_RUN = ("time", "s", "s_node", "cylinder")  # dimensions that are no axes of the grid
 MOST = 7  # curves or panels that a figure shows apart
 ENDINGS = ("_max", "_min")
+SIZE = "_absmax"  # the largest, whatever its sign
+#: quantities whose sign is a convention: what matters is how large they are
+SIGNED = ("bending_moment", "x", "y", "ufj_angle", "lfj_angle")
 CHARACTERS = 14.0  # of a legend, in an inch
+WRAPPED = 36  # characters, beyond which a label goes on below
 LINE = 0.2  # inches, of a legend
 
 #: factor and name of the unit that one reads a value in
@@ -70,20 +75,31 @@ def _called(value: xr.DataArray) -> str:
 
 
 def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
-    """A quantity as one number a point; ``_max`` and ``_min`` are those over the riser and all times.
+    """A quantity as one number a point; endings say which of those over the riser and all times.
 
     Raises
     ------
     InputError
         When the dataset holds nothing of that name.
     """
-    ending = next((e for e in ENDINGS if name.endswith(e)), "")
+    ending = next((e for e in (*ENDINGS, SIZE) if name.endswith(e)), "")
     values = dataset.get(name, dataset.get(name.removesuffix(ending)))
+    if ending == SIZE and name not in dataset:
+        values = _size(dataset, name.removesuffix(SIZE))
     if values is None or values.dtype.kind not in "fiu":
         raise absent(dataset, name.removesuffix(ending))
     within = [dim for dim in values.dims if dim in WITHIN_A_RUN]
     reduced: xr.DataArray = values.min(within) if ending == "_min" else values.max(within)
     return reduced.rename(name).assign_attrs(attributes(name) or values.attrs)
+
+
+def _size(dataset: xr.Dataset, name: str) -> xr.DataArray | None:
+    """Size of a quantity, from its history or its extremes; None where there is neither."""
+    sides = [n for n in (name, *(name + end for end in ENDINGS)) if n in dataset]
+    if not sides or dataset[sides[0]].dtype.kind not in "fiu":
+        return None
+    of = [abs(dataset[side]) for side in sides]
+    return of[0] if sides[0] == name else xr.concat(of, "side").max("side")
 
 
 def absent(dataset: xr.Dataset, name: str) -> InputError:
@@ -102,7 +118,8 @@ def present(dataset: xr.Dataset, names: Iterable[str]) -> list[str]:
         When it has none of them.
     """
     wanted = list(names)
-    found = [name for name in wanted if {name, *(name + end for end in ENDINGS)} & set(dataset)]
+    ends = ("", *ENDINGS, SIZE)
+    found = [name for name in wanted if {name + end for end in ends} & set(dataset)]
     if not found:
         raise absent(dataset, wanted[0])
     return found
@@ -125,14 +142,22 @@ def label(values: xr.DataArray) -> str:
     name = about(values).get("long_name", str(values.name).replace("_", " "))
     if values.dtype.kind not in "fiu":
         return name
-    return f"{name} ({READ_IN.get(unit, (1.0, unit))[1]})"
+    unit = READ_IN.get(unit, (1.0, unit))[1].replace(" ", "\0")  # which is not taken apart
+    return fill(f"{name} ({unit})", WRAPPED).replace("\0", " ")
 
 
 def varies_within(dataset: xr.Dataset, name: str) -> bool:
     """Whether a quantity has many values a point, so that its extremes are of interest."""
     if name in dataset:
         return any(dim in WITHIN_A_RUN for dim in dataset[name].dims)
-    return not name.endswith(ENDINGS)
+    return not name.endswith((*ENDINGS, SIZE))
+
+
+def ends_of(dataset: xr.Dataset, name: str) -> list[str]:
+    """The extremes that tell most of a quantity: its size where the sign is a convention."""
+    if not varies_within(dataset, name):
+        return [name]
+    return [name + SIZE] if name in SIGNED else [name + end for end in ENDINGS]
 
 
 def laid_out(count: int) -> tuple[Figure, list[Axes]]:

@@ -12,24 +12,25 @@ from numpy.typing import NDArray
 
 from riserstudy.figures.grid import (
     ENDINGS,
+    SIZE,
     along,
+    ends_of,
     extreme,
     label,
     laid_out,
     points,
     present,
     read,
-    varies_within,
 )
 
-#: the extreme that matters
+#: quantities of which most is seen, with the extreme that matters
 EXTREMES = {
-    "bending_moment": "bending_moment_max",
-    "effective_tension": "effective_tension_min",
-    "x": "x_max",
-    "ufj_angle": "ufj_angle_max",
-    "stroke": "stroke_max",
-    "z": "z_max",
+    "bending_moment": "_absmax",
+    "effective_tension": "_min",
+    "x": "_absmax",
+    "ufj_angle": "_absmax",
+    "stroke": "_max",
+    "z": "_max",
 }
 PANELS = 4
 LEAST = 1e-3  # share of a value that the colours tell apart
@@ -39,8 +40,12 @@ def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     """One panel a quantity; where the grid has a third axis, the first quantity at some of its points."""
     across, up = along(dataset, 2)
     names = of or present(dataset, EXTREMES)[:PANELS]
-    whole = [n for n in names if not varies_within(dataset, n) or n.endswith(ENDINGS)]
-    ends = [n if n in whole else EXTREMES.get(n, n + ENDINGS[0]) for n in names]
+    ends = [
+        n
+        if ends_of(dataset, n) == [n] or n.endswith((*ENDINGS, SIZE))
+        else n + EXTREMES.get(n, "_max")
+        for n in names
+    ]
     extremes = xr.Dataset({end: extreme(dataset, end) for end in ends})
     slices = points(extremes, over=[across, up])
     shown = [

@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.figures.grid import (
-    ENDINGS,
     along,
+    ends_of,
     extreme,
     key,
     label,
@@ -16,7 +16,6 @@ from riserstudy.figures.grid import (
     points,
     present,
     read,
-    varies_within,
 )
 from riserstudy.figures.style import COLOURS, GREY
 
@@ -27,18 +26,24 @@ DENSE = 30  # values, beyond which no markers are drawn
 
 
 def lines(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
-    """One panel a quantity: largest (solid) and smallest value (dashed) of each run, or its one value."""
+    """One panel a quantity: largest (solid) and smallest value (dashed) of each run, or its one value.
+
+    Where the sign is a convention the largest size is drawn.
+    """
     (axis,) = along(dataset, 1)
     names = of or present(dataset, QUANTITIES)[:PANELS]
     figure, axes = laid_out(len(names))
     for ax, name in zip(axes, names, strict=True):
-        ends = [name + end for end in ENDINGS] if varies_within(dataset, name) else [name]
+        ends = ends_of(dataset, name)
         extremes = xr.Dataset({end: extreme(dataset, end) for end in ends})
         for end, style in zip(ends, STYLES, strict=False):
             _draw(ax, extremes, end, axis, style)
         ax.set_xlabel(label(dataset[axis]))
-        ax.set_ylabel(label(dataset.get(name, extremes[ends[0]])))
-    for style, word in zip(STYLES, ("largest", "smallest"), strict=True):
+        ax.set_ylabel(
+            label(extremes[ends[0]] if len(ends) == 1 else dataset.get(name, extremes[ends[0]]))
+        )
+    both = any(len(ends_of(dataset, name)) > 1 for name in names)
+    for style, word in zip(STYLES, ("largest", "smallest") if both else (), strict=False):
         axes[0].plot([], [], style, color=GREY, label=word)
     key(figure, axes[0])
     return figure

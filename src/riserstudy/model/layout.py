@@ -142,3 +142,10 @@ def halves(segment: FloatArray) -> FloatArray:
     nodes[:-1] += 0.5 * segment
     nodes[1:] += 0.5 * segment
     return nodes
+
+
+def corners(of: Layout) -> list[int]:
+    """Nodes at which shear may jump, so that the moment's slope does: ends, ring, joints, rigid bodies."""
+    body = of.scene.bottom.body
+    feet = [*of.jointed, *([1] if body and body.reach else [])]
+    return [0, *(of.mesh.foot(k) for k in feet), of.mesh.ring, of.last]

@@ -16,7 +16,7 @@ from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.run import EVERYWHERE, single
+from riserstudy.simulation.run import single
 
 
 class Outcome(StrEnum):
@@ -64,9 +64,7 @@ def attempt(run: Callable[[], Result]) -> Attempt:
 
 def attempt_on(scene: Scene, mesh: Mesh, step: float | None, budget: float) -> Attempt:
     """Run on a mesh with a step, unless that takes more node-steps than the budget."""
-    return too_long(scene, mesh, step, budget) or attempt(
-        lambda: single(scene, mesh, step, EVERYWHERE)
-    )
+    return too_long(scene, mesh, step, budget) or attempt(lambda: single(scene, mesh, step, True))
 
 
 def too_long(scene: Scene, mesh: Mesh, step: float | None, budget: float) -> Attempt | None:

@@ -21,7 +21,8 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
-from riserstudy.simulation.run import EXPLICIT_BOUND, quantities, single
+from riserstudy.simulation.outputs import quantities
+from riserstudy.simulation.run import EXPLICIT_BOUND, single
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.explicit import accelerate
 from riserstudy.solve.jit import kernel

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import make_interp_spline
 
 from riserstudy.dataset.result import Result
+from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
@@ -35,10 +35,12 @@ def estimate(
 def difference(coarse: Result, fine: Result) -> dict[str, float]:
     """Relative difference of two runs, by quantity.
 
-    Envelopes and the static state are compared at all nodes, histories at the stations, so that an
-    error in phase counts too. The scale is the largest value anywhere.
+    Envelopes and the static state are compared at the nodes of the coarse run, the largest moment wherever
+    it is, histories at those nodes or at stations, so that an error in phase counts too; between nodes
+    values are those of the elements. The scale is the largest value anywhere.
     """
     found = {}
+    histories = _histories(coarse.arrays, fine.arrays)
     for name, fields in (
         ("displacement", ("x", "y", "z")),
         ("tension", ("effective_tension",)),
@@ -46,28 +48,61 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     ):
         scale, off = 0.0, 0.0
         for field in fields:
-            for low, up in _pairs(coarse.arrays, fine.arrays, field):
+            pairs = [*_states(coarse.arrays, fine.arrays, field)]
+            if field in histories:
+                pairs.append(histories[field])
+            for low, up in pairs:
                 scale = max(scale, float(np.abs(up).max()))
                 off = max(off, float(np.abs(up - low).max()))
+        peaks = [largest_moment(one.arrays) for one in (coarse, fine)] if name == "moment" else []
+        if peaks and peaks[0] and peaks[1]:
+            off = max(off, abs(peaks[1][0] - peaks[0][0]))
         rounding = 1e-9 * float(fine.arrays["s_node"][-1]) if name == "displacement" else 0.0
         if scale > rounding:
             found[name] = off / scale
     return found
 
 
-def _pairs(coarse: Arrays, fine: Arrays, field: str) -> Iterator[tuple[Array, Array]]:
-    """The same values of both runs: envelopes, static state, histories; displacements from straight."""
-    s0, s1 = coarse["s_node"], fine["s_node"]
-    zero0, zero1 = (a.get("zero_" + field, np.zeros_like(a["s_node"])) for a in (coarse, fine))
+def _zero(arrays: Arrays, field: str) -> Array:
+    """Positions that displacements count from, at the nodes."""
+    return arrays.get("zero_" + field, np.zeros_like(arrays["s_node"]))
+
+
+def _states(coarse: Arrays, fine: Arrays, field: str) -> Iterator[tuple[Array, Array]]:
+    """Envelopes and static state of both runs at the nodes of the coarse one."""
+    curve = curve_of(fine)
+    between = curve.straight if field == "effective_tension" else curve.cubic
     for end in ("_max", "_min", "_static"):
         if field + end in fine:
-            yield coarse[field + end] - zero0, np.interp(s0, s1, fine[field + end] - zero1)
-    if field in fine and "time" in coarse:
-        mine, yours = coarse["s"], fine["s"]
-        _, here, there = np.intersect1d(np.round(mine, 6), np.round(yours, 6), return_indices=True)
-        if len(here):
-            low = coarse[field][:, here] - np.interp(mine[here], s0, zero0)
-            yield low, fine[field][:, there] - np.interp(yours[there], s1, zero1)
-        else:  # no station on a node of the coarse mesh
-            low = make_interp_spline(mine, coarse[field] - zero0, k=min(3, len(mine) - 1), axis=1)
-            yield low(yours), fine[field] - np.interp(yours, s1, zero1)
+            low = coarse[field + end] - _zero(coarse, field)
+            yield low, between(fine[field + end] - _zero(fine, field), coarse["s_node"])
+
+
+def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
+    """Histories of both runs by field: at the nodes of the coarse one, or at the fine one's stations."""
+    if "time" not in coarse or "time" not in fine:
+        return {}
+    if len(fine["s"]) == len(fine["s_node"]):
+        places = coarse["s_node"]
+        low, up = coarse, _at(fine, places)
+    else:
+        places = fine["s"]
+        low, up = _at(coarse, places), fine
+    found: dict[str, tuple[Array, Array]] = {}
+    for field in ("x", "y", "z", "effective_tension", "bending_moment"):
+        if field in up and field in low:
+            away = [curve_of(run).straight(_zero(run, field), places) for run in (coarse, fine)]
+            found[field] = low[field] - away[0], up[field] - away[1]
+    return found
+
+
+def _at(arrays: Arrays, places: Array) -> Arrays:
+    """Histories at places; those of nodes as they are."""
+    node = np.searchsorted(arrays["s_node"], places - SAME * arrays["s_node"][-1])
+    if np.allclose(arrays["s_node"][node], places, rtol=0.0, atol=SAME * arrays["s_node"][-1]):
+        return {
+            name: values[:, node]
+            for name, values in arrays.items()
+            if name in ("x", "y", "z", "effective_tension", "bending_moment")
+        }
+    return at_stations(arrays, places)

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from riserstudy.effects.registry import ROLES
+from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.solve.evaluate import force_of, shape_of
 from riserstudy.solve.program import assemble
+from riserstudy.solve.sums import EVALUATIONS, Sums
 
 
 def suspect(model: Model, node: int) -> str:
@@ -28,3 +30,17 @@ def suspect(model: Model, node: int) -> str:
         if not np.isfinite(size):
             return f"{effect.name} (undefined)"
     return name
+
+
+def why(model: Model, mesh: Mesh, sums: Sums) -> str:
+    """What to tell about a step that failed: time, node, effect and remedy."""
+    time, node, size = sums.failure
+    how = "Newton's iteration did not converge even after halving the step"
+    if sums.count[EVALUATIONS]:
+        how = "velocities grow without bound"
+    return (
+        f"stopped at t = {time:.6g} s, node {int(node)} (s = {mesh.s[int(node)]:.4g} m), last correction "
+        f"{size:.3g} m: {how}; largest force there: "
+        f"{suspect(model, int(node))}. Take a smaller step, a ramp for sudden motions, or check "
+        "stroke and tension"
+    )

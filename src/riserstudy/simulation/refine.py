@@ -12,7 +12,8 @@ from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, difference, estimate
-from riserstudy.simulation.run import EVERYWHERE, keep_stations, single
+from riserstudy.simulation.outputs import keep_stations
+from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.time_stepping import steps_in
 
@@ -43,7 +44,9 @@ def run(scene: Scene, patience: float = math.inf) -> Result:
         When the next refinement would take more than is left of ``patience`` (s).
     """
     started = clock.perf_counter()
-    result = _refined(scene, patience) if scene.analysis.mesh is None else _as_asked(scene)
+    result = (
+        Refinement(scene, patience).result() if scene.analysis.mesh is None else _as_asked(scene)
+    )
     result.facts["wall_seconds"] = clock.perf_counter() - started
     return result
 
@@ -61,9 +64,7 @@ def _as_asked(scene: Scene) -> Result:
     for k in (2, 4):
         step = k * a.step if a.step and a.method != "explicit" else a.step
         try:
-            runs.insert(
-                0, single(scene, prescribed(scene, max(1, elements // k)), step, EVERYWHERE)
-            )
+            runs.insert(0, single(scene, prescribed(scene, max(1, elements // k)), step, True))
         except SimulationError:  # a coarse mesh may buckle, a long step fail
             break
     result = single(scene, prescribed(scene, elements), a.step)
@@ -78,85 +79,131 @@ def _as_asked(scene: Scene) -> Result:
     return result
 
 
-def _refined(scene: Scene, patience: float) -> Result:
-    """Refine mesh or step, whichever errs more, until both errors together are below what is asked for.
+class Refinement:
+    """Halve mesh or step, whichever errs more, until both errors together are below what is asked for.
 
     Every run is compared with the one before, which differs in mesh or in step alone. Where halving one
     did not help, the other is next. A long step damps what a fine mesh would show, and the other way
     round; so an error that was seen long before the end is not believed.
     """
-    a = scene.analysis
-    target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
-    target["tension"] = target["moment"]
-    mesh = coarsest_mesh(scene)
-    step = _longest_step(scene) if a.duration else None
-    ways = [] if massless(scene) else ["mesh"]
-    ways += ["step"] if step else []
-    if not ways:  # a massless spring at rest is exact
-        return single(scene, mesh, step)
-    seen: dict[str, Halved] = {}
-    way, astray, helps = ways[0], 0, True
-    refinements: list[dict[str, Any]] = []
-    excess: list[float] = []  # of the estimates, once there is one of mesh and step
-    result: Result | None = None
-    for left in range(RUNS, -1, -1):
+
+    def __init__(self, scene: Scene, patience: float) -> None:
+        a = scene.analysis
+        self.scene, self.patience = scene, patience
+        self.target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
+        self.target["tension"] = self.target["moment"]
+        self.mesh = coarsest_mesh(scene)
+        self.step = _longest_step(scene) if a.duration else None
+        self.ways = [] if massless(scene) else ["mesh"]
+        self.ways += ["step"] if self.step else []
+        self.way = self.ways[0] if self.ways else ""  # what was halved last
+        self.seen: dict[str, Halved] = {}  # by way
+        self.helps = True  # whether halving it brought the differences down
+        self.lost = 0  # meshes without equilibrium
+        self.last: Result | None = None  # to compare the next run with
+        self.spent: list[dict[str, Any]] = []  # what each run cost
+        self.excess: list[float] = []  # of the estimates, once there is one of mesh and step
+
+    def result(self) -> Result:
+        """The finest run, with the error estimated for it."""
+        if not self.ways:  # a massless spring at rest is exact
+            return single(self.scene, self.mesh, self.step)
+        left = RUNS
+        way: str | None = self.way
+        while True:
+            finer = self._attempt(left)
+            if finer is not None:
+                self._compare(finer)
+                way = self._next_way()
+                if way is None or left == 0:
+                    break
+                self._ask_patience(finer)
+                self._halve(way)
+            left -= 1
+        if way is not None:
+            finer.facts["warnings"].append(
+                f"accuracy not reached after {RUNS} refinements: {_worst(self.error)} estimated"
+            )
+        finer.facts["solve_seconds"] = _spent(self.spent)
+        finer.facts["refinements"] = self.spent
+        output = self.scene.analysis.output
+        keep_stations(finer, output.stations if output else None)
+        return finer
+
+    @property
+    def error(self) -> dict[str, float]:
+        """Estimated error of mesh and step together, by quantity."""
+        return {
+            name: sum(one.error.get(name, 0.0) for one in self.seen.values())
+            for name in self.target
+        }
+
+    def _attempt(self, left: int) -> Result | None:
+        """A run on the present mesh and step; None where it failed, and both are finer now."""
         try:
-            finer = single(scene, mesh, step, EVERYWHERE)
-        except StepFailed:
-            if left == 0 or step is None:
-                raise
-            step, result = 0.5 * step, None
-            continue
+            return single(self.scene, self.mesh, self.step, True)
         except PhysicallyUnstable:
             raise
-        except SimulationError:  # no equilibrium found on this mesh
-            astray += 1
-            if astray > 2 or "mesh" not in ways:
+        except StepFailed:
+            if left == 0 or self.step is None:
                 raise
-            mesh, result = mesh.halved(), None
-            continue
-        refinements.append({name: finer.facts.get(name) for name in SPENT})
-        if result is not None:
-            now = Halved(difference(result, finer), seen.get(way))
-            helps = way not in seen or (
-                _excess(seen[way].change, target) > FALL * _excess(now.change, target)
+            self.step, self.last = 0.5 * self.step, None
+        except SimulationError:  # no equilibrium found on this mesh
+            self.lost += 1
+            if left == 0 or self.lost > 2 or "mesh" not in self.ways:
+                raise
+            self.mesh, self.last = self.mesh.halved(), None
+        return None
+
+    def _compare(self, finer: Result) -> None:
+        """See what the last halving changed, and tell the run its error."""
+        self.spent.append({name: finer.facts.get(name) for name in SPENT})
+        if self.last is not None:
+            before = self.seen.get(self.way)
+            now = Halved(difference(self.last, finer), before)
+            self.helps = before is None or (
+                self._excess(before.change) > FALL * self._excess(now.change)
             )
-            for one in seen.values():
+            for one in self.seen.values():
                 one.since += 1
-            seen[way] = now
-        result = finer
-        total = {name: sum(one.error.get(name, 0.0) for one in seen.values()) for name in target}
-        told = seen[way].change if way in seen else {}
-        finer.facts["error_estimate"] = {k: v for k, v in total.items() if k in told}
-        unknown = [w for w in ways if w not in seen]
-        if not unknown:
-            excess.append(_excess(total, target))
-            _give_up_buckling(scene, finer, excess)
-        if not unknown and all(total[name] <= limit for name, limit in target.items()):
-            old = [w for w in ways if seen[w].since >= STALE]
-            stale = [w for w in old if _excess(seen[w].error, target) > MATTERS]
-            if not stale:
-                break
-            way = stale[0]
-        elif unknown:
-            way = unknown[0]
-        elif len(ways) > 1 and not helps:  # an error that stays, as of a jolt, may be the other's
-            way = ways[1 - ways.index(way)]
-        else:
-            way = max(ways, key=lambda w: _excess(seen[w].error, target))
-        if _spent(refinements) + 2.0 * finer.facts["solve_seconds"] > patience:
-            by_then = f"{_worst(total)} estimated" if seen else "nothing estimated"
-            raise TakesTooLong(f"takes longer than {patience:g} s; {by_then} by then")
-        mesh = mesh.halved() if way == "mesh" else mesh
-        step = 0.5 * step if step and way == "step" else step
-    else:
-        finer.facts["warnings"].append(
-            f"accuracy not reached after {RUNS} refinements: {_worst(total)} estimated"
-        )
-    finer.facts["solve_seconds"] = _spent(refinements)
-    finer.facts["refinements"] = refinements
-    keep_stations(finer, a.output.stations if a.output else None)
-    return finer
+            self.seen[self.way] = now
+        self.last = finer
+        told = self.seen[self.way].change if self.way in self.seen else {}
+        finer.facts["error_estimate"] = {k: v for k, v in self.error.items() if k in told}
+        if not self._unknown:
+            self.excess.append(self._excess(self.error))
+            _give_up_buckling(self.scene, finer, self.excess)
+
+    @property
+    def _unknown(self) -> list[str]:
+        return [way for way in self.ways if way not in self.seen]
+
+    def _next_way(self) -> str | None:
+        """What to halve next; None where the accuracy is reached."""
+        if self._unknown:
+            return self._unknown[0]
+        if self._excess(self.error) <= 1.0:
+            old = [way for way in self.ways if self.seen[way].since >= STALE]
+            return next((w for w in old if self._excess(self.seen[w].error) > MATTERS), None)
+        if len(self.ways) > 1 and not self.helps:  # an error that stays may be the other's
+            return self.ways[1 - self.ways.index(self.way)]
+        return max(self.ways, key=lambda way: self._excess(self.seen[way].error))
+
+    def _ask_patience(self, finer: Result) -> None:
+        if _spent(self.spent) + 2.0 * finer.facts["solve_seconds"] > self.patience:
+            by_then = f"{_worst(self.error)} estimated" if self.seen else "nothing estimated"
+            raise TakesTooLong(f"takes longer than {self.patience:g} s; {by_then} by then")
+
+    def _halve(self, way: str) -> None:
+        self.way = way
+        if way == "mesh":
+            self.mesh = self.mesh.halved()
+        elif self.step:
+            self.step = 0.5 * self.step
+
+    def _excess(self, error: dict[str, float]) -> float:
+        """The largest error over what is asked for."""
+        return max(error.get(name, 0.0) / limit for name, limit in self.target.items())
 
 
 def _give_up_buckling(scene: Scene, finer: Result, excess: list[float]) -> None:
@@ -198,7 +245,3 @@ def _spent(refinements: list[dict[str, Any]]) -> float:
 
 def _worst(error: dict[str, float]) -> str:
     return ", ".join(f"{name} {100 * value:.2g} %" for name, value in error.items())
-
-
-def _excess(error: dict[str, float], target: dict[str, float]) -> float:
-    return max(error.get(name, 0.0) / limit for name, limit in target.items())

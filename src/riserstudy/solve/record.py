@@ -16,11 +16,16 @@ ROUNDING = 1e-10  # of a time (s)
 
 
 class Record(NamedTuple):
-    """Outputs; q quantities a node: position, effective tension, bending moment (in space its size)."""
+    """Outputs; q quantities a node: position, effective tension, bending moment (in space its size).
+
+    Where risers bend the last of them stands for the middle of the segment above each node. Histories in
+    space have the moment's components, too.
+    """
 
     time: np.ndarray  # (k,) output times (s)
     station: np.ndarray  # (j,) node indices of the histories
-    history: np.ndarray  # (k, q, j)
+    history: np.ndarray  # (k, quantities of a node, j)
+    middle: np.ndarray  # (n, 4) what a moment at a middle takes of nodes e - 1 to e + 2
     largest: np.ndarray  # (q, n+1) envelopes from the first output on
     smallest: np.ndarray  # (q, n+1)
     # end segment's tangent, moments of its end and inner node, length
@@ -34,14 +39,15 @@ class Record(NamedTuple):
     written: np.ndarray  # (1,) outputs written down
 
 
-def new_record(time, station, s) -> Frozen:
-    """Empty record for the sizes of a state, as compiled code takes it."""
+def new_record(time, station, s, middle=None) -> Frozen:
+    """Empty record for the sizes of a state, as compiled code takes it; no ``middle``: none is told."""
     d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
-    q, k = d + 1 + min(m, 1), len(time)
+    q, k = d + 1 + 2 * min(m, 1), len(time)
     record = Record(
         time=np.array(time, float),
         station=np.array(station, np.int64),
-        history=np.zeros((k, q, len(station))),
+        history=np.zeros((k, d + 1 + (0, 1, 0, 4)[m], len(station))),
+        middle=np.zeros((n, 4)) if middle is None else np.array(middle, float),
         largest=np.full((q, n + 1), -np.inf),
         smallest=np.full((q, n + 1), np.inf),
         end=np.zeros((k, 2, d + 2 * m + 1)),
@@ -57,12 +63,13 @@ def new_record(time, station, s) -> Frozen:
 
 
 @inner
-def tabulate(s, values):
-    """Positions, effective tension and moments at the nodes of an evaluated state.
+def tabulate(s, record):
+    """Positions, effective tension and moments at the nodes of an evaluated state; moments in between.
 
     Tension at a node lies between those of its segments by ``s.blend``; at the ends it is the force that
     holds the string there, so half a node of weight, drag and inertia is not lost.
     """
+    values = record.values
     d, n = len(s.dim), s.l0.shape[0]
     for c in range(d):
         for i in range(n + 1):
@@ -83,13 +90,33 @@ def tabulate(s, values):
         values[d, 0] += (s.ends[0, 0, c] + s.ends[1, 0, c]) * s.tangent[c, 0]
         values[d, n] -= (s.ends[0, 1, c] + s.ends[1, 1, c]) * s.tangent[c, n - 1]
     m = len(s.dof) - d
-    if m == 1:
+    if m > 0:
         for i in range(n + 1):
-            values[d + 1, i] = s.moment[0, i]
-    if m == 3:
-        for i in range(n + 1):
-            square = s.moment[0, i] ** 2 + s.moment[1, i] ** 2 + s.moment[2, i] ** 2
-            values[d + 1, i] = sqrt(square)
+            values[d + 1, i] = size(s, i)
+        for e in range(n):
+            values[d + 2, e] = size_between(s, record.middle, e)
+        values[d + 2, n] = values[d + 2, n - 1]
+
+
+@inner
+def size(s, i):
+    """Moment at a node; in space its size."""
+    if len(s.dof) - len(s.dim) == 1:
+        return s.moment[0, i]
+    return sqrt(s.moment[0, i] ** 2 + s.moment[1, i] ** 2 + s.moment[2, i] ** 2)
+
+
+@inner
+def size_between(s, middle, e):
+    """Moment at the middle of a segment; in space its size."""
+    last = s.l0.shape[0]
+    square, value = 0.0, 0.0
+    for u in range(s.moment.shape[0]):
+        value = 0.0
+        for k in range(4):
+            value += middle[e, k] * s.moment[u, min(max(e - 1 + k, 0), last)]
+        square += value * value
+    return value if len(s.dof) - len(s.dim) == 1 else sqrt(square)
 
 
 @inner
@@ -126,9 +153,13 @@ def note(p, s, record):
     d, n = len(s.dim), s.l0.shape[0]
     m = len(s.dof) - d
     every(p.probe, s)
-    for c in range(record.values.shape[0]):
-        for j in range(record.station.shape[0]):
-            record.history[k, c, j] = record.values[c, record.station[j]]
+    for j in range(record.station.shape[0]):
+        i = record.station[j]
+        for c in range(d + 1 + min(m, 1)):
+            record.history[k, c, j] = record.values[c, i]
+        if m == 3:
+            for u in range(3):
+                record.history[k, d + 2 + u, j] = s.moment[u, i]
     for c in range(d):
         record.end[k, 0, c] = s.tangent[c, 0]
         record.end[k, 1, c] = s.tangent[c, n - 1]
@@ -168,7 +199,7 @@ def evaluate(p, s, record):
     true_moments(s)
     load(p, s)
     inertia(p, s)
-    tabulate(s, record.values)
+    tabulate(s, record)
 
 
 @inner
@@ -216,7 +247,7 @@ def between(p, s, so, r0, v0, a0, moment0, t, h, record):
 def note_start(p, s, record, t):
     """Write down the state that a march begins with, where an output is due there."""
     if due(record, t + ROUNDING):
-        tabulate(s, record.values)
+        tabulate(s, record)
         widen(record)
         note(p, s, record)
 
@@ -226,7 +257,7 @@ def note_step(p, s, so, r0, v0, a0, moment0, t, h, record):
     """Write down a step from t to t + h, where ``s`` is evaluated."""
     between(p, s, so, r0, v0, a0, moment0, t, h, record)
     if t + h >= record.time[0] - ROUNDING:  # envelopes start with the outputs
-        tabulate(s, record.values)
+        tabulate(s, record)
         widen(record)
     if due(record, t + h * (1.0 + 1e-9)):
         note(p, s, record)

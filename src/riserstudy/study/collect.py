@@ -7,14 +7,17 @@ import os
 from collections.abc import Callable, Collection
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from riserstudy.dataset.label import coordinates, quantities
+from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, quantities
+from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
+from riserstudy.simulation.curve import at_stations, curve_of
 from riserstudy.study import store
 from riserstudy.study.models import Numbers, Samples
 from riserstudy.study.simulate_points import fill
@@ -23,10 +26,9 @@ from riserstudy.study.study import Study
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.dataset.result import Result
 
-
-FEW = 3  # stations between which no curve is drawn
+HISTORIES = frozenset(("x", "y", "z", "effective_tension", "bending_moment"))  # over s
+DIGITS = 10  # that large arrays are stored with
 NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
 
 
@@ -56,9 +58,12 @@ def results_of(
 
 def _arrays_for(keep: list[str] | None) -> Collection[str] | None:
     """Arrays of a point that quantities are made from; None: all."""
-    if keep is None:
+    if keep is None or HISTORIES.intersection(
+        keep
+    ):  # positions are laid on other nodes with moments
         return None
-    shared = {"time", "s", "s_node", "tensioner_force_static"}  # the last tells the cylinders
+    shared = {"time", "s", "s_node", "mesh_corner"}
+    shared.add("tensioner_force_static")  # which tells the cylinders
     return shared.union(keep, (f"{name}_static" for name in keep))
 
 
@@ -68,12 +73,15 @@ SHARED = ("time", "s", "s_node", "cylinder")  # dimensions of runs
 def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     """Dataset with the study's axes as dimensions, over the quantities of its runs.
 
-    Runs on different meshes share one ``s``: they are laid on the finest mesh among them. Risers of
-    different lengths share the nodes of all, and have no values above their own tops.
+    Histories stand at the stations that were asked for. What runs on different meshes have at nodes is laid
+    on the finest mesh among them, by the shapes of their own elements; risers of different lengths share
+    the nodes of all, and have no values above their own tops. Largest moments and smallest tensions of
+    points are variables of their own, which no common mesh changes.
     """
     import xarray as xr
 
     shape = tuple(len(values) for values in study.axes.values())
+    results = _on_common_nodes(results)
     layouts = _layouts(results)
     flat = xr.concat(
         _alike(study, [[results[k] for k in places] for places in layouts]),
@@ -126,9 +134,6 @@ def _alike(study: Study, layouts: list[list[Result]]) -> list[xr.Dataset]:
     runs = [_stacked(results) for results in layouts]
     if study.model.keep is not None:
         runs = [run[[name for name in study.model.keep if name in run]] for run in runs]
-    for name in ("s", "s_node"):
-        if any(name in run for run in runs):
-            runs = _on_common_nodes(runs, name)
     return runs
 
 
@@ -144,30 +149,36 @@ def _stacked(results: list[Result]) -> xr.Dataset:
     return xr.Dataset(data, coordinates(first))
 
 
-def _on_common_nodes(runs: list[xr.Dataset], name: str) -> list[xr.Dataset]:
+def _on_common_nodes(results: list[Result]) -> list[Result]:
     """Runs on the finest of their meshes, or on the nodes of all where risers differ in length."""
-    nodes = max((run[name] for run in runs), key=len)
-    if all(nodes.equals(run[name]) for run in runs):
-        return runs
-    # Rounded, so that the last node of one mesh is not beyond that of another.
-    runs = [run.assign_coords({name: run[name].round(NODE_DIGITS)}) for run in runs]
-    nodes = nodes.round(NODE_DIGITS).assign_coords({name: nodes.values.round(NODE_DIGITS)})
-    if len({float(run[name][-1]) for run in runs}) == 1:
-        return [_laid_on(run, nodes) for run in runs]
-    every = runs[0][name]
-    for run in runs[1:]:
-        every = every.combine_first(run[name])
-    # Between a few stations nothing is known: such runs keep their own.
-    few = all(run.sizes[name] <= FEW for run in runs)
-    return [run.reindex({name: every}) if few else _laid_on(run, every) for run in runs]
+    meshes = {result.arrays["s_node"].tobytes(): result.arrays["s_node"] for result in results}
+    if len(meshes) < 2:
+        return results
+    nodes = max(meshes.values(), key=len).round(NODE_DIGITS)
+    if len({round(float(s[-1]), NODE_DIGITS) for s in meshes.values()}) > 1:
+        nodes = np.unique(np.concatenate([s.round(NODE_DIGITS) for s in meshes.values()]))
+    return [_laid_on(result, nodes) for result in results]
 
 
-def _laid_on(run: xr.Dataset, nodes: xr.DataArray) -> xr.Dataset:
-    name = str(nodes.name)
-    if run.sizes[name] == 1:
-        return run
-    method: Literal["cubic", "linear"] = "cubic" if run.sizes[name] > FEW else "linear"
-    return run.interp({name: nodes}, method=method)
+def _laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
+    """A run's values over its nodes at other places, not a number above its top."""
+    own = result.arrays
+    curve = curve_of(own)
+    there = nodes <= own["s_node"][-1] + 10.0**-NODE_DIGITS
+    places = np.minimum(nodes[there], own["s_node"][-1])
+    everywhere = "time" in own and len(own["s"]) == len(own["s_node"])
+    laid = at_stations(own, places) if everywhere and HISTORIES.intersection(own) else {}
+    for name, values in own.items():
+        if dimensions(name, values) == ("s_node",) and not name.startswith(UNLABELLED):
+            between = curve.straight if name.startswith("effective_tension") else curve.cubic
+            laid[name] = between(values, places)
+    whole = {}
+    for name, values in laid.items():
+        whole[name] = np.full((*values.shape[:-1], len(nodes)), np.nan)
+        whole[name][..., there] = values
+    if everywhere:
+        whole["s"] = nodes
+    return Result(own | whole | {"s_node": nodes}, result.facts)
 
 
 FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
@@ -181,6 +192,8 @@ FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
     "error_tension": lambda f: f.get("error_estimate", {}).get("tension", float("nan")),
     "unexplained_energy": lambda f: f.get("audit", {}).get("unexplained_share", float("nan")),
     "smallest_tension": lambda f: f["smallest_tension"],
+    "largest_bending_moment": lambda f: f.get("largest_bending_moment", float("nan")),
+    "largest_bending_moment_s": lambda f: f.get("largest_bending_moment_s", float("nan")),
     "warnings": lambda f: "\n".join(f["warnings"]),
 }
 FACT_ATTRIBUTES = {
@@ -197,6 +210,11 @@ FACT_ATTRIBUTES = {
         "long_name": "share of the energy exchanged left unexplained",
     },
     "smallest_tension": {"units": "N", "long_name": "smallest effective tension"},
+    "largest_bending_moment": {
+        "units": "N m",
+        "long_name": "largest size of the bending moment, between nodes too",
+    },
+    "largest_bending_moment_s": {"units": "m", "long_name": "where it is, from the bottom"},
 }
 
 
@@ -256,10 +274,20 @@ def write_dataset(dataset: xr.Dataset, target: Path) -> None:
 
 
 def _compressed(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
-    """Ten digits of large arrays: the others are noise, which takes two fifths of a file."""
-    digits = {"significant_digits": 10, "quantize_mode": "GranularBitRound"}
+    """Ten digits of large arrays: the others are noise, which takes two fifths of a file.
+
+    The library rounds what is finite and neither huge nor next to nothing, and writes the number of digits
+    into the variable's attributes; arrays with anything else are stored as they are.
+    """
+    digits = {"significant_digits": DIGITS, "quantize_mode": "GranularBitRound"}
     return {
-        str(name): {"zlib": True, "complevel": 3, **digits}
+        str(name): {"zlib": True, "complevel": 3, **(digits if _plain(values.values) else {})}
         for name, values in dataset.data_vars.items()
         if values.dtype.kind == "f" and values.size > 1000
     }
+
+
+def _plain(values: NDArray[np.float64]) -> bool:
+    """Whether values are zero or of a size that rounding by digits keeps."""
+    size = np.abs(values)
+    return bool(((size == 0.0) | ((size > 1e-100) & (size < 1e100))).all())

@@ -1,0 +1,96 @@
+"""Whether a run may be believed: energy exchanged, values defined, tension."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import SimulationError, StepFailed
+from riserstudy.scene.models import Scene
+from riserstudy.scene.vessel import Coupling
+from riserstudy.simulation.equilibrium import rounding
+from riserstudy.solve.sums import HALVED, ITERATIONS, STEPS, Sums
+
+FloatArray = NDArray[np.float64]
+UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
+
+
+def energy(facts: dict[str, Any], sums: Sums, before: float, after: float, step: float) -> None:
+    """Enter where energy went into the facts, with a warning where some is unexplained."""
+    held, supplied, dissipated, numerical, exchanged = (float(x) for x in sums.work)
+    residual = held + supplied - dissipated - numerical - (after - before)
+    still = 1e-12 * max(abs(before), abs(after), 1.0)  # rounding of a riser that stays at rest (J)
+    scale = max(exchanged, abs(after - before), still / UNEXPLAINED)
+    facts["step"] = step
+    facts["audit"] = {
+        "work_of_supports": held,
+        "work_of_water_and_devices": supplied,
+        "dissipated": dissipated,
+        "numerically_dissipated": numerical,
+        "stored": after - before,
+        "exchanged": exchanged,
+        "unexplained": residual,
+        "unexplained_share": abs(residual) / scale,
+    }
+    facts["steps"] = int(sums.count[STEPS])
+    facts["newton_iterations"] = int(sums.count[ITERATIONS])
+    facts["halved_steps"] = int(sums.count[HALVED])
+    if abs(residual) > UNEXPLAINED * scale:
+        facts["warnings"].append(
+            f"energy: {abs(residual) / scale:.2g} of what was exchanged is unexplained; "
+            "refine mesh and step"
+        )
+
+
+def exchange(facts: dict[str, Any], coupling: Coupling) -> None:
+    """Name the energy that the exchange made: no support moves where a vessel floats but the told one."""
+    audit = facts["audit"]
+    made = audit.pop("work_of_supports")
+    facts["audit"] = {"work_of_supports": 0.0, "made_by_exchange": made, **audit}
+    if coupling.scheme == "staggered":
+        share = abs(made) / max(audit["exchanged"], 1e-300)
+        facts["warnings"].append(
+            f"vessel.coupling: the exchange every {coupling.interval:g} s made {made:.3g} J, {share:.2g} of "
+            "what was exchanged; the error estimate knows mesh and step, not the interval"
+        )
+
+
+def finite(arrays: dict[str, FloatArray]) -> None:
+    """Nothing undefined leaves the solver.
+
+    Raises
+    ------
+    StepFailed
+        When a value is not defined in motion: an output between long steps may lie where gas has no volume.
+    SimulationError
+        When one is not defined at rest.
+    """
+    for name, values in arrays.items():
+        if not np.isfinite(values).all():
+            how = "at rest" if name.endswith("_static") else "although every step converged"
+            error = SimulationError if name.endswith("_static") else StepFailed
+            raise error(
+                f"{name} is not finite in {int((~np.isfinite(values)).sum())} places {how}; "
+                "take a smaller step, and check stroke and gas volume"
+            )
+
+
+def tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str, Any]) -> None:
+    """Enter the smallest tension into the facts, with a warning where the riser may go slack."""
+    along = arrays.get("effective_tension_min", arrays["effective_tension_static"])
+    k = int(along.argmin())
+    facts["smallest_tension"] = float(along[k])
+    facts["smallest_tension_s"] = float(arrays["s_node"][k])
+    # a stack and conductor below the riser's flex joint are meant to stand
+    lengths = np.cumsum([section.total_length for section in scene.riser])
+    joints = [k for k, section in enumerate(scene.riser) if section.flex_joint_below]
+    foot = lengths[joints[0] - 1] if joints else 0.0
+    k = int(np.where(arrays["s_node"] < foot, np.inf, along).argmin())
+    if facts["directions"] < 3 and along[k] < -rounding(scene):
+        facts["warnings"].append(
+            f"effective tension falls to {along[k]:.3g} N at s = {arrays['s_node'][k]:.4g} m: "
+            "a riser may go slack or buckle there; this run has "
+            + ("no lateral freedom" if facts["directions"] == 1 else "no freedom out of its plane")
+        )

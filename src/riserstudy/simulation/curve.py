@@ -1,0 +1,185 @@
+"""The curve that elements mean between their nodes.
+
+A moment is the cubic through its values at a segment's ends and its slopes there, which are those of the
+parabola through three nodes: shear without a jump. Where shear may jump, at corners, the three nodes lie
+on one side. A segment bends by its own moments, and its tension is straight from end to end.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+Arrays = dict[str, FloatArray]
+SAME = 1e-9  # share of the length within which a place is a node
+
+
+class Slopes(NamedTuple):
+    """Slopes at one end of all segments, as weights of the values at three nodes."""
+
+    node: NDArray[np.int64]  # (n, 3)
+    weight: FloatArray  # (n, 3), 1/m
+
+    def of(self, values: FloatArray, e: NDArray[np.int64]) -> FloatArray:
+        """Slopes at this end of segments ``e`` of values over (..., nodes)."""
+        return np.asarray((values[..., self.node[e]] * self.weight[e]).sum(axis=-1))
+
+
+class Curve(NamedTuple):
+    """A mesh and what is known of it between nodes."""
+
+    s: FloatArray  # (n + 1,) m
+    low: Slopes
+    up: Slopes
+
+    def segment(self, places: FloatArray) -> tuple[NDArray[np.int64], FloatArray]:
+        """The segments that places (m) lie in, and their shares of these."""
+        e = np.clip(np.searchsorted(self.s, places, "right") - 1, 0, len(self.s) - 2)
+        share = (places - self.s[e]) / (self.s[e + 1] - self.s[e])
+        return e, np.where(share > 1.0 - SAME, 1.0, np.where(share < SAME, 0.0, share))
+
+    def cubic(self, values: FloatArray, places: FloatArray) -> FloatArray:
+        """Values over (..., nodes) at places (m), by the cubic of each segment."""
+        e, x = self.segment(places)
+        length = self.s[e + 1] - self.s[e]
+        ends = (1.0 + 2.0 * x) * (1.0 - x) ** 2 * values[..., e]
+        ends = ends + x * x * (3.0 - 2.0 * x) * values[..., e + 1]
+        low = x * (1.0 - x) ** 2 * length * self.low.of(values, e)
+        return np.asarray(ends + low - x * x * (1.0 - x) * length * self.up.of(values, e))
+
+    def straight(self, values: FloatArray, places: FloatArray) -> FloatArray:
+        """Values over (..., nodes) at places (m), straight between nodes."""
+        e, x = self.segment(places)
+        return np.asarray((1.0 - x) * values[..., e] + x * values[..., e + 1])
+
+    @property
+    def middle_weights(self) -> FloatArray:
+        """What the cubic at the middle of a segment takes of nodes e - 1 to e + 2, (n, 4)."""
+        n = len(self.s) - 1
+        out = np.zeros((n, 4))
+        out[:, 1:3] = 0.5
+        length = np.diff(self.s)
+        rows = np.arange(n)
+        for side, sign in ((self.low, 0.125), (self.up, -0.125)):
+            for k in range(3):
+                column = side.node[:, k] - rows + 1
+                out[rows, column] += sign * length * side.weight[:, k]
+        return out
+
+
+def curve_of(arrays: Arrays) -> Curve:
+    """The curve of a run's mesh."""
+    s = arrays["s_node"]
+    corner = arrays.get("mesh_corner")
+    return curve(s, np.zeros(len(s)) if corner is None else corner)
+
+
+def curve(s: FloatArray, corner: FloatArray) -> Curve:
+    """The curve over nodes (m), with corners where ``corner`` is not zero; ends always are."""
+    n = len(s) - 1
+    smooth = corner == 0.0
+    smooth[[0, -1]] = False
+    e = np.arange(n)
+    # three nodes about the lower end, about the upper end, or two
+    below, above = np.stack([e - 1, e, e + 1], axis=1), np.stack([e, e + 1, e + 2], axis=1)
+    two = np.stack([e, e + 1, e], axis=1)
+    secant = np.array([-1.0, 1.0, 0.0]) / np.diff(s)[:, None]
+    by_below, by_above = _parabola(s, below), _parabola(s, above)
+    has_below, has_above = smooth[:-1][:, None], smooth[1:][:, None]
+    low = np.where(has_below, by_below[1], np.where(has_above, by_above[0], secant))
+    up = np.where(has_above, by_above[1], np.where(has_below, by_below[2], secant))
+    return Curve(
+        s,
+        Slopes(np.where(has_below, below, np.where(has_above, above, two)), low),
+        Slopes(np.where(has_above, above, np.where(has_below, below, two)), up),
+    )
+
+
+def _parabola(s: FloatArray, nodes: NDArray[np.int64]) -> list[FloatArray]:
+    """Slopes at each of three nodes of the parabola through them, as weights, three times (n, 3)."""
+    a, b, c = s[np.clip(nodes, 0, len(s) - 1)].T
+    with np.errstate(divide="ignore", invalid="ignore"):  # beyond the ends, where none is taken
+        h, k = b - a, c - b
+        whole = h + k
+        return [
+            np.stack([-(h + whole) / (h * whole), whole / (h * k), -h / (k * whole)], axis=1),
+            np.stack([-k / (h * whole), (k - h) / (h * k), h / (k * whole)], axis=1),
+            np.stack([k / (h * whole), -whole / (h * k), (k + whole) / (k * whole)], axis=1),
+        ]
+
+
+def at_stations(arrays: Arrays, places: FloatArray) -> Arrays:
+    """Histories at places (m) from those at all nodes, as the elements mean them between nodes.
+
+    Positions need each other and the moment.
+    ``mesh_moment`` (time, 3, nodes): components of a moment whose size is the history; removed.
+    """
+    of = curve_of(arrays)
+    e, x = of.segment(places)
+    found: Arrays = {"s": places}
+    axes = [name for name in "xyz" if name in arrays]
+    moment = arrays.get("bending_moment")
+    components = arrays.get("mesh_moment")
+    for name in axes:
+        found[name] = of.straight(arrays[name], places)
+    if moment is not None and "mesh_flexibility" in arrays and {"x", "z"}.issubset(axes):
+        bent = moment if components is None else components
+        for name, sideways in _sag(arrays, axes, bent, e, x).items():
+            found[name] = found[name] + sideways
+    elif "x" in found:  # a beam of cubic elements
+        found["x"] = of.cubic(arrays["x"], places)
+    if "effective_tension" in arrays:
+        found["effective_tension"] = of.straight(arrays["effective_tension"], places)
+    if components is not None:
+        found["bending_moment"] = np.linalg.norm(of.cubic(components, places), axis=1)
+    elif moment is not None:
+        found["bending_moment"] = of.cubic(moment, places)
+    return found
+
+
+def _sag(
+    arrays: Arrays, axes: list[str], moment: FloatArray, e: NDArray[np.int64], x: FloatArray
+) -> Arrays:
+    """How far segments lie from their chords: curvature M / EI runs straight from end to end."""
+    chord = np.stack([arrays[name][:, e + 1] - arrays[name][:, e] for name in axes], axis=1)
+    bent = x * (1.0 - x) * ((2.0 - x) * moment[..., e] + (1.0 + x) * moment[..., e + 1])
+    bent = -bent * arrays["mesh_flexibility"][e] / 6.0
+    if len(axes) == 3:  # curvature turns the tangent about itself
+        away = np.cross(bent, chord, axis=1)
+    else:  # towards +x for a positive moment
+        away = np.stack([chord[:, 1], -chord[:, 0]], axis=1) * bent[:, None]
+    return {name: away[:, k] for k, name in enumerate(axes)}
+
+
+def largest_moment(arrays: Arrays) -> tuple[float, float] | None:
+    """Size (N m) and place (m) of the largest bending moment on the curve; None where nothing bends."""
+    if "bending_moment_static" not in arrays:
+        return None
+    of = curve_of(arrays)
+    sides = [arrays[n] for n in ("bending_moment_max", "bending_moment_min") if n in arrays]
+    sides = sides or [arrays["bending_moment_static"]]
+    middle = 0.5 * (of.s[1:] + of.s[:-1])
+    between = [arrays[n] for n in ("mesh_moment_max", "mesh_moment_min") if n in arrays]
+    between = between or [of.cubic(side, middle) for side in sides]
+    size, place = np.empty(2 * len(of.s) - 1), np.empty(2 * len(of.s) - 1)
+    size[::2], size[1::2] = np.abs(sides).max(axis=0), np.abs(between).max(axis=0)
+    place[::2], place[1::2] = of.s, middle
+    k = int(size.argmax())
+    corner = arrays.get("mesh_corner")
+    if 0 < k < len(size) - 1 and (k % 2 or corner is None or corner[k // 2] == 0.0):
+        return _vertex(place[k - 1 : k + 2], size[k - 1 : k + 2])
+    return float(size[k]), float(place[k])
+
+
+def _vertex(s: Any, values: Any) -> tuple[float, float]:
+    """Value and place of the top of the parabola through three points, the middle one the highest."""
+    left = (values[1] - values[0]) / (s[1] - s[0])
+    right = (values[2] - values[1]) / (s[2] - s[1])
+    bend = (right - left) / (s[2] - s[0])
+    if bend >= 0.0:
+        return float(values[1]), float(s[1])
+    slope = left + bend * (s[1] - s[0])
+    return float(values[1] - slope**2 / (4.0 * bend)), float(s[1] - slope / (2.0 * bend))

@@ -1,0 +1,259 @@
+"""What a run returns: the state at rest, histories, envelopes, angles, strokes, reports of devices."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from riserstudy.dataset.result import Result
+from riserstudy.model.bending import flexibility
+from riserstudy.model.layout import AXES, corners, layout_of, stiffness
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Model
+from riserstudy.model.tensioner_law import leaves_table, stops_touched
+from riserstudy.scene.analysis import Output
+from riserstudy.scene.models import Scene
+from riserstudy.scene.tensioners import Tensioners
+from riserstudy.simulation.curve import at_stations, curve_of, largest_moment
+from riserstudy.solve.program import Frozen
+from riserstudy.solve.record import Record, evaluate_once, new_record
+
+FloatArray = NDArray[np.float64]
+Arrays = dict[str, FloatArray]
+WINDOW = (-1, 0, 1, 2)  # nodes about a segment's lower one, that a place in it takes values of
+
+
+class AtRest(NamedTuple):
+    """Where things are before they move."""
+
+    reach: FloatArray  # (cylinders,) m
+    joint: float  # length of the top segment (m)
+    top: float  # elevation (m)
+
+
+def quantities(model: Model) -> list[str]:
+    """Names of the quantities that a record holds, in its order."""
+    d = len(model.s.dim)
+    places = ["xyz"[axis] for axis in AXES[d]]
+    return [*places, "effective_tension", *(["bending_moment"] if len(model.s.dof) > d else [])]
+
+
+def at_rest(scene: Scene, model: Model, mesh: Mesh) -> Arrays:
+    """The mesh, and the state at rest at all nodes, ``_static``."""
+    static, probe = _tabulated(model)
+    names = quantities(model)
+    arrays: Arrays = {"s_node": mesh.s, "l0": mesh.l0}
+    for name, values in zip(names, static, strict=False):
+        arrays[name + "_static"] = values
+    if scene.top.tensioners:
+        count = scene.top.tensioners.count
+        arrays["tensioner_stroke_static"] = probe[:count]
+        arrays["tensioner_force_static"] = probe[count : 2 * count]
+    arrays["zero_z"] = model.s.r[-1, : len(mesh.s)].copy()
+    for name in set("xy").intersection(names):
+        arrays["zero_" + name] = np.zeros(len(mesh.s))
+    if len(model.s.dof) > len(model.s.dim):
+        of = layout_of(scene, mesh, None, len(model.s.dim))
+        arrays["mesh_flexibility"] = flexibility(of)
+        arrays["mesh_corner"] = np.zeros(len(mesh.s))
+        arrays["mesh_corner"][corners(of)] = 1.0
+    return arrays
+
+
+def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
+    """Quantities at the nodes at rest, and what devices report."""
+    state, own = model.spare.value, model.s
+    state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
+    state.platform[:], state.deck[:] = own.platform, own.deck
+    state.v[:] = 0.0
+    state.a[:] = 0.0
+    record = new_record([state.clock[0]], [0], state)
+    evaluate_once(model.programs, model.spare, record)
+    return record.value.values.copy(), record.value.probe[0].copy()
+
+
+def positions(model: Model) -> AtRest:
+    """Where cylinders, joint and top are in a model at rest."""
+    state = model.s
+    top = len(state.l0)
+    joint = float(np.linalg.norm(state.r[:, top] - state.r[:, top - 1]))
+    return AtRest(state.reach.copy(), joint, float(state.r[-1, top]))
+
+
+class Wanted(NamedTuple):
+    """Histories that are asked for: at places, or at all nodes."""
+
+    places: FloatArray | None  # m
+    nodes: NDArray[np.int64]  # whose histories tell them
+
+
+def wanted(arrays: Arrays, stations: list[float] | None) -> Wanted:
+    """The nodes that the histories at stations (m) need; all without stations."""
+    if stations is None:
+        return Wanted(None, np.arange(len(arrays["s_node"])))
+    places = np.array(stations, float)
+    e, share = curve_of(arrays).segment(places)
+    last = len(arrays["s_node"]) - 1
+    nodes = {
+        int(node)
+        for first, x in zip(e, share, strict=True)
+        for node in ([first + int(x)] if x in (0.0, 1.0) else first + np.array(WINDOW))
+    }
+    return Wanted(places, np.array(sorted(node for node in nodes if 0 <= node <= last)))
+
+
+def empty_record(arrays: Arrays, model: Model, output: Output, end: float, of: Wanted) -> Frozen:
+    """Record for the outputs of a march up to a time (s)."""
+    first = output.start or 0.0
+    count = math.floor((end - first) / output.interval * (1.0 + 1e-12) + 1e-9)
+    times = first + output.interval * np.arange(count + 1)
+    bends = "mesh_corner" in arrays
+    middle = curve_of(arrays).middle_weights if bends else None
+    return new_record(times, of.nodes, model.s, middle)
+
+
+def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Arrays:
+    """Histories at places or nodes, and envelopes at all nodes."""
+    names = quantities(model)
+    found: Arrays = {"time": record.time}
+    full: Arrays = {}
+    for k, name in enumerate(names):
+        full[name] = record.history[:, k, :]
+        found[name + "_max"], found[name + "_min"] = record.largest[k], record.smallest[k]
+    if "mesh_corner" in arrays:
+        found["mesh_moment_max"], found["mesh_moment_min"] = (
+            side[len(names), :-1] for side in (record.largest, record.smallest)
+        )
+    if len(names) < record.history.shape[1]:
+        full["mesh_moment"] = record.history[:, len(names) :, :]
+    if of.places is None:
+        return found | full | {"s": arrays["s_node"]}
+    return found | _at_places(arrays, full, of.nodes, of.places)
+
+
+def _at_places(
+    arrays: Arrays, full: Arrays, nodes: NDArray[np.int64], places: FloatArray
+) -> Arrays:
+    """Histories at places from those at some nodes; at a node they are that node's to the last bit."""
+    whole = {
+        name: np.zeros((*values.shape[:-1], len(arrays["s_node"]))) for name, values in full.items()
+    }
+    for name, values in full.items():
+        whole[name][..., nodes] = values
+    return at_stations(arrays | whole, places)
+
+
+def keep_stations(result: Result, stations: list[float] | None) -> None:
+    """Keep histories only where they are asked for."""
+    arrays = result.arrays
+    if stations is not None and "s" in arrays:
+        arrays |= at_stations(arrays, np.array(stations, float))
+    arrays.pop("mesh_moment", None)
+
+
+def over_time(scene: Scene, model: Model, mesh: Mesh, record: Record, rest: AtRest) -> Arrays:
+    """Angles, strokes, forces and motions over time."""
+    found = _angles(scene, model, mesh, record)
+    if scene.top.tensioners:
+        c = scene.top.tensioners.count
+        found["tensioner_stroke"] = record.probe[:, :c]
+        found["tensioner_force"] = record.probe[:, c : 2 * c]
+        found["stroke"] = record.probe[:, 0] - rest.reach[0]
+    elif scene.platform and scene.top.z == "free":
+        found["stroke"] = record.platform[:, 2] - (record.top[:, -1] - rest.top)
+    if mesh.joint:
+        found["stroke"] = record.end[:, 1, -1] - rest.joint
+    for name, k in model.probes.items():
+        found[name] = record.probe[:, k]
+    if scene.vessel:
+        found["platform_surge"] = record.top[:, 0] - (scene.top.offset or 0.0)
+        turns_aside = len(model.s.dim) == 3
+        if scene.vessel.sway:
+            found["platform_sway"] = record.top[:, int(turns_aside)] * turns_aside
+        if scene.vessel.yaw and not turns_aside:
+            found["platform_yaw"] = np.zeros(len(record.time))
+    return found
+
+
+def sizes(arrays: Arrays) -> Arrays:
+    """Largest sizes over time of quantities whose sign is a convention, ``_absmax``, at all nodes."""
+    return {
+        f"{name}_absmax": np.maximum(abs(arrays[name + "_max"]), abs(arrays[name + "_min"]))
+        for name in ("x", "y", "bending_moment")
+        if name + "_max" in arrays
+    }
+
+
+def peaks(arrays: Arrays) -> dict[str, Any]:
+    """Largest bending moment on the curve and where it is."""
+    found = largest_moment(arrays)
+    if found is None:
+        return {}
+    return {"largest_bending_moment": found[0], "largest_bending_moment_s": found[1]}
+
+
+def of_tensioners(rig: Tensioners, arrays: Arrays) -> list[str]:
+    """What there is to tell of laws left and stops touched, at rest and over time."""
+    told = leaves_table(rig, _reaches(arrays))
+    told += stops_touched(rig, arrays["tensioner_stroke_static"])
+    if "tensioner_stroke" in arrays:
+        told += stops_touched(rig, arrays["tensioner_stroke"], arrays["time"])
+    return told
+
+
+def _reaches(arrays: Arrays) -> FloatArray:
+    """Reach of all cylinders, at rest and whenever it was recorded."""
+    names = ("tensioner_stroke_static", "tensioner_stroke")
+    return np.concatenate([arrays[name].ravel() for name in names if name in arrays])
+
+
+def _angles(scene: Scene, model: Model, mesh: Mesh, record: Record) -> Arrays:
+    """Angles of the riser's end tangents: against the lower stack, and the platform's vertical."""
+    d = len(model.s.dim)
+    arrays: Arrays = {}
+    if d == 1:
+        return arrays
+    upwards = np.array([0.0, 0.0, 1.0])
+    if scene.bottom.hold == "wellhead":
+        arrays["lfj_angle"] = _lean(_end_direction(scene, model, mesh, record, 0), upwards, d)
+    if scene.vessel and len(model.s.dof) > d:
+        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upwards, d)
+    if scene.platform and scene.top.x == "platform":
+        turned, upright = record.platform[:, 3:], upwards
+        if turned.any():  # rotations take longer than a short run
+            upright = Rotation.from_euler("xyz", turned).apply(upwards)
+        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upright, d)
+    return arrays
+
+
+def _end_direction(scene: Scene, model: Model, mesh: Mesh, record: Record, end: int) -> FloatArray:
+    """Direction of the riser at an end, (time, 3): the end segment's, turned by its own bending."""
+    d = len(model.s.dim)
+    m = len(model.s.dof) - d
+    t = np.zeros((len(record.time), 3))
+    t[:, AXES[d]] = record.end[:, end, :d]
+    if m == 0:
+        return t
+    # from the middle of the end segment to its end, curvature varying linearly
+    own, far = record.end[:, end, d : d + m], record.end[:, end, d + m : d + 2 * m]
+    joint = scene.top.telescopic_joint if end == -1 else None
+    stiff = joint.bending_stiffness if joint else stiffness(scene.riser[mesh.section[end]]).bending
+    softness = mesh.l0[end] / stiff
+    bend = (softness if end == -1 else -softness) * (own / 3.0 + far / 6.0)
+    if m == 3:
+        return np.asarray(Rotation.from_rotvec(bend).apply(t))
+    cosine, sine = np.cos(bend[:, 0]), np.sin(bend[:, 0])
+    return np.column_stack(
+        [cosine * t[:, 0] + sine * t[:, 2], t[:, 1], cosine * t[:, 2] - sine * t[:, 0]]
+    )
+
+
+def _lean(t: FloatArray, upright: FloatArray, d: int) -> FloatArray:
+    """Angle between directions (rad): in a plane from ``upright`` towards +x, in space its size."""
+    across = np.cross(np.broadcast_to(upright, t.shape), t)
+    size = np.arctan2(np.linalg.norm(across, axis=1), (t * upright).sum(axis=1))
+    return np.asarray(size * np.sign(across[:, 1]) if d == 2 else size)
