@@ -1,6 +1,8 @@
 """Runs become one dataset over the axes of their grid, whatever meshes they are on."""
 
+import hashlib
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -8,7 +10,9 @@ import xarray as xr
 
 from riserstudy.dataset.result import Result
 from riserstudy.study.collect import dataset_of, write_dataset
+from riserstudy.study.grid import Point
 from riserstudy.study.models import Numbers, StudyModel
+from riserstudy.study.simulate_points import lacks, tells_error
 from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -62,3 +66,19 @@ def test_a_file_keeps_ten_digits_of_large_arrays_and_all_of_small_ones(tmp_path)
     np.testing.assert_allclose(found["large"], large, rtol=1e-9)
     np.testing.assert_array_equal(found["small"], large[:100])
     assert (found["large"] != large).any()
+
+
+def test_one_point_in_eight_tells_its_error_whatever_the_study_and_few_points_all_do():
+    def points(count):
+        keys = [hashlib.sha256(bytes([k])).hexdigest() for k in range(count)]
+        return [Point((k,), key) for k, key in enumerate(keys)]
+
+    few, many = (SimpleNamespace(grid=range(count)) for count in (16, 200))
+    assert all(tells_error(few, point) for point in points(16))
+    told = [tells_error(many, point) for point in points(200)]
+    assert 10 < sum(told) < 45
+    silent, telling = Result({}, {}), Result({}, {"error_estimate": {}})
+    for point, tells in zip(points(200), told, strict=True):
+        assert lacks(many, point, None)
+        assert lacks(many, point, silent) == tells
+        assert not lacks(many, point, telling)

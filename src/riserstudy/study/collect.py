@@ -20,7 +20,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.simulation.curve import at_stations, curve_of
 from riserstudy.study import store
 from riserstudy.study.models import Numbers, Samples
-from riserstudy.study.simulate_points import fill
+from riserstudy.study.simulate_points import fill, lacks
 from riserstudy.study.study import Study
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def results_of(
     """
     needed = _arrays_for(study.model.keep)
     kept = {point.key: store.get(point.key, needed) for point in study.plan}
-    absent = [point for point in study.plan if kept[point.key] is None]
+    absent = [point for point in study.plan if lacks(study, point, kept[point.key])]
     made = fill(study, absent, processes)
     kept |= {point.key: store.get(point.key, needed) for point in absent}
     tell(
@@ -235,6 +235,7 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
 
 def _about(study: Study, results: list[Result]) -> dict[str, Any]:
     origins = study.base.origins
+    told = sum("error_estimate" in result.facts for result in results)
     effects = {name: why for r in results for name, why in r.facts["effects"].items()}
     return {
         "Conventions": "CF-1.11",
@@ -249,6 +250,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "origins": json.dumps({p: o.status for p, o in origins.items()}),
         "evidence": json.dumps({p: o.why for p, o in origins.items()}),
         "effects": json.dumps(effects),
+        "errors_estimated": f"{told} of {len(results)} points, chosen by their keys",
     }
 
 
