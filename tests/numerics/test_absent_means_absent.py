@@ -24,7 +24,7 @@ from riserstudy.model.build import build
 from riserstudy.model.mesh import even
 from riserstudy.model.model import Effect
 from riserstudy.scene.load import read_scene
-from riserstudy.simulation.run import EVERYWHERE, single
+from riserstudy.simulation.run import single
 
 SURGE = read_scene(Path(__file__).parents[2] / "config/scenes/hard/surge.yaml").with_values(
     {"analysis.mesh.elements": 20, "analysis.step": "0.1 s", "analysis.duration": "20 s"}, "test"
@@ -64,7 +64,7 @@ def history(monkeypatch, *extra):
 
     monkeypatch.setattr(riserstudy.simulation.equilibrium, "build", with_extra)
     scene = SURGE.scene()
-    return single(scene, even(scene, N), scene.analysis.step, EVERYWHERE).arrays
+    return single(scene, even(scene, N), scene.analysis.step, True).arrays
 
 
 @pytest.mark.parametrize("effect", ZERO_LOAD)

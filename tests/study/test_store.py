@@ -1,10 +1,11 @@
 """A stored point comes back as it was put, or counts as missing; nothing stored is unpickled."""
 
 import hashlib
-import io
+import json
 import os
 import pickle
 import random
+from contextlib import suppress
 
 import numpy as np
 import pytest
@@ -22,7 +23,7 @@ def point(tmp_path, monkeypatch):
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path))
     arrays = {"time": np.linspace(0.0, 1.0, 11), "x": np.eye(11)}
     store.put(KEY, Result(arrays, {"wall_seconds": 1.0}), SceneFile("a.yaml", {"title": "a"}))
-    return tmp_path / "points/ab" / f"{KEY}.npz"
+    return tmp_path / "points/ab" / f"{KEY}.point"
 
 
 def test_a_point_comes_back_as_it_was_put(point):
@@ -56,17 +57,35 @@ class Touch:
 
 def test_nothing_stored_is_unpickled(tmp_path, monkeypatch):
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path))
-    mark, point = tmp_path / "mark", tmp_path / "points/ab/ab.npz"
+    mark, point = tmp_path / "mark", tmp_path / "points/ab/ab.point"
     point.parent.mkdir(parents=True)
-    evil = np.array([Touch(mark)], dtype=object)
-    for arrays in ({"x": evil, "about": np.array("{}")}, {"about": evil}):
-        content = io.BytesIO()
-        np.savez(content, **arrays)
-        point.write_bytes(content.getvalue() + hashlib.sha256(content.getvalue()).digest())
-        with pytest.raises(ValueError, match="allow_pickle=False"):
+    evil = pickle.dumps(Touch(mark))
+    header = json.dumps({"facts": {}, "arrays": {"x": ["|O", [1]]}}).encode() + b"\n"
+    for content in (evil, header + evil):
+        point.write_bytes(content + hashlib.sha256(b"ab\n" + content).digest())
+        with suppress(ValueError):
             store.get("ab")
-    point.write_bytes(pickle.dumps(Touch(mark)))
+    point.write_bytes(evil)
     assert store.get("ab") is None
     assert not mark.exists()
-    pickle.loads(point.read_bytes())
+    pickle.loads(evil)
     assert mark.exists()
+
+
+def test_a_point_under_another_s_name_counts_as_missing(point):
+    other = point.with_name("ab9999.point")
+    other.write_bytes(point.read_bytes())
+    assert store.get(KEY) is not None
+    assert store.get("ab9999") is None
+
+
+@pytest.mark.parametrize(
+    "values", [np.arange(6).reshape(2, 3), np.array(3.0), np.empty((0, 4)), np.eye(3)[:, ::2]]
+)
+def test_arrays_of_every_shape_come_back(point, values):
+    store.put(KEY, Result({"a": values, "b": np.ones(2)}, {}), SceneFile("a.yaml", {}))
+    found = store.get(KEY).arrays
+    np.testing.assert_array_equal(found["a"], values)
+    assert (found["a"].dtype, found["a"].shape) == (values.dtype, values.shape)
+    np.testing.assert_array_equal(found["b"], np.ones(2))
+    assert list(store.get(KEY, ["b"]).arrays) == ["b"]

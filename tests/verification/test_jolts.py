@@ -8,7 +8,7 @@ from scipy.special import erfc
 from riserstudy import load_scene
 from riserstudy.errors import InputError
 from riserstudy.model.mesh import even
-from riserstudy.simulation.run import EVERYWHERE, single
+from riserstudy.simulation.run import single
 
 RAMP = {"platform.cruise": {"speed": "1 m/s", "ramp": "5 s"}, "platform.heave": None}
 HANG_OFF = SCENES.parent / "hard" / "hang_off.yaml"
@@ -19,7 +19,7 @@ OWN = {"analysis.mesh": {"elements": 10}, "analysis.step": "0.1 s"}
 def run(elements, step, **values):
     wanted = RAMP | {"analysis.duration": "8 s", "analysis.output.interval": "0.25 s"} | values
     scene = load_scene(HANG_OFF, **wanted).scene()
-    return single(scene, even(scene, elements), step, EVERYWHERE).arrays
+    return single(scene, even(scene, elements), step, True).arrays
 
 
 def error_at_the_top(**values):
@@ -81,7 +81,7 @@ def test_a_top_that_starts_with_a_speed_bends_the_riser_as_much_however_soon_aft
         "analysis.step": "5e-6 s",
     }
     scene = load_scene(SURGE, **values).scene()
-    found = single(scene, even(scene, 600), 5e-6, EVERYWHERE).arrays
+    found = single(scene, even(scene, 600), 5e-6, True).arrays
     bending, mass, speed = scene.riser[0].elasticity[1], 1006.0, 2.0 * 2.0 * np.pi / 15.0
     x = 60.0 - found["s"][300:]
     peaks = []

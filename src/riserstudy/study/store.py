@@ -1,18 +1,19 @@
 """The point store: every simulated point under the hash of its parameters and of the engine.
 
-A point is one file, written under another name and renamed when complete. What cannot be read whole
-counts as missing. Planning needs no numpy: keys come from plain text.
+A point is one file, written under another name and renamed when complete: a line of JSON that says what
+follows, the arrays one after the other, and a seal, the hash of all this and of the point's key. What is
+not as it was written, or stands under another's name, counts as missing. Planning needs no numpy: keys
+come from plain text.
 """
 
 from __future__ import annotations
 
 import hashlib
-import io
 import json
+import math
 from collections.abc import Collection, Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pydantic import BaseModel
 
@@ -21,13 +22,12 @@ from riserstudy.folders import cache_folder, write_whole
 from riserstudy.scene.models import Scene
 
 if TYPE_CHECKING:
-    from numpy.lib.npyio import NpzFile
-
     from riserstudy.dataset.result import Result
     from riserstudy.scene.load import SceneFile
 
 
 SEAL = hashlib.sha256().digest_size  # bytes
+ENDING = ".point"
 
 
 def canonical(value: Any) -> Any:
@@ -67,60 +67,72 @@ def key_of(scene: Scene) -> str:
 
 
 def _file(key: str) -> Path:
-    return cache_folder() / "points" / key[:2] / f"{key}.npz"
+    return cache_folder() / "points" / key[:2] / f"{key}{ENDING}"
 
 
 def put(key: str, result: Result, file: SceneFile) -> None:
     """Store a point, complete or not at all."""
     import numpy as np
 
-    target = _file(key)
-    target.parent.mkdir(parents=True, exist_ok=True)
+    arrays = {name: np.asarray(values, order="C") for name, values in result.arrays.items()}
     about = {
         "facts": result.facts,
         "scene": file.tree,
         "source": file.source,
         "engine": engine_digest(),
+        "origins": {path: origin.status for path, origin in file.origins.items()},
+        "arrays": {name: [values.dtype.str, values.shape] for name, values in arrays.items()},
     }
-    about["origins"] = {path: origin.status for path, origin in file.origins.items()}
-    content = io.BytesIO()
-    np.savez(content, allow_pickle=False, about=np.array(json.dumps(about)), **result.arrays)
-    whole = content.getvalue()
-    write_whole(target, whole + _seal(whole))
+    whole = b"".join([json.dumps(about).encode(), b"\n", *(a.tobytes() for a in arrays.values())])
+    target = _file(key)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(target, whole + _seal(key, whole))
 
 
-def _seal(content: bytes) -> bytes:
-    """What stands at the end of a whole point: the format's own sums leave its directory out."""
-    return hashlib.sha256(content).digest()
+def _seal(key: str, content: bytes | memoryview) -> bytes:
+    """What stands at the end of a whole point."""
+    total = hashlib.sha256(key.encode() + b"\n")
+    total.update(content)
+    return total.digest()
+
+
+class Stored(NamedTuple):
+    """A point that was read whole: what it says of itself, and the bytes of its arrays."""
+
+    about: dict[str, Any]
+    content: memoryview
+
+
+def _read(path: Path) -> Stored | None:
+    """A stored point; None when it is missing or not as it was written."""
+    try:
+        whole = path.read_bytes()
+    except OSError:
+        return None
+    content = memoryview(whole)[:-SEAL]
+    if len(whole) <= SEAL or whole[-SEAL:] != _seal(path.stem, content):
+        return None
+    end = whole.index(b"\n")  # JSON has none
+    return Stored(json.loads(whole[:end]), content[end + 1 :])
 
 
 def get(key: str, names: Collection[str] | None = None) -> Result | None:
     """A stored point with all arrays or some, or None when it is missing or not whole."""
-    from riserstudy.dataset.result import Result
-
-    with _opened(_file(key)) as stored:
-        if stored is None:
-            return None
-        wanted = [n for n in stored.files if n != "about" and (names is None or n in names)]
-        arrays = {name: stored[name] for name in wanted}
-        return Result(arrays, json.loads(str(stored["about"]))["facts"])
-
-
-@contextmanager
-def _opened(path: Path) -> Iterator[NpzFile | None]:
-    """The arrays of a stored point; None when it is missing or not as it was written."""
+    stored = _read(_file(key))
+    if stored is None:
+        return None
     import numpy as np
 
-    try:
-        whole = path.read_bytes()
-    except OSError:
-        whole = b""
-    content, seal = whole[:-SEAL], whole[-SEAL:]
-    if seal != _seal(content):
-        yield None
-        return
-    with np.load(io.BytesIO(content), allow_pickle=False) as stored:
-        yield stored
+    from riserstudy.dataset.result import Result
+
+    arrays, begin = {}, 0
+    for name, (kind, shape) in stored.about["arrays"].items():
+        dtype, count = np.dtype(kind), math.prod(shape)
+        if names is None or name in names:
+            part = np.frombuffer(stored.content, dtype, count, begin)
+            arrays[name] = part.reshape(shape).copy()  # so that the others can be let go
+        begin += count * dtype.itemsize
+    return Result(arrays, stored.about["facts"])
 
 
 def has(key: str) -> bool:
@@ -130,7 +142,6 @@ def has(key: str) -> bool:
 
 def about_points() -> Iterator[dict[str, Any]]:
     """What each stored point says of itself, with its key."""
-    for path in sorted((cache_folder() / "points").glob("*/*.npz")):
-        with _opened(path) as stored:
-            if stored is not None:
-                yield {"key": path.stem, **json.loads(str(stored["about"]))}
+    for path in sorted((cache_folder() / "points").glob(f"*/*{ENDING}")):
+        if (stored := _read(path)) is not None:
+            yield {"key": path.stem, **stored.about}
