@@ -133,3 +133,19 @@ def test_kernels_take_the_same_curve_at_the_middles(nodes):
         for e in range(nodes - 1)
     ]
     assert ones == pytest.approx(of.cubic(values, 0.5 * (s[1:] + s[:-1])))
+
+
+def test_a_plumb_riser_is_not_refined_on_rounding(tmp_path):
+    still = {"profile": {"shape": "uniform", "surface_speed": "0 m/s"}}
+    settings = {
+        "riser[0].lateral_load": None,
+        "riser[0].submerged_weight": "1 kN/m",
+        "riser[0].drag": {"coefficient": 1.0, "diameter": "1 m"},
+        "water": {"density": "1025 kg/m^3", "seabed": "0 m", "surface": f"{LENGTH} m"},
+        "current": still,
+        "analysis.mesh": None,
+    }
+    found = run(tmp_path, **settings)
+    assert found.attrs["elements"] <= 64
+    assert "accuracy not reached" not in found.attrs["warnings"]
+    assert float(abs(found["bending_moment"]).max()) < 1e-9 * STIFF

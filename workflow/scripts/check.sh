@@ -13,7 +13,7 @@ check() {
 check ruff format --check
 check ruff check
 check mypy --no-error-summary
-check snakefmt --check Snakefile workflow/rules src/riserstudy/template/Snakefile
+check snakefmt --check Snakefile workflow/rules src/riserstudy/study/template/Snakefile
 check snakemake --lint
 check lint-imports
 check codespell

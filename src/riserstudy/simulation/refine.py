@@ -19,6 +19,7 @@ from riserstudy.simulation.time_stepping import steps_in
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
 RUNS = 16  # halvings of mesh or step, at most
+SEGMENTS = 50_000  # of the finest mesh, at most
 FALL = 1.5  # of differences, by which halving must bring them down to be repeated
 STALE = 3  # halvings of the other, after which what one of mesh and step was seen to change is seen anew
 MATTERS = 0.25  # of what is asked for: an error that is
@@ -131,14 +132,15 @@ class Refinement:
             if finer is not None:
                 self._compare(finer)
                 way = self._next_way()
-                if way is None or left == 0:
+                if way is None or left == 0 or self._too_fine(way):
                     break
                 self._ask_patience(finer)
                 self._halve(way)
             left -= 1
         if way is not None:
             finer.facts["warnings"].append(
-                f"accuracy not reached after {RUNS} refinements: {_worst(self.error)} estimated"
+                f"accuracy not reached after {len(self.spent)} runs, the last on {len(self.mesh.l0)} "
+                f"segments: {_worst(self.error)} estimated"
             )
         finer.facts["solve_seconds"] = _spent(self.spent)
         finer.facts["refinements"] = self.spent
@@ -209,6 +211,9 @@ class Refinement:
         if _spent(self.spent) + 2.0 * finer.facts["solve_seconds"] > self.patience:
             by_then = f"{_worst(self.error)} estimated" if self.seen else "nothing estimated"
             raise TakesTooLong(f"takes longer than {self.patience:g} s; {by_then} by then")
+
+    def _too_fine(self, way: str) -> bool:
+        return way == "mesh" and 2 * len(self.mesh.l0) > SEGMENTS
 
     def _halve(self, way: str) -> None:
         self.way = way
