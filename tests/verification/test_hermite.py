@@ -7,6 +7,10 @@ from reference_heave import ramped_sine
 from reference_rod import Rod
 from scipy.interpolate import CubicHermiteSpline
 
+from riserstudy.effects.catalogue import CALLED_BY
+from riserstudy.errors import SimulationError
+from riserstudy.simulation.hermite_run import LARGE_ANGLES, SUPPORTED, effects_of
+from riserstudy.simulation.warm_up import scenes
 from riserstudy.solve.hermite import Beam, End, HermiteError, dynamics, frequencies, statics
 
 RISER = ref.Riser()
@@ -280,3 +284,19 @@ def test_still_water_and_still_ends_leave_the_beam_exactly_at_rest():
     found = dynamics(riser(50, top=End()), np.arange(11.0), 0.1)
     assert not found.displacement.any()
     assert not found.moment.any()
+
+
+def test_what_the_beam_has_not_is_refused_by_name_and_what_it_has_is_told():
+    """Of the effects of lumped masses, each is either supported, refused, or no part of small angles."""
+    assert set(CALLED_BY) >= SUPPORTED | LARGE_ANGLES
+    refused = set()
+    for scene in [scene for group in scenes().values() for scene in group]:
+        analysis = scene.analysis.model_copy(update={"solver": "hermite"})
+        try:
+            told = effects_of(scene.model_copy(update={"analysis": analysis}))
+        except SimulationError as error:
+            refused.add(str(error).split("hermite has no ")[1].split(", which")[0])
+        else:
+            assert {"bending", "drag", "weight"} <= set(told) <= SUPPORTED
+    assert refused
+    assert not refused & SUPPORTED

@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
+from riserstudy.model.build import build
 from riserstudy.model.hydrodynamics import wave_of
 from riserstudy.model.layout import flexibility_of, stiffness
-from riserstudy.model.mesh import Mesh
+from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.sea import current_table
 from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
@@ -37,6 +38,23 @@ from riserstudy.solve.hermite import (
 FloatArray = NDArray[np.float64]
 STIFFENING = 0.01  # change of the top tension, left out by a beam of constant tension, that is told
 CORRECTION = 1e-8  # that ends an iteration (m); on fine elements rounding leaves 1e-10
+#: effects of lumped masses that the beam has too; the waterline is where it is at rest
+SUPPORTED = {
+    *(
+        "axial elasticity",
+        "bending",
+        "flex joint",
+        "clamp",
+        "support",
+        "weight",
+        "line load",
+        "inertia",
+    ),
+    *("contents", "added mass", "drag", "current", "wave", "wave force", "waterline"),
+    *("platform motion", "platform position", "constant tension", "lateral force"),
+}
+#: what small angles leave out, by the meaning of the word
+LARGE_ANGLES = {"foreshortening"}
 AVERAGE_ACCELERATION = Newmark(beta=0.25, gamma=0.5)
 
 
@@ -64,7 +82,7 @@ def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
         arrays[name + "_static"] = value
     lowest = int(tension.argmin())
     facts: dict[str, Any] = {
-        "effects": _effects(scene),
+        "effects": effects_of(scene),
         "elements": len(mesh.l0),
         "directions": 2,
         "warnings": [],
@@ -150,9 +168,19 @@ def beam_of(scene: Scene, mesh: Mesh) -> Beam:
         bottom=End(rotation_stiffness=_spring(scene.bottom.rotation)),
         top=_top(scene),
     )
+    wet = _wet_share(scene, mesh)
+    dry = dry._replace(added_mass=wet * dry.added_mass, drag=wet * dry.drag)
     strain = dry.tension.mean(axis=1) / per_segment([stiffness(s).axial for s in sections])
-    inertia = per_segment([a + b for a, b in zip(displaced, added, strict=True)])
+    inertia = wet * per_segment([a + b for a, b in zip(displaced, added, strict=True)])
     return _wet(scene, dry, strain, inertia)
+
+
+def _wet_share(scene: Scene, mesh: Mesh) -> FloatArray:
+    """Share of each segment that is below the surface with the riser upright, (n,); all without one."""
+    if scene.water is None or scene.water.surface is None:
+        return np.ones(len(mesh.l0))
+    below = scene.water.surface - (scene.bottom.elevation or 0.0) - mesh.s[:-1]
+    return np.clip(below / mesh.l0, 0.0, 1.0)
 
 
 def _wet(scene: Scene, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Beam:
@@ -187,8 +215,28 @@ def _sign(heading: float | None) -> float:
     return math.copysign(1.0, math.cos(heading or 0.0))
 
 
+def effects_of(scene: Scene) -> dict[str, str]:
+    """Effects of the beam, with the reason for each.
+
+    Raises
+    ------
+    SimulationError
+        When the scene calls for one that the beam has not.
+    """
+    model = build(scene, even(scene, max(2, len(scene.riser))), ring_elevation=0.0, d=2)
+    called = {effect.name: effect.because for effect in model.effects}
+    for name, because in called.items():
+        if name not in SUPPORTED | LARGE_ANGLES:
+            raise SimulationError(
+                f"analysis.solver hermite has no {name}, which {because} calls for; leave it out, or use "
+                "lumped masses"
+            )
+    return {name: because for name, because in called.items() if name in SUPPORTED}
+
+
 def _refuse(scene: Scene) -> None:
     """Refuse what the beam has not."""
+    effects_of(scene)
     top, platform = scene.top, scene.platform
     reasons = {
         "riser without bending stiffness": not all(stiffness(s).bending for s in scene.riser),
@@ -300,19 +348,3 @@ def _moving(scene: Scene, beam: Beam, step: float) -> Response:
         tolerance=CORRECTION,
         start="straight" if a.start == "undeflected" else "equilibrium",
     )
-
-
-def _effects(scene: Scene) -> dict[str, str]:
-    there = {
-        "bending": "riser.young_modulus or bending_stiffness",
-        "inertia": "riser.mass",
-        "constant tension": "top.tension",
-        "support": "top.x",
-        "contents": "riser.contents" if any(s.contents for s in scene.riser) else "",
-        "added mass": "riser.added_mass" if any(s.added_mass for s in scene.riser) else "",
-        "drag": "riser.drag" if any(s.drag for s in scene.riser) else "",
-        "current": "current" if scene.current else "",
-        "wave": "wave" if scene.wave else "",
-        "platform motion": "platform.surge" if scene.platform and scene.platform.surge else "",
-    }
-    return {name: why for name, why in there.items() if why}
