@@ -40,14 +40,25 @@ def levels(part: Shape | WindDrift, water: Water | None) -> tuple[float, float]:
 
 
 def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -> FloatArray:
-    """Speed of one named profile at elevations within its span (m/s); its end values beyond."""
+    """Speed of one named profile at elevations within its span (m/s); its end values beyond.
+
+    References
+    ----------
+    Ekman 1905, On the influence of the earth's rotation on ocean currents, Arkiv för Matematik, Astronomi och
+    Fysik 2(11): the drift of deep water, whose transport is all across the wind.
+    """
     low, high = span
     inside = np.clip(z, low, high)
     if isinstance(part, WindDrift):
         strength = part.wind_speed / math.sqrt(math.sin(part.latitude))
         fall = math.pi * (inside - high) / (part.depth_factor * strength)
         drift = part.surface_factor * strength * np.exp(fall)
-        turned = np.cos(0.25 * math.pi + fall) if part.component == "along the wind" else 1.0
+        # 45 degrees off the wind at the surface, and away from it with depth
+        turned = {
+            "along the wind": np.cos(0.25 * math.pi - fall),
+            "across the wind": np.cos(0.25 * math.pi + fall),
+            "magnitude": np.ones_like(fall),
+        }[part.component]
         return np.asarray(drift * turned)
     share = {
         "uniform": lambda: np.ones_like(z),

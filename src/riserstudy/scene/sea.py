@@ -74,15 +74,16 @@ class IrregularSea(Storm, Wave):
 
 
 class WindDrift(Strict):
-    """Ekman's drift of deep water under a steady wind along x, in the plane of the wind.
+    """Ekman's drift of deep water under a steady wind.
 
     Surface speed is surface_factor W / sqrt(sin latitude); over the friction depth,
-    depth_factor W / sqrt(sin latitude), the drift turns by half a turn and falls to a 23rd. Its part
-    along the wind, or its magnitude.
+    depth_factor W / sqrt(sin latitude), the drift turns by half a turn and falls to a 23rd. At the surface
+    it goes 45 degrees off the wind, and turns away from it with depth. The riser feels its part along the
+    wind, that across it (which carries all of the transport), or its magnitude.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]
     latitude: Annotated[u.Angle, POSITIVE]
     surface_factor: Positive
     depth_factor: Annotated[u.Time, POSITIVE]
-    component: Literal["along the wind", "magnitude"]
+    component: Literal["along the wind", "across the wind", "magnitude"]

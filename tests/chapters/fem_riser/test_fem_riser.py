@@ -8,7 +8,7 @@ import xarray as xr
 
 from riserstudy.chapters.fem_riser import claims as checks
 from riserstudy.chapters.fem_riser.along import amplitude_at, angles, place, stress_factor
-from riserstudy.model.sea import current_table
+from riserstudy.model.sea import current_table, profile
 from riserstudy.scene.load import read_scene
 
 BASE = "config/scenes/fem_riser/base.yaml"
@@ -33,12 +33,31 @@ def test_a_buoyant_factor_gives_weight_and_tension_in_each_reading(base, reading
     assert scene.top.tension == pytest.approx(held * 1.3 * dry * 2000.0, rel=1e-12)
 
 
+def test_the_drift_carries_water_across_the_wind_and_none_along_it(base):
+    """Ekman's transport tau / (rho f), by depth integrals; at the surface both parts are alike."""
+    drift = base.scene().current.profile.sum[1]
+    strength = drift.wind_speed / np.sqrt(np.sin(drift.latitude))
+    surface, depth = drift.surface_factor * strength, drift.depth_factor * strength
+    z = np.linspace(-12.0 * depth, 0.0, 400_001)
+    parts = {
+        name: profile(drift.model_copy(update={"component": name}), (z[0], 0.0), z)
+        for name in ("along the wind", "across the wind", "magnitude")
+    }
+    carried = {name: np.trapezoid(speed, z) for name, speed in parts.items()}
+    assert carried["across the wind"] == pytest.approx(surface * depth / (np.pi * np.sqrt(2.0)))
+    assert abs(carried["along the wind"]) < 1e-6 * carried["across the wind"]
+    sides = [parts["along the wind"], parts["across the wind"]]
+    np.testing.assert_allclose(np.hypot(*sides), parts["magnitude"], rtol=1e-12)
+    assert sides[0][-1] == pytest.approx(sides[1][-1]) == pytest.approx(surface / np.sqrt(2.0))
+    # below the surface the drift turns away from the wind: it is soon against it
+    below = z > -0.5 * depth
+    assert sides[0][below].min() < 0.0 < sides[1][below].min()
+
+
 def test_the_current_is_tide_and_drift(base):
     scene = base.scene()
     z, speed = current_table(scene.current, scene.water)
-    strength = 20.0 / np.sqrt(np.sin(np.deg2rad(20.0)))
-    fall = np.pi * (z - 2000.0) / (7.6 * strength)
-    drift = 0.0127 * strength * np.exp(fall) * np.cos(np.pi / 4.0 + fall)
+    drift = profile(scene.current.profile.sum[1], (0.0, 2000.0), z)
     np.testing.assert_allclose(speed, (z / 2000.0) ** 0.142857 + drift, atol=1e-12)
 
 
