@@ -18,10 +18,10 @@ def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray) -> FloatArray:
         high = (up.volume / (up.volume - up.area * reach)) ** k
         low = (down.volume / (down.volume + down.area * reach)) ** k
         pull: FloatArray = up.area * up.pressure * high - down.area * down.pressure * low
-        return pull
+        return pull - gas.outside_force
     ratio = gas.volume / (gas.volume - gas.area * reach)
     force: FloatArray = gas.area * gas.pressure * ratio**gas.exponent
-    return force
+    return force - gas.outside_force
 
 
 def table_law(table: list[TableRow]) -> PPoly:

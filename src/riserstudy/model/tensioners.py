@@ -56,6 +56,7 @@ def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
             gas.area * each, gas.pressure * ones, gas.volume * ones, gas.exponent * ones
         )
         yield Effect("gas tensioner", record, "top.tensioners.gas")
+        yield from outside(gas.outside_force * each, "gas tensioner", "top.tensioners.gas")
     elif rig.two_chamber_gas and not rig.linearised:
         both = rig.two_chamber_gas
         values = [
@@ -65,7 +66,9 @@ def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
         ]
         values += [both.exponent * np.ones(rig.count), rig.piston_mass * gravity * each]
         record = TwoChamberGas(*values)
-        yield Effect("two-chamber gas tensioner", record, "top.tensioners.two_chamber_gas")
+        name, why = "two-chamber gas tensioner", "top.tensioners.two_chamber_gas"
+        yield Effect(name, record, why)
+        yield from outside(both.outside_force * each, name, why)
     elif rig.table:
         law = table_law(rig.table)
         work = law.antiderivative()
@@ -84,6 +87,12 @@ def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
         ones = np.ones(rig.count)
         record = EndStop(stop.shortest * ones, stop.longest * ones, stop.stop_stiffness * each)
         yield Effect("end stops", record, "top.tensioners.stroke")
+
+
+def outside(force: NDArray[np.float64], name: str, why: str) -> Iterator[Effect]:
+    """What the pressure around takes off the pull of gas, (cylinders,), N."""
+    if np.any(force):
+        yield Effect(name, LinearSpring(-force, np.zeros(len(force))), why)
 
 
 def pistons(rig: Tensioners, ring: int, directions: int) -> Iterator[Effect]:

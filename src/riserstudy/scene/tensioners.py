@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -12,21 +12,35 @@ from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
 from riserstudy.scene.carried import Carried, DampingRatio
 
 
-class Gas(Strict):
-    """One gas chamber a cylinder at mid-stroke; F = A P (V / (V - A reach))^k."""
-
-    area: Annotated[u.Area, POSITIVE]
-    pressure: Annotated[u.Pressure, POSITIVE]
-    volume: Annotated[u.Volume, POSITIVE]
-    exponent: Annotated[float, Field(gt=1)]
-
-
 class Chamber(Strict):
-    """Gas on one side of a piston: the area it acts on, and its state at mid-stroke."""
+    """Gas on one side of a piston: the area it acts on, and its state at mid-stroke.
+
+    ``outside``: pressure that acts on the same area from without. Absent: that of the atmosphere where the
+    gas has a gauge pressure, none where it has an absolute one, as in laws that count that alone.
+    """
 
     area: Annotated[u.Area, POSITIVE]
     pressure: Annotated[u.Pressure, POSITIVE]
     volume: Annotated[u.Volume, POSITIVE]
+    outside: Annotated[u.Pressure, NOT_NEGATIVE] | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _atmosphere_around_a_gauge(cls, tree: Any) -> Any:
+        if isinstance(tree, dict) and str(tree.get("pressure")).strip().endswith("gauge"):
+            return {"outside": f"{u.ATMOSPHERE} Pa absolute", **tree}
+        return tree
+
+    @property
+    def outside_force(self) -> float:
+        """Force of the pressure outside (N)."""
+        return self.area * (self.outside or 0.0)
+
+
+class Gas(Chamber):
+    """One gas chamber a cylinder at mid-stroke; F = A P (V / (V - A reach))^k - A outside."""
+
+    exponent: Annotated[float, Field(gt=1)]
 
 
 class Pistons(Strict):
@@ -46,6 +60,11 @@ class TwoChamberGas(Strict):
     low: Chamber
     exponent: Annotated[float, Field(gt=1)]
     pistons: Pistons | None = None
+
+    @property
+    def outside_force(self) -> float:
+        """Force of the pressure outside (N): against the high pressure, with the low one."""
+        return self.high.outside_force - self.low.outside_force
 
 
 class Linear(Strict):
