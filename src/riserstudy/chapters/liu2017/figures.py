@@ -189,14 +189,21 @@ def calibration(calibration: xr.Dataset) -> Figure:
     figure, (ax,) = panels(height=3.8)
     handles = []
     for colour, weight in zip(COLOURS, calibration["riser_weight"].values, strict=False):
-        angle = calibration["ufj_angle"].sel(riser_weight=weight) * DEGREES
-        shown = angle.transpose("hull_drag", "gain")
-        ax.contour(shown["gain"], shown["hull_drag"], shown, levels=[UFJ_LIMIT], colors=[colour])
+        first = calibration["ufj_limit_time"].sel(riser_weight=weight)
+        shown = first.transpose("hull_drag", "gain").where(np.isfinite(first))  # never: no number
+        ax.contour(shown["gain"], shown["hull_drag"], shown, levels=[DEADLINE], colors=[colour])
         handles += ax.plot([], [], color=colour, label=f"riser's weight in water: {weight}")
     handles += ax.plot([65.1], [250.0], "o", color="black", label="fit that is used")
+    reached = (calibration["ufj_limit_time"] < np.inf).any("riser_weight")
+    for axis, other, limit in (
+        ("gain", "hull_drag", ax.set_xlim),
+        ("hull_drag", "gain", ax.set_ylim),
+    ):
+        along = calibration[axis].values[reached.any(other).values]
+        limit(along.min(), along.max())
     ax.set_xlabel("thrusters' gain (kN/m)")
     ax.set_ylabel("hull drag (kN s²/m²)")
-    ax.set_title("lines: 12° at 50 s", loc="right", fontsize="small")
+    ax.set_title(f"lines: 12° first reached at {DEADLINE:g} s", loc="right", fontsize="small")
     ax.legend(handles=handles, fontsize="small", loc="upper left")
     return figure
 

@@ -77,14 +77,20 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
     length, mass = float(of_paper["riser_length"]), float(of_paper["lmrp_mass"])
-    soft = lost.sel(mode="soft")
-    least = float(soft.min())
-    told = f"not lost up to {most:g} m" if np.isnan(least) else f"lost from {least:.1f} m on"
-    figure.supxlabel(
-        f"above: {length:g} m with {mass:g} t, orange where tension is lost; on tensioners it is {told}",
-        fontsize="small",
-    )
+    said = f"above: {length:g} m with {mass:g} t, orange where tension is lost"
+    figure.supxlabel(f"{said}; on tensioners {_lost_softly(lost, most)}", fontsize="small")
     return figure
+
+
+def _lost_softly(lost: xr.DataArray, most: float) -> str:
+    """The least heave that loses tension on tensioners, and of which riser."""
+    soft = lost.sel(mode="soft")
+    if bool(soft.isnull().all()):
+        return f"no riser loses it up to {most:g} m"
+    at = soft.where(soft == soft.min(), drop=True)
+    length, mass, period = (float(at[n][0]) for n in ("riser_length", "lmrp_mass", "heave_period"))
+    riser = f"{length:g} m with {mass:g} t at {period:g} s"
+    return f"the first to lose it are {riser}, from {float(soft.min()):.1f} m on"
 
 
 def _cells(
