@@ -2,24 +2,58 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import tempfile
 from collections.abc import Callable
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
+from stat import S_IWOTH
 from typing import Any
+
+import platformdirs
+
+from riserstudy.errors import InputError
 
 PACKAGE = Path(__file__).parent
 CHAPTERS = "riserstudy.chapters"
 
 
 def cache_folder() -> Path:
-    """Folder of point store and compiled kernels: RISERSTUDY_CACHE, or ``.cache`` of the checkout."""
-    if moved := os.environ.get("RISERSTUDY_CACHE"):
-        return Path(moved)
+    """Folder of point store and compiled kernels.
+
+    RISERSTUDY_CACHE, or ``.cache`` of the checkout, or the user's own cache for an installed package: never
+    the folder where one happens to work, since what is compiled there is executed.
+
+    Raises
+    ------
+    InputError
+        When somebody else owns the folder, or can write to it.
+    """
     checkout = PACKAGE.parents[1]
-    return (checkout if (checkout / "pyproject.toml").exists() else Path.cwd()) / ".cache"
+    if moved := os.environ.get("RISERSTUDY_CACHE"):
+        folder = Path(moved)
+    elif (checkout / "pyproject.toml").exists():
+        folder = checkout / ".cache"
+    else:
+        folder = platformdirs.user_cache_path("riserstudy", appauthor=False)
+    _refuse_foreign(folder.absolute())
+    return folder
+
+
+@cache
+def _refuse_foreign(folder: Path) -> None:
+    try:
+        stat = folder.stat()
+    except OSError:  # not there: made by us, or told when it cannot be
+        return
+    allowed = "name a folder of your own by RISERSTUDY_CACHE, or make it yours alone"
+    if hasattr(os, "getuid") and stat.st_uid != os.getuid():
+        raise InputError(folder, "", "the cache belongs to another user", allowed)
+    if os.name == "posix" and stat.st_mode & S_IWOTH:
+        raise InputError(folder, "", "anyone can write to the cache", allowed)
 
 
 def workflow_folder() -> Path:
@@ -57,12 +91,22 @@ def write_whole(target: Path, content: bytes) -> None:
 
 
 def remembered(name: str, make: Callable[[], Any]) -> Any:
-    """Plain data that takes long to make, kept in the cache; the name says all that it depends on."""
+    """Plain data that takes long to make, kept in the cache; the name says all that it depends on.
+
+    A seal stands before it: what is not as it was written is made anew.
+    """
     kept = cache_folder() / f"{name}.json"
     with suppress(OSError, ValueError):
-        return json.loads(kept.read_text("utf-8"))
+        seal, _, content = kept.read_bytes().partition(b"\n")
+        if seal == _seal(name, content):
+            return json.loads(content)
     made = make()
     with suppress(OSError):  # where nothing can be kept, it is made each time
         kept.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(kept, json.dumps(made).encode())
+        content = json.dumps(made).encode()
+        write_whole(kept, _seal(name, content) + b"\n" + content)
     return made
+
+
+def _seal(name: str, content: bytes) -> bytes:
+    return hashlib.sha256(name.encode() + b"\n" + content).hexdigest().encode()

@@ -25,7 +25,9 @@ def start_server(compiled: str) -> None:
     log_file.parent.mkdir(exist_ok=True)
     # Bound here, so that the first job finds it and waits, instead of loading everything once more.
     with socket.socket(socket.AF_UNIX) as listener, log_file.open("wb") as log:
+        others = os.umask(0o077)  # the socket takes jobs from its owner alone
         listener.bind(str(address))
+        os.umask(others)
         listener.listen(128)
         number = listener.fileno()
         command = [sys.executable, "-m", "riserstudy.jobs.server", str(number), compiled]

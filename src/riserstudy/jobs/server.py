@@ -15,6 +15,7 @@ import runpy
 import select
 import signal
 import socket
+import struct
 import sys
 import threading
 import traceback
@@ -61,11 +62,23 @@ def serve(listener: socket.socket, compiled: Path) -> None:
         if sys.stdin in ready:
             break
         asker, _ = listener.accept()
+        if not of_this_user(asker):
+            asker.close()
+            continue
         jobs += 1
         with asker:
             if os.fork() == 0:
                 listener.close()
                 become_job(asker)
+
+
+def of_this_user(asker: socket.socket) -> bool:
+    """Whether who asks is the user that this process is of, as far as the system tells."""
+    if not hasattr(socket, "SO_PEERCRED"):
+        return True  # the socket's own permissions stand
+    size = struct.calcsize("3i")
+    _, user, _ = struct.unpack("3i", asker.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, size))
+    return bool(user == os.getuid())
 
 
 def load_libraries() -> None:

@@ -11,9 +11,9 @@ from riserstudy.model.ends import ends
 from riserstudy.model.hydrodynamics import current, hydrodynamics, wave
 from riserstudy.model.initial_shape import between_ends, under_a_joint
 from riserstudy.model.joints import inner_joints, sliding_joint, stress_gauge
-from riserstudy.model.layout import AXES, Layout, Report, directions, layout_of
+from riserstudy.model.layout import AXES, Layout, directions, layout_of
 from riserstudy.model.mesh import Mesh, blend_by_weight
-from riserstudy.model.model import Effect, Model, Unknowns
+from riserstudy.model.model import Effect, Model, Report, Unknowns
 from riserstudy.model.platform_motion import motions
 from riserstudy.model.riser import riser
 from riserstudy.model.soil import soil

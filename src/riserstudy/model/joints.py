@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.sliding_tension import SlidingTension
 from riserstudy.effects.stress_gauge import StressGauge
-from riserstudy.model.layout import Layout, Report
+from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
-from riserstudy.model.model import Effect
+from riserstudy.model.model import Effect, Report
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.riser import Section
 

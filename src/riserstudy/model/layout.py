@@ -16,9 +16,6 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
-Report = Callable[
-    ..., int
-]  # takes names that effects report under, and tells the first one's place
 AXES = {1: [2], 2: [0, 2], 3: [0, 1, 2]}  # which of x, y, z a model of so many directions has
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +12,9 @@ from riserstudy.effects.registry import ROLES
 from riserstudy.solve.evaluate import Programs, set_compliance
 from riserstudy.solve.program import Frozen, assemble
 from riserstudy.solve.state import OTHER, OWN, State, new_state
+
+#: takes names that an effect reports under, and tells the place of the first
+Report = Callable[..., int]
 
 
 class Effect(NamedTuple):

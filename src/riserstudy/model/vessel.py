@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,13 +12,10 @@ from riserstudy.effects.munk import Munk
 from riserstudy.effects.thrusters import Thrusters
 from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.vessel import Vessel
-from riserstudy.model.model import Effect
+from riserstudy.model.model import Effect, Report
 from riserstudy.model.sea import current_table
 from riserstudy.scene import vessel as scenes
 from riserstudy.scene.models import Scene
-
-if TYPE_CHECKING:
-    from riserstudy.model.layout import Report
 
 FloatArray = NDArray[np.float64]
 AHEAD = ("platform_speed", "riser_reaction", "environment_force")  # reported by direction

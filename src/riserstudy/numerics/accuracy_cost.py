@@ -11,7 +11,6 @@ from riserstudy.numerics.attempt import deciding
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.simulate import at_accuracy
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 REQUESTS = (0.05, 0.01, 0.002, 0.0005)
 SLOWEST = 60.0  # seconds: a request that took longer is the last
@@ -27,7 +26,6 @@ class Price(NamedTuple):
     seconds: float  # of all refinements, kernels compiled
 
 
-@mends_kernel_cache
 def prices(file: SceneFile) -> Iterator[Price]:
     """Run a scene at ever finer requests; the first run, which may compile, is not timed.
 

@@ -9,7 +9,6 @@ from riserstudy.numerics.ablation import Ablation, Changed, ablate
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import DISPLACEMENT, MOMENT
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 REPEATS = 2  # rounds of timed runs
 BUDGET = 5e5  # node-steps a run; longer scenes are cut short
@@ -33,7 +32,6 @@ class Advice(NamedTuple):
     said: list[str]
 
 
-@mends_kernel_cache
 def advice(file: SceneFile) -> Advice:
     """Change every effect of a scene in turn.
 

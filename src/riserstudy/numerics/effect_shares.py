@@ -9,7 +9,6 @@ from riserstudy.numerics.ablation import fixed
 from riserstudy.numerics.effect_cost import REST, costs, freedom
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.equilibrium import settle
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 BUDGET = 5e5  # node-steps a timed run; shares do not depend on how long it is
 
@@ -21,7 +20,6 @@ class Prices(NamedTuple):
     said: list[str]
 
 
-@mends_kernel_cache
 def priced(file: SceneFile) -> Prices:
     """Measure what the effects of a scene cost, on its own mesh and step or on plain ones.
 

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from riserstudy.digests import engine_digest
 from riserstudy.numerics.scenes import MeasuredStudy, Setting
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 from riserstudy.study.measured import (
     AccuracyStudy,
     EffectsStudy,
@@ -40,7 +39,6 @@ def module_of(study: MeasuredStudy) -> str:
     return f"riserstudy.numerics.{MODULES[type(study)]}"
 
 
-@mends_kernel_cache
 def measure(title: str, study: MeasuredStudy, setting: Setting) -> xr.Dataset:
     """One measured dataset of a chapter, labelled with the engine it is about."""
     module = import_module(module_of(study))

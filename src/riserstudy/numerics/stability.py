@@ -34,7 +34,6 @@ from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.stable_step import explicit_limit
 from riserstudy.simulation.starting_mesh import massless
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 from riserstudy.study.measured import Case, StabilityStudy
 from riserstudy.study.processes import each
 
@@ -229,7 +228,6 @@ def stability(study: StabilityStudy, setting: Setting) -> xr.Dataset:
     """All cases, as a dataset over case, method and rung of the ladder."""
     cases = in_tier(study.cases, setting.tier)
 
-    @mends_kernel_cache
     def one(item: tuple[str, Case]) -> Told:
         return tell(study, item[1], case_file(setting.config, *item), setting.tier)
 

@@ -14,7 +14,6 @@ from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.starting_mesh import massless
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 from riserstudy.solve.modes import natural_modes
 
 if TYPE_CHECKING:
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
 DEFAULT_ELEMENTS = 200
 
 
-@mends_kernel_cache
 def modes_of(scene: Scene, count: int) -> xr.Dataset:
     """Frequencies and shapes of the lowest modes.
 

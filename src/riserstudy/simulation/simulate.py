@@ -8,13 +8,11 @@ from typing import TYPE_CHECKING
 from riserstudy.dataset.label import to_dataset
 from riserstudy.effects.catalogue import absent
 from riserstudy.scene.load import SceneFile
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-@mends_kernel_cache
 def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr.Dataset:
     """Simulate a scene.
 

@@ -6,7 +6,6 @@ from typing import Any
 
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import run
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 
 Tree = dict[str, Any]
 
@@ -214,7 +213,6 @@ def scenes() -> dict[str, list[Scene]]:
     return {name: [Scene.model_validate(s) for s in group] for name, group in groups.items()}
 
 
-@mends_kernel_cache
 def warm_up(group: str | None = None) -> None:
     """Run them, or those of one group."""
     for name, several in scenes().items():

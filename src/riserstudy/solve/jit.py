@@ -14,7 +14,7 @@ from functools import wraps
 import numba
 from numba.core.caching import IndexDataCacheFile
 
-from riserstudy.solve.kernel_cache import kernel_cache
+from riserstudy.solve.kernel_cache import kernel_cache, seal_files_of
 
 # NaN and infinity stay visible ("nnan" and "ninf" are left out): the solvers test for them.
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
@@ -41,6 +41,7 @@ def _one_at_a_time(save: Callable[..., None]) -> Callable[..., None]:
 
 
 IndexDataCacheFile.save = _one_at_a_time(IndexDataCacheFile.save)
+seal_files_of(IndexDataCacheFile)
 
 _common = {"cache": True, "nogil": True, "error_model": "numpy", "fastmath": FAST}
 

@@ -1,30 +1,21 @@
-"""Where compiled kernels are kept; those that cannot be read are removed, and what needed them is done again.
-
-numba writes its cache files whole, but a full disk or a lost machine can leave them short, and a short
-file fails at every later run. Everything that runs kernels goes through this decorator: it lets an
-error pass unless it comes from reading the cache. Then it first removes the files that miss the end
-mark of what numba writes (one function is compiled anew, not all), and if that does not help, all.
-"""
+"""Where compiled kernels are kept, and that none is used which is not as it was written."""
 
 from __future__ import annotations
 
-import os
+import hashlib
+import io
+import pickle
 import platform
-import traceback
-from collections.abc import Callable
-from functools import wraps
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
 from importlib.metadata import version
 from pathlib import Path
-from typing import ParamSpec, TypeVar
+from typing import IO, Any
 
 from riserstudy.digests import kernel_digest
 from riserstudy.folders import cache_folder
 
-P = ParamSpec("P")
-T = TypeVar("T")
-
-READER = os.path.join("numba", "core", "caching.py")  # noqa: PTH118  the end of a name in a traceback
-END = b"."  # how a pickle ends
+SEAL = hashlib.sha256().digest_size  # bytes
 
 
 def kernel_cache() -> Path:
@@ -33,39 +24,49 @@ def kernel_cache() -> Path:
     return cache_folder() / "numba" / f"{kernel_digest()}-{versions}"
 
 
-def mends_kernel_cache(function: Callable[P, T]) -> Callable[P, T]:
-    """Make a function mend the cache of compiled kernels where it cannot be read."""
+def seal_files_of(cache: Any) -> None:
+    """Let a class of numba's cache files put a seal at the end of each, and take no file without it.
 
-    @wraps(function)
-    def mending(*arguments: P.args, **options: P.kwargs) -> T:
-        for mend in (_remove_short, _remove_all):
-            try:
-                return function(*arguments, **options)
-            except Exception as error:
-                if not _unreadable(error):
-                    raise
-            mend(kernel_cache())
-        return function(*arguments, **options)
-
-    return mending
+    A file that is damaged counts as one that is not there: its kernel is compiled anew and written again.
+    """
+    cache._open_for_write = _sealing(cache._open_for_write)
+    cache._load_index = _load_index
+    cache._load_data = lambda self, name: pickle.loads(_unsealed(self._data_path(name)))
 
 
-def _unreadable(error: BaseException | None) -> bool:
-    """Whether an error, or one behind it, arose while numba read its cache."""
-    while error is not None and not isinstance(error, OSError):
-        frames = traceback.extract_tb(error.__traceback__)
-        if any(frame.filename.endswith(READER) for frame in frames):
-            return True
-        error = error.__cause__ or error.__context__
-    return False
+def _sealing(
+    opened: Callable[[Any, str], AbstractContextManager[IO[bytes]]],
+) -> Callable[[Any, str], AbstractContextManager[IO[bytes]]]:
+    @contextmanager
+    def writing(self: Any, path: str) -> Iterator[IO[bytes]]:
+        content = io.BytesIO()
+        yield content
+        with opened(self, path) as file:
+            file.write(content.getvalue() + _seal(path, content.getvalue()))
+
+    return writing
 
 
-def _remove_short(folder: Path) -> None:
-    for file in folder.rglob("*.nb[ci]"):
-        if not file.read_bytes().endswith(END):
-            file.unlink(missing_ok=True)
+def _seal(path: str, content: bytes) -> bytes:
+    return hashlib.sha256(Path(path).name.encode() + b"\n" + content).digest()
 
 
-def _remove_all(folder: Path) -> None:
-    for file in folder.rglob("*.nb[ci]"):
-        file.unlink(missing_ok=True)
+def _unsealed(path: str) -> bytes:
+    """What was written into a file; OSError, which numba takes for no file, where it is another now."""
+    whole = Path(path).read_bytes()
+    content, seal = whole[:-SEAL], whole[-SEAL:]
+    if seal != _seal(path, content):
+        raise OSError(f"{path} is not as it was written")
+    return content
+
+
+def _load_index(self: Any) -> dict[Any, str]:
+    """Names of the files of a function's signatures; none where the index is old, damaged or not there."""
+    try:
+        content = io.BytesIO(_unsealed(self._index_path))
+    except OSError:
+        return {}
+    if pickle.load(content) != self._version:
+        return {}
+    stamp, overloads = pickle.load(content)
+    return dict(overloads) if stamp == self._source_stamp else {}

@@ -9,7 +9,6 @@ from collections.abc import Iterable
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
-from riserstudy.solve.kernel_cache import mends_kernel_cache
 from riserstudy.study import store
 from riserstudy.study.grid import Point
 from riserstudy.study.processes import each
@@ -44,7 +43,6 @@ def fill(study: Study, points: Iterable[Point], processes: int) -> int:
     each_once = {point.key: point for point in points}
     missing = [p for key, p in each_once.items() if lacks(study, p, store.get(key, ()))]
 
-    @mends_kernel_cache
     def one(point: Point) -> SimulationError | None:
         from riserstudy.simulation.refine import run
 

@@ -1,0 +1,63 @@
+"""Whose cache it is, and that what is remembered is what was remembered."""
+
+import os
+import random
+
+import pytest
+
+from riserstudy import folders
+from riserstudy.errors import InputError
+from riserstudy.folders import cache_folder, remembered
+
+
+@pytest.fixture
+def cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "cache"))
+    (tmp_path / "cache").mkdir(mode=0o755)
+    folders._refuse_foreign.cache_clear()
+    yield tmp_path / "cache"
+    folders._refuse_foreign.cache_clear()
+
+
+def test_a_cache_that_anyone_can_write_to_is_refused(cache):
+    assert cache_folder() == cache
+    cache.chmod(0o777)
+    folders._refuse_foreign.cache_clear()
+    with pytest.raises(InputError, match="anyone can write to the cache"):
+        cache_folder()
+
+
+def test_a_cache_of_another_user_is_refused(cache, monkeypatch):
+    monkeypatch.setattr(os, "getuid", lambda: cache.stat().st_uid + 1)
+    with pytest.raises(InputError, match="belongs to another user"):
+        cache_folder()
+
+
+def test_an_installed_package_keeps_nothing_where_one_works(tmp_path, monkeypatch):
+    monkeypatch.delenv("RISERSTUDY_CACHE", raising=False)
+    monkeypatch.setattr(folders, "PACKAGE", tmp_path / "lib/site-packages/riserstudy")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "mine"))
+    monkeypatch.chdir(tmp_path)
+    assert cache_folder().name == "riserstudy"
+    assert cache_folder().parent != tmp_path
+
+
+def test_what_is_remembered_is_made_anew_when_it_was_damaged(cache):
+    made = []
+
+    def make():
+        made.append(1)
+        return {"length": "600 N/m"}
+
+    assert remembered("scenes/a", make) == remembered("scenes/a", make) == make()
+    assert len(made) == 2
+    file = cache / "scenes/a.json"
+    whole, rng = file.read_bytes(), random.Random(4)
+    for count in range(100):
+        damaged = bytearray(whole)
+        damaged[rng.randrange(len(whole))] ^= 1 << rng.randrange(8)
+        file.write_bytes(damaged)
+        assert remembered("scenes/a", make) == {"length": "600 N/m"}
+        assert len(made) == count + 3
+    file.rename(cache / "scenes/b.json")
+    assert remembered("scenes/b", lambda: "b") == "b"
