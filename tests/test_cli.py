@@ -198,3 +198,12 @@ def test_the_installed_command_gives_the_exit_codes_too(tmp_path):
     assert refused.returncode == 2
     assert "Traceback" not in refused.stderr
     assert [p.name for p in tmp_path.iterdir()] == ["out.nc"]
+
+
+def test_diff_says_by_its_exit_status_whether_something_changed(command, tmp_path):
+    for name, value in (("one", 1.0), ("same", 1.0), ("other", 2.0)):
+        xr.Dataset({"x": ("k", [value, 3.0])}).to_netcdf(tmp_path / f"{name}.nc")
+    assert command("diff", tmp_path / "one.nc", tmp_path / "same.nc")[0] == 0
+    code, out, _ = command("diff", tmp_path / "one.nc", tmp_path / "other.nc")
+    assert code == 1
+    assert "1 of 1 variables changed" in out

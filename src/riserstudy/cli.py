@@ -29,7 +29,8 @@ SetOption = Annotated[
 def main() -> None:
     """Run the command line; errors go to stderr in one line, with their exit code."""
     try:
-        app(standalone_mode=False)
+        if status := app(standalone_mode=False):  # of a command that ends with one
+            sys.exit(status)
     except typer.Exit as done:
         sys.exit(done.exit_code)
     except (typer.Abort, KeyboardInterrupt):
@@ -283,7 +284,10 @@ def diff(
     old: Annotated[Path, typer.Argument(help="results folder, dataset or table", metavar="OLD")],
     new: Annotated[Path, typer.Argument(help="the same, made anew", metavar="NEW")],
 ) -> None:
-    """Say what changed between two sets of results: published numbers, verdicts, every dataset."""
+    """Say what changed between two sets of results: published numbers, verdicts, every dataset.
+
+    Exit status 1 where something did.
+    """
     from rich.console import Console
     from rich.table import Table
 
@@ -307,3 +311,5 @@ def diff(
     print(
         f"{len(found.varied)} of {found.variables} variables changed, by {found.largest:.2g} at most"
     )
+    if found.graded or found.varied:
+        raise typer.Exit(1)

@@ -1,5 +1,6 @@
 """Grids: points planned from parts are the scenes that the whole of their values makes."""
 
+import re
 import resource
 import subprocess
 import sys
@@ -8,11 +9,17 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from pydantic import ValidationError
 
+from riserstudy.dataset.label import quantities
+from riserstudy.dataset.variables import of_runs
 from riserstudy.errors import InputError
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.scene.load import read_scene
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.warm_up import scenes
 from riserstudy.study.grid import Grid
+from riserstudy.study.models import Steps, StudyModel
 from riserstudy.study.store import key_of
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -98,3 +105,44 @@ def test_a_hundred_thousand_points_are_planned_in_ten_seconds_and_a_gigabyte():
     assert len({point.key for point in points}) == len(points) == 100_000
     assert seconds < 10.0
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < 1e6  # kB
+
+
+OF_SURGE = {"scene": "scenes/bench/s2c.yaml", "caption": "c"}
+AMPLITUDE = {"path": "platform.surge.amplitude", "unit": "m", "values": [1.0, 2.0]}
+
+
+@pytest.mark.parametrize(
+    "said, changed",
+    [
+        ("runs return no 'bending_momnet'", {"keep": ["bending_momnet"]}),
+        ("axes.stroke: the name of a variable", {"axes": {"stroke": AMPLITUDE}}),
+        ("axes.x_max: the name of a variable", {"axes": {"x_max": AMPLITUDE}}),
+        ("axes.s_node: the name of a variable", {"axes": {"s_node": AMPLITUDE}}),
+        (
+            "axes.b: sets 'platform.surge.amplitude', and so does axis 'a'",
+            {"axes": {"a": AMPLITUDE, "b": AMPLITUDE}},
+        ),
+        (
+            "and so does axis 'a'",
+            {"axes": {"a": AMPLITUDE | {"path": "platform.surge"}, "b": AMPLITUDE}},
+        ),
+    ],
+)
+def test_names_and_paths_that_clash_are_refused_before_any_run(said, changed):
+    study = OF_SURGE | {"axes": {"a": AMPLITUDE}} | changed
+    with pytest.raises(ValidationError, match=re.escape(said)):
+        StudyModel.model_validate(study)
+
+
+def test_steps_never_pass_their_stop():
+    assert Steps(start=0.0, stop=1.0, step=0.6).values == [0.0, 0.6]
+    assert Steps(start=0.0, stop=0.3, step=0.1).values == [0.0, 0.1, 0.2, 0.3]
+
+
+def test_all_that_runs_return_can_be_kept():
+    returned = set()
+    for group in scenes().values():
+        for scene in group:
+            returned |= set(quantities(run(scene).arrays))
+    assert len(returned) > 40
+    assert [name for name in returned if not of_runs(name)] == []

@@ -22,6 +22,30 @@ OVER_TIME = {
 }
 
 
+DIMENSIONS = (
+    "time",
+    "s",
+    "s_node",
+    "cylinder",
+    "point",
+)  # of runs and of studies while they are joined
+#: what runs return, with endings or without, where a scene calls for it
+OF_RUNS = frozenset(
+    (
+        *("x", "y", "z", "effective_tension", "bending_moment", "ufj_angle", "lfj_angle", "stroke"),
+        *("tensioner_stroke", "tensioner_force", "largest_stress"),
+        *("platform_surge", "platform_sway", "platform_yaw", "thrust_moment"),
+        *("platform_speed_x", "riser_reaction_x", "environment_force_x", "thrust_x"),
+        *("platform_speed_y", "riser_reaction_y", "environment_force_y", "thrust_y"),
+    )
+)
+
+
+def of_runs(name: str) -> bool:
+    """Whether a name is that of something that runs return."""
+    return any(name.removesuffix(ending) in OF_RUNS for ending in ("", *ENDINGS))
+
+
 @cache
 def variables() -> dict[str, dict[str, str]]:
     """Names, units and labels of all variables."""

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
+from itertools import combinations
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from riserstudy.dataset.variables import DIMENSIONS, OF_RUNS, of_runs
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import unwrap
@@ -39,7 +42,7 @@ class Steps(Strict):
     @property
     def values(self) -> list[float]:
         """The values, free of rounding drift."""
-        count = round((self.stop - self.start) / self.step)
+        count = math.floor((self.stop - self.start) / self.step + 1e-9)
         return [round(self.start + k * self.step, 12) for k in range(count + 1)]
 
 
@@ -142,11 +145,34 @@ class StudyModel(Strict):
     axes: dict[AxisName, Numbers | Samples | Labels | Reading]
     keep: list[str] | None = None
 
+    @property
+    def _numbers(self) -> dict[str, list[str]]:
+        """Paths of the axes of numbers."""
+        return {name: axis.paths for name, axis in self.axes.items() if isinstance(axis, Numbers)}
+
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if Path(self.scene).is_absolute() or ".." in Path(self.scene).parts:
             raise ValueError("scene: must lie below the folder of the configuration")
+        for name in self.keep or []:
+            if not of_runs(name):
+                allowed = "allowed are " + ", ".join(sorted(OF_RUNS)) + ", each with endings"
+                raise ValueError(f"keep: runs return no {name!r}; {allowed}")
+        for name in self.axes:
+            if of_runs(name) or name in DIMENSIONS:
+                raise ValueError(f"axes.{name}: the name of a variable of runs; take another")
+        for (one, first), (other, second) in combinations(self._numbers.items(), 2):
+            for path in first:
+                if any(_meets(path, own) for own in second):
+                    found = f"sets {path!r}, and so does axis {one!r}"
+                    raise ValueError(f"axes.{other}: {found}; allowed is a path of its own")
         return self
+
+
+def _meets(one: str, other: str) -> bool:
+    """Whether two paths of a scene are the same, or one lies within the other."""
+    short, long = sorted((one, other), key=len)
+    return long == short or long.startswith((f"{short}.", f"{short}["))
 
 
 class SchematicModel(Strict):
