@@ -121,9 +121,9 @@ def test_what_is_not_there_is_said(plot):
 
 
 def test_a_study_file_without_figures_gets_those_that_fit():
-    axis = {"path": "a", "unit": "m", "values": [1, 2]}
+    axis = {"unit": "m", "values": [1, 2]}
     studies = {
-        name: StudyModel(scene="s", caption="c", axes=dict.fromkeys(axes, axis))
+        name: StudyModel(scene="s", caption="c", axes={a: axis | {"path": a} for a in axes})
         for name, axes in {"none": "", "one": "a", "two": "ab"}.items()
     }
     found = default_figures(studies, {"none": False, "one": True, "two": True})
