@@ -5,23 +5,25 @@ import pkgutil
 
 import numpy as np
 import pytest
-from cases import CASES, PAIRS, N, Rig, copied, dense_tangent, differences, name, nodes
+from each.bending import bending
+from each.drag import drag
 from hypothesis import given
 from hypothesis import strategies as st
 from numba.core.registry import CPUDispatcher
-from plain import MOTIONS, VERSIONS, at_nodes, bending, drag, lump, pressed
+from plain import at_nodes, lump, pressed
+from rig import CASES, MOTIONS, PAIRS, PLAIN, Rig, copied, dense_tangent, differences, name
+from surroundings import N, nodes
 
 import riserstudy.effects
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.bending import Bending
 from riserstudy.effects.bending_damping import BendingDamping
-from riserstudy.effects.bending_damping_in_space import SpatialBendingDamping
 from riserstudy.effects.bending_in_space import SpatialBending
 from riserstudy.effects.current import Current
 from riserstudy.effects.drag import Drag
 from riserstudy.effects.drag_over_depth import DragOverDepth
+from riserstudy.effects.fading_moment import FadingMoment
 from riserstudy.effects.flex_joint import FlexJoint
-from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.registry import ROLES, register
@@ -37,11 +39,11 @@ from riserstudy.solve.program import assemble
 # forces up to 1e8 N leave a relative 1e-8 or so of the largest entry.
 DIFFERENCES = 1e-7
 # plain versions that sample what the kernel integrates, a jump to a hundred thousandth of a segment
-PLAIN = {DragOverDepth: 1e-5}
+SAMPLED = {DragOverDepth: 1e-5}
 WITH = {role: [p for p in PAIRS if role in ROLES[p[0]]] for role in ("potential", "power", "mass")}
 FORCES = [p for p in PAIRS if {"string", "device", "law", "turn"} & set(ROLES[p[0]])]
 # whose shear is in exact equilibrium instead of the slope of an energy, see test_bending_in_space
-SPATIAL = (SpatialBending, SpatialBendingDamping, SpatialFlexJoint)
+SPATIAL = (SpatialBending, BendingDamping, FlexJoint, FadingMoment)
 BESIDE_BENDING_IN_SPACE = {*((kind, 3) for kind in SPATIAL), (InnerFlexJoint, 3)}
 modules = [
     importlib.import_module(f"riserstudy.effects.{m.name}")
@@ -56,15 +58,15 @@ def relative(found, expected, least=1e-300):
 
 def test_every_registered_effect_has_a_case_and_a_plain_version():
     assert set(CASES) == set(ROLES)
-    assert set(VERSIONS) | set(MOTIONS) == set(ROLES)
+    assert set(PLAIN) | set(MOTIONS) == set(ROLES)
 
 
-@pytest.mark.parametrize("pair", [p for p in PAIRS if p[0] in VERSIONS], ids=name)
+@pytest.mark.parametrize("pair", [p for p in PAIRS if p[0] in PLAIN], ids=name)
 def test_the_kernel_agrees_with_the_plain_version(pair):
     kind, d = pair
     rig = Rig(kind, d)
     shape_of(rig.model.programs, rig.model.state)
-    for roles, version in VERSIONS[kind]:
+    for roles, version in PLAIN[kind]:
         rig.s.pull[:] = 1e5, 2e5
         expected = version(rig.record, rig.s)
         if "pull" in expected:
@@ -81,7 +83,7 @@ def test_the_kernel_agrees_with_the_plain_version(pair):
         rig.s.force[:, : N + 1] += nodes(rig.s.segment)
         for target, value in expected.items():
             # a few roundings of the largest term; rates of deck points are differences here
-            limit = 1e-10 if target == "reach_rate" else PLAIN.get(kind, 1e-12)
+            limit = 1e-10 if target == "reach_rate" else SAMPLED.get(kind, 1e-12)
             assert relative(getattr(rig.s, target), value) < limit, (roles, target)
 
 
@@ -176,8 +178,8 @@ def test_what_acts_horizontally_acts_on_horizontal_motion_alone(kind, d):
     """Kernel, plain version and derivatives agree, and heave changes nothing."""
     rig = Rig(kind, d, horizontal=1)
     force = rig.inertial_forces() if kind is AddedMass else rig.evaluate()[rig.m :]
-    [(_, version)] = VERSIONS[kind]
-    assert relative(force, version(rig.record, rig.s)["force"]) < PLAIN.get(kind, 1e-12)
+    [(_, version)] = PLAIN[kind]
+    assert relative(force, version(rig.record, rig.s)["force"]) < SAMPLED.get(kind, 1e-12)
     assert not force[-1].any()
     if kind is not AddedMass:
         slope = differences(rig.evaluate, rig.s.r, 1e-3)
@@ -284,11 +286,12 @@ def test_what_the_force_does_is_stored_dissipated_or_supplied(pair, seed):
     """Force times velocity = supplied - dissipated - rate of the energy stored, platform moving."""
     rig = Rig(*pair, seed=seed)
     s = rig.s
-    place, platform = s.r.copy(), s.platform.copy()
+    place, platform, time = s.r.copy(), s.platform.copy(), s.clock[0]
 
     def stored_at(t):
         s.r[:] = place + t * s.v
         s.platform[0] = platform[0] + t * platform[1]
+        s.clock[0] = time + t
         return rig.potential() if "potential" in roles_beside(rig) else 0.0
 
     h = 1e-4

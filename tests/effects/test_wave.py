@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from cases import N, Rig
+from rig import Rig
+from surroundings import N
 
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave

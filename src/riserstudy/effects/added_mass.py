@@ -4,6 +4,11 @@ r"""Mass that resists acceleration across the pipe only: added mass of the water
 
 Water outside is carried along by the Morison equation; a fluid inside moves with the pipe sideways
 but not along it. Added mass that acts horizontally takes the vertical for t.
+
+References
+----------
+Morison, O'Brien, Johnson and Schaaf (1950), "The force exerted by surface waves on piles", *Petroleum
+Transactions AIME* 189, 149-154: its inertia term.
 """
 
 from __future__ import annotations
@@ -12,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread, spread_stiffness
 from riserstudy.solve.state import ACCELERATION, axis
@@ -80,4 +85,33 @@ def energy(added, s):
     return total
 
 
-register(AddedMass, string_inertia=force, mass=mass, lump=lump, kinetic=energy)
+register(
+    AddedMass,
+    Called(
+        "contents",
+        "riser.contents, and lateral freedom",
+        (taken_out("contents", "riser[*].contents", "lateral"),),
+    ),
+    Called(
+        "added mass",
+        "riser.added_mass, and lateral freedom",
+        (
+            taken_out("added mass", "riser[*].added_mass", "dynamics"),
+            put_in(
+                "added mass",
+                "riser[*].added_mass",
+                {
+                    "riser[*].added_mass": {"coefficient": 1.0, "diameter": "=outer diameter"},
+                    "water.density": "=water",
+                },
+                "coefficient 1 on the outer diameter, in sea water",
+                "dynamics",
+                "lateral",
+            ),
+        ),
+    ),
+    string_inertia=force,
+    mass=mass,
+    lump=lump,
+    kinetic=energy,
+)

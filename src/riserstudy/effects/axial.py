@@ -4,6 +4,11 @@ r"""Axial elasticity of the pipe.
 
 with the unstretched length as reference. T is the effective tension: weights and fluids act per
 unstretched length, pressures need no forces of their own.
+
+References
+----------
+Elementary: Hooke's law. That no pressure appears in it: Sparks (1984), "The influence of tension, pressure
+and weight on pipe and riser deformations and stresses", *Journal of Energy Resources Technology* 106, 46-54.
 """
 
 from __future__ import annotations
@@ -12,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.vec import add, at, mul, outer, plus, plus_block, sub, unity
 
@@ -55,4 +60,6 @@ def energy(axial, s):
     return total
 
 
-register(Axial, string=force, tangent=tangent, potential=energy)
+register(
+    Axial, Called("axial elasticity", "riser"), string=force, tangent=tangent, potential=energy
+)

@@ -3,6 +3,10 @@ r"""Axial structural damping, proportional to the rate of stretching (Kelvin-Voi
 .. math:: T_e = c_e\,\dot\ell_e
 
 Liu et al. (2020), Eq. 2, use :math:`c_e = 2 \zeta \sqrt{m_e k_e}` for each body of their model.
+
+References
+----------
+Elementary: Kelvin and Voigt's solid. Liu et al. (2020), Eq. 2.
 """
 
 from __future__ import annotations
@@ -11,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import DISSIPATED, VELOCITY
 from riserstudy.solve.vec import add, at, dot, mul, outer, plus, plus_block, sub, unity
@@ -62,4 +66,23 @@ def power(damper, s):
     return 0.0
 
 
-register(AxialDamping, string=force, tangent=tangent, power=power)
+register(
+    AxialDamping,
+    Called(
+        "axial damping",
+        "riser.structural_damping",
+        (
+            taken_out("structural damping", "riser[*].structural_damping", "dynamics"),
+            put_in(
+                "structural damping",
+                "riser[*].structural_damping",
+                {"riser[*].structural_damping": {"ratio": 0.005, "at_period": "10 s"}},
+                "0.5 % of critical at 10 s",
+                "dynamics",
+            ),
+        ),
+    ),
+    string=force,
+    tangent=tangent,
+    power=power,
+)

@@ -12,6 +12,11 @@ Equilibrium of a segment makes its shear force the difference of the end moments
 .. math:: Q_e = (M_e - M_{e+1}) / \ell_e .
 
 The moments are unknowns of the solver, so no stiffness grows as :math:`EI/\ell^3`.
+
+References
+----------
+Elementary: Euler and Bernoulli's beam, M = EI times curvature. The shares 1/3 and 1/6 are those of
+Clapeyron's theorem of three moments (1857), 5/12 and 1/12 those of a parabola: theory, (2) to (5).
 """
 
 from __future__ import annotations
@@ -21,7 +26,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.solve.jit import inner
 from riserstudy.solve.vec import mul, plus, plus_block
 
@@ -84,15 +89,17 @@ def force(bending, s):
 
 @inner
 def tangent(bending, s):
-    """How the segment angles follow the nodes, and shear the direction of the segment."""
+    """How angles at inner nodes follow the nodes, and shear the direction of the segment."""
+    n = s.l0.shape[0]
     t, moment = s.tangent, s.moment
-    for e in range(s.l0.shape[0]):
+    for i in range(1, n):
+        s.turn_low[i, 0] += t[1, i] * s.inverse_length[i]
+        s.turn_low[i, 1] -= t[0, i] * s.inverse_length[i]
+        s.turn_up[i - 1, 0] -= t[1, i - 1] * s.inverse_length[i - 1]
+        s.turn_up[i - 1, 1] += t[0, i - 1] * s.inverse_length[i - 1]
+    for e in range(n):
         x, z, inverse = t[0, e], t[1, e], s.inverse_length[e]
         across, along = z * inverse, x * inverse
-        s.turn_low[e, 0] += across
-        s.turn_low[e, 1] -= along
-        s.turn_up[e, 0] -= across
-        s.turn_up[e, 1] += along
         s.by_low[e, 0] += across
         s.by_low[e, 1] -= along
         s.by_up[e, 0] -= across
@@ -115,4 +122,26 @@ def energy(bending, s):
     return total
 
 
-register(Bending, compliance=compliance, turn=turn, string=force, tangent=tangent, potential=energy)
+register(
+    Bending,
+    Called(
+        "bending",
+        "bending stiffness, and lateral freedom",
+        (
+            taken_out(
+                "bending",
+                "riser[*].bending",
+                sets={
+                    "riser[*].young_modulus": None,
+                    "riser[*].bending_stiffness": None,
+                    "riser[*].axial_stiffness": "=axial stiffness",
+                },
+            ),
+        ),
+    ),
+    compliance=compliance,
+    turn=turn,
+    string=force,
+    tangent=tangent,
+    potential=energy,
+)

@@ -2,7 +2,12 @@ r"""Bending structural damping, proportional to the rate of curvature (Kelvin-Vo
 
 .. math:: M = EI\,(\kappa + \tau\,\dot\kappa)
 
-so that the moments belong to the turning angles plus :math:`\tau` times their rates.
+so that the moments belong to the turning angles plus :math:`\tau` times their rates. In a plane these are
+numbers, in space vectors of m = 3.
+
+References
+----------
+Elementary: Kelvin and Voigt's solid, in bending.
 """
 
 from __future__ import annotations
@@ -11,52 +16,63 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.blocktri import flexibility_solve
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import DISSIPATED, VELOCITY
+from riserstudy.solve.vec import (
+    add,
+    at,
+    cross,
+    mul,
+    outer,
+    plus,
+    plus_block,
+    skew,
+    sub,
+    transposed,
+)
 
 
 class BendingDamping(NamedTuple):
     """Relaxation of the pipe in bending."""
 
     time: float  # tau (s)
-    rate: np.ndarray  # (n+1,) scratch: turning rate at the nodes (rad/s)
-    moment: np.ndarray  # (n+1,) scratch: viscous part of the moments (N m)
+    rate: np.ndarray  # (m, n+1) scratch: turning rate at the nodes (rad/s)
+    moment: np.ndarray  # (m, n+1) scratch: viscous part of the moments (N m)
 
 
 @inner
 def _segment_rate(s, e):
     """Angular velocity of a segment (rad/s)."""
-    t, v, inverse = s.tangent, s.v, s.inverse_length[e]
-    return inverse * (t[1, e] * (v[0, e + 1] - v[0, e]) - t[0, e] * (v[1, e + 1] - v[1, e]))
+    apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
+    return mul(s.inverse_length[e], cross(at(s.dim, s.tangent, e), apart))
 
 
 @inner
 def turn(damping, s):
     """Turning angles grow by tau times their rates."""
     for e in range(s.l0.shape[0]):
-        extra = damping.time * _segment_rate(s, e)
-        s.turn[0, e] += extra
-        s.turn[0, e + 1] -= extra
+        extra = mul(damping.time, _segment_rate(s, e))
+        plus(s.turn, e, extra)
+        plus(s.turn, e + 1, mul(-1.0, extra))
     return 0.0
 
 
 @inner
 def tangent(damping, s):
-    """Derivative of the rates by velocity and by the direction of the segment."""
-    t, v = s.tangent, s.v
+    """Derivative of the rates by velocity and by the chord of the segment."""
     for e in range(s.l0.shape[0]):
-        x, z, inverse = t[0, e], t[1, e], s.inverse_length[e]
-        vx, vz = v[0, e + 1] - v[0, e], v[1, e + 1] - v[1, e]
-        cross, square = -2.0 * x * z, x * x - z * z
-        rate, area = s.rate[VELOCITY] * inverse, inverse * inverse
-        by_x = damping.time * (rate * z + (cross * vx + square * vz) * area)
-        by_z = damping.time * (-rate * x + (square * vx - cross * vz) * area)
-        s.turn_low[e, 0] += by_x
-        s.turn_low[e, 1] += by_z
-        s.turn_up[e, 0] -= by_x
-        s.turn_up[e, 1] -= by_z
+        t, inverse = at(s.dim, s.tangent, e), s.inverse_length[e]
+        apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
+        by_velocity = mul(s.rate[VELOCITY] * inverse, skew(t))
+        turning = add(
+            mul(inverse * inverse, skew(apart)),
+            mul(2.0 * inverse, outer(_segment_rate(s, e), t)),
+        )
+        slope = mul(damping.time, transposed(sub(by_velocity, turning)))
+        plus_block(s.turn_low, e, slope)
+        plus_block(s.turn_up, e, mul(-1.0, slope))
     return 0.0
 
 
@@ -67,11 +83,12 @@ def _viscous_moments(damping, s):
     rate[:] = 0.0
     for e in range(s.l0.shape[0]):
         swing = _segment_rate(s, e)
-        rate[e] += swing
-        rate[e + 1] -= swing
-    for i in range(rate.shape[0]):
-        moment[i] = damping.time * rate[i]
-    flexibility_solve(s, moment)
+        plus(rate, e, swing)
+        plus(rate, e + 1, mul(-1.0, swing))
+    for u in range(rate.shape[0]):
+        for i in range(rate.shape[1]):
+            moment[u, i] = damping.time * rate[u, i]
+        flexibility_solve(s, moment[u])
 
 
 @inner
@@ -79,9 +96,10 @@ def energy(damping, s):
     """What the strain energy of the total moments holds too much: they are partly viscous (J)."""
     _viscous_moments(damping, s)
     total = 0.0
-    for i in range(s.l0.shape[0] + 1):
-        angle = damping.time * damping.rate[i]
-        total += angle * (0.5 * damping.moment[i] - s.moment[0, i])
+    for u in range(damping.rate.shape[0]):
+        for i in range(s.l0.shape[0] + 1):
+            angle = damping.time * damping.rate[u, i]
+            total += angle * (0.5 * damping.moment[u, i] - s.moment[u, i])
     return total
 
 
@@ -89,9 +107,17 @@ def energy(damping, s):
 def power(damping, s):
     """Power dissipated (W)."""
     _viscous_moments(damping, s)
-    for i in range(s.l0.shape[0] + 1):
-        s.flow[DISSIPATED] += damping.moment[i] * damping.rate[i]
+    for u in range(damping.rate.shape[0]):
+        for i in range(s.l0.shape[0] + 1):
+            s.flow[DISSIPATED] += damping.moment[u, i] * damping.rate[u, i]
     return 0.0
 
 
-register(BendingDamping, turn=turn, tangent=tangent, potential=energy, power=power)
+register(
+    BendingDamping,
+    Called("bending damping", "riser.structural_damping, and lateral freedom"),
+    turn=turn,
+    tangent=tangent,
+    potential=energy,
+    power=power,
+)

@@ -6,17 +6,21 @@ The rotation that takes one segment's direction into the next, as a vector, foll
 
 with the flexibility A of `bending`, the same in all directions. Equilibrium of a segment makes its shear
 force :math:`Q_e = t_e \times (M_{e+1} - M_e) / \ell_e`. In a plane both are those of `bending`.
+
+References
+----------
+Elementary: Euler and Bernoulli's beam, with Euler's theorem for the rotation between two directions.
 """
 
 from __future__ import annotations
 
-from math import atan, sqrt
 from typing import NamedTuple
 
 import numpy as np
 
 from riserstudy.effects.bending import compliance
 from riserstudy.effects.registry import register
+from riserstudy.effects.rotation import by_chord, rotation, rotation_by_first, rotation_by_second
 from riserstudy.solve.jit import inner
 from riserstudy.solve.vec import (
     add,
@@ -29,9 +33,6 @@ from riserstudy.solve.vec import (
     plus_block,
     skew,
     sub,
-    times,
-    transposed,
-    unity,
 )
 
 
@@ -40,49 +41,6 @@ class SpatialBending(NamedTuple):
 
     flex: np.ndarray  # (n+1,) A_ii (rad/(N m))
     flex_up: np.ndarray  # (n,) A_i,i+1 (rad/(N m))
-
-
-@inner
-def angle_over_sine(cosine):
-    """Phi / sin phi of an angle, and its derivative by the cosine."""
-    q = (1.0 - cosine) / (1.0 + cosine)  # the half angle's tangent squared
-    if q < 0.05**2:
-        ratio = 1.0 - q * (1 / 3 - q * (1 / 5 - q * (1 / 7 - q * (1 / 9 - q / 11))))
-        slope = -1 / 3 + q * (2 / 5 - q * (3 / 7 - q * (4 / 9 - q * 5 / 11)))
-    else:
-        ratio = atan(sqrt(q)) / sqrt(q)
-        slope = 0.5 * (1.0 / (1.0 + q) - ratio) / q
-    twice = 2.0 / (1.0 + cosine)
-    return twice * ratio, -0.5 * twice * twice * (twice * slope + ratio)
-
-
-@inner
-def rotation(a, b):
-    """The vector of the rotation that takes unit vector a into b."""
-    factor, _ = angle_over_sine(dot(a, b))
-    return mul(factor, cross(a, b))
-
-
-@inner
-def rotation_by_first(a, b):
-    """Derivative of `rotation` by a: block."""
-    factor, slope = angle_over_sine(dot(a, b))
-    return sub(mul(slope, outer(cross(a, b), b)), mul(factor, skew(b)))
-
-
-@inner
-def rotation_by_second(a, b):
-    """Derivative of `rotation` by b: block."""
-    factor, slope = angle_over_sine(dot(a, b))
-    return add(mul(slope, outer(cross(a, b), a)), mul(factor, skew(a)))
-
-
-@inner
-def by_chord(s, e, by_direction):
-    """A derivative by a segment's direction as one by its chord, laid out as the solver wants it."""
-    t = at(s.dim, s.tangent, e)
-    turning = mul(s.inverse_length[e], sub(unity(s.dim), outer(t, t)))
-    return transposed(times(by_direction, turning))
 
 
 @inner
@@ -149,6 +107,7 @@ def energy(bending, s):
 
 register(
     SpatialBending,
+    "bending",
     compliance=compliance,
     turn=turn,
     string=force,

@@ -1,6 +1,10 @@
 """Steady current: horizontal water velocity over elevation, from a table, straight between its points.
 
 Below and above the table its end values hold. Evaluated at the deformed position of a node.
+
+References
+----------
+Elementary: linear interpolation; profiles come from the scene.
 """
 
 from __future__ import annotations
@@ -9,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 
 
@@ -52,4 +56,31 @@ def drive(current, s):
     return 0.0
 
 
-register(Current, drive=drive)
+register(
+    Current,
+    Called(
+        "current",
+        "current",
+        (
+            taken_out("current", "current"),
+            put_in(
+                "current",
+                "current",
+                {
+                    "current": {
+                        "profile": {
+                            "shape": "uniform",
+                            "surface_speed": "0.25 m/s",
+                            "seabed": "=lowest",
+                            "surface": "=highest",
+                        }
+                    }
+                },
+                "0.25 m/s from bottom to top",
+                "drag",
+                "lateral",
+            ),
+        ),
+    ),
+    drive=drive,
+)

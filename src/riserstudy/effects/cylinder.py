@@ -3,6 +3,10 @@
 A cylinder's reach is its extension from mid-stroke. Laws of other files (gas, spring, damping, end stop)
 turn reach and its rate into the pull on the ring; this file turns the pull into forces on the node.
 Upright cylinders pull vertically whatever the ring's position, which is the usual small-angle model.
+
+References
+----------
+Elementary: the sum of vertical forces.
 """
 
 from __future__ import annotations
@@ -11,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import SUPPLIED
 
@@ -69,4 +73,12 @@ def probe(cylinders, s):
     return 0.0
 
 
-register(Upright, drive=drive, device=force, tangent=tangent, power=power, probe=probe)
+register(
+    Upright,
+    Called("tensioner cylinders", "top.tensioners"),
+    drive=drive,
+    device=force,
+    tangent=tangent,
+    power=power,
+    probe=probe,
+)

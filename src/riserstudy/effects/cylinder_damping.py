@@ -1,4 +1,9 @@
-"""Viscous damping of tensioner cylinders (Chang et al. 2020, Eq. 6)."""
+"""Viscous damping of tensioner cylinders (Chang et al. 2020, Eq. 6).
+
+References
+----------
+Chang et al. (2020), Eq. 6.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import DISSIPATED, VELOCITY
 
@@ -34,4 +39,22 @@ def power(damper, s):
     return 0.0
 
 
-register(CylinderDamping, law=force, power=power)
+register(
+    CylinderDamping,
+    Called(
+        "tensioner damping",
+        "top.tensioners.damping",
+        (
+            taken_out("tensioner damping", "top.tensioners.damping", "dynamics"),
+            put_in(
+                "tensioner damping",
+                "top.tensioners.damping",
+                {"top.tensioners.damping": "1 kN*s/m"},
+                "1 kN s/m a cylinder",
+                "dynamics",
+            ),
+        ),
+    ),
+    law=force,
+    power=power,
+)

@@ -6,6 +6,10 @@ line. The ring turns with the top of the riser below it. Unequal pulls leave a m
 :math:`M - m` where the riser below ends with M.
 
 The derivative of that moment is left out of the stiffness: it is small beside the riser's own.
+
+References
+----------
+Elementary: force along a line, moment of a force about a point, equilibrium of moments at the ring.
 """
 
 from __future__ import annotations
@@ -209,6 +213,7 @@ def power(cylinders, s):
 
 register(
     CylindersInSpace,
+    "tensioner cylinders",
     place=place,
     drive=drive,
     turn=turn,

@@ -1,4 +1,9 @@
-"""A force of constant size and direction on one node: constant tension, a dead load."""
+"""A force of constant size and direction on one node: constant tension, a dead load.
+
+References
+----------
+Elementary: a dead load.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 
 
@@ -34,4 +39,10 @@ def energy(dead, s):
     return total
 
 
-register(DeadLoad, device=force, potential=energy)
+register(
+    DeadLoad,
+    Called("constant tension", "top.tension"),
+    Called("lateral force", "top.lateral_force"),
+    device=force,
+    potential=energy,
+)

@@ -7,6 +7,13 @@ A node's tangent hangs on both its neighbours, so the load of the node beyond a 
 band of the stiffness. How loads turn with the pipe is therefore counted as if each acted on its own node
 alone: the rest is a second difference, small for corrections that reach over several segments. In motion,
 beside inertia, all of it is small: iterations are the same without.
+
+References
+----------
+Morison, O'Brien, Johnson and Schaaf (1950), "The force exerted by surface waves on piles", *Petroleum
+Transactions AIME* 189, 149-154: its drag term.
+
+Hoerner (1965), *Fluid-Dynamic Drag*: across an inclined cylinder the velocity across it counts.
 """
 
 from __future__ import annotations
@@ -15,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread_and_keep, spread_stiffness
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, OTHER, OWN, SUPPLIED, VELOCITY, axis
@@ -132,4 +139,28 @@ def power(drag, s):
     return 0.0
 
 
-register(Drag, string=force, tangent=tangent, power=power)
+register(
+    Drag,
+    Called(
+        "drag",
+        "riser.drag, and lateral freedom",
+        (
+            taken_out(
+                "drag", "riser[*].drag", "lateral", sets={"riser[*].drag": None, "current": None}
+            ),
+            put_in(
+                "drag",
+                "riser[*].drag",
+                {
+                    "riser[*].drag": {"coefficient": 1.0, "diameter": "=outer diameter"},
+                    "water.density": "=water",
+                },
+                "coefficient 1 on the outer diameter, in sea water",
+                "lateral",
+            ),
+        ),
+    ),
+    string=force,
+    tangent=tangent,
+    power=power,
+)

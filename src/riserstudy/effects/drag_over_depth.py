@@ -7,6 +7,10 @@ It is integrated inside the segments, which are straight, against the hat functi
           c_{up} = 2 \int_0^1 \xi\,C(z_\xi)\,d\xi,\qquad z_\xi = (1 - \xi) z_{low} + \xi z_{up},
 
 so that the load changes smoothly while a jump passes through a segment. All else is as in ``drag``.
+
+References
+----------
+As `drag`. Elementary: a varying load integrated against linear shape functions; theory, (13a).
 """
 
 from __future__ import annotations
@@ -114,4 +118,4 @@ def tangent(drag, s):
     return 0.0
 
 
-register(DragOverDepth, drive=weigh, string=force, tangent=tangent, power=power)
+register(DragOverDepth, "drag", drive=weigh, string=force, tangent=tangent, power=power)

@@ -5,6 +5,10 @@ Weight in water, inertia and added mass by direction, quadratic drag by directio
 .. math:: f = \tfrac12 \rho\,C_D A\,|u|\,u
 
 with the horizontal drag in the direction of the horizontal relative velocity, the vertical one apart.
+
+References
+----------
+Elementary: Newton's second law. Drag as in `drag`.
 """
 
 from __future__ import annotations
@@ -14,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY
 
@@ -118,6 +122,30 @@ def power(body, s):
 
 register(
     EndMass,
+    Called(
+        "end mass",
+        "bottom.body, top.body",
+        (
+            taken_out("body's drag", "bottom.body.drag_area"),
+            taken_out("body's added mass", "bottom.body.added_mass", "dynamics"),
+            put_in(
+                "body's drag",
+                "bottom.body.drag_area",
+                {"bottom.body.drag_area": {"horizontal": "15 m^2", "vertical": "14 m^2"}},
+                "15 m2 across and 14 m2 along",
+                "dynamics",
+            ),
+            put_in(
+                "body's added mass",
+                "bottom.body.added_mass",
+                {"bottom.body.added_mass": {"horizontal": "=half the body"}},
+                "half of the body's mass across",
+                "dynamics",
+                "lateral",
+            ),
+        ),
+    ),
+    Called("piston mass", "top.tensioners.two_chamber_gas.pistons"),
     device=force,
     tangent=tangent,
     device_inertia=inertia,

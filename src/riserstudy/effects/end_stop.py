@@ -1,4 +1,9 @@
-"""End stops of the stroke: stiff springs that touch beyond the limits."""
+"""End stops of the stroke: stiff springs that touch beyond the limits.
+
+References
+----------
+Elementary: Hooke's law, on one side.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 
 
@@ -43,4 +48,27 @@ def energy(stop, s):
     return total
 
 
-register(EndStop, law=force, potential=energy)
+register(
+    EndStop,
+    Called(
+        "end stops",
+        "top.tensioners.stroke",
+        (
+            taken_out("end stops", "top.tensioners.stroke"),
+            put_in(
+                "end stops",
+                "top.tensioners.stroke",
+                {
+                    "top.tensioners.stroke": {
+                        "shortest": "-7.5 m",
+                        "longest": "7.5 m",
+                        "stop_stiffness": "100 MN/m",
+                    }
+                },
+                "at 7.5 m, 100 MN/m",
+            ),
+        ),
+    ),
+    law=force,
+    potential=energy,
+)

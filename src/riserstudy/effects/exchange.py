@@ -9,6 +9,10 @@ platform's motion, the cubic through positions and velocities at the times of a 
    \Delta = r_1 - r_0,
 
 with its derivative as velocity. The acceleration goes straight, so that it is the platform's at each time.
+
+References
+----------
+Elementary: cubic Hermite interpolation. Theory, (15a), tells the energy that the exchange makes.
 """
 
 from __future__ import annotations

@@ -1,19 +1,28 @@
 r"""Flex joints and clamps: the riser's end held in direction.
 
-.. math:: M = K\,(\theta_{riser} - \theta_{held}),
+.. math:: M = K\,\theta
 
-entered as the flexibility 1/K of the end node, so that a clamp is 1/K = 0 and stiffness has no upper
-limit. The held direction is the vertical, a fixed lean, or the platform's own vertical (its pitch).
+with the rotation from the held direction to the riser's, a number in the plane and a vector in space. It is
+entered as the flexibility 1/K of the end node, so that a clamp is 1/K = 0 and stiffness has no upper limit.
+The held direction is fixed, or turns with the platform.
+
+References
+----------
+Elementary: Hooke's law of a rotational spring, with Euler's theorem for the rotation.
 """
 
 from __future__ import annotations
 
-from math import atan2
 from typing import NamedTuple
 
-from riserstudy.effects.registry import register
+import numpy as np
+
+from riserstudy.effects.attitude import turned
+from riserstudy.effects.registry import Called, register, taken_out
+from riserstudy.effects.rotation import by_chord, rotation, rotation_by_first, rotation_by_second
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import SUPPLIED
+from riserstudy.solve.vec import at, bending_at, cross, dot, plus, plus_block, within
 
 
 class FlexJoint(NamedTuple):
@@ -21,13 +30,20 @@ class FlexJoint(NamedTuple):
 
     node: int  # 0 or n
     flex: float  # 1/K (rad/(N m)), 0 for a clamp
-    lean: float  # held direction from the vertical, towards +x (rad)
-    follows: float  # 1 when the direction turns with the platform, else 0
+    lean: np.ndarray  # (3,) held direction, unit vector
+    follows: int  # 1 when it turns with the platform, else 0
+    held: np.ndarray  # (3, 3) scratch: held direction now, its first and second rate
 
 
 @inner
-def _held(joint, s):
-    return joint.lean + joint.follows * s.platform[0, 4]
+def place(joint, s):
+    """The held direction at this time."""
+    held = joint.held
+    for c in range(3):
+        held[0, c], held[1, c], held[2, c] = joint.lean[c], 0.0, 0.0
+    if joint.follows > 0:
+        turned(s.platform, held[0], held[1], held[2])
+    return 0.0
 
 
 @inner
@@ -39,25 +55,69 @@ def compliance(joint, s):
 
 @inner
 def turn(joint, s):
-    """The angle between the end segment and the held direction is taken up by moments."""
-    e = 0 if joint.node == 0 else joint.node - 1
-    away = atan2(s.tangent[0, e], s.tangent[1, e]) - _held(joint, s)
-    s.turn[0, joint.node] += away if joint.node == 0 else -away
+    """The rotation between the held direction and the end segment is taken up by moments."""
+    if joint.node == 0:
+        plus(s.turn, 0, rotation(within(s.dim, joint.held, 0), at(s.dim, s.tangent, 0)))
+    else:
+        t = at(s.dim, s.tangent, joint.node - 1)
+        plus(s.turn, joint.node, rotation(t, within(s.dim, joint.held, 0)))
+    return 0.0
+
+
+@inner
+def tangent(joint, s):
+    """How that rotation follows the end segment."""
+    if joint.node == 0:
+        slope = rotation_by_second(within(s.dim, joint.held, 0), at(s.dim, s.tangent, 0))
+        plus_block(s.turn_low, 0, by_chord(s, 0, slope))
+    else:
+        e = joint.node - 1
+        slope = rotation_by_first(at(s.dim, s.tangent, e), within(s.dim, joint.held, 0))
+        plus_block(s.turn_up, e, by_chord(s, e, slope))
     return 0.0
 
 
 @inner
 def energy(joint, s):
     """Energy in the joint's spring (J)."""
-    return 0.5 * joint.flex * s.moment[0, joint.node] ** 2
+    moment = bending_at(s.dim, s.moment, joint.node)
+    return 0.5 * joint.flex * dot(moment, moment)
 
 
 @inner
 def power(joint, s):
     """Power that the turning platform supplies through the joint (W)."""
+    turning = cross(within(s.dim, joint.held, 0), within(s.dim, joint.held, 1))
     sign = -1.0 if joint.node == 0 else 1.0
-    s.flow[SUPPLIED] += sign * joint.follows * s.moment[0, joint.node] * s.platform[1, 4]
+    s.flow[SUPPLIED] += sign * dot(bending_at(s.dim, s.moment, joint.node), turning)
     return 0.0
 
 
-register(FlexJoint, compliance=compliance, turn=turn, potential=energy, power=power)
+register(
+    FlexJoint,
+    Called(
+        "flex joint",
+        "rotation.stiffness, and lateral freedom",
+        (
+            taken_out(
+                "lower flex joint",
+                "bottom.rotation.stiffness",
+                "lateral",
+                sets={"bottom.rotation": "free"},
+            ),
+            taken_out(
+                "upper flex joint",
+                "top.rotation.stiffness",
+                "lateral",
+                sets={"top.rotation": "free"},
+            ),
+        ),
+    ),
+    Called("clamp", "rotation: fixed, and lateral freedom"),
+    compliance=compliance,
+    place=place,
+    turn=turn,
+    tangent=tangent,
+    potential=energy,
+    power=power,
+)

@@ -5,6 +5,11 @@ r"""Foreshortening: a bent segment is longer than its chord, which adds to its t
 
 Without it the tension that a lateral motion stirs up in a riser held at both ends is second order in
 the segment length.
+
+References
+----------
+Elementary: a chord of an arc is shorter by the square of its curvature times the cube of its length, over
+24. Theory, (1).
 """
 
 from __future__ import annotations
@@ -13,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.vec import at, mul, outer, plus, plus_block, sub, unity
 
@@ -58,4 +63,9 @@ def tangent(bent, s):
     return 0.0
 
 
-register(Foreshortening, string=force, tangent=tangent)
+register(
+    Foreshortening,
+    Called("foreshortening", "bending stiffness, and lateral freedom"),
+    string=force,
+    tangent=tangent,
+)

@@ -4,6 +4,10 @@ r"""Tensioner gas: an accumulator that expands and compresses adiabatically.
 
 with x the extension of the cylinder (Chang et al. 2020, Eqs. 1-3, whose X is -x: the ring's rise
 relative to the platform).
+
+References
+----------
+Elementary: Poisson's law of a polytropic gas. Chang et al. (2020), Eqs. 1-3.
 """
 
 from __future__ import annotations
@@ -13,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.solve.jit import inner
 
 
@@ -52,4 +56,19 @@ def energy(gas, s):
     return total
 
 
-register(GasSpring, law=force, potential=energy)
+register(
+    GasSpring,
+    Called(
+        "gas tensioner",
+        "top.tensioners.gas",
+        (
+            taken_out(
+                "nonlinear gas law",
+                "top.tensioners.gas",
+                sets={"top.tensioners.linearised": {"by": "tangent"}},
+            ),
+        ),
+    ),
+    law=force,
+    potential=energy,
+)

@@ -1,6 +1,10 @@
 r"""Inertia of the string's own mass, the same in all directions.
 
 .. math:: f = -m\,\ddot r
+
+References
+----------
+Elementary: Newton's second law.
 """
 
 from __future__ import annotations
@@ -9,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread
 from riserstudy.solve.state import ACCELERATION
@@ -74,4 +78,11 @@ def energy(inertia, s):
     return total
 
 
-register(Inertia, string_inertia=force, mass=mass, lump=lump, kinetic=energy)
+register(
+    Inertia,
+    Called("inertia", "riser.mass"),
+    string_inertia=force,
+    mass=mass,
+    lump=lump,
+    kinetic=energy,
+)

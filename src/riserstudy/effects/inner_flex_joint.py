@@ -3,6 +3,10 @@ r"""A flex joint between two sections of the riser.
 .. math:: \alpha_{above} - \alpha_{below} = M / K
 
 Moments are unknowns, so the joint is one more flexibility, 1/K, of its node.
+
+References
+----------
+Elementary: Hooke's law of a rotational spring, as a flexibility.
 """
 
 from __future__ import annotations
@@ -10,7 +14,7 @@ from __future__ import annotations
 from math import sqrt
 from typing import NamedTuple
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 
 
@@ -51,4 +55,10 @@ def probe(joint, s):
     return 0.0
 
 
-register(InnerFlexJoint, compliance=compliance, potential=energy, probe=probe)
+register(
+    InnerFlexJoint,
+    Called("inner flex joint", "riser.flex_joint_below"),
+    compliance=compliance,
+    potential=energy,
+    probe=probe,
+)

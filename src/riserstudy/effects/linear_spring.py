@@ -1,4 +1,9 @@
-"""A tensioner made linear: force at mid-stroke plus stiffness times extension."""
+"""A tensioner made linear: force at mid-stroke plus stiffness times extension.
+
+References
+----------
+Elementary: Hooke's law.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 
 
@@ -35,4 +40,11 @@ def energy(spring, s):
     return total
 
 
-register(LinearSpring, law=force, potential=energy)
+register(
+    LinearSpring,
+    Called("linear tensioner", "top.tensioners.linear or linearised"),
+    "gas tensioner",
+    "two-chamber gas tensioner",
+    law=force,
+    potential=energy,
+)

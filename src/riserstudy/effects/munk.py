@@ -9,6 +9,10 @@ of :math:`\tfrac12 (\dot r - U)^T A(\psi) (\dot r - U)`, less those of the hull 
 
 with :math:`A' = dA/d\psi`: a hull whose added mass is greater sideways turns broadside to the current
 (the Munk moment). Forces and moment together do the work that the potential V loses.
+
+References
+----------
+Munk (1924), "The aerodynamic forces on airship hulls", *NACA Report* 184. Elementary: Lagrange's equations.
 """
 
 from __future__ import annotations
@@ -18,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.effects.vessel import attitude, twisted, velocity
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import VELOCITY
@@ -81,4 +85,10 @@ def energy(munk, s):
     return -0.25 * (a * twist[0] + b * twist[1])
 
 
-register(Munk, device=force, tangent=tangent, potential=energy)
+register(
+    Munk,
+    Called("Munk moment", "vessel.yaw, and a current"),
+    device=force,
+    tangent=tangent,
+    potential=energy,
+)

@@ -2,6 +2,10 @@ r"""Prescribed motion of the platform: harmonic, constant velocity, or a time se
 
 Harmonic motion grows by :math:`r(t) = \tfrac12 (1 - \cos \pi t/P)` over the ramp P; a cruise reaches its
 speed linearly over its ramp; a series is a cubic spline with its own velocity and acceleration.
+
+References
+----------
+Elementary: kinematics of a point.
 """
 
 from __future__ import annotations
@@ -11,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.solve.jit import inner
 
 
@@ -102,7 +106,22 @@ def drive_series(series, s):
     return 0.0
 
 
-register(Position, motion=drive_position)
-register(Harmonic, motion=drive_harmonic)
-register(Cruise, motion=drive_cruise)
-register(Series, motion=drive_series)
+register(Position, Called("platform position", "platform.position"), motion=drive_position)
+register(
+    Harmonic,
+    Called(
+        "platform motion",
+        "platform",
+        (
+            taken_out("surge", "platform.surge", "dynamics"),
+            taken_out("heave", "platform.heave", "dynamics"),
+            taken_out("roll", "platform.roll", "dynamics"),
+            taken_out("pitch", "platform.pitch", "dynamics"),
+            taken_out("cruise", "platform.cruise", "dynamics"),
+            taken_out("platform response", "platform.response"),
+        ),
+    ),
+    motion=drive_harmonic,
+)
+register(Cruise, "platform motion", motion=drive_cruise)
+register(Series, "platform motion", motion=drive_series)

@@ -3,13 +3,17 @@ r"""Tension of a telescopic joint held constant along its axis, by tensioners of
 .. math:: T = T_0 + k\,\max(0, \ell - \ell_{stop})
 
 with a stop at full stroke where there is one.
+
+References
+----------
+Elementary: a constant force, with Hooke's law at the stop.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.vec import add, at, mul, outer, plus, plus_block, sub, unity
 
@@ -56,4 +60,10 @@ def energy(joint, s):
     return joint.tension * length + 0.5 * joint.stiffness * beyond * beyond
 
 
-register(SlidingTension, string=force, tangent=tangent, potential=energy)
+register(
+    SlidingTension,
+    Called("sliding tension", "top.telescopic_joint.tension"),
+    string=force,
+    tangent=tangent,
+    potential=energy,
+)

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 
 YIELD = 8.0  # y / y50 at which p reaches p_u
@@ -37,7 +37,7 @@ class SoftClay(NamedTuple):
     node: np.ndarray  # (k,)
     ultimate: np.ndarray  # (k,) p_u times length (N)
     y50: np.ndarray  # (k,) displacement at half of p_u (m)
-    origin: float  # y_0 / y50
+    origin: float  # y_0 / y50 (1)
 
 
 @inner
@@ -134,5 +134,11 @@ def linear_energy(soil, s):
     return total
 
 
-register(LinearSoil, device=linear_force, tangent=linear_tangent, potential=linear_energy)
-register(SoftClay, device=clay_force, tangent=clay_tangent, potential=clay_energy)
+register(
+    LinearSoil,
+    Called("soil", "soil"),
+    device=linear_force,
+    tangent=linear_tangent,
+    potential=linear_energy,
+)
+register(SoftClay, "soil", device=clay_force, tangent=clay_tangent, potential=clay_energy)

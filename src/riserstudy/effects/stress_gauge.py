@@ -3,6 +3,10 @@ r"""A gauge that reads the largest stress along a section; it does nothing to th
 .. math:: \sigma = |T_e| / A + |M|\,D / 2I
 
 at the outer fibre, with the effective tension in place of the wall's: pressures are not counted.
+
+References
+----------
+Elementary: Navier's stress of axial force and bending.
 """
 
 from __future__ import annotations
@@ -10,7 +14,7 @@ from __future__ import annotations
 from math import sqrt
 from typing import NamedTuple
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.vec import at, dot
 
@@ -40,4 +44,4 @@ def probe(gauge, s):
     return 0.0
 
 
-register(StressGauge, probe=probe)
+register(StressGauge, Called("stress gauge", "analysis.output.stress_in"), probe=probe)

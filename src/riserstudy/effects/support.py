@@ -1,4 +1,9 @@
-"""A node held in some directions, at rest or moving with the platform."""
+"""A node held in some directions, at rest or moving with the platform.
+
+References
+----------
+Elementary: kinematics of a point on a rigid body.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.effects.attitude import turned
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 
 
@@ -41,4 +46,4 @@ def place(support, s):
     return 0.0
 
 
-register(Support, place=place)
+register(Support, Called("support", "bottom.hold, top.x, top.z"), place=place)

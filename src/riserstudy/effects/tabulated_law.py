@@ -4,6 +4,11 @@ r"""A tensioner whose pull over its reach is a table, joined by monotone cubics.
 
 with x the extension of the cylinder. The cubics of Fritsch and Butland (1984) have a continuous slope
 and rise wherever the table rises; the first and the last piece are straight, and go on beyond the table.
+
+References
+----------
+Fritsch and Butland (1984), "A method for constructing local monotone piecewise cubic interpolants", *SIAM
+Journal on Scientific and Statistical Computing* 5, 300-304.
 """
 
 from __future__ import annotations
@@ -12,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 
 
@@ -65,4 +70,6 @@ def energy(law, s):
     return total
 
 
-register(TabulatedLaw, law=force, potential=energy)
+register(
+    TabulatedLaw, Called("tabulated tensioner", "top.tensioners.table"), law=force, potential=energy
+)

@@ -5,6 +5,11 @@ r"""Drag of the water that slips along the pipe.
 per unstretched length, with the direction t of a segment and the mean velocity of its two ends. Half of
 the load goes to either end: what each segment does depends on its own nodes alone, so that the tangent is
 exact and the load never drives the pipe through still water.
+
+References
+----------
+The same with the circumference as area: Hall and Goupee (2015), "Validation of a lumped-mass mooring line
+model with DeepCwind semisubmersible model test data", *Ocean Engineering* 104, 590-603.
 """
 
 from __future__ import annotations
@@ -13,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import DISSIPATED, SUPPLIED, VELOCITY
 from riserstudy.solve.vec import (
@@ -94,4 +99,29 @@ def power(drag, s):
     return 0.0
 
 
-register(TangentialDrag, string=force, tangent=tangent, power=power)
+register(
+    TangentialDrag,
+    Called(
+        "tangential drag",
+        "riser.tangential_drag",
+        (
+            taken_out("tangential drag", "riser[*].tangential_drag"),
+            put_in(
+                "tangential drag",
+                "riser[*].tangential_drag",
+                {
+                    "riser[*].tangential_drag": {
+                        "coefficient": 0.02,
+                        "diameter": "=outer diameter",
+                    },
+                    "water.density": "=water",
+                },
+                "coefficient 0.02 on the outer diameter, in sea water",
+                "dynamics",
+            ),
+        ),
+    ),
+    string=force,
+    tangent=tangent,
+    power=power,
+)

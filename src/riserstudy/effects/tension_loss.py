@@ -4,6 +4,10 @@ r"""Loss of a constant tension while the riser moves: cylinders that fail, a lin
 
 from t_0 to t_0 + tau, and all of :math:`\Delta F` from then on. Its work
 comes from outside: a load that changes has no potential.
+
+References
+----------
+Elementary: a load given over time.
 """
 
 from __future__ import annotations
@@ -13,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import SUPPLIED
 
@@ -54,4 +58,13 @@ def power(loss, s):
     return 0.0
 
 
-register(TensionLoss, device=force, power=power)
+register(
+    TensionLoss,
+    Called(
+        "tension loss",
+        "top.tension_loss",
+        (taken_out("tension loss", "top.tension_loss", "dynamics"),),
+    ),
+    device=force,
+    power=power,
+)

@@ -11,6 +11,11 @@ q of a kilogram that the thrust a kilogram of platform, F_c / m, drives against 
 .. math:: \ddot q + \dot q / \tau = F_c / m,\qquad F = m\,\dot q / \tau ,
 
 which has next to no part in the energy.
+
+References
+----------
+Elementary: proportional and derivative control with a limit, and a lag of first order. Liu et al. (2017)
+name the proportional part alone.
 """
 
 from __future__ import annotations
@@ -20,7 +25,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY
 
@@ -187,6 +192,8 @@ def probe(thrusters, s):
 
 register(
     Thrusters,
+    Called("thrusters", "vessel.thrusters"),
+    Called("heading control", "vessel.thrusters.yaw"),
     device=force,
     tangent=tangent,
     device_inertia=inertia,

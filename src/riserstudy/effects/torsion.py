@@ -3,13 +3,17 @@ r"""A riser that is twisted by the yaw of its platform, as a spring.
 .. math:: N = -\psi \Big/ \sum_k \frac{L_k}{G I_{p,k}}
 
 Its own inertia in twist is left out: its lowest frequency is hundreds of times that of yaw.
+
+References
+----------
+Elementary: Coulomb's and Saint-Venant's torsion of a tube, in series.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 
 
@@ -41,4 +45,10 @@ def energy(torsion, s):
     return 0.5 * torsion.stiffness * s.r[len(s.dim) - 1, torsion.yaw] ** 2
 
 
-register(Torsion, device=force, tangent=tangent, potential=energy)
+register(
+    Torsion,
+    Called("torsion", "vessel.yaw, and riser.shear_modulus"),
+    device=force,
+    tangent=tangent,
+    potential=energy,
+)

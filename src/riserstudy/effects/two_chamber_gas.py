@@ -5,6 +5,10 @@ r"""Tensioner gas on both sides of a piston: high pressure pulls the ring up, lo
 
 with x the extension of the cylinder and W the weight of piston and rod (Liu et al. 2020, Eq. 11, whose
 piston stroke is -x, whose high pressure acts on the annulus around the rod and low pressure on the bore).
+
+References
+----------
+Liu et al. (2020), Eq. 11. Elementary: Poisson's law of a polytropic gas.
 """
 
 from __future__ import annotations
@@ -14,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.solve.jit import inner
 
 
@@ -64,4 +68,19 @@ def energy(gas, s):
     return total
 
 
-register(TwoChamberGas, law=force, potential=energy)
+register(
+    TwoChamberGas,
+    Called(
+        "two-chamber gas tensioner",
+        "top.tensioners.two_chamber_gas",
+        (
+            taken_out(
+                "nonlinear two-chamber law",
+                "top.tensioners.two_chamber_gas",
+                sets={"top.tensioners.linearised": {"by": "tangent"}},
+            ),
+        ),
+    ),
+    law=force,
+    potential=energy,
+)

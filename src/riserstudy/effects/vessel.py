@@ -13,6 +13,11 @@ sideways, turns broadside while it moves. Yaw resists with :math:`C_r |\dot\psi|
 
 Yaw is an unknown as an arc, :math:`\psi` times the radius of gyration, so that it is a length like all
 others. Without sway the node is held across x; without yaw the hull keeps its heading.
+
+References
+----------
+Elementary: Lagrange's equations of a rigid body. Loads by the square of the relative velocity, and a mean
+wave drift: Liu et al. (2017), whose squares have no sign.
 """
 
 from __future__ import annotations
@@ -22,7 +27,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY
 
@@ -253,6 +258,7 @@ def probe(vessel, s):
 
 register(
     Vessel,
+    Called("vessel", "vessel"),
     device=force,
     tangent=tangent,
     device_inertia=inertia,

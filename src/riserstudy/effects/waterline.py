@@ -9,6 +9,10 @@ that errs by the square of the segment's length, and does not jump when a node c
 
 Weight in water does not follow: it is the scene's own number. What a changing mass does to the momentum
 of the water beside the pipe (slamming) is left out.
+
+References
+----------
+None: our own, with its error above.
 """
 
 from __future__ import annotations
@@ -17,7 +21,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 
 DRAG, ADDED, CARRIED = 0, 1, 2  # rows of the full coefficients
@@ -75,4 +79,8 @@ def _dry(s, i):
         s.water[k, i], s.shear[k, i], s.water_rate[k, i] = 0.0, 0.0, 0.0
 
 
-register(Waterline, drive=drive)
+register(
+    Waterline,
+    Called("waterline", "water.surface, and riser.drag, tangential_drag or added_mass"),
+    drive=drive,
+)

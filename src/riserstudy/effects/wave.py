@@ -16,6 +16,11 @@ mean level up to the surface (constant), or the whole profile is stretched from 
 1970). At nodes above the surface, where only the wet share of a segment asks for it (`waterline`), water
 moves as at the surface. Evaluated at the deformed position of a node; the change with horizontal position
 is left out of the stiffness.
+
+References
+----------
+Airy (1845), "Tides and waves", *Encyclopaedia Metropolitana*; Wheeler (1970), "Method for calculating forces
+produced by irregular waves", *Journal of Petroleum Technology* 22, 359-367.
 """
 
 from __future__ import annotations
@@ -25,7 +30,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 
 NONE, CONSTANT, STRETCHED = 0, 1, 2
@@ -133,4 +138,23 @@ def _immerse(wave, s, t, grown):
         s.density[0, i] = squeeze if wet else 0.0
 
 
-register(Wave, drive=drive)
+register(
+    Wave,
+    Called(
+        "wave",
+        "wave",
+        (
+            taken_out("wave", "wave", "dynamics"),
+            put_in(
+                "wave",
+                "wave",
+                {"wave": {"height": "2 m", "period": "8 s", "above_mean_level": "none"}},
+                "2 m high, 8 s",
+                "dynamics",
+                "lateral",
+                "levels",
+            ),
+        ),
+    ),
+    drive=drive,
+)

@@ -5,6 +5,11 @@ r"""Morison's inertia force: what the accelerating water does to the pipe, acros
 per unstretched length, with the local acceleration of the water. Its share that follows the pipe's own
 acceleration is the added mass. The change with position is left out of the stiffness: over a step it is
 a thousandth of the inertia or less.
+
+References
+----------
+Morison, O'Brien, Johnson and Schaaf (1950), "The force exerted by surface waves on piles", *Petroleum
+Transactions AIME* 189, 149-154: its inertia term.
 """
 
 from __future__ import annotations
@@ -13,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread_and_keep
 from riserstudy.solve.state import OTHER, OWN, SUPPLIED
@@ -46,4 +51,4 @@ def power(wave_force, s):
     return 0.0
 
 
-register(WaveForce, string=force, power=power)
+register(WaveForce, Called("wave force", "wave, and riser.added_mass"), string=force, power=power)

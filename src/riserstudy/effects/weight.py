@@ -3,6 +3,10 @@ r"""Dead loads along the string: weight in water, a line load across it.
 .. math:: w = (m_{dry} + \rho_i A_i - \rho_w A_o)\,g
 
 per unstretched length, as the effective tension sees it.
+
+References
+----------
+Elementary: Archimedes' law; Sparks (1984), as in `axial`.
 """
 
 from __future__ import annotations
@@ -11,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.effects.registry import register
+from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.solve.jit import inner
 
 
@@ -39,4 +43,18 @@ def energy(weight, s):
     return total
 
 
-register(Weight, string=force, potential=energy)
+register(
+    Weight,
+    Called(
+        "weight",
+        "riser.submerged_weight",
+        (
+            taken_out(
+                "weight", "riser[*].submerged_weight", sets={"riser[*].submerged_weight": "0 N/m"}
+            ),
+        ),
+    ),
+    Called("line load", "riser.lateral_load"),
+    string=force,
+    potential=energy,
+)

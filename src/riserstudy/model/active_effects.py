@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from riserstudy.effects.catalogue import absent
+from riserstudy.model.absent_effects import absent
 from riserstudy.model.build import build
 from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene

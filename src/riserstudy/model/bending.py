@@ -10,10 +10,8 @@ from numpy.typing import NDArray
 
 from riserstudy.effects.bending import Bending
 from riserstudy.effects.bending_damping import BendingDamping
-from riserstudy.effects.bending_damping_in_space import SpatialBendingDamping
 from riserstudy.effects.bending_in_space import SpatialBending
 from riserstudy.effects.flex_joint import FlexJoint
-from riserstudy.effects.flex_joint_in_space import SpatialFlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.model.layout import Layout, flexibility_of
 from riserstudy.model.model import Effect
@@ -38,9 +36,8 @@ def shared_flexibility(of: Layout) -> NDArray[np.float64]:
     straight += (
         [-1, -2] if of.scene.top.telescopic_joint else []
     )  # the moment has a corner at the ring
-    body = of.scene.bottom.body
-    for k in [*of.jointed, *([1] if body and body.reach else [])]:
-        straight += [of.mesh.foot(k) - 1, of.mesh.foot(k)]  # and where a joint or rigid body is
+    for k in of.cornered:
+        straight += [of.mesh.foot(k) - 1, of.mesh.foot(k)]
     own[straight], other[straight] = 1.0 / 3.0, 1.0 / 6.0
     return np.stack([own, other], axis=1) * flexibility(of)[:, None]
 
@@ -56,10 +53,7 @@ def bending(of: Layout, relaxation: float) -> Iterator[Effect]:
     yield Effect("bending", record, why)
     yield Effect("foreshortening", Foreshortening(of.axial * flexibility(of) ** 2 / 72.0), why)
     if relaxation:
-        if of.m == 1:
-            record = BendingDamping(relaxation, *np.zeros((2, of.last + 1)))
-        else:
-            record = SpatialBendingDamping(relaxation, *np.zeros((2, 3, of.last + 1)))
+        record = BendingDamping(relaxation, *np.zeros((2, of.m, of.last + 1)))
         yield Effect("bending damping", record, "riser.structural_damping")
     yield from _end_joints(of)
 
@@ -71,9 +65,7 @@ def _end_joints(of: Layout) -> Iterator[Effect]:
         if soft is None:
             continue
         follows = end is top and top.x == "platform"
-        record: Any = FlexJoint(node, soft, 0.0, float(follows))
-        if of.m == 3:
-            upwards = np.array([0.0, 0.0, 1.0])
-            held = np.stack([upwards, *np.zeros((2, 3))])
-            record = SpatialFlexJoint(node, soft, upwards, int(follows), held)
+        upwards = np.array([0.0, 0.0, 1.0])
+        held = np.stack([upwards, *np.zeros((2, 3))])
+        record = FlexJoint(node, soft, upwards, int(follows), held)
         yield Effect("flex joint" if soft > 0.0 else "clamp", record, f"{name}.rotation")

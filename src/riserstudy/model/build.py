@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 from riserstudy.model.ends import ends
 from riserstudy.model.hydrodynamics import current, hydrodynamics, wave
 from riserstudy.model.initial_shape import between_ends, under_a_joint
-from riserstudy.model.joints import inner_joints, sliding_joint, stress_gauge
+from riserstudy.model.joints import guides, inner_joints, sliding_joint, stress_gauge
 from riserstudy.model.layout import AXES, Layout, directions, layout_of
 from riserstudy.model.mesh import Mesh, blend_by_weight
 from riserstudy.model.model import Effect, Model, Report, Unknowns
 from riserstudy.model.platform_motion import motions
+from riserstudy.model.release import lift_gauge
 from riserstudy.model.riser import riser
 from riserstudy.model.soil import soil
 from riserstudy.model.supports import afloat, fixed, supports
@@ -79,9 +80,11 @@ def effects_of(of: Layout, report: Report) -> Iterator[Effect]:
     yield from ends(of)
     yield from tensioners(of)
     yield from inner_joints(of, report)
+    yield from guides(of)
     yield from soil(of)
     yield from sliding_joint(of)
     yield from stress_gauge(of, report)
+    yield from lift_gauge(of, report)
     yield from floating(of.scene, of.d, of.last, report)
 
 

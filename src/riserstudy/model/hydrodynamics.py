@@ -161,7 +161,7 @@ def _waterline(
 def wave_of(
     sea: RegularWave | IrregularSea, water: Water, gravity: float, heading: FloatArray
 ) -> Wave:
-    """Components of a wave or sea, travelling along a horizontal unit vector."""
+    """Components of a wave or sea, travelling along a horizontal unit vector, (d - 1,); gravity in m/s2."""
     if water.surface is None or water.seabed is None:
         raise TypeError("waves on water without levels")  # refused by the scene
     depth = water.surface - water.seabed
@@ -174,5 +174,5 @@ def wave_of(
 
 
 def over(mesh: Mesh, value: Sequence[float]) -> FloatArray:
-    """Values per length of the sections, over the segments: (n,); none in a telescopic joint."""
+    """Values per metre of the sections times lengths of segments (m), (n,); none in a telescopic joint."""
     return np.array([*value, 0.0])[mesh.section] * mesh.l0

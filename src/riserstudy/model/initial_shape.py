@@ -68,7 +68,7 @@ def under_a_joint(
 
 
 def sagging(s: FloatArray, offset: float, rise: float) -> FloatArray:
-    """Points at arclengths ``s`` of the parabola as long as the riser, (2, n+1)."""
+    """Points at arclengths ``s`` (m) of the parabola as long as the riser, (2, n+1), m."""
     curve = _parabola(offset, rise, sag_of(float(s[-1]), offset, rise))
     return np.stack([np.interp(s, _arclength(curve), row) for row in curve])
 

@@ -1,10 +1,11 @@
-"""What stands within and at the top of the riser string: inner joints, a sliding joint, a gauge."""
+"""What stands within and at the top of the riser string: inner joints, guides, a sliding joint, a gauge."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
 
+from riserstudy.effects.guide import Guide
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.sliding_tension import SlidingTension
 from riserstudy.effects.stress_gauge import StressGauge
@@ -22,6 +23,14 @@ def inner_joints(of: Layout, report: Report) -> Iterator[Effect]:
         flexibility = 1.0 / joint.stiffness if joint else 0.0
         record = InnerFlexJoint(of.mesh.foot(k), flexibility, report("lfj_angle"))
         yield Effect("inner flex joint", record, f"riser[{k}].flex_joint_below")
+
+
+def guides(of: Layout) -> Iterator[Effect]:
+    """Springs to the vertical through the well, below sections."""
+    for k, section in enumerate(of.scene.riser if of.d > 1 else []):
+        if section.guide_below:
+            record = Guide(of.mesh.foot(k), section.guide_below.stiffness)
+            yield Effect("guide", record, f"riser[{k}].guide_below")
 
 
 def sliding_joint(of: Layout) -> Iterator[Effect]:

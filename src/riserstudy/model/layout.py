@@ -63,7 +63,7 @@ class Layout(NamedTuple):
 
     @property
     def gravity(self) -> float:
-        """In m/s2, 0 where the scene has none."""
+        """Of bodies in free fall (m/s2), 0 where the scene has none."""
         return self.scene.gravity or 0.0
 
     @property
@@ -77,12 +77,19 @@ class Layout(NamedTuple):
         return len(self.mesh.l0)
 
     def per_segment(self, value: Callable[[int], float], joint: float = 0.0) -> FloatArray:
-        """Values of the sections by number, over the segments, (n,); ``joint`` of a telescopic joint."""
+        """Values of the sections, in their unit, over the segments, (n,); ``joint`` of a telescopic joint."""
         return per_segment(self.scene, self.mesh, value, joint)
 
     def along(self, heading: float | None) -> FloatArray:
         """Unit vector of a heading (rad) in the horizontal directions of the model, (d - 1,)."""
         return np.array([math.cos(heading or 0.0), math.sin(heading or 0.0)])[: self.d - 1]
+
+    @property
+    def cornered(self) -> list[int]:
+        """Sections at whose lower end shear may jump: by a joint, a guide or a rigid body below."""
+        body = self.scene.bottom.body
+        first = [1] if body and body.reach else []
+        return [*first, *(k for k, s in enumerate(self.scene.riser) if s.corner_below)]
 
     @property
     def jointed(self) -> list[int]:
@@ -128,13 +135,13 @@ def layout_of(scene: Scene, mesh: Mesh, ring_elevation: float | None, d: int) ->
 def per_segment(
     scene: Scene, mesh: Mesh, value: Callable[[int], float], joint: float = 0.0
 ) -> FloatArray:
-    """Values of the sections by number, over the segments, (n,); ``joint`` of a telescopic joint."""
+    """Values of the sections, in their unit, over the segments, (n,); ``joint`` of a telescopic joint."""
     values = [float(value(k)) for k in range(len(scene.riser))]
     return np.array([*values, joint])[mesh.section]
 
 
 def halves(segment: FloatArray) -> FloatArray:
-    """Half of each segment's load to either node, (n + 1,)."""
+    """Half of each segment's load, (n,), to either node, (n + 1,), in the unit of the load."""
     nodes = np.zeros(len(segment) + 1)
     nodes[:-1] += 0.5 * segment
     nodes[1:] += 0.5 * segment
@@ -142,7 +149,5 @@ def halves(segment: FloatArray) -> FloatArray:
 
 
 def corners(of: Layout) -> list[int]:
-    """Nodes at which shear may jump, so that the moment's slope does: ends, ring, joints, rigid bodies."""
-    body = of.scene.bottom.body
-    feet = [*of.jointed, *([1] if body and body.reach else [])]
-    return [0, *(of.mesh.foot(k) for k in feet), of.mesh.ring, of.last]
+    """Nodes at which shear may jump, so that the moment's slope does: ends, ring, `Layout.cornered`."""
+    return [0, *(of.mesh.foot(k) for k in of.cornered), of.mesh.ring, of.last]

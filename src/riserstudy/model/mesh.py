@@ -34,7 +34,7 @@ class Mesh(NamedTuple):
 
     @property
     def s(self) -> NDArray[np.float64]:
-        """Unstretched arclength of the nodes from the bottom (m)."""
+        """Unstretched arclength of the nodes from the bottom, (n + 1,), m."""
         return np.concatenate([[0.0], np.cumsum(self.l0)])
 
     @property

@@ -103,10 +103,14 @@ class Model:
         """A model in the same state with more effects, and more (node, unknown) pairs left alone."""
         own = [(int(node), int(unknown)) for node, unknown in self.fixed]
         other = Model(self.unknowns, [*self.effects, *effects], [*own, *fixed])
+        other.take_state(self)
+        return other
+
+    def take_state(self, other: Model) -> None:
+        """Be where another model of the same unknowns is, and move as it does."""
         for mine, theirs in ((self.s, other.s), (self.spare.value, other.spare.value)):
             for name in ("clock", "r", "v", "a", "moment", "blend", "reach"):
-                getattr(theirs, name)[:] = getattr(mine, name)
-        return other
+                getattr(mine, name)[:] = getattr(theirs, name)
 
     def _program(self, role: str) -> np.ndarray:
         if role == "lump" and self.s.share[1] > 0.0:

@@ -38,7 +38,9 @@ class Harmonics(NamedTuple):
 def operator(
     response: Response, motion: str, frequency: FloatArray, heading: float = 0.0
 ) -> NDArray[np.complex128]:
-    """R of one motion at frequencies (rad/s) in waves that go to a heading (rad), leading phases positive.
+    """R of one motion in waves that go to a heading (rad), leading phases positive.
+
+    It has the shape of the frequencies (rad/s); per metre of wave, m/m or rad/m.
 
     Raises
     ------

@@ -14,10 +14,20 @@ from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDr
 
 FloatArray = NDArray[np.float64]
 PROFILE_POINTS = 2001  # of a named current profile
+EDGE = 1e-6  # share of a profile over which it ends in still water
 
 
 def current_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
-    """Elevations (m) and speeds (m/s) of a profile."""
+    """Elevations (m), rising, and speeds (m/s) of a profile, each (k,); end values hold beyond."""
+    z, speed = _told(current, water)
+    if current.beyond == "zero":
+        step = EDGE * (z[-1] - z[0])
+        z = np.concatenate([[z[0] - step], z, [z[-1] + step]])
+        speed = np.concatenate([[0.0], speed, [0.0]])
+    return z, speed
+
+
+def _told(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
     if isinstance(current.profile, list):
         elevations, speeds = current.table(water)
         return np.array(elevations), np.array(speeds)
@@ -40,7 +50,7 @@ def levels(part: Shape | WindDrift, water: Water | None) -> tuple[float, float]:
 
 
 def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -> FloatArray:
-    """Speed of one named profile at elevations within its span (m/s); its end values beyond.
+    """Speed of one named profile (m/s), shape of the elevations (m); end values of its span beyond.
 
     References
     ----------
@@ -85,7 +95,7 @@ def depth_of_action(sea: RegularWave | IrregularSea, water: Water, gravity: floa
 
 
 def components_of(sea: Swell | Storm) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Amplitudes (m), frequencies (rad/s) and phases (rad) of a wave or sea."""
+    """Amplitudes (m), frequencies (rad/s) and phases (rad) of a wave or sea, each (components,)."""
     if isinstance(sea, Swell):
         amplitude = sea.amplitude or 0.5 * (sea.height or 0.0)
         numbers = (amplitude, 2.0 * math.pi / sea.period, sea.phase or 0.0)
@@ -97,7 +107,7 @@ def components_of(sea: Swell | Storm) -> tuple[FloatArray, FloatArray, FloatArra
 
 
 def components(sea: Storm) -> tuple[FloatArray, FloatArray]:
-    """Frequencies (rad/s) and amplitudes (m) that share the energy of the sea equally.
+    """Frequencies (rad/s) and amplitudes (m), (components,), that share the energy of the sea equally.
 
     Each stands at the middle of its share of the energy, so that no two are commensurate and the
     record does not repeat.
@@ -112,7 +122,7 @@ def components(sea: Storm) -> tuple[FloatArray, FloatArray]:
 
 
 def jonswap(w: FloatArray, peak: float, enhancement: float) -> FloatArray:
-    """JONSWAP spectrum over circular frequency, up to its scale.
+    """JONSWAP spectrum at frequencies ``w`` (rad/s), of their shape, up to its scale; the peak in rad/s.
 
     References
     ----------

@@ -26,7 +26,10 @@ def soil(of: Layout) -> Iterator[Effect]:
 
 
 def springs(soil: Soil, conductor: Section, mesh: Mesh, bottom: float) -> LinearSoil | SoftClay:
-    """Springs at the nodes, each for the part of its two half segments that is below the mudline."""
+    """Springs at the nodes, each for the part of its two half segments that is below the mudline.
+
+    ``bottom``: elevation of the lowest node (m).
+    """
     nodes = bottom + mesh.s
     edges = np.concatenate([nodes[:1], 0.5 * (nodes[1:] + nodes[:-1]), nodes[-1:]])
     tops = np.minimum(edges[1:], soil.mudline)
@@ -46,7 +49,12 @@ def springs(soil: Soil, conductor: Section, mesh: Mesh, bottom: float) -> Linear
 def ultimate_resistance(
     clay: Matlock, depth: NDArray[np.float64], diameter: float
 ) -> NDArray[np.float64]:
-    """Largest resistance per length of conductor (N/m) at depths below the mudline (m)."""
+    """Largest resistance per length of conductor (N/m), shape of the depths below the mudline (m).
+
+    References
+    ----------
+    Matlock (1970), OTC 1204: a wedge near the mudline, flow around the pile (9 c D) deeper down.
+    """
     strength = clay.strength_at_mudline + clay.strength_gradient * depth
     shallow = (
         SHALLOW * strength

@@ -12,7 +12,7 @@ FloatArray = NDArray[np.float64]
 
 
 def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray) -> FloatArray:
-    """Force of the gas of one cylinder (N) over its reach from mid-stroke (m)."""
+    """Force of the gas of one cylinder (N), shape of its reach from mid-stroke (m): theory (12), (12a)."""
     if isinstance(gas, TwoChamberGas):
         up, down, k = gas.high, gas.low, gas.exponent
         high = (up.volume / (up.volume - up.area * reach)) ** k
@@ -38,7 +38,7 @@ def table_law(table: list[TableRow]) -> PPoly:
 
 
 def leaves_table(rig: Tensioners, reach: FloatArray) -> list[str]:
-    """A warning when cylinders leave their table."""
+    """A warning when cylinders, by their reach (m), any shape, leave their table."""
     if rig.table is None:
         return []
     first, last = rig.table[0].reach, rig.table[-1].reach

@@ -46,7 +46,7 @@ def tensioners(of: Layout) -> Iterator[Effect]:
 
 
 def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
-    """How each cylinder pulls."""
+    """How each cylinder pulls, with the gravity (m/s2) that acts on pistons."""
     each = np.array(rig.working)
     record: Any
     if rig.gas and not rig.linearised:

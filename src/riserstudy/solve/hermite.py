@@ -38,9 +38,9 @@ class End(NamedTuple):
     """Support of one end; ``End()`` is a pin, ``End(rotation_stiffness=np.inf)`` a clamp."""
 
     held: bool = True  # lateral motion prescribed; otherwise the end is free
-    rotation_stiffness: float = 0.0  # N m/rad, against the vertical
-    mass: float = 0.0  # kg, point mass; this and the force act when the end is free
-    force: float = 0.0  # N, lateral, constant
+    rotation_stiffness: float = 0.0  # (N m/rad) against the vertical
+    mass: float = 0.0  # (kg) point mass; this and the force act when the end is free
+    force: float = 0.0  # (N) lateral, constant
     motion: Motion | None = None  # times (s) -> displacement, velocity, acceleration; None: at rest
 
 
@@ -68,7 +68,7 @@ class Waves(NamedTuple):
     frequency: Array  # (c,) rad/s
     number: Array  # (c,) rad/m, negative for waves against x
     phase: Array  # (c,) rad
-    ramp: float = 0.0  # s
+    ramp: float = 0.0  # (s)
 
 
 class Response(NamedTuple):

@@ -40,14 +40,15 @@ class Sea(NamedTuple):
     frequency: Array  # (c,) rad/s
     number: Array  # (c,) rad/m, negative for waves against x
     phase: Array  # (c,) rad
-    ramp: float  # s, half a cosine; 0 for none
+    ramp: float  # (s) half a cosine; 0 for none
 
 
 @njit(cache=True, nogil=True)
 def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) -> None:
     """Velocity of the water across the beam (m/s) and force of its acceleration (N) at the Gauss points.
 
-    The waves are met where the beam is at displacements u; across a leaning beam is speed - rise u'.
+    The waves are met where the beam is at displacements u, (2n + 2,), at time t (s); across a leaning beam is
+    speed - rise u'. Both go to ``water`` and ``push``, (n, 4).
     """
     for e in range(water.shape[0]):
         for g in range(water.shape[1]):
@@ -80,7 +81,7 @@ def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) ->
 
 @njit(cache=True, nogil=True)
 def pin(band: Array, right: Array, dof: int) -> None:
-    """Replace row and column of a degree of freedom by the identity, its right side by zero."""
+    """Replace row and column of a band (2n + 2, 4) by the identity, the right side (2n + 2,) by zero."""
     band[dof] = 0.0
     band[dof, 0] = 1.0
     right[dof] = 0.0
@@ -90,7 +91,7 @@ def pin(band: Array, right: Array, dof: int) -> None:
 
 @njit(cache=True, nogil=True)
 def factorise(band: Array) -> int:
-    """L D L' in place; the first row whose pivot is not positive (or not a number), or -1."""
+    """L D L' of a band (2n + 2, 4) in place; the first row with a pivot not positive, or no number, or -1."""
     n = len(band)
     for i in range(n):
         if not band[i, 0] > 0.0:
@@ -105,7 +106,7 @@ def factorise(band: Array) -> int:
 
 @njit(cache=True, nogil=True)
 def substitute(band: Array, x: Array) -> None:
-    """Solve in place with the factors of ``factorise``."""
+    """Solve for x, (2n + 2,), in place with the factors of ``factorise``."""
     n = len(band)
     for i in range(n):
         for j in range(1, min(4, n - i)):
@@ -118,7 +119,7 @@ def substitute(band: Array, x: Array) -> None:
 
 @njit(cache=True, nogil=True)
 def multiply(band: Array, x: Array, out: Array) -> None:
-    """Add the symmetric band times x to out."""
+    """Add the symmetric band (2n + 2, 4) times x to out, both (2n + 2,)."""
     n = len(band)
     for i in range(n):
         out[i] += band[i, 0] * x[i]
@@ -138,7 +139,10 @@ def add_water(
     lag: Array,
     factor: float,
 ) -> None:
-    """Subtract push and drag c |U - lag| (U - v) from out; add ``factor`` c |U - lag| to the band."""
+    """Subtract push and drag c |U - lag| (U - v) from out (N); add ``factor`` c |U - lag| to the band.
+
+    Water and push are (n, 4) at the Gauss points, v and lag (2n + 2,) in m/s, the factor is in s.
+    """
     for e in range(len(mesh.value)):
         shape = mesh.value[e]
         for g in range(4):
@@ -160,8 +164,9 @@ def march(
 ) -> tuple[Array, int, int]:  # fmt: skip
     """Newmark's method; method 0 lags |U - u.|, 1 repeats with the last iterate's, 2 is Newton.
 
-    Returns u, v, a at the stored steps, the most iterations and the failed step or -1. Step 0
-    only finds the initial acceleration, linear in the unknowns.
+    Returns u, v, a at the stored steps, (3, steps, 2n + 2), the most iterations and the failed step or -1.
+    Step 0 only finds the initial acceleration, linear in the unknowns. ``h`` is the step (s), ``forced`` the
+    motion of the ``fixed`` unknowns, (3, fixed, steps), ``damping`` a band (2n + 2, 4).
     """
     mass, stiffness = mesh.mass_band, mesh.stiffness_band
     history = np.zeros((3, (forced.shape[2] - 1) // each + 1, len(start)))

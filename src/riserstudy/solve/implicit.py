@@ -30,10 +30,10 @@ from riserstudy.solve.sums import DONE, NOT_CONVERGED, enter
 class Method(NamedTuple):
     """Parameters of one run."""
 
-    alpha_m: float
-    alpha_f: float
-    beta: float
-    gamma: float
+    alpha_m: float  # (1)
+    alpha_f: float  # (1)
+    beta: float  # (1)
+    gamma: float  # (1)
     step: float  # (s)
     steps: int
     tolerance: float  # of a position correction, root mean square over nodes (m)

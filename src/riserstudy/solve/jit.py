@@ -7,11 +7,11 @@ the versions that shape machine code. Processes may compile into it side by side
 
 from __future__ import annotations
 
-import fcntl
 from collections.abc import Callable
 from functools import wraps
 
 import numba
+from filelock import FileLock
 from numba.core.caching import IndexDataCacheFile
 
 from riserstudy.solve.kernel_cache import kernel_cache, seal_files_of
@@ -33,8 +33,7 @@ def _one_at_a_time(save: Callable[..., None]) -> Callable[..., None]:
     def locked(self: IndexDataCacheFile, key: object, data: object) -> None:
         folder = kernel_cache()
         folder.mkdir(parents=True, exist_ok=True)
-        with (folder / "lock").open("a") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
+        with FileLock(folder / "lock"):
             save(self, key, data)
 
     return locked

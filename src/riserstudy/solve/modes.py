@@ -43,7 +43,7 @@ class Linear(NamedTuple):
 
 
 def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
-    """A model made linear; ``fixed`` are (node, unknown) pairs, moments before positions."""
+    """A model made linear; ``fixed`` are (node, unknown) pairs, (k, 2), moments before positions."""
     s = state.value
     d, m, nodes = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1]
 
@@ -143,6 +143,8 @@ def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int
 
 def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
     """Largest stable step of the explicit method about the present state (s), infinite without stiffness.
+
+    ``fixed`` as in `linear`, (k, 2).
 
     Steps h are stable while h^2 K + 2 h C < 4 M in every direction, because damping acts with the velocity
     of half a step ago: for a mode of frequency w and damping ratio z, below 2 (sqrt(1 + z^2) - z) / w.

@@ -223,7 +223,7 @@ def entry(function, record_kind, state_kind) -> int:
 
 
 def assemble(calls, state: Frozen) -> np.ndarray:
-    """Program, int64 array (len(calls), 2), of (function, frozen record) pairs for one state."""
+    """Program, int64 array (calls, 2), of (function, frozen record) pairs for one state."""
     rows = [
         (entry(function, record.kind, state.kind), record.address) for function, record in calls
     ]

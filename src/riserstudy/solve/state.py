@@ -100,10 +100,12 @@ class State(NamedTuple):
     lump: np.ndarray  # (d*d, N) lumped mass of a node (kg), row by row, upper triangle
 
     # Arrays that are cleared together lie together; these are all of their memory.
-    loads: np.ndarray  # force, segment, turn, pull, k_pull
-    seas: np.ndarray  # level, water, shear, water_rate
-    lumps: np.ndarray  # lump
-    slopes: np.ndarray  # k_segment, k_node, k_up, k_low, by_low, by_up, turn_low, turn_up
+    loads: np.ndarray  # (its parts,) force, segment, turn, pull, k_pull
+    seas: np.ndarray  # (its parts,) level, water, shear, water_rate
+    lumps: np.ndarray  # (its parts,) lump
+    slopes: (
+        np.ndarray
+    )  # (its parts,) k_segment, k_node, k_up, k_low, by_low, by_up, turn_low, turn_up
 
     flow: np.ndarray  # (2,) power dissipated, power supplied by water and devices (W)
     probe: np.ndarray  # (probes,) scalars that effects report at output times

@@ -82,6 +82,7 @@ def find_equilibrium(
 
     Parameters
     ----------
+    fixed : (k, 2) integers, (node, unknown) pairs that stay as they are.
     tolerance : largest correction (root mean square over nodes) that counts as none (m).
     current : whether there is a current to bring on in parts.
 
@@ -118,7 +119,10 @@ def find_equilibrium(
 
 
 def unstable_directions(programs: Frozen, state: Frozen, fixed: np.ndarray) -> int:
-    """Unstable directions of the shape that a state has, without looking for its equilibrium."""
+    """Unstable directions of the shape that a state has, without looking for its equilibrium.
+
+    ``fixed`` as in `find_equilibrium`, (k, 2).
+    """
     s = state.value
     move_to(programs, state, s.clock[0])
     shape = s.r.shape[1], len(s.dof)

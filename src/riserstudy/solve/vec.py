@@ -58,6 +58,18 @@ def at(like, array, i):
 
 
 @unrolled
+def bending_at(like, moment, i):
+    """Bending moment i, (m, nodes): one number in the plane, three in space."""
+    return tuple(moment[k, i] for k in range({2: 1, 3: 3}[len(like)]))
+
+
+@unrolled
+def within(like, array, i):
+    """Row i of an array of vectors in space, (rows, 3), in the directions of the model."""
+    return tuple(array[i, k] for k in {1: (2,), 2: (0, 2), 3: (0, 1, 2)}[len(like)])
+
+
+@unrolled
 def put(array, i, a):
     """Store a vector in a component-major array."""
     for k, x in enumerate(a):
@@ -125,7 +137,9 @@ def norm_across(a, t):
 
 @unrolled
 def cross(a, b):
-    """Vector product of two vectors in space."""
+    """Vector product; of two vectors in the plane of x and z the one component along y."""
+    if len(a) == 2:
+        return (a[1] * b[0] - a[0] * b[1],)
     return (
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -135,19 +149,25 @@ def cross(a, b):
 
 @unrolled
 def skew(a):
-    """Block of a vector in space: skew(a) b = a x b."""
+    """What makes a x b of b: a block in space, a row of two in the plane."""
+    if len(a) == 2:
+        return (a[1], -a[0])
     return (0.0, -a[2], a[1], a[2], 0.0, -a[0], -a[1], a[0], 0.0)
 
 
 @unrolled
 def transposed(a):
-    """A block in space, rows and columns exchanged."""
+    """Rows and columns exchanged, of a block in space or a row of two."""
+    if len(a) == 2:
+        return a
     return (a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8])
 
 
 @unrolled
 def times(a, b):
-    """Product of two blocks in space."""
+    """Product of two blocks in space, or of a row of two and a block in the plane."""
+    if len(a) == 2:
+        return (a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3])
     return (
         a[0] * b[0] + a[1] * b[3] + a[2] * b[6],
         a[0] * b[1] + a[1] * b[4] + a[2] * b[7],

@@ -1,0 +1,91 @@
+r"""A moment at the riser's lower end that fades: what a connector still carries while it lets go.
+
+.. math:: M_0(t) = M\,\tfrac12\bigl(1 + \cos(\pi (t - t_0)/\tau)\bigr), \qquad 0 \le t - t_0 \le \tau
+
+With theta the direction of the riser's end it holds the energy M_0 theta, and its fading supplies
+the power theta dM_0/dt.
+
+References
+----------
+Elementary: the load potential of a moment that is given.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.registry import Called, register
+from riserstudy.effects.rotation import by_chord, rotation, rotation_by_second
+from riserstudy.solve.jit import inner
+from riserstudy.solve.state import SUPPLIED
+from riserstudy.solve.vec import at, plus, plus_block, upward
+
+
+class FadingMoment(NamedTuple):
+    """Moment of the lowest node, which the solver leaves alone."""
+
+    moment: np.ndarray  # (m,) at the beginning (N m)
+    start: float  # t_0 (s)
+    over: float  # tau (s)
+
+
+@inner
+def _phase(fading, s):
+    """From 0 at the beginning to pi, where it is gone."""
+    return pi * min(max((s.clock[0] - fading.start) / fading.over, 0.0), 1.0)
+
+
+@inner
+def place(fading, s):
+    """The moment at this time."""
+    left = 0.5 * (1.0 + cos(_phase(fading, s)))
+    for u in range(fading.moment.shape[0]):
+        s.moment[u, 0] = left * fading.moment[u]
+    return 0.0
+
+
+@inner
+def turn(fading, s):
+    """The direction of the riser's end: that of the lowest segment less its own bending."""
+    plus(s.turn, 0, rotation(upward(s.dim), at(s.dim, s.tangent, 0)))
+    return 0.0
+
+
+@inner
+def tangent(fading, s):
+    """How it follows the end segment."""
+    slope = rotation_by_second(upward(s.dim), at(s.dim, s.tangent, 0))
+    plus_block(s.turn_low, 0, by_chord(s, 0, slope))
+    return 0.0
+
+
+@inner
+def energy(fading, s):
+    """Energy of the moment in its direction (J)."""
+    total = 0.0
+    for u in range(fading.moment.shape[0]):
+        total += s.moment[u, 0] * s.turn[u, 0]
+    return total
+
+
+@inner
+def power(fading, s):
+    """Power that fading supplies (W)."""
+    rate = -0.5 * sin(_phase(fading, s)) * pi / fading.over
+    for u in range(fading.moment.shape[0]):
+        s.flow[SUPPLIED] += rate * fading.moment[u] * s.turn[u, 0]
+    return 0.0
+
+
+register(
+    FadingMoment,
+    Called("fading moment", "disconnect.over, and a joint at the lower end"),
+    place=place,
+    turn=turn,
+    tangent=tangent,
+    potential=energy,
+    power=power,
+)

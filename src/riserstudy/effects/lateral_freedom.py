@@ -1,0 +1,34 @@
+"""Freedom across the riser: a second direction, or a third, which cost unknowns and no forces.
+
+It has no record: `model.layout.directions` counts the directions that a scene needs. Taking large rotation
+and axial motion out leaves the small-angle beam of `solve.hermite`.
+"""
+
+from __future__ import annotations
+
+from riserstudy.effects.registry import Called, call, put_in, taken_out
+
+call(
+    Called(
+        "lateral freedom",
+        "a lateral load or motion",
+        (
+            taken_out(
+                "large rotation and axial motion",
+                "lateral",
+                sets={"analysis.solver": "hermite"},
+            ),
+            put_in(
+                "motion out of the plane",
+                "spatial",
+                {
+                    "current.heading": "=current turned",
+                    "platform.cruise.heading": "=cruise turned",
+                    "platform.sway": {"amplitude": "1e-9 m", "period": "10 s"},
+                },
+                "freedom across, hardly called for: headings turned by 0.0001 deg, sway of 1e-9 m",
+                "lateral",
+            ),
+        ),
+    )
+)

@@ -1,0 +1,72 @@
+"""A model whose lower end is let go: the same state, without what held it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from scipy.linalg import solve
+
+from riserstudy.effects.dead_load import DeadLoad
+from riserstudy.effects.fading_moment import FadingMoment
+from riserstudy.effects.flex_joint import FlexJoint
+from riserstudy.effects.lift_gauge import LiftGauge
+from riserstudy.effects.support import Support
+from riserstudy.effects.tension_loss import TensionLoss
+from riserstudy.model.layout import Layout
+from riserstudy.model.model import Effect, Model, Report
+from riserstudy.solve.evaluate import forces_and_tangent, shape_of
+
+LIFT = ("lift", "lift_rate")  # what the gauge reports
+
+
+def lift_gauge(of: Layout, report: Report) -> Iterator[Effect]:
+    """What reports how far the lower end is above the stack."""
+    if of.scene.disconnect:
+        yield Effect("lift gauge", LiftGauge(of.bottom, report(*LIFT)), "disconnect")
+
+
+def released(model: Model, fading: Sequence[Effect] = ()) -> Model:
+    """The model in the same state with its lower end free, and moments that belong to that.
+
+    ``fading``: what still holds it for a while.
+    """
+    kept = [e for e in model.effects if not _at_the_lower_end(e.record)] + list(fading)
+    moments = range(model.unknowns.moments)
+    fixed = [(int(node), int(u)) for node, u in model.fixed if node > 0]
+    freed = Model(model.unknowns, kept, [*fixed, *((0, u) for u in moments)])
+    freed.take_state(model)
+    if not freed.has(FadingMoment):
+        _settle_moments(freed)
+    return freed
+
+
+def fading(model: Model, at: float, over: float) -> list[Effect]:
+    """Force and moment of the connector, from a time on fading over another (s)."""
+    forces_and_tangent(model.programs, model.state)
+    load = -model.s.force[:, 0]
+    moment = model.s.moment[:, 0].copy()
+    turned = [FadingMoment(moment, at, over)] if moment.any() else []
+    return [
+        Effect("constant tension", DeadLoad(0, load.copy()), "disconnect.over"),
+        Effect("tension loss", TensionLoss(0, -load, at, over), "disconnect.over"),
+        *(Effect("fading moment", record, "disconnect.over") for record in turned),
+    ]
+
+
+def _at_the_lower_end(record: object) -> bool:
+    return isinstance(record, Support | FlexJoint) and record.node == 0
+
+
+def _settle_moments(model: Model) -> None:
+    """Moments follow from the shape: the flexibility matrix solved for the turning angles, theory (2)."""
+    s = model.s
+    if not len(s.moment):
+        return
+    s.moment[:] = 0.0
+    shape_of(model.programs, model.state)
+    carried = ~model.hinged[: len(s.flex)]
+    flexibility = np.diag(s.flex) + np.diag(s.flex_up, 1) + np.diag(s.flex_up, -1)
+    inner = np.ix_(carried, carried)
+    columns = np.flatnonzero(carried)
+    s.moment[:, columns] = solve(flexibility[inner], s.turn[:, columns].T, assume_a="sym").T

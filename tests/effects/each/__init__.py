@@ -1,0 +1,1 @@
+"""A file an effect: its case, its plain version, its closed form."""

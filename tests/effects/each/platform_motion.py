@@ -1,0 +1,64 @@
+"""Platform motion: a case, and the plain version."""
+
+from __future__ import annotations
+
+import numpy as np
+from surroundings import Case
+
+from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
+
+
+def splines(d: int) -> Series:
+    coefficient = np.random.default_rng(3).normal(size=(4, 5)) * [[1e-3], [1e-2], [0.1], [1.0]]
+    return Series(2, np.array([0.0, 2.0, 3.0, 5.5, 8.0, 10.0]), coefficient)
+
+
+def position(record, t):
+    return record.displacement
+
+
+def harmonic(record, t):
+    out = np.zeros(6)
+    ramp = np.where(record.ramp > 0.0, record.ramp, 1e-300)
+    grown = np.where(t < ramp, 0.5 * (1.0 - np.cos(np.pi * np.minimum(t / ramp, 1.0))), 1.0)
+    value = record.amplitude * np.sin(record.frequency * t + record.phase) * grown
+    np.add.at(out, record.motion, value)
+    return out
+
+
+def cruise(record, t):
+    out = np.zeros(6)
+    sailed = 0.5 * t**2 / record.ramp if t < record.ramp else t - 0.5 * record.ramp
+    out[record.motion] = record.speed * sailed
+    return out
+
+
+def series(record, t):
+    out = np.zeros(6)
+    t = np.clip(t, record.time[0], record.time[-1])
+    k = min(np.searchsorted(record.time, t, side="right") - 1, len(record.time) - 2)
+    out[record.motion] = np.polyval(record.coefficient[:, k], t - record.time[k])
+    return out
+
+
+CASES = {
+    Position: Case(lambda d: Position(np.linspace(0.1, 0.6, 6))),
+    Harmonic: Case(
+        lambda d: Harmonic(
+            np.array([0, 2, 0]),
+            np.array([2.0, 1.0, 0.5]),
+            np.array([0.4, 0.6, 1.1]),
+            np.array([0.3, 0.0, -1.0]),
+            np.array([15.0, 0.0, 3.0]),
+        )
+    ),
+    Cruise: Case(lambda d: Cruise(0, 1.5, 12.0)),
+    Series: Case(splines),
+}
+
+MOTIONS = {
+    Position: position,
+    Harmonic: harmonic,
+    Cruise: cruise,
+    Series: series,
+}
