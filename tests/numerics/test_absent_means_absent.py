@@ -39,7 +39,7 @@ ZERO_LOAD = {
     "wave force": lambda: WaveForce(LINE.copy(), FIELD.copy()),
     "weight": lambda: Weight(1, NODES.copy()),
     "axial damping": lambda: AxialDamping(LINE.copy()),
-    "bending damping": lambda: BendingDamping(0.0, NODES.copy(), NODES.copy()),
+    "bending damping": lambda: BendingDamping(0.0, NODES[None].copy(), NODES[None].copy()),
     "lateral force": lambda: DeadLoad(N, np.zeros(2)),
     "tension loss": lambda: TensionLoss(N, np.zeros(2), 1.0, 1.0),
     "end mass": lambda: EndMass(N, 0.0, np.zeros(2), np.zeros(2)),

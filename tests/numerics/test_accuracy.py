@@ -4,13 +4,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from riserstudy.chapters.draw import draw
+from riserstudy.chapters.numerics.figures.cost import answer
 from riserstudy.numerics import accuracy as module
-from riserstudy.numerics.accuracy import accuracy, requests
+from riserstudy.numerics.accuracy import Request, accuracy, judged, requests
 from riserstudy.numerics.attempt import Attempt, Outcome
-from riserstudy.numerics.references import stored
-from riserstudy.numerics.scenes import Setting
+from riserstudy.numerics.references import reference, stored
+from riserstudy.numerics.scenes import Setting, case_file
+from riserstudy.numerics.stability import FREE
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -43,6 +46,20 @@ def test_the_stored_reference_and_a_fine_run_of_ours_agree(surge):
     assert str(surge["reference"].values[0]).startswith("stored: S2c: 80 quintic Hermite elements")
     assert (own.sel(quantity=["displacement", "tension"]) < 1e-3).all()
     assert float(own.sel(quantity="moment")) < 5e-3  # 64 even segments
+
+
+def test_our_own_reference_has_converged_where_another_code_says_the_same():
+    ladder = STUDY.scenes["S2c"].model_copy(update={"stored": None})
+    file = case_file(CONFIG, "S2c", ladder).with_values(FREE | SHORT, "short")
+    met = requests(file, "S2c", [0.01], 60.0)
+    assert met[0].result is not None
+    own, _ = reference(file, ladder, CONFIG, met[0].result)
+    other = stored(CONFIG / STUDY.scenes["S2c"].stored)
+    assert max(own.change.values()) < 2e-3
+    # the second halving changed three times what is left of an error of second order
+    reached, true = judged(met[0], own), other.errors(met[0].result)
+    for name in ("displacement", "moment", "tension"):
+        assert abs(reached[f"reached_{name}"] - true[name]) < own.change[name] + 5e-4
 
 
 def test_semi_implicit_euler_moves_as_verlet_does(surge):
@@ -78,6 +95,31 @@ def test_both_figures_are_drawn_from_it(surge):
         assert draw("numerics", name, {"accuracy": surge}).axes
 
 
+def test_every_scene_is_a_line_or_named_as_too_slow(surge):
+    drawn = xr.Dataset(
+        {
+            name: ("drawn", values)
+            for name, values in {"true": [0.004], "estimated": [0.006]}.items()
+        },
+        attrs={"requested": 0.01},
+    )
+    given = {"accuracy": surge, "random_scenes": drawn}
+    axes = draw("numerics", "cost", given).axes[0]
+    assert "S2c" in {text.get_text() for text in axes.texts}
+    late = surge.copy(deep=True)
+    late["request_seconds"][:] = np.nan
+    for name, values in (("cost", given | {"accuracy": late}), ("asked", {"accuracy": late})):
+        said = [text.get_text() for ax in draw("numerics", name, values).axes for text in ax.texts]
+        assert "not within the time allowed: S2c" in said
+
+
+def test_the_title_of_cost_is_the_ratio_of_times():
+    rows = {"request_scene": ["a", "a", "b", "b"], "requested": [0.01, 0.0005, 0.01, 0.0005]}
+    rows["request_seconds"] = [1.0, 3.0, 2.0, 5.0]
+    found = answer(xr.Dataset({name: ("request", values) for name, values in rows.items()}))
+    assert found == "20 times the accuracy (1 % to 0.05 %) for 2.5 to 3.0 times the time"
+
+
 def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
     tried = []
 
@@ -99,12 +141,12 @@ def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
 
 
 def test_a_finer_accuracy_is_not_asked_for_after_one_that_took_too_long(monkeypatch):
-    def spent(file, name, share, best, patience):
+    def spent(file, name, share, patience):
         refused = {0.05: Outcome.REFUSED, 0.01: Outcome.TOO_LONG}[share]
-        return {"requested": share, "request_message": refused.name}, refused
+        return Request({"requested": share, "request_message": refused.name}, None, refused)
 
     monkeypatch.setattr(module, "spent", spent)
-    rows = requests(None, "any", [0.002, 0.05, 0.01], None, 1.0)
+    rows = [one.row for one in requests(None, "any", [0.002, 0.05, 0.01], 1.0)]
     assert [(r["requested"], r["request_message"]) for r in rows] == [
         (0.05, "REFUSED"), (0.01, "TOO_LONG"), (0.002, "TOO_LONG"),
     ]  # fmt: skip

@@ -9,14 +9,16 @@ import pytest
 from numba import njit
 
 from riserstudy.chapters.draw import draw
-from riserstudy.jobs.compile_times import while_compiling
+from riserstudy.chapters.numerics.figures.effects import DECIDED, decisions
+from riserstudy.effects.catalogue import changes
 from riserstudy.numerics.ablation import ablate
 from riserstudy.numerics.advice import COULD_GO, MISSING, NEEDED, advice
-from riserstudy.numerics.changes import changes, fitting
+from riserstudy.numerics.changes import fitting
 from riserstudy.numerics.effect_shares import priced
 from riserstudy.numerics.effects import effects, kernels
 from riserstudy.numerics.scenes import Setting, bases
 from riserstudy.scene.load import read_scene
+from riserstudy.simulation.compile_times import while_compiling
 from riserstudy.study.read import read_studies, read_study
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -82,7 +84,7 @@ def test_shares_of_time_are_shares_and_absent_effects_have_none():
     assert "wave" not in prices.share
     assert all(share >= 0.0 for share in prices.share.values())
     assert sum(prices.share.values()) < 1.1
-    assert "because of platform.surge" in prices.said[1]
+    assert "(platform.surge)" in prices.said[1]
 
 
 def test_advice_keeps_what_decides_and_lets_go_what_does_not():
@@ -109,6 +111,12 @@ def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
     assert found.attrs["compiled_entries"] > 0
     figure = draw("numerics", "effects", {"effects": found})
     assert [t.get_text() for t in figure.axes[0].get_yticklabels()] == ["bench/s3", "bench/s1"]
+    assert "none of 1 was wrong" in figure.get_suptitle()
+    # a riser whose answer freedom across would change is a decision that was wrong
+    changed = found.copy(deep=True)
+    changed["moment_change"].loc[{"scene": "bench/s1", "change": DECIDED}] = 0.02
+    assert decisions(changed) == (1, 1)
+    assert "1 of 1 were wrong" in draw("numerics", "effects", {"effects": changed}).get_suptitle()
 
 
 def test_what_compiling_takes_is_told_kernel_by_kernel():

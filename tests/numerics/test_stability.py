@@ -1,11 +1,14 @@
 """The stability study tells apart what is accurate, stable, refused, and what should have been."""
 
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 
 from riserstudy.chapters.draw import draw
+from riserstudy.chapters.numerics.figures.stability import ENDS, ended
 from riserstudy.numerics.attempt import Outcome
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.numerics.stability import stability, tell
@@ -66,16 +69,34 @@ def test_every_case_of_every_tier_is_a_scene():
             case_file(CONFIG, name, case).scene()
 
 
-def test_the_figure_has_a_row_for_every_case(few):
+def test_the_figure_has_a_square_for_every_case_and_its_title_counts_them(few):
     figure = draw("numerics", "stability", {"stability": few})
-    labels = [text.get_text().removeprefix("✗ ") for text in figure.axes[0].get_yticklabels()]
-    assert labels == list(FEW)
+    squares = figure.axes[0].patches
+    assert len(squares) == len(FEW)
+    colours = Counter(map(to_hex, (square.get_facecolor() for square in squares)))
+    assert colours == Counter(ENDS[end] for end in ended(few))
+    wrong = int((~few["as_expected"]).sum())
+    verdict = "all ended as expected" if not wrong else f"{wrong} did not end as expected"
+    title = figure.axes[0].get_title(loc="left")
+    assert title.startswith(f"(a) {len(FEW)} hard cases, {verdict}:")
+
+
+def test_the_range_of_a_family_runs_from_the_accurate_to_the_surviving_step(few):
+    figure = draw("numerics", "stability", {"stability": few})
+    surge = few.sel({"case": "surge", "method": "gen.-alpha 0.8"})
+    names = ("largest_accurate_step", "largest_stable_step")
+    accurate, stable = (float(surge[name] / surge["written_step"]) for name in names)
+    spans = [line.get_xdata() for line in figure.axes[1].lines if len(line.get_xdata()) == 2]
+    assert any(np.allclose(span, [accurate, stable]) for span in spans)
 
 
 def test_the_report_tells_what_is_not_as_it_should_be(few):
     chapter = engine({"stability": few})
-    assert chapter.said[0].startswith("4 hard cases as written: ")
+    assert chapter.said[0].startswith("Hard cases that ended as expected: ")
     assert [row.case for row in chapter.findings] == list(few["case"].values[~few["as_expected"]])
+    table = next(table for table in chapter.tables if table.title == "Hard cases")
+    assert [row[0].text for row in table.rows] == list(FEW)
+    assert all(len(row) == len(table.columns) for row in table.rows)
 
 
 def test_the_stable_step_of_a_linear_riser_is_predicted_to_a_hundredth():

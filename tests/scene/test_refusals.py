@@ -218,7 +218,9 @@ def test_input_that_cannot_be_meant_is_refused_with_field_and_reason(case):
 STEPPED = {"analysis.mesh": MESH, "analysis.step": "0.25 s"}
 #: what is set beside turns of platform and riser, what the message says
 NOT_IN_TURNS = {
-    "statics": ({"analysis.duration": None, "analysis.output": None}, "needs analysis.duration"),
+    "statics": (
+        dict.fromkeys(("analysis.duration", "analysis.output", "analysis.step")), "needs analysis.duration",
+    ),
     "explicit stepping": (STEPPED | {"analysis.method": "explicit"}, "analysis.method explicit"),
     "stages": (STEPPED | {"analysis.method": "TR-BDF2"}, "analysis.method TR-BDF2"),
     "a beam of small slopes": (STEPPED | {"analysis.solver": "hermite"}, "analysis.solver hermite"),
@@ -339,7 +341,7 @@ def test_a_table_that_cannot_be_read_is_refused(case, tmp_path):
     if text is not None:
         (tmp_path / "current.csv").write_text(text)
     with pytest.raises(InputError) as refusal:
-        load_scene(scene, **{"current": {"profile": {"file": "current.csv"}}})
+        load_scene(scene, **{"current": {"profile": {"file": "current.csv"}, "beyond": "hold"}})
     assert problem in str(refusal.value)
 
 
@@ -347,7 +349,9 @@ def test_a_table_takes_the_place_of_points(tmp_path):
     scene = tmp_path / "s2.yaml"
     scene.write_text(SURGE.read_text())
     (tmp_path / "current.csv").write_text("elevation (ft), speed (knot)\n0, 0\n1000, 2\n")
-    found = load_scene(scene, **{"current": {"profile": {"file": "current.csv"}}}).scene()
+    found = load_scene(
+        scene, **{"current": {"profile": {"file": "current.csv"}, "beyond": "hold"}}
+    ).scene()
     assert found.current.profile[1].elevation == pytest.approx(304.8)
     assert found.current.profile[1].speed == pytest.approx(2 * 1852 / 3600)
 
@@ -363,7 +367,7 @@ def test_depths_and_elevations_tell_the_same_current(tmp_path):
     tables = []
     for name in ("up", "down"):
         profile = {"file": str(tmp_path / f"{name}.csv")}
-        scene = load_scene(SURGE, **LEVELS, current={"profile": profile}).scene()
+        scene = load_scene(SURGE, **LEVELS, current={"profile": profile, "beyond": "hold"}).scene()
         tables.append(np.array(current_table(scene.current, scene.water)))
     np.testing.assert_allclose(tables[1], tables[0], rtol=1e-6)
 

@@ -59,6 +59,7 @@ def test_a_curve_in_space_is_that_in_its_plane(tmp_path):
         drag = {"coefficient": 1.0, "diameter": "1 m"}
         water = {"density": "1025 kg/m^3", "seabed": "0 m", "surface": f"{LENGTH} m"}
         settings = {"riser[0].drag": drag, "current": current, "water": water}
+        settings["riser[0].submerged_weight"] = "0 N/m"  # of as much buoyancy as weight
         return run(tmp_path, **(IN_TIME | {"riser[0].lateral_load": None} | settings))
 
     plane, space = swept("0 deg"), swept("30 deg")

@@ -17,7 +17,12 @@ SCENE = f"""\
 title: body on a rod
 gravity: 9.81 m/s^2
 water: {{density: 1025 kg/m^3}}
-riser: [{{name: rod, length: {LENGTH} m, axial_stiffness: 1e12 N, mass: {ROD} kg/m}}]
+riser:
+  - name: rod
+    length: {LENGTH} m
+    axial_stiffness: 1e12 N
+    mass: {ROD} kg/m
+    submerged_weight: 0 N/m
 bottom:
   hold: free
   body:

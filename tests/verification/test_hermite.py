@@ -7,7 +7,7 @@ from reference_heave import ramped_sine
 from reference_rod import Rod
 from scipy.interpolate import CubicHermiteSpline
 
-from riserstudy.effects.catalogue import CALLED_BY
+from riserstudy.effects.catalogue import catalogue
 from riserstudy.errors import SimulationError
 from riserstudy.simulation.hermite_run import LARGE_ANGLES, SUPPORTED, effects_of
 from riserstudy.simulation.warm_up import scenes
@@ -288,7 +288,7 @@ def test_still_water_and_still_ends_leave_the_beam_exactly_at_rest():
 
 def test_what_the_beam_has_not_is_refused_by_name_and_what_it_has_is_told():
     """Of the effects of lumped masses, each is either supported, refused, or no part of small angles."""
-    assert set(CALLED_BY) >= SUPPORTED | LARGE_ANGLES
+    assert set(catalogue()) >= SUPPORTED | LARGE_ANGLES
     refused = set()
     for scene in [scene for group in scenes().values() for scene in group]:
         analysis = scene.analysis.model_copy(update={"solver": "hermite"})

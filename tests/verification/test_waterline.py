@@ -16,6 +16,7 @@ riser:
     length: 100 m
     axial_stiffness: 1e10 N
     mass: 500 kg/m
+    submerged_weight: 0 N/m
     drag: {{coefficient: 1.0, diameter: 1 m}}
     added_mass: {{coefficient: 1.0, diameter: 1 m}}
 bottom: {{hold: wellhead, elevation: 0 m}}

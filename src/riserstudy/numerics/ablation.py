@@ -14,9 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
+from riserstudy.effects.registry import Change
 from riserstudy.errors import RiserStudyError
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.numerics.changes import Change, fitting
+from riserstudy.numerics.changes import fitting
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.run import single

@@ -4,51 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import cache
-from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
-from pydantic import Field
-
+from riserstudy.effects.catalogue import changes
+from riserstudy.effects.registry import Change, Need
 from riserstudy.model.layout import stiffness
-from riserstudy.scene.base import Strict
-from riserstudy.scene.check import check
 from riserstudy.scene.forcing import Cruise, Current
-from riserstudy.scene.load import SceneFile, read_yaml
+from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 
 SEA_WATER = "1025 kg/m^3"
 SECTIONS = "riser[*]"
 TURN = math.radians(1e-4)
-
-
-Need = Literal["dynamics", "lateral", "levels", "drag"]
-
-
-class Change(Strict):
-    """One effect removed or added: ``where`` names what a scene has, or lacks.
-
-    ``needs``: what a scene must be for the effect to matter. Absent: nothing; absent because: plain.
-    """
-
-    name: str
-    kind: Literal["removed", "added"]
-    needs: list[Need] = Field(default_factory=list)
-    where: str
-    because: str | None = None
-    set: dict[str, Any]
-
-    @property
-    def label(self) -> str:
-        """How figures and tables name it."""
-        return f"{'without' if self.kind == 'removed' else 'with'} {self.name}"
-
-
-@cache
-def changes() -> list[Change]:
-    """All changes that are known."""
-    path = Path(__file__).with_name("changes.yaml")
-    return [check(Change, tree, path) for tree in read_yaml(path)]
 
 
 def fitting(file: SceneFile) -> Iterator[tuple[Change, SceneFile]]:

@@ -112,11 +112,11 @@ def freedom(scene: Scene, model: Model) -> Freedom:
     """How many degrees of freedom a model solves, in which directions, because of what."""
     d, m, n = len(model.s.dim), len(model.s.dof) - len(model.s.dim), len(model.s.l0)
     directions = {1: "along the riser only", 2: "in the plane of x and z", 3: "in space"}[d]
-    reason = scene.spatial if d == 3 else scene.lateral if d == 2 else "nothing moves it sideways"
+    reason = scene.spatial if d == 3 else scene.lateral if d == 2 else "no lateral load or motion"
     held = len(model.fixed)
     moments = f" and {m} moment{'s' if m > 1 else ''}" if m else ""
     return Freedom(
         (d + m) * (n + 1) - held,
-        f"{directions}, because of {reason}: {d} position{'s' if d > 1 else ''}{moments} at each of "
+        f"{directions} ({reason}): {d} position{'s' if d > 1 else ''}{moments} at each of "
         f"{n + 1} nodes, less {held} that are held",
     )

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from riserstudy.effects.catalogue import changes
 from riserstudy.errors import RiserStudyError
 from riserstudy.numerics.ablation import Ablation, ablate
-from riserstudy.numerics.changes import changes
 from riserstudy.numerics.effect_cost import Cost, Freedom, costs, freedom
 from riserstudy.numerics.scenes import Setting, bases
 from riserstudy.simulation.equilibrium import settle
@@ -111,7 +111,7 @@ def kernels(marker: Path) -> dict[str, Any]:
 
 
 def _noted(marker: Path) -> dict[str, Any]:
-    noted: dict[str, Any] = json.loads(marker.read_text() or "{}") if marker.exists() else {}
+    noted: dict[str, Any] = json.loads(marker.read_text("utf-8") or "{}") if marker.exists() else {}
     return noted
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from riserstudy.dataset.label import history
 from riserstudy.digests import engine_digest
 from riserstudy.numerics.scenes import MeasuredStudy, Setting
 from riserstudy.study.measured import (
@@ -48,5 +49,6 @@ def measure(title: str, study: MeasuredStudy, setting: Setting) -> xr.Dataset:
         "title": f"{title}: {study.caption}",
         "tier": setting.tier,
         "engine": engine_digest(),
+        "history": history(f"measured {title}, tier {setting.tier}"),
     }
     return dataset

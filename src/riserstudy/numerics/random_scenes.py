@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import json
 import math
-import os
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+import psutil
 
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even
@@ -215,7 +216,7 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
     dataset = dataset.assign_coords(drawn=names)
     for name, (unit, words) in ABOUT.items():
         dataset[name].attrs = {"units": unit, "long_name": words}
-    dataset.attrs = {"requested": study.share, "load_average": os.getloadavg()[0]}
+    dataset.attrs = {"requested": study.share, "load_average": psutil.getloadavg()[0]}
     return dataset
 
 

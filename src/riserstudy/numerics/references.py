@@ -1,40 +1,38 @@
 """What the error of a run is measured by: a stored history of another code, or a fine run of our own.
 
 Stored ones share neither discretisation nor integrator with the engine (quintic elements with Radau IIA,
-the method of characteristics). Where there is none, the reference is the engine's finest mesh halved once
-more, by the fourth-order method. What other methods make of the same scene stands beside either.
+the method of characteristics). Where there is none, the mesh of the finest request is halved twice, and its
+step with it, by the fourth-order method; what the second halving changed says what the reference is worth.
+Runs on other meshes are compared where their own nodes are, and there a run is what its elements mean. What
+other methods make of the same scene stands beside either.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors
+from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors, mesh_of
 from riserstudy.numerics.outside import RADAU, outside
 from riserstudy.numerics.stability import stepped, whole
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.curve import at_stations
 from riserstudy.simulation.starting_mesh import massless
 from riserstudy.study.measured import Ladder
 
 Array = NDArray[np.float64]
 QUANTITIES = ("displacement", "moment", "tension")
-FIELDS = {
-    "displacement": ("x", "y", "z"),
-    "moment": ("bending_moment",),
-    "tension": ("effective_tension",),
-}
 HEAVE_STEP = 0.05  # s, between the values of the stored heave
-ROUNDING = 1e-9  # riser lengths of displacement that count as none
+HALVINGS = 2  # of mesh and step, from a finest request to a reference
+FOURTH: dict[str, object] = {"analysis.method": "ESDIRK4"}
 TOLERANCE = 1e-9  # of Radau as a second opinion
 AVERAGE = {"beta": 0.25, "gamma": 0.5}
 OPINIONS = ("lumped masses, ESDIRK4", "lumped masses, gen.-alpha", "Hermite, Newmark", "Radau")
@@ -42,28 +40,57 @@ OPINIONS = ("lumped masses, ESDIRK4", "lumped masses, gen.-alpha", "Hermite, New
 
 @dataclass(frozen=True)
 class Reference:
-    """How far a run is off, by quantity, and by what that is told."""
+    """How far a run is off, by quantity, and by what that is told.
+
+    ``change``: what the last refinement changed of it, by quantity; none where it is another code's.
+    """
 
     about: str
     errors: Callable[[Result], dict[str, float]]
+    change: dict[str, float] = field(default_factory=dict)
 
 
 def reference(
-    file: SceneFile, ladder: Ladder, config: Path
+    file: SceneFile, ladder: Ladder, config: Path, finest: Result | None
 ) -> tuple[Reference, dict[str, dict[str, float]]]:
-    """The reference of a scene, and how far the opinions of other methods are from it."""
-    runs = dict(zip(OPINIONS, opinions(file, ladder), strict=True))
-    own = runs[OPINIONS[0]].result
-    if own is None:
-        raise SimulationError(runs[OPINIONS[0]].message)
-    if ladder.stored:
-        best = stored(config / ladder.stored)
-    else:
-        best = Reference(
-            "own: finest mesh halved, half the finest step, ESDIRK4", lambda r: errors(r, own)
-        )
-        del runs[OPINIONS[0]]
-    return best, {name: best.errors(r.result) for name, r in runs.items() if r.result}
+    """The reference of a scene, and how far the opinions of other methods are from it.
+
+    Parameters
+    ----------
+    finest : what the finest request that could be met chose; None where none could, which leaves the
+        finest rung of the ladder.
+
+    Raises
+    ------
+    SimulationError
+        When our own run cannot be completed.
+    """
+    best = stored(config / ladder.stored) if ladder.stored else refined(file, ladder, finest)
+    runs = zip(OPINIONS, opinions(file, ladder), strict=True)
+    return best, {name: best.errors(r.result) for name, r in runs if r.result}
+
+
+def refined(file: SceneFile, ladder: Ladder, finest: Result | None) -> Reference:
+    """Our own reference: mesh and step of a run halved twice, with what the second time changed.
+
+    Raises
+    ------
+    SimulationError
+        When a run cannot be completed.
+    """
+    scene = whole(file.scene())
+    mesh = mesh_of(scene, finest) if finest else even(scene, ladder.elements[-1])
+    step = finest.facts["step"] if finest else ladder.steps[-1]
+    runs: list[Result] = []
+    for _ in range(HALVINGS):
+        mesh, step = mesh if massless(scene) else mesh.halved(), 0.5 * step
+        tried = attempt_on(stepped(file, FOURTH, mesh, step), mesh, step, math.inf)
+        if tried.result is None:
+            raise SimulationError(f"reference on {len(mesh.l0)} segments: {tried.message}")
+        runs.append(tried.result)
+    best = by_run(runs[-1])
+    about = f"own: {len(mesh.l0)} segments, {step:.3g} s, ESDIRK4"
+    return Reference(about, best.errors, best.errors(runs[-2]))
 
 
 def opinions(file: SceneFile, ladder: Ladder) -> list[Attempt]:
@@ -76,7 +103,7 @@ def opinions(file: SceneFile, ladder: Ladder) -> list[Attempt]:
         return attempt_on(stepped(file, values, on, h), on, h, math.inf)
 
     found = [
-        one(finer, 0.5 * step, {"analysis.method": "ESDIRK4"}),
+        one(finer, 0.5 * step, FOURTH),
         one(mesh, step, {"analysis.method": {"rho_inf": 0.9}}),
         one(finer, step, {"analysis.solver": "hermite", "analysis.method": AVERAGE}),
     ]
@@ -95,33 +122,8 @@ def stored(path: Path) -> Reference:
 
 
 def by_run(best: Result) -> Reference:
-    """A finer run: histories and envelopes at the nodes of a run, where splines take the finer ones."""
-    return Reference("a finer run", lambda run: _beside(run, best))
-
-
-def _beside(run: Result, best: Result) -> dict[str, float]:
-    found = {}
-    for quantity, fields in FIELDS.items():
-        off, scale = 0.0, 0.0
-        for name in (f + end for f in fields for end in ("", "_max", "_min", "_static")):
-            if name in best.arrays and name in run.arrays:
-                expected = _displaced(best, name)
-                there = CubicSpline(best.arrays["s_node"], expected, axis=-1)
-                off = max(off, _most(_displaced(run, name) - there(run.arrays["s_node"])))
-                scale = max(scale, _most(expected))
-        least = ROUNDING * best.arrays["s_node"][-1] if quantity == "displacement" else 0.0
-        if scale > least:
-            found[quantity] = off / scale
-    return found
-
-
-def _displaced(run: Result, name: str) -> Array:
-    """Values of a quantity; of positions, from where they are at rest or straight."""
-    return np.asarray(run.arrays[name] - run.arrays.get(f"zero_{name[0]}", 0.0))
-
-
-def _most(values: Array) -> float:
-    return float(np.abs(values).max())
+    """A finer run, laid on the nodes of another by the shapes of its elements."""
+    return Reference("a finer run", lambda run: errors(run, best))
 
 
 def _off(found: Array, expected: Array) -> float:
@@ -140,8 +142,8 @@ def _of_surge(run: Result, best: dict[str, Array]) -> dict[str, float]:
     """Sideways motion at the stored stations, moments along the riser, force at the top."""
     a = run.arrays
     rows, there = _rows(a["time"], best["time"]), _rows(a["time"], best["moment_time"])
-    x = CubicSpline(a["s"], a["x"], axis=1)(best["s"])
-    moment = CubicSpline(a["s"], a["bending_moment"], axis=1)(best["moment_s"])
+    x = at_stations(a, best["s"])["x"]
+    moment = at_stations(a, best["moment_s"])["bending_moment"]
     pull = np.hypot(*best["top_force"][rows].T)
     return {
         "displacement": _off(x, best["x"][rows]),

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -38,6 +39,8 @@ from riserstudy.study.measured import Case, StabilityStudy
 from riserstudy.study.processes import each
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import xarray as xr
 
     from riserstudy.study.models import Tier
@@ -227,12 +230,13 @@ def as_expected(case: Case, told: Told) -> tuple[bool, str]:
 def stability(study: StabilityStudy, setting: Setting) -> xr.Dataset:
     """All cases, as a dataset over case, method and rung of the ladder."""
     cases = in_tier(study.cases, setting.tier)
-
-    def one(item: tuple[str, Case]) -> Told:
-        return tell(study, item[1], case_file(setting.config, *item), setting.tier)
-
+    one = partial(_told, study, setting.config, setting.tier)
     told = dict(zip(cases, each(one, list(cases.items()), setting.threads), strict=True))
     return tabulated(study, cases, told, setting.tier)
+
+
+def _told(study: StabilityStudy, config: Path, tier: Tier, item: tuple[str, Case]) -> Told:
+    return tell(study, item[1], case_file(config, *item), tier)
 
 
 def tabulated(
@@ -283,6 +287,7 @@ def by_case(cases: dict[str, Case], told: dict[str, Told]) -> dict[str, Any]:
     results = [w.tried.result for w in written]
     return {
         "about": [case.about for case in cases.values()],
+        "family": [case.family for case in cases.values()],
         "expected": [case.expect for case in cases.values()],
         "as_expected": [met for met, _ in verdicts],
         "finding": [what for _, what in verdicts],

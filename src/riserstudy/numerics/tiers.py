@@ -6,10 +6,10 @@ Peaks are compared with those of the finest tier that ran, whose own error is th
 from __future__ import annotations
 
 import math
-import os
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import psutil
 from numpy.typing import NDArray
 
 from riserstudy.numerics.ablation import peaks
@@ -53,12 +53,13 @@ def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
     off = beside_finest(peak)
     data: dict[str, Any] = {name: (("scene", "tier"), values) for name, values in cost.items()}
     data["message"] = (("scene", "tier"), message.astype(str))
-    data["peak"] = (("scene", "tier", "quantity"), peak)
+    of_peak = {"long_name": "largest size of the quantity, in its SI unit"}
+    data["peak"] = (("scene", "tier", "quantity"), peak, of_peak)
     data["error"] = (("scene", "tier", "quantity"), off)
     dataset = xr.Dataset(data, {"scene": list(scenes), "tier": names, "quantity": list(PEAKS)})
     for name, (unit, words) in ABOUT.items():
         dataset[name].attrs = {"units": unit, "long_name": words}
-    dataset.attrs["load_average"] = os.getloadavg()[0]
+    dataset.attrs["load_average"] = psutil.getloadavg()[0]
     return dataset
 
 

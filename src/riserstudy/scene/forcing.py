@@ -257,12 +257,14 @@ class Current(Strict):
     """Steady current. Absent heading: it flows along x; ramp: it flows from the start.
 
     Headings tell where it flows to (towards; so where absent) or comes from. All of a profile has one
-    heading: a heading for every row of a table is not taken.
+    heading: a heading for every row of a table is not taken. ``beyond`` the elevations that its profile tells
+    its end values hold, or the water is still; needed where it does not reach all along the riser.
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined
     heading: u.Angle | None = None
     headings: Literal["towards", "from"] | None = None
+    beyond: Literal["hold", "zero"] | None = None
     ramp: Annotated[u.Time, POSITIVE] | None = None
 
     @property

@@ -41,7 +41,13 @@ class SceneFile:
     origins: dict[str, Origin] = field(default_factory=dict)
 
     def with_values(self, overrides: Mapping[str, Any], layer: str) -> SceneFile:
-        """The same with values set by dotted path; ``layer`` names who sets them in errors."""
+        """The same with values set by dotted path; ``layer`` names who sets them in errors.
+
+        Raises
+        ------
+        InputError
+            When a path leads nowhere, or a value cannot be meant.
+        """
         touched = {first_step(path, layer) for path in overrides}
         tree = {k: _copied(v) if k in touched else v for k, v in self.tree.items()}
         origins = dict(self.origins)
@@ -91,7 +97,13 @@ def _reader() -> str:
 
 
 def plain_yaml(text: str, source: object) -> Any:
-    """Plain data of YAML text; ``source`` names it in errors."""
+    """Plain data of YAML text; ``source`` names it in errors.
+
+    Raises
+    ------
+    InputError
+        When it is not plain YAML: no YAML, tags, anchors, names given twice, or too deep.
+    """
     reader = YAML(typ="safe", pure=True)
     reader.allow_duplicate_keys = False
     try:
@@ -158,7 +170,13 @@ def _steps(path: str, layer: str) -> tuple[str | int, ...]:
 
 
 def first_step(path: str, layer: str) -> str:
-    """The part of a scene that a path leads into."""
+    """The part of a scene that a path leads into.
+
+    Raises
+    ------
+    InputError
+        When it is no path.
+    """
     return str(_steps(path, layer)[0])
 
 
@@ -187,7 +205,13 @@ def _set(tree: dict[str, Any], path: str, value: Any, layer: str) -> None:
 
 
 def read_scene(path: str | Path, *, keep: bool = False) -> SceneFile:
-    """A scene file with its origins, not yet checked beyond being plain YAML; ``keep`` as above."""
+    """A scene file with its origins, not yet checked beyond being plain YAML; ``keep`` as above.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, is not plain YAML, or an origin cannot be meant.
+    """
     data = read_yaml(Path(path), keep=keep)
     if not isinstance(data, dict):
         raise InputError(path, "", "no mapping", "a scene starts with names such as 'title:'")

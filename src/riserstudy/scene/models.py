@@ -15,12 +15,17 @@ from riserstudy.scene import units as u
 from riserstudy.scene.analysis import Analysis
 from riserstudy.scene.base import POSITIVE, Strict
 from riserstudy.scene.buoyancy import Buoyancy
-from riserstudy.scene.ends import Body, Bottom, Top
+from riserstudy.scene.disconnect import Disconnect
+from riserstudy.scene.ends import Body, Bottom, TensionLoss, Top
 from riserstudy.scene.forcing import Current, Platform, Shape, Water
+from riserstudy.scene.geometry import closes, covered
+from riserstudy.scene.limits import Limit
+from riserstudy.scene.limits import fits as limits_fit
 from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.soil import Soil
 from riserstudy.scene.vessel import ALONG_X, Vessel
+from riserstudy.scene.weight import weighed
 
 
 class Scene(Strict):
@@ -40,6 +45,8 @@ class Scene(Strict):
     soil: Soil | None = None
     current: Current | None = None
     wave: RegularWave | IrregularSea | None = None
+    limits: Annotated[list[Limit], Field(min_length=1)] | None = None
+    disconnect: Disconnect | None = None
     analysis: Analysis
 
     @model_validator(mode="after")
@@ -100,7 +107,58 @@ class Scene(Strict):
                     f"analysis.output.stations: {s:g} m is not on the riser; "
                     f"allowed is from 0 to {length:g} m"
                 )
-        return self._loaded()._carried()._with_rigid_body()
+        closes(self)
+        covered(self)
+        limits_fit(self)
+        self._fits_disconnect()
+        return self._loaded()._weighed()._carried()._valved()._with_rigid_body()
+
+    def _fits_disconnect(self) -> None:
+        if self.disconnect is None:
+            return
+        a = self.analysis
+        if self.bottom.hold != "wellhead":
+            raise ValueError("disconnect needs 'bottom.hold: wellhead', which lets go")
+        if a.duration is None or not self.disconnect.at < a.duration:
+            raise ValueError("disconnect.at must be before the end of analysis.duration")
+        if a.method == "explicit" or a.solver:
+            raise ValueError("disconnect needs an implicit method of lumped masses")
+        if self.vessel and self.vessel.coupling:
+            raise ValueError("disconnect does not go with vessel.coupling; leave coupling out")
+        if self.bottom.body and self.bottom.body.reach:
+            raise ValueError("disconnect needs a body at a point: leave out bottom.body's reach")
+        if self.disconnect.valve and (self.top.tension is None or self.top.tension_loss):
+            raise ValueError(
+                "disconnect.valve needs top.tension, without a tension_loss of its own"
+            )
+
+    def _valved(self) -> Self:
+        """The scene with the tension that valves leave after the release."""
+        release = self.disconnect
+        if release is None or release.valve is None or not self.top.tension:
+            return self
+        left = 1.0 - release.valve.hold * self._hanging[0] / self.top.tension
+        if not left > 0.0:
+            raise ValueError(
+                f"disconnect.valve: {release.valve.hold:g} of the {self._hanging[0]:.4g} N that hang is no "
+                f"less than top.tension, {self.top.tension:.4g} N"
+            )
+        share = (1.0 - (release.valve.failed or 0.0)) * left
+        loss = TensionLoss.model_construct(share=share, at=release.at, over=release.valve.over)
+        return self.model_copy(update={"top": self.top.model_copy(update={"tension_loss": loss})})
+
+    @property
+    def _hanging(self) -> tuple[float, float]:
+        """Weight in water (N) and mass (kg) of riser, contents and bodies."""
+        gravity, water = self.gravity or 0.0, self.water.density if self.water else 0.0
+        weight = sum(body.weight(gravity, water) for body in self.bodies)
+        mass = sum(body.mass for body in self.bodies)
+        for section in self.riser:
+            inside = section.contents_mass
+            length = section.total_length
+            weight += ((section.submerged_weight or 0.0) + inside * gravity) * length
+            mass += ((section.mass or 0.0) + inside) * length
+        return weight, mass
 
     @property
     def bodies(self) -> list[Body]:
@@ -116,14 +174,7 @@ class Scene(Strict):
             raise ValueError("tensioners.carried needs a riser that hangs: 'bottom.hold: free'")
         if self.gravity is None:
             raise ValueError("tensioners.carried needs gravity")
-        water = self.water.density if self.water else 0.0
-        weight = sum(body.weight(self.gravity, water) for body in self.bodies)
-        mass = sum(body.mass for body in self.bodies)
-        for section in self.riser:
-            inside = section.contents_mass
-            length = section.total_length
-            weight += ((section.submerged_weight or 0.0) + inside * self.gravity) * length
-            mass += ((section.mass or 0.0) + inside) * length
+        weight, mass = self._hanging
         if weight <= 0.0:
             raise ValueError(f"tensioners.carried: {weight:g} N hangs on them; must be above 0 N")
         top = self.top.model_copy(update={"tensioners": rig.carrying(weight, mass)})
@@ -142,6 +193,11 @@ class Scene(Strict):
         riser, tension = self.buoyancy.loads(self.riser, self.gravity)
         top = self.top.model_copy(update={"tension": tension})
         return self.model_copy(update={"riser": riser, "top": top})
+
+    def _weighed(self) -> Self:
+        """The scene with the weights that follow from masses, diameters and contents."""
+        riser = weighed(self)
+        return self if riser is self.riser else self.model_copy(update={"riser": riser})
 
     def _with_rigid_body(self) -> Self:
         """The scene with a section below the riser for the body that turns with its end."""
@@ -178,6 +234,10 @@ class Scene(Strict):
             raise ValueError(
                 "flex_joint_below: one, between sections that bend; the lower end has bottom.rotation"
             )
+        if self.riser[0].guide_below and self.bottom.hold != "free":
+            raise ValueError(
+                "riser[0].guide_below: the bottom is held there; guide a section above"
+            )
         gauged = self.analysis.output and self.analysis.output.stress_in
         if gauged and gauged not in [s.name for s in self.riser if s.young_modulus]:
             raise ValueError(
@@ -193,6 +253,13 @@ class Scene(Strict):
         chosen = a.duration is not None and a.mesh is None and any(s.mass for s in self.riser)
         damped = all(s.structural_damping for s in self.riser)
         later = a.output and a.output.start
+        release = self.disconnect
+        if release and release.over is None and chosen and not damped:
+            raise ValueError(
+                "disconnect lets go at once: tensions of an undamped riser then have no peak that a finer "
+                "mesh and step would settle; give disconnect.over, structural_damping, or analysis.mesh and "
+                "step"
+            )
         if self.platform is None or not chosen or (damped and later):
             return
         for line, motion in self.platform.sudden:
@@ -256,6 +323,8 @@ class Scene(Strict):
         sudden = self.vessel or (self.wave and self.wave.ramp is None)
         if sudden or a.start not in (None, "equilibrium"):
             found.append(0.0)
+        if self.disconnect:
+            found.append(self.disconnect.at)
         return sorted({t for t in found if t < (a.duration or 0.0)})
 
     @property

@@ -1,26 +1,31 @@
-"""Where a value comes from: published, given, derived, assumed or calibrated.
+"""Where a value comes from: published, given, derived, assumed, calibrated or chosen.
 
 In a scene file a value may be wrapped to say so::
 
     count: {assumed: 6, options: [6, 7], because: "six make the 232 t the paper states"}
     roll_centre: {calibrated: 4.5 m, to: liu2020/N3, range: [0 m, 25 m]}
     added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
+    interval: {chosen: 0.1 s, because: "what is told of a run, no property of the riser"}
 
 ``unwrap`` takes the wrappers off and keeps what they said, so that a study can vary every assumption.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-STATUSES = ("assumed", "derived", "calibrated")
+STATUSES = ("assumed", "derived", "calibrated", "chosen")
 COMPANIONS = {
     "assumed": {"range", "options", "because"},
     "derived": {"from"},
     "calibrated": {"to", "range", "options", "because"},
+    "chosen": {"because"},
 }
-NEEDED = {"assumed": ["because"], "derived": [], "calibrated": ["to"]}
+NEEDED = {"assumed": ["because"], "derived": [], "calibrated": ["to"], "chosen": ["because"]}
+#: what a scene and its parts are called, by the last name of a path: no values
+CALLED = ("title", "note", "paper", "name")
 
 
 @dataclass(frozen=True)
@@ -78,8 +83,35 @@ def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped
         options = []
     if kind == "assumed" and "because" not in tree:
         faults.append((path, "an assumption without evidence", "add 'because: one line'"))
+    if kind == "chosen" and "because" not in tree:
+        faults.append((path, "a choice without a reason", "add 'because: one line'"))
     if kind == "calibrated" and "to" not in tree:
         faults.append((path, "calibrated to nothing", "add 'to: paper/ID' of the number it meets"))
     why = str(tree.get("because") or tree.get("from") or tree.get("to") or "")
     origin = Origin(kind, tree[kind], tuple(span) if span else None, tuple(options), why)
     return tree[kind], {path: origin}, faults
+
+
+def leaves(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    """Values of a tree by dotted path; what is absent or empty has none."""
+    if isinstance(tree, dict):
+        for key, value in tree.items():
+            yield from leaves(value, f"{path}.{key}" if path else str(key))
+    elif isinstance(tree, list):
+        for k, value in enumerate(tree):
+            yield from leaves(value, f"{path}[{k}]")
+    elif tree is not None:
+        yield path, tree
+
+
+def plain_values(tree: dict[str, Any], origins: Mapping[str, Origin]) -> Iterator[tuple[str, Any]]:
+    """Values of a scene, by dotted path, that nothing is said of."""
+    for path, value in leaves(tree):
+        called = path.rpartition(".")[2] in CALLED
+        if not called and not any(within(path, place) for place in origins):
+            yield path, value
+
+
+def within(path: str, place: str) -> bool:
+    """Whether a path is a place or lies below it."""
+    return path == place or path.startswith((f"{place}.", f"{place}["))

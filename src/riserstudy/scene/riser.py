@@ -40,13 +40,13 @@ class Drag(Strict):
 
     @property
     def table(self) -> tuple[tuple[float, float], ...]:
-        """Elevations and coefficients; empty where there is only one coefficient."""
+        """Elevations (m) and coefficients (1); empty where there is only one coefficient."""
         points = self.coefficient if isinstance(self.coefficient, list) else []
         return tuple((point.elevation, point.value) for point in points)
 
     @property
     def constant(self) -> float:
-        """The coefficient where there is only one."""
+        """The coefficient (1) where there is only one."""
         if isinstance(self.coefficient, list):
             raise TypeError("a drag coefficient over elevation where one number is needed")
         return self.coefficient
@@ -72,9 +72,15 @@ class AddedMass(Strict):
 
 
 class Contents(Strict):
-    """Fluid inside: adds weight, and mass across the pipe."""
+    """Fluid inside: adds its weight to ``submerged_weight``, and mass across the pipe.
+
+    A bore that is open to the sea holds sea water; without contents it weighs nothing.
+    They stand up to ``level``; absent: to the upper end of the highest section that has contents. Their
+    pressure on the wall, gauge, is that of this column at rest.
+    """
 
     density: Annotated[u.Density, POSITIVE]
+    level: u.Length | None = None
 
 
 class Joints(Strict):
@@ -97,13 +103,26 @@ class InnerJoint(Strict):
     stiffness: Annotated[u.RotationalStiffness, POSITIVE]
 
 
+class Guide(Strict):
+    """Spring that keeps the lower end of a section above the well, the same in all horizontal directions."""
+
+    stiffness: Annotated[u.Stiffness, POSITIVE]
+
+
 class Section(Strict):
     """A length of riser with uniform properties, from the bottom up.
 
     Stiffness comes from modulus and diameters, or is given; without bending stiffness the section is a
     string. Mass is given, or that of a wall of some density. Sections with a shear modulus are twisted by a
-    vessel that turns, and resist its yaw. Absent mass, weight, drag, tangential drag,
-    added mass, contents, damping, load or joint: none.
+    vessel that turns, and resist its yaw. Absent mass, drag, tangential drag, added mass, contents, damping,
+    load, joint or guide: none.
+
+    ``submerged_weight`` leaves ``contents`` out: it is the weight of the pipe and of all that is fixed to it,
+    less that of the water which its *outer* surface displaces. A bare pipe of 21 in by 19 in, 318.2 kg/m of
+    steel, in sea water of 1025 kg/m^3 and with g 9.81 m/s^2 has 874.7 N/m; full of mud of 1200 kg/m^3
+    ``contents`` add 2153.4 N/m. The 2714.1 N/m of steel and sea water inside are given without contents,
+    or as 874.7 N/m with contents of 1025 kg/m^3. With mass, both diameters, contents, gravity and
+    water a weight that is absent follows (above the water without the water displaced); else it is refused.
     """
 
     name: str
@@ -125,6 +144,7 @@ class Section(Strict):
     contents: Contents | None = None
     structural_damping: StructuralDamping | None = None
     flex_joint_below: InnerJoint | None = None
+    guide_below: Guide | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -178,7 +198,7 @@ class Section(Strict):
         return self.young_modulus * self.wall_area, self.young_modulus * second
 
     def rigid(self, name: str, length: float) -> Section:
-        """A weightless section that does not bend beside this one, and bears as this one does."""
+        """A weightless section of a length (m) that is rigid beside this one, and bears as this one does."""
         axial, bending = self.elasticity
         return Section.model_construct(
             name=name,
@@ -187,6 +207,11 @@ class Section(Strict):
             bending_stiffness=RIGID * bending or None,
             structural_damping=self.structural_damping,
         )
+
+    @property
+    def corner_below(self) -> bool:
+        """Whether what is at the section's lower end makes shear jump there."""
+        return bool(self.flex_joint_below or self.guide_below)
 
     @property
     def contents_mass(self) -> float:

@@ -8,9 +8,9 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any, NamedTuple
 
 from riserstudy.errors import InputError
@@ -83,6 +83,29 @@ def fill_in_tables(tree: dict[str, Any], folder: Path) -> dict[str, Any]:
     return filled
 
 
+def names_of_tables(tree: Any) -> Iterator[str]:
+    """Names of the tables that a tree, or a list of such, refers to."""
+    if isinstance(tree, dict):
+        if isinstance(name := tree.get("file"), str):
+            yield name
+        tree = list(tree.values())
+    if isinstance(tree, list | tuple):
+        for part in tree:
+            yield from names_of_tables(part)
+
+
+def texts_of_tables(tree: Any, folder: Path) -> dict[str, str]:
+    """What the tables say that a tree refers to, by name.
+
+    Raises
+    ------
+    InputError
+        When one cannot be read.
+    """
+    names = sorted({*names_of_tables(tree)})
+    return {name: read_text(_file(folder, name), MOST_BYTES) for name in names}
+
+
 def _with(tree: dict[str, Any], way: tuple[str, ...], value: Any) -> dict[str, Any]:
     """A copy of the tree with another value at the end of the way."""
     step, *further = way
@@ -94,11 +117,20 @@ def _file(folder: Path, name: object) -> Path:
     if not isinstance(name, str) or not name.endswith(".csv"):
         allowed = "allowed is the path of a .csv file, seen from the scene"
         raise InputError(folder, "file", repr(name), allowed)
+    if "\\" in name or PureWindowsPath(name).drive:
+        allowed = "allowed is / between folders, which every system takes, and no drive"
+        raise InputError(folder, "file", repr(name), allowed)
     return folder / name
 
 
 def read_table(path: Path, place: Place) -> list[Strict]:
-    """Rows of a CSV table, checked; read once as long as it stays the same: many points share one."""
+    """Rows of a CSV table, checked; read once as long as it stays the same: many points share one.
+
+    Raises
+    ------
+    InputError
+        When the table cannot be read, or a heading or line cannot be meant.
+    """
     try:
         stat = path.stat()
         stamp = stat.st_mtime_ns, stat.st_size

@@ -235,7 +235,7 @@ class Tensioners(Strict):
 
     @property
     def working(self) -> list[float]:
-        """1 for each cylinder that works, 0 for one that failed."""
+        """Share that each cylinder pulls of its law: 1, or 0 for one that failed."""
         return [0.0 if c in (self.failed or []) else 1.0 for c in range(self.count)]
 
     @property

@@ -9,6 +9,9 @@ from pathlib import Path
 
 from riserstudy.errors import InputError
 
+#: as far as a system has them
+FLAGS = ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY")
+
 
 def read_text(path: Path, most: int) -> str:
     """Text of a file of at most ``most`` bytes.
@@ -22,7 +25,9 @@ def read_text(path: Path, most: int) -> str:
         When it is a link, no regular file, too large, unreadable or not UTF-8.
     """
     try:
-        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+        if not hasattr(os, "O_NOFOLLOW") and path.is_symlink():
+            raise OSError(errno.ELOOP, "")
+        handle = os.open(path, os.O_RDONLY | sum(getattr(os, name, 0) for name in FLAGS))
         with os.fdopen(handle, "rb") as stream:
             if not stat.S_ISREG(os.fstat(handle).st_mode):
                 raise InputError(path, "", "no regular file", "allowed is a readable file")

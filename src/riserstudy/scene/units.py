@@ -85,7 +85,7 @@ def _usual() -> dict[str, dict[str, float]]:
 
 @cache
 def factor(name: str, unit: str) -> float:
-    """SI units in one of a unit, from pint.
+    """How many of an SI unit one of a named unit is, from pint.
 
     Raises
     ------
@@ -129,7 +129,7 @@ class Unit:
     name: str
 
     def read(self, value: object) -> float:
-        """The SI value of a field."""
+        """The value of a field in its SI unit."""
         if isinstance(value, str):
             return to_si(value, self.name)
         raise ValueError(f"{value!r} has no unit; allowed is text such as '1 {self.name}'")

@@ -18,7 +18,10 @@ UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
 
 
 def energy(facts: dict[str, Any], sums: Sums, before: float, after: float, step: float) -> None:
-    """Enter where energy went into the facts, with a warning where some is unexplained."""
+    """Enter where energy (J) went into the facts, with a warning where some is unexplained: theory (11).
+
+    ``before`` and ``after`` are the energies stored (J), ``step`` is the step (s).
+    """
     held, supplied, dissipated, numerical, exchanged = (float(x) for x in sums.work)
     residual = held + supplied - dissipated - numerical - (after - before)
     still = 1e-12 * max(abs(before), abs(after), 1.0)  # rounding of a riser that stays at rest (J)
@@ -58,7 +61,7 @@ def exchange(facts: dict[str, Any], coupling: Coupling) -> None:
 
 
 def finite(arrays: dict[str, FloatArray]) -> None:
-    """Nothing undefined leaves the solver.
+    """Nothing undefined leaves the solver, of any shape or unit.
 
     Raises
     ------
@@ -78,16 +81,19 @@ def finite(arrays: dict[str, FloatArray]) -> None:
 
 
 def tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str, Any]) -> None:
-    """Enter the smallest tension into the facts, with a warning where the riser may go slack."""
+    """Enter the riser's smallest tension (N) into the facts, with a warning where it may go slack.
+
+    ``arrays``: over the nodes, (n + 1,).
+    """
     along = arrays.get("effective_tension_min", arrays["effective_tension_static"])
-    k = int(along.argmin())
+    # a stack and conductor below the riser's flex joint are meant to stand, a telescopic joint slides
+    ends = np.concatenate([[0.0], np.cumsum([section.total_length for section in scene.riser])])
+    joints = [k for k, section in enumerate(scene.riser) if section.flex_joint_below]
+    s, slip = arrays["s_node"], 1e-9 * ends[-1]
+    outside = (s < ends[joints[0] if joints else 0] - slip) | (s > ends[-1] + slip)
+    k = int(np.where(outside, np.inf, along).argmin())
     facts["smallest_tension"] = float(along[k])
     facts["smallest_tension_s"] = float(arrays["s_node"][k])
-    # a stack and conductor below the riser's flex joint are meant to stand
-    lengths = np.cumsum([section.total_length for section in scene.riser])
-    joints = [k for k, section in enumerate(scene.riser) if section.flex_joint_below]
-    foot = lengths[joints[0] - 1] if joints else 0.0
-    k = int(np.where(arrays["s_node"] < foot, np.inf, along).argmin())
     if facts["directions"] < 3 and along[k] < -rounding(scene):
         facts["warnings"].append(
             f"effective tension falls to {along[k]:.3g} N at s = {arrays['s_node'][k]:.4g} m: "

@@ -24,7 +24,7 @@ class Slopes(NamedTuple):
     weight: FloatArray  # (n, 3), 1/m
 
     def of(self, values: FloatArray, e: NDArray[np.int64]) -> FloatArray:
-        """Slopes at this end of segments ``e`` of values over (..., nodes)."""
+        """Slopes (1/m) at this end of segments ``e``, any shape, of values over (..., nodes)."""
         return np.asarray((values[..., self.node[e]] * self.weight[e]).sum(axis=-1))
 
 
@@ -36,13 +36,13 @@ class Curve(NamedTuple):
     up: Slopes
 
     def segment(self, places: FloatArray) -> tuple[NDArray[np.int64], FloatArray]:
-        """The segments that places (m) lie in, and their shares of these."""
+        """The segments that places (m) lie in, and their shares of these, both of the same shape."""
         e = np.clip(np.searchsorted(self.s, places, "right") - 1, 0, len(self.s) - 2)
         share = (places - self.s[e]) / (self.s[e + 1] - self.s[e])
         return e, np.where(share > 1.0 - SAME, 1.0, np.where(share < SAME, 0.0, share))
 
     def cubic(self, values: FloatArray, places: FloatArray) -> FloatArray:
-        """Values over (..., nodes) at places (m), by the cubic of each segment."""
+        """Values over (..., nodes) at places (m), (..., places), by the cubic of each segment."""
         e, x = self.segment(places)
         length = self.s[e + 1] - self.s[e]
         ends = (1.0 + 2.0 * x) * (1.0 - x) ** 2 * values[..., e]
@@ -51,13 +51,13 @@ class Curve(NamedTuple):
         return np.asarray(ends + low - x * x * (1.0 - x) * length * self.up.of(values, e))
 
     def straight(self, values: FloatArray, places: FloatArray) -> FloatArray:
-        """Values over (..., nodes) at places (m), straight between nodes."""
+        """Values over (..., nodes) at places (m), (..., places), straight between nodes."""
         e, x = self.segment(places)
         return np.asarray((1.0 - x) * values[..., e] + x * values[..., e + 1])
 
     @property
     def middle_weights(self) -> FloatArray:
-        """What the cubic at the middle of a segment takes of nodes e - 1 to e + 2, (n, 4)."""
+        """Share that the cubic at the middle of a segment takes of nodes e - 1 to e + 2, (n, 4)."""
         n = len(self.s) - 1
         out = np.zeros((n, 4))
         out[:, 1:3] = 0.5
@@ -78,7 +78,7 @@ def curve_of(arrays: Arrays) -> Curve:
 
 
 def curve(s: FloatArray, corner: FloatArray) -> Curve:
-    """The curve over nodes (m), with corners where ``corner`` is not zero; ends always are."""
+    """The curve over nodes (m), (n + 1,), with corners at its ends and where ``corner``, (n + 1,), says."""
     n = len(s) - 1
     smooth = corner == 0.0
     smooth[[0, -1]] = False

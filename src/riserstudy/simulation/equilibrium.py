@@ -35,8 +35,9 @@ def settle(scene: Scene, mesh: Mesh, d: int | None = None) -> tuple[Model, Equil
     elevation = None
     before = None
     if top.held_at_tension is not None:
-        free = Top(x=top.x, z="free", offset=top.offset, rotation=top.rotation)
-        before = free.model_copy(update={"tension": top.held_at_tension, "body": top.body})
+        free = Top(x=top.x, z="free", rotation=top.rotation)
+        checked = {"offset": top.offset, "tension": top.held_at_tension, "body": top.body}
+        before = free.model_copy(update=checked)
     elif top.tensioners and top.tensioners.mid_stroke == "riser in equilibrium":
         rig = top.tensioners
         each = tension_at_mid_stroke(rig, scene.gravity or 0.0)

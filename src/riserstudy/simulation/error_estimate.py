@@ -21,7 +21,7 @@ SURE_FALL = 4.0  # where mesh and step both changed between them: second
 def estimate(
     now: dict[str, float], before: dict[str, float] | None, most: float = MOST_FALL
 ) -> dict[str, float]:
-    """Error of the finest of three runs, each twice as fine as the last, from their differences.
+    """Relative error of the finest of three runs, each twice as fine as the last, from their differences.
 
     Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as no more
     than ``most``, and as 2 where it is smaller or unknown.

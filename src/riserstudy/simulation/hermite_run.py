@@ -24,6 +24,8 @@ from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
 from riserstudy.scene.forcing import Translation
 from riserstudy.scene.models import Scene
+from riserstudy.scene.wave_forces import without_inertia
+from riserstudy.scene.weight import doubts
 from riserstudy.solve.hermite import (
     Beam,
     End,
@@ -59,7 +61,9 @@ AVERAGE_ACCELERATION = Newmark(beta=0.25, gamma=0.5)
 
 
 def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
-    """One run of a scene as a tensioned beam; histories at all nodes, envelopes over the outputs.
+    """One run of a scene as a tensioned beam, by a step (s; None: at rest).
+
+    It has histories at all nodes, and envelopes over the outputs.
 
     Raises
     ------
@@ -85,7 +89,7 @@ def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
         "effects": effects_of(scene),
         "elements": len(mesh.l0),
         "directions": 2,
-        "warnings": [],
+        "warnings": [*doubts(scene), *without_inertia(scene)],
         "smallest_tension": float(tension[lowest]),
         "smallest_tension_s": float(mesh.s[lowest]),
     }

@@ -44,7 +44,8 @@ def quantities(model: Model) -> list[str]:
 
 def at_rest(scene: Scene, model: Model, mesh: Mesh) -> Arrays:
     """The mesh, and the state at rest at all nodes, ``_static``."""
-    static, probe = _tabulated(model)
+    record = _tabulated(model)
+    static, probe = record.values, record.probe[0]
     names = quantities(model)
     arrays: Arrays = {"s_node": mesh.s, "l0": mesh.l0}
     for name, values in zip(names, static, strict=False):
@@ -53,6 +54,12 @@ def at_rest(scene: Scene, model: Model, mesh: Mesh) -> Arrays:
         count = scene.top.tensioners.count
         arrays["tensioner_stroke_static"] = probe[:count]
         arrays["tensioner_force_static"] = probe[count : 2 * count]
+    for name, values in _angles(scene, model, mesh, record).items():
+        arrays[name + "_static"] = values[0]
+    for name in {"lfj_angle", "largest_stress"} & set(model.probes):
+        arrays[name + "_static"] = probe[model.probes[name]]
+    if joint := scene.top.telescopic_joint:
+        arrays["stroke_static"] = np.array(positions(model).joint - joint.length)
     arrays["zero_z"] = model.s.r[-1, : len(mesh.s)].copy()
     for name in set("xy").intersection(names):
         arrays["zero_" + name] = np.zeros(len(mesh.s))
@@ -64,8 +71,8 @@ def at_rest(scene: Scene, model: Model, mesh: Mesh) -> Arrays:
     return arrays
 
 
-def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
-    """Quantities at the nodes at rest, and what devices report."""
+def _tabulated(model: Model) -> Record:
+    """What is written down of a model at rest: quantities at the nodes, ends, what devices report."""
     state, own = model.spare.value, model.s
     state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
     state.platform[:], state.deck[:] = own.platform, own.deck
@@ -73,7 +80,8 @@ def _tabulated(model: Model) -> tuple[FloatArray, FloatArray]:
     state.a[:] = 0.0
     record = new_record([state.clock[0]], [0], state)
     evaluate_once(model.programs, model.spare, record)
-    return record.value.values.copy(), record.value.probe[0].copy()
+    written: Record = record.value
+    return written
 
 
 def positions(model: Model) -> AtRest:
@@ -148,7 +156,7 @@ def _at_places(
 
 
 def keep_stations(result: Result, stations: list[float] | None) -> None:
-    """Keep histories only where they are asked for."""
+    """Keep histories only at the stations (m) that are asked for; None: at all nodes."""
     arrays = result.arrays
     if stations is not None and "s" in arrays:
         arrays |= at_stations(arrays, np.array(stations, float))
@@ -221,6 +229,8 @@ def _angles(scene: Scene, model: Model, mesh: Mesh, record: Record) -> Arrays:
     if scene.bottom.hold == "wellhead":
         arrays["lfj_angle"] = _lean(_end_direction(scene, model, mesh, record, 0), upwards, d)
     if scene.vessel and len(model.s.dof) > d:
+        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upwards, d)
+    if scene.top.x == "held":
         arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upwards, d)
     if scene.platform and scene.top.x == "platform":
         turned, upright = record.platform[:, 3:], upwards

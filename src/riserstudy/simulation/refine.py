@@ -122,7 +122,13 @@ class Refinement:
         self.excess: list[float] = []  # of the estimates, once there is one of mesh and step
 
     def result(self) -> Result:
-        """The finest run, with the error estimated for it."""
+        """The finest run, with the error estimated for it.
+
+        Raises
+        ------
+        SimulationError
+            As `run` does: no equilibrium, a failed step, buckling that no mesh resolves, no time left.
+        """
         if not self.ways:  # a massless spring at rest
             return _exact(single(self.scene, self.mesh, self.step))
         left = RUNS
@@ -150,7 +156,7 @@ class Refinement:
 
     @property
     def error(self) -> dict[str, float]:
-        """Estimated error of mesh and step together, by quantity."""
+        """Estimated relative error of mesh and step together, by quantity."""
         return {
             name: sum(one.error.get(name, 0.0) for one in self.seen.values())
             for name in self.target

@@ -12,19 +12,26 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, StepFailed
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
+from riserstudy.scene.analysis import Output
 from riserstudy.scene.models import Scene
+from riserstudy.scene.wave_forces import without_inertia
+from riserstudy.scene.weight import doubts
 from riserstudy.simulation import audit, outputs
 from riserstudy.simulation.coupling import march_in_turns, sides_of
+from riserstudy.simulation.disconnect import march_through, told
 from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.extremes import extremes
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.hermite_run import solve_small_angle
+from riserstudy.simulation.section_forces import derived
 from riserstudy.simulation.stable_step import explicit_limit
-from riserstudy.simulation.time_stepping import march_on, method_of, steps_in
+from riserstudy.simulation.time_stepping import method_of, steps_in
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.sums import DONE, Sums, new_sums
 
+MOST_WHOLE = 20_000_000  # values of one quantity: 160 MB
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
 
 
@@ -58,12 +65,13 @@ def single(scene: Scene, mesh: Mesh, step: float | None, everywhere: bool = Fals
         "elements": len(mesh.l0),
         "directions": len(model.s.dim),
         "statics_iterations": equilibrium.iterations,
-        "warnings": [],
+        "warnings": [*doubts(scene), *without_inertia(scene)],
     }
     if scene.vessel:
         facts["coupling"] = {"scheme": "as one"}
     if scene.analysis.duration is not None and step is not None and scene.analysis.output:
-        arrays |= in_motion(scene, model, mesh, step, everywhere, arrays, facts)
+        whole = everywhere or fits(scene.analysis.output, scene.analysis.duration, mesh)
+        arrays |= in_motion(scene, model, mesh, step, whole, arrays, facts)
     audit.finite(arrays)
     audit.tension(scene, arrays, facts)
     if rig := scene.top.tensioners:
@@ -72,8 +80,28 @@ def single(scene: Scene, mesh: Mesh, step: float | None, everywhere: bool = Fals
             facts["largest_stroke"] = float(abs(arrays["tensioner_stroke"]).max())
     facts |= outputs.peaks(arrays)
     arrays |= outputs.sizes(arrays)
+    bent = rest_moments(model, mesh)
+    forces, histories_of = derived(scene, mesh, arrays, bent)
+    arrays |= forces
+    facts["extremes"] = extremes(scene, mesh, arrays, histories_of)
     facts["solve_seconds"] = clock.perf_counter() - started
-    return Result(arrays, facts)
+    result = Result(arrays, facts)
+    stations = scene.analysis.output and scene.analysis.output.stations
+    if stations and not everywhere:
+        outputs.keep_stations(result, stations)
+    return result
+
+
+def rest_moments(model: Model, mesh: Mesh) -> Any:
+    """Components of the moment at rest, (3, n + 1), N m; None in a plane."""
+    s = model.s
+    spatial = len(s.dof) - len(s.dim) == 3
+    return s.moment[:, : len(mesh.s)].copy() if spatial else None
+
+
+def fits(output: Output, duration: float, mesh: Mesh) -> bool:
+    """Whether histories at all nodes over a duration (s) fit into memory: stresses are made from them."""
+    return len(mesh.s) * (duration / output.interval + 1.0) <= MOST_WHOLE
 
 
 def in_motion(
@@ -81,15 +109,24 @@ def in_motion(
     model: Model,
     mesh: Mesh,
     step: float,
-    everywhere: bool,
+    whole: bool,
     arrays: outputs.Arrays,
     facts: dict[str, Any],
 ) -> outputs.Arrays:
-    """Histories and envelopes of a model at rest that is set in motion; the facts gain the audit."""
+    """Histories and envelopes of a model at rest that is set in motion; the facts gain the audit.
+
+    ``whole``: histories at all nodes, else what the stations need.
+    ``step`` is in s; of a scene in turns, a whole part of a turn is taken.
+
+    Raises
+    ------
+    StepFailed
+        When a step fails: time, node, effect and remedy.
+    """
     a = scene.analysis
     if a.duration is None or a.output is None:
         raise TypeError("a scene without time")  # asked before
-    of = outputs.wanted(arrays, None if everywhere else a.output.stations)
+    of = outputs.wanted(arrays, None if whole else a.output.stations)
     coupling = scene.vessel and scene.vessel.coupling
     sums = new_sums()
     if coupling:
@@ -98,7 +135,7 @@ def in_motion(
         model, step = sides.riser, coupling.interval / steps
     else:
         step = a.duration / steps_in(a.duration, step)
-    rest = outputs.positions(model)
+    rest, taken = outputs.positions(model), 0.0
     begin(scene, model, mesh)
     record = outputs.empty_record(arrays, model, a.output, a.duration, of)
     before = sum(energies(model.programs, model.state))
@@ -109,15 +146,17 @@ def in_motion(
         facts["stable_step"] = explicit_limit(scene, model)
         outcome = explicitly(model, step, facts["stable_step"], a.duration, record, sums)
     else:
-        outcome = march_on(scene, model, mesh, step, record, sums)
+        model, outcome, taken = march_through(scene, model, mesh, step, record, sums, facts)
     if outcome != DONE:
         raise StepFailed(why(model, mesh, sums))
     after = sum(energies(model.programs, model.state))
-    audit.energy(facts, sums, before, after, step)
+    audit.energy(facts, sums, before, after + taken, step)
     if coupling:
         audit.exchange(facts, coupling)
     found = outputs.histories(arrays, model, record.value, of)
-    return found | outputs.over_time(scene, model, mesh, record.value, rest)
+    found |= outputs.over_time(scene, model, mesh, record.value, rest)
+    told(scene, found, facts)
+    return found
 
 
 def begin(scene: Scene, model: Model, mesh: Mesh) -> None:

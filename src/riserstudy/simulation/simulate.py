@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from riserstudy.dataset.label import to_dataset
-from riserstudy.effects.catalogue import absent
+from riserstudy.model.absent_effects import absent
 from riserstudy.scene.load import SceneFile
 
 if TYPE_CHECKING:

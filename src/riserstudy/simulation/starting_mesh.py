@@ -28,7 +28,7 @@ def coarsest_mesh(scene: Scene) -> Mesh:
     found = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]
     body = scene.bottom.body
     for k, section in enumerate(scene.riser):
-        if section.flex_joint_below or (k == 1 and body and body.reach):
+        if section.corner_below or (k == 1 and body and body.reach):
             e = probe.foot(k)
             layer = _layer(stiffness(section).bending, _tension(model, e))
             found.append(Layer(float(probe.s[e]), layer))

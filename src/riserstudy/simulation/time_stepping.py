@@ -19,6 +19,7 @@ from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 from riserstudy.solve.sums import DONE
 
 RHO_INF = 0.8  # default spectral radius
+STIFF = "ESDIRK4"  # default where an end lets go: the waves that it sends die out in its stages
 NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
 ITERATIONS, HALVINGS = 12, 6  # of a step, at most
 GRADED = 4  # steps that a graded start replaces
@@ -30,25 +31,34 @@ def steps_in(time: float, step: float) -> int:
     return max(1, math.ceil(time / step * (1.0 - 1e-9)))
 
 
-def march_on(scene: Scene, model: Model, mesh: Mesh, step: float, record: Frozen, sums: Any) -> int:
-    """March by the scene's implicit method, anew from every jolt on, with a graded start there.
+def march_on(
+    scene: Scene,
+    model: Model,
+    mesh: Mesh,
+    step: float,
+    record: Frozen,
+    sums: Any,
+    since: float = 0.0,
+    until: float | None = None,
+) -> int:
+    """March by the scene's implicit method, with a step (s), anew from every jolt on, gradually from there.
 
-    Returns DONE, or why it stopped; the sums then tells where.
+    From a time to another (s), or to the end. Returns DONE, or why it stopped; the sums then tells where.
 
     Across a jump of a held node's acceleration a step longer than the periods of short segments would make
     moments that are not there, the larger the finer the mesh. A step that the scene gives is kept.
     """
     a = scene.analysis
-    end = a.duration or 0.0
+    end = (a.duration or 0.0) if until is None else until
     jolts = [] if a.step else scene.jolts
     outcome: int = DONE
-    for begin, until in pairwise([0.0, *(t for t in jolts if t > 0.0), end]):
+    for begin, stop in pairwise([since, *(t for t in jolts if since < t < end), end]):
         sudden = begin in jolts
         # from just after a jolt to just before the next
-        begin, until = begin * (1.0 + MOMENT), until * (1.0 - MOMENT) if until < end else end
-        count = max(GRADED if sudden else 1, steps_in(until - begin, step))
+        begin, stop = begin * (1.0 + MOMENT), stop * (1.0 - MOMENT) if stop < end else end
+        count = max(GRADED if sudden else 1, steps_in(stop - begin, step))
         move_to(model.programs, model.state, begin)
-        length, graded = (until - begin) / count, GRADED if sudden else 0
+        length, graded = (stop - begin) / count, GRADED if sudden else 0
         method, stepped = method_of(scene, mesh, length, count, graded)
         outcome = stepped(
             model.programs, model.state, model.spare, method, model.fixed, record, sums
@@ -61,9 +71,9 @@ def march_on(scene: Scene, model: Model, mesh: Mesh, step: float, record: Frozen
 def method_of(
     scene: Scene, mesh: Mesh, step: float, count: int, graded: int = 0
 ) -> tuple[Any, Callable[..., int]]:
-    """What describes a march of so many steps by the scene's implicit method, and what marches."""
+    """What describes a march of so many steps (s) by the scene's implicit method, and what marches."""
     a = scene.analysis
-    start, stepped = _method(a.method)
+    start, stepped = _method(a.method or (STIFF if scene.disconnect else None))
     tolerance = (a.newton_tolerance or NEWTON) * float(mesh.l0.sum())
     return start(step, count, tolerance, ITERATIONS, HALVINGS, graded), stepped
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from riserstudy.effects.catalogue import catalogue
+from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import run
 
@@ -26,6 +28,7 @@ _WET: Tree = {
     "added_mass": {"coefficient": 1.0, "diameter": "0.5 m"},
     "contents": {"density": "1000 kg/m^3"},
 }
+_HALVES = [{"name": "below", "length": "50 m"}, {"name": "above", "length": "50 m"}]
 _TABLE = [{"elevation": "40 m", "value": value} for value in (0.7, 1.2)]
 _BY_DEPTH: Tree = _WET | {"drag": {"coefficient": _TABLE, "diameter": "0.5 m"}}
 _BODY: Tree = {"name": "body", "mass": "10 t", "submerged_weight": "10 kN"}
@@ -94,7 +97,7 @@ def scenes() -> dict[str, list[Scene]]:
         "gravity": "9.81 m/s^2",
         "water": axial["water"] | {"seabed": "0 m", "surface": "90 m"},
         "wave": {"height": "1 m", "period": "8 s", "above_mean_level": "stretched"},
-        "riser": [_SECTION | _WET | _ALONG],
+        "riser": [_SECTION | _WET | _ALONG | half for half in _HALVES],
         "bottom": axial["bottom"] | {"rotation": {"stiffness": "10 kN*m/deg"}},
         "top": axial["top"]
         | {"x": "platform", "rotation": "fixed", "tension": "100 kN", "tension_loss": _LOSS}
@@ -122,7 +125,7 @@ def scenes() -> dict[str, list[Scene]]:
     linear_axial = axial | {"top": axial["top"] | {"tensioners": _RIG | {"linear": linear}}}
     spatial = planar | {
         "title": "spatial",
-        "riser": [_SECTION | _BY_DEPTH | _ALONG],
+        "riser": [_SECTION | _BY_DEPTH | _ALONG | half for half in _HALVES],
         "top": {
             "x": "platform",
             "z": "platform",
@@ -190,9 +193,9 @@ def scenes() -> dict[str, list[Scene]]:
         "vessel": {"mass": "1e7 kg", "thrusters": _THRUST, "coupling": _COUPLED},
     }
     groups = {
-        "in space": [spatial, turning],
+        "in space": [_with_examples(spatial), turning],
         "in a plane": [
-            planar,
+            _with_examples(planar),
             gas_in_plane,
             pitching,
             afloat,
@@ -211,6 +214,13 @@ def scenes() -> dict[str, list[Scene]]:
         "finite elements": [wavy],
     }
     return {name: [Scene.model_validate(s) for s in group] for name, group in groups.items()}
+
+
+def _with_examples(tree: Tree) -> Tree:
+    """A scene with what effects name as an example of what calls for them."""
+    every = [effect.example for effect in catalogue().values() if effect.example]
+    values = {path: value for example in every for path, value in example.items()}
+    return SceneFile("warm-up", tree, {}).with_values(values, "examples of effects").tree
 
 
 def warm_up(group: str | None = None) -> None:

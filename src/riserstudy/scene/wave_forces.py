@@ -1,0 +1,23 @@
+"""What waves do to a section depends on two of its fields: drag alone is half of a Morison force."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from riserstudy.scene.models import Scene
+
+
+def without_inertia(scene: Scene) -> list[str]:
+    """Warnings about sections that waves drag and do not accelerate, since they tell no added mass.
+
+    The water's own acceleration pushes with 1 + Ca; a coefficient of 0 leaves the 1, an absent field nothing.
+    """
+    if scene.wave is None:
+        return []
+    return [
+        f"riser[{k}].added_mass: {section.name!r} has drag in waves and no added mass: the acceleration of "
+        "the water does not act on it, by no Froude-Krylov force either; a coefficient of 0 gives that alone"
+        for k, section in enumerate(scene.riser)
+        if section.drag is not None and section.added_mass is None
+    ]

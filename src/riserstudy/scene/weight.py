@@ -1,0 +1,104 @@
+"""Weights of sections: each is told, or follows from its mass, its diameters and what is inside.
+
+``submerged_weight`` leaves the contents out: it is the weight of the pipe, and of all that is fixed to it,
+less that of the water which its outer surface displaces, as if the bore were empty; contents are added. A
+riser that is open to the sea has sea water as contents, or their weight in ``submerged_weight`` and none.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from riserstudy.scene.models import Scene
+    from riserstudy.scene.riser import Section
+
+DOUBTED = 0.02  # share of the dry weight by which a weight is above what diameters allow
+
+
+def weighed(scene: Scene) -> list[Section]:
+    """The sections, each with its weight.
+
+    Raises
+    ------
+    ValueError
+        Where a weight is neither told nor follows, in a scene that has gravity, water or other weights.
+    """
+    without = [k for k, section in enumerate(scene.riser) if section.submerged_weight is None]
+    weightless = scene.gravity is None and scene.water is None
+    if not without or (weightless and len(without) == len(scene.riser)):
+        return scene.riser  # mechanics without weight
+    sections = list(scene.riser)
+    for k in without:
+        section = sections[k]
+        if None in (scene.gravity, section.mass, section.inner_diameter, section.contents):
+            raise ValueError(
+                f"riser section {section.name!r} has no weight; give riser[{k}].submerged_weight, or mass, "
+                "outer_diameter, inner_diameter and contents, from which it follows with gravity and water"
+            )
+        weight = (scene.gravity or 0.0) * ((section.mass or 0.0) - _displaced(scene, k))
+        sections[k] = section.model_copy(update={"submerged_weight": weight})
+    return sections
+
+
+def doubts(scene: Scene) -> list[str]:
+    """Warnings about weights that the diameters of a section contradict.
+
+    Whatever is fixed to a pipe displaces more water and not less: apart from its contents a section cannot
+    weigh more than its mass less the water that its outer diameter displaces.
+    """
+    found = []
+    for k, section in enumerate(scene.riser):
+        if None in (section.submerged_weight, section.mass, section.contents, scene.gravity):
+            continue
+        dry = (scene.gravity or 0.0) * (section.mass or 0.0)
+        most = dry - (scene.gravity or 0.0) * (0.0 if _dips(scene, k) else _displaced(scene, k))
+        if (section.submerged_weight or 0.0) > most + DOUBTED * dry:
+            found.append(
+                f"riser[{k}].submerged_weight: {section.submerged_weight:.4g} N/m of {section.name!r} is "
+                f"more than its mass less the water that its outer diameter displaces, {most:.4g} N/m; "
+                "contents are added to it: leave out what is inside"
+            )
+    return found
+
+
+def _levels(scene: Scene, k: int) -> tuple[float, float] | None:
+    """Elevations of a section's ends before it stretches (m); None where they are not told."""
+    lengths = [section.total_length for section in scene.riser]
+    bottom = scene.bottom.elevation
+    if bottom is None:
+        if scene.top.elevation is None:
+            return None
+        bottom = scene.top.elevation - sum(lengths)
+    low = bottom + sum(lengths[:k])
+    return low, low + lengths[k]
+
+
+def _dips(scene: Scene, k: int) -> bool:
+    """Whether a section is partly or wholly above the water."""
+    levels = _levels(scene, k)
+    surface = scene.water.surface if scene.water else None
+    return bool(levels and surface is not None and levels[1] > surface)
+
+
+def _displaced(scene: Scene, k: int) -> float:
+    """Mass of the water that a section displaces (kg/m).
+
+    Raises
+    ------
+    ValueError
+        Where only a part of the section is under water.
+    """
+    if scene.water is None:
+        return 0.0
+    levels, surface = _levels(scene, k), scene.water.surface
+    if levels and surface is not None and levels[1] > surface:
+        if levels[0] >= surface:
+            return 0.0
+        raise ValueError(
+            f"riser section {scene.riser[k].name!r} reaches from {levels[0]:g} m to {levels[1]:g} m through "
+            f"the surface at {surface:g} m, and its weight is to follow from its diameters; split it at the "
+            f"surface, or give riser[{k}].submerged_weight"
+        )
+    return scene.water.density * 0.25 * math.pi * (scene.riser[k].outer_diameter or 0.0) ** 2

@@ -1,0 +1,95 @@
+"""Largest and smallest value of every output, where and when, section by section and at its ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.model.mesh import Mesh
+from riserstudy.scene.limits import ALONG, UNITS, wall_lacks
+from riserstudy.scene.models import Scene
+from riserstudy.simulation.wall_stress import nodes_of
+
+FloatArray = NDArray[np.float64]
+Arrays = dict[str, FloatArray]
+OVER_TIME = tuple(name for name in UNITS if name not in ALONG)
+
+
+def extremes(scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays) -> list[dict[str, Any]]:
+    """A row for each output and place: its largest and smallest value with arclength (m) and time (s).
+
+    Values along the riser are those of envelopes at the nodes, which see every step; their times are those
+    of the outputs, as are values over time. A run at rest has no times, and its values are their own means.
+
+    Parameters
+    ----------
+    histories : of outputs along the riser, (time, n + 1), beside those among the arrays.
+    """
+    found = []
+    for name in ALONG:
+        for where, nodes in _places(scene, mesh, name):
+            if row := _along(name, where, nodes, arrays, histories):
+                found.append(row)
+    for name in OVER_TIME:
+        if row := _over_time(name, arrays):
+            found.append(row)
+    return found
+
+
+def _places(scene: Scene, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]]:
+    for k, section in enumerate(scene.riser):
+        if name == "von_mises_stress" and wall_lacks(scene, section):
+            continue  # at its ends there is that of its neighbours
+        nodes = nodes_of(mesh, k)
+        yield section.name, nodes
+        yield f"lower end of {section.name}", slice(nodes.start, nodes.start + 1)
+        yield f"upper end of {section.name}", slice(nodes.stop - 1, nodes.stop)
+
+
+def _along(
+    name: str, where: str, nodes: slice, arrays: Arrays, histories: Arrays
+) -> dict[str, Any] | None:
+    moving = name + "_max" in arrays
+    ends = ("_max", "_min") if moving else ("_static", "_static")
+    if name + ends[0] not in arrays:
+        return None
+    most, least = (arrays[name + end][nodes] for end in ends)
+    if np.isnan(most).any():
+        return None
+    high, low = int(most.argmax()), int(least.argmin())
+    history = histories.get(name, arrays.get(name)) if moving else None
+    row: dict[str, Any] = {"output": name, "where": where}
+    for side, values, k in (("largest", most, high), ("smallest", least, low)):
+        row[side] = float(values[k])
+        row[side + "_s"] = float(arrays["s_node"][nodes][k])
+    if history is not None and history.shape[-1] == len(arrays["s_node"]):
+        times = arrays["time"]
+        row["largest_time"] = float(times[history[:, nodes][:, high].argmax()])
+        row["smallest_time"] = float(times[history[:, nodes][:, low].argmin()])
+        if nodes.stop - nodes.start == 1:
+            row["mean"] = float(history[:, nodes].mean())
+    elif not moving and nodes.stop - nodes.start == 1:
+        row["mean"] = row["largest"]
+    return row
+
+
+def _over_time(name: str, arrays: Arrays) -> dict[str, Any] | None:
+    """Of one value a time; of cylinders the row is that of all of them."""
+    row: dict[str, Any] = {"output": name, "where": ""}
+    rest = arrays.get(name + "_static")
+    if name in arrays and "time" in arrays:
+        values = arrays[name].reshape(len(arrays["time"]), -1)
+        if name == "stroke" and rest is not None:  # from the length that is told
+            values = values + float(rest)
+        high, low = (np.unravel_index(f(values), values.shape)[0] for f in (np.argmax, np.argmin))
+        row |= {"largest": float(values.max()), "largest_time": float(arrays["time"][high])}
+        row |= {"smallest": float(values.min()), "smallest_time": float(arrays["time"][low])}
+    elif rest is not None:
+        values = rest.reshape(1, -1)
+        row |= {"largest": float(values.max()), "smallest": float(values.min())}
+    else:
+        return None
+    return row | {"mean": float(values.mean())}

@@ -1,0 +1,136 @@
+r"""Von Mises stress of the riser's wall under tension, bending, and pressure inside and outside.
+
+.. math:: T_w = T_e + p_i A_i - p_o A_o,\quad
+          \sigma_a = T_w / A \pm |M| r / I,\quad
+          \sigma_{h, r} = \frac{p_i r_i^2 - p_o r_o^2}{r_o^2 - r_i^2}
+                          \pm \frac{(p_i - p_o) r_i^2 r_o^2}{(r_o^2 - r_i^2) r^2}
+
+at both radii and on both sides, the largest of the four. Pressures are those of columns at rest, gauge.
+Shear and torsion are left out: at the outer fibre shear is nil.
+
+References
+----------
+Timoshenko and Goodier, Theory of Elasticity: the thick-walled cylinder of Lamé. Sparks 1984, The influence of
+tension, pressure and weight on pipe and riser deformations and stresses, Journal of Energy Resources
+Technology 106(1): effective tension.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.model.mesh import Mesh
+from riserstudy.scene.limits import wall_lacks
+from riserstudy.scene.models import Scene
+
+FloatArray = NDArray[np.float64]
+
+
+class Wall(NamedTuple):
+    """A pipe's wall by its radii (m)."""
+
+    outer: float
+    inner: float
+
+    @property
+    def area(self) -> float:
+        """Cross section (m2)."""
+        return math.pi * (self.outer**2 - self.inner**2)
+
+    @property
+    def second_moment(self) -> float:
+        """Second moment of area (m4)."""
+        return 0.25 * math.pi * (self.outer**4 - self.inner**4)
+
+
+def von_mises(
+    wall: Wall, tension: FloatArray, moment: FloatArray, inside: FloatArray, outside: FloatArray
+) -> FloatArray:
+    """Largest von Mises stress (Pa) at both radii and on both sides, of the shape of the tension.
+
+    Parameters
+    ----------
+    tension : effective tension (N), (...).
+    moment : bending moment (N m), (...), of either sign.
+    inside, outside : pressures (Pa), (...), gauge.
+    """
+    return np.asarray(four_stresses(wall, tension, moment, inside, outside).max(axis=0))
+
+
+def four_stresses(
+    wall: Wall, tension: FloatArray, moment: FloatArray, inside: FloatArray, outside: FloatArray
+) -> FloatArray:
+    """Von Mises stress (Pa), (4, ...): outer and inner radius on the side in tension, then on the other."""
+    own = tension + math.pi * (inside * wall.inner**2 - outside * wall.outer**2)
+    found = []
+    for side in (1.0, -1.0):
+        for radius in (wall.outer, wall.inner):
+            axial = own / wall.area + side * np.abs(moment) * radius / wall.second_moment
+            hoop, radial = lame(wall, inside, outside, radius)
+            squares = (axial - hoop) ** 2 + (hoop - radial) ** 2 + (radial - axial) ** 2
+            found.append(np.sqrt(0.5 * squares))
+    return np.stack(found)
+
+
+def lame(
+    wall: Wall, inside: FloatArray, outside: FloatArray, radius: float
+) -> tuple[FloatArray, FloatArray]:
+    """Hoop and radial stress (Pa) at a radius (m), of the shape of the pressures (Pa)."""
+    inner, outer = wall.inner**2, wall.outer**2
+    even = (inside * inner - outside * outer) / (outer - inner)
+    varying = (inside - outside) * inner * outer / ((outer - inner) * radius**2)
+    return even + varying, even - varying
+
+
+def along_the_riser(
+    scene: Scene, mesh: Mesh, elevation: FloatArray, tension: FloatArray, moment: FloatArray
+) -> FloatArray:
+    """Von Mises stress (Pa) at the nodes, (..., n + 1), not a number where a section does not tell it.
+
+    Where two sections meet it is that of the one which has more.
+
+    Parameters
+    ----------
+    elevation, tension, moment : of the nodes (m, N, N m), (..., n + 1).
+    """
+    inside, outside = pressures(scene, mesh, elevation)
+    found = np.full(elevation.shape, np.nan)
+    for k, section in enumerate(scene.riser):
+        if wall_lacks(scene, section):
+            continue
+        wall = Wall(0.5 * (section.outer_diameter or 0.0), 0.5 * (section.inner_diameter or 0.0))
+        nodes = nodes_of(mesh, k)
+        parts = (tension, moment, inside, outside)
+        stress = von_mises(wall, *(values[..., nodes] for values in parts))
+        found[..., nodes] = np.fmax(found[..., nodes], stress)
+    return found
+
+
+def nodes_of(mesh: Mesh, section: int) -> slice:
+    """The nodes of a section, both of its ends among them."""
+    first = mesh.foot(section)
+    return slice(first, first + int((mesh.section == section).sum()) + 1)
+
+
+def pressures(scene: Scene, mesh: Mesh, elevation: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Gauge pressures (Pa) inside and outside at the nodes, both of the shape of the elevations (m)."""
+    gravity, water = scene.gravity or 0.0, scene.water
+    inside, outside = np.zeros(elevation.shape), np.zeros(elevation.shape)
+    if water is not None and water.surface is not None:
+        outside = np.maximum(water.density * gravity * (water.surface - elevation), 0.0)
+    filled = [k for k, section in enumerate(scene.riser) if section.contents]
+    above: float | FloatArray = 0.0
+    for k in reversed(filled):
+        contents, nodes = scene.riser[k].contents, nodes_of(mesh, k)
+        if contents is None:
+            continue
+        top = elevation[..., nodes][..., -1:]
+        if k == filled[-1] and contents.level is not None:
+            above = contents.density * gravity * (contents.level - top)
+        inside[..., nodes] = above + contents.density * gravity * (top - elevation[..., nodes])
+        above = inside[..., nodes][..., :1]
+    return np.maximum(inside, 0.0), outside

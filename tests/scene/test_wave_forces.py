@@ -1,0 +1,30 @@
+"""What waves do to a section without added mass is said."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+from riserstudy import load_scene, simulate
+from riserstudy.scene.wave_forces import without_inertia
+
+BASE = Path(__file__).parents[2] / "config/scenes/fem_riser/base.yaml"
+RUN = {"duration": "6 s", "output": {"interval": "1 s"}, "mesh": {"elements": 40}, "step": "0.1 s"}
+SHORT = {"analysis": RUN}
+MASS = "riser[0].added_mass"
+
+
+def test_a_scene_with_added_mass_or_without_waves_is_not_warned_of():
+    assert without_inertia(load_scene(BASE).scene()) == []
+    assert without_inertia(load_scene(BASE, **{MASS: None, "wave": None}).scene()) == []
+
+
+def test_drag_in_waves_without_added_mass_is_told_in_the_run():
+    """And it is no coefficient of 0, which leaves the force of the undisturbed water."""
+    none = simulate(load_scene(BASE, **SHORT, **{MASS: None}))
+    zero = simulate(load_scene(BASE, **SHORT, **{f"{MASS}.coefficient": 0}))
+    (said,) = [w for w in json.loads(none.attrs["warnings"]) if "Froude-Krylov" in w]
+    assert said.startswith("riser[0].added_mass:")
+    assert not any("Froude-Krylov" in w for w in json.loads(zero.attrs["warnings"]))
+    moved = np.abs(zero["x"] - zero["x"][0]).max()
+    assert np.abs(none["x"] - zero["x"]).max() > 0.01 * moved
