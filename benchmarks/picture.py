@@ -18,12 +18,14 @@ def picture(rows: list[Any], target: Path, told: str) -> Path:
     methods = list(dict.fromkeys(row.method for row in rows))
     figure = Figure((8.6, 0.8 + 2.9 * len(scenes)), dpi=150, layout="constrained")
     axes = figure.subplots(len(scenes), 2, squeeze=False)
+    drawn: set[str] = set()  # a peer that cannot do a scene is a row of the table, and no key
     for scene, pair in zip(scenes, axes, strict=True):
         kinds = dict.fromkeys(what for row in rows if row.scene == scene for what in row.errors)
         for ax, what in zip(pair, kinds, strict=False):
             for k, method in enumerate(methods):
                 found = [(1e3 * time, error) for time, error in points(rows, scene, method, what)]
                 if found:
+                    drawn.add(method)
                     ax.plot(*zip(*found, strict=True), "os^Dv<"[k], color=COLOURS[k], ms=4)
                     ax.plot(*zip(*edge(found), strict=True), color=COLOURS[k], lw=1.2)
             for level in LEVELS:
@@ -37,6 +39,7 @@ def picture(rows: list[Any], target: Path, told: str) -> Path:
     keys = [
         Line2D([], [], color=COLOURS[k], marker="os^Dv<"[k], ms=4, label=method)
         for k, method in enumerate(methods)
+        if method in drawn
     ]
     figure.legend(handles=keys, loc="outside lower center", ncols=6, fontsize="small")
     figure.suptitle(told, fontsize="x-small", x=0.01, ha="left")

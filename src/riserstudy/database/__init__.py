@@ -1,0 +1,1 @@
+"""The results database: what datasets, tables and study files hold, as tables that can be asked."""

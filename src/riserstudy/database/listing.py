@@ -1,0 +1,100 @@
+"""What ``riserstudy results`` lists: studies, points, the wide table of one study."""
+
+from __future__ import annotations
+
+import sqlite3
+from typing import Any
+
+from riserstudy.database.ask import Answer, ask
+from riserstudy.database.names import quoted
+from riserstudy.errors import InputError
+
+ASIDE = ("_static_max", "_static_min", "_static", "_last", "_amplitude")  # shown when asked for
+
+
+def studies(db: sqlite3.Connection) -> Answer:
+    """All datasets, with their points, warnings, time and size."""
+    return ask(
+        db,
+        "select study, studies.kind, table_name as 'table', tier, accuracy, rows,"
+        " nullif(warned, 0) as warned, seconds as 'simulated (s)', bytes / 1e6 as MB"
+        " from studies join files using (path)"
+        " left join (select study, sum(wall_seconds) as seconds, sum(warnings <> '') as warned"
+        " from points group by study) using (study) order by studies.rowid",
+    )
+
+
+def table_of(db: sqlite3.Connection, study: str) -> str | None:
+    """The wide table of what is called a study, or like a wide table; None for anything else."""
+    asked = "select table_name from studies where study = ? or table_name = ?"
+    asked += " union select table_name from columns where table_name = ?"
+    found = ask(db, asked, (study, study, study)).rows
+    return str(found[0][0]) if found else None
+
+
+def cells(
+    db: sqlite3.Connection,
+    table: str,
+    columns: list[str] | None,
+    where: str | None,
+    sort: list[str],
+) -> Answer:
+    """Rows of a wide table.
+
+    Parameters
+    ----------
+    columns : those to show, in this order; None for axes and the main results.
+    where : a condition on its columns, in SQL.
+    sort : columns; a minus before one sorts from largest to smallest.
+
+    Raises
+    ------
+    InputError
+        When there is no such column, or the condition cannot be meant.
+    """
+    asked = "select column_name, role from columns where table_name = ? order by position"
+    known = dict(ask(db, asked, (table,)).rows)
+    for option, names in (("--columns", columns or []), ("--sort", sort)):
+        for name in names:
+            if name.removeprefix("-") not in known:
+                allowed = f"allowed are {', '.join(known)}"
+                raise InputError(option, "", f"no column {name!r}", allowed)
+    shown = columns or [name for name, role in known.items() if _main(name, role)]
+    sql = f"select {', '.join(map(quoted, shown))} from {quoted(table)}"
+    if where:
+        sql += f" where ({where}\n)"  # a comment in it ends with its line
+    if sort:
+        sql += " order by " + ", ".join(map(_sorted, sort))
+    return ask(db, sql, where="--where" if where else "results")
+
+
+def _main(name: str, role: str) -> bool:
+    return role == "axis" or (role == "result" and not name.endswith(ASIDE)) or name == "point"
+
+
+def _sorted(name: str) -> str:
+    return f"{quoted(name.removeprefix('-'))}{' desc' if name.startswith('-') else ''}"
+
+
+def units(db: sqlite3.Connection, table: str) -> dict[str, str]:
+    """Units of the columns of a wide table that have one."""
+    asked = "select column_name, unit from columns where table_name = ? and unit not in ('', '1')"
+    return dict(ask(db, asked, (table,)).rows)
+
+
+def points(db: sqlite3.Connection, words: list[str]) -> Answer:
+    """Points that contain all of some words: in key, study, place, scene, engine, effects or warnings."""
+    text = (
+        "key || ' ' || study || ' ' || place || ' ' || coalesce(scene, '') || ' ' || points.engine"
+    )
+    text += " || ' ' || coalesce(names, '') || ' ' || warnings"
+    values: list[Any] = list(words)
+    return ask(
+        db,
+        "select key, study, place, scene, points.engine, wall_seconds as 'time (s)', names as effects"
+        " from points join studies using (study) left join"
+        " (select effect_set, group_concat(effect, ', ') as names from effect_sets where is_on"
+        "  group by effect_set) using (effect_set)"
+        f" where {' and '.join(f'instr({text}, ?) > 0' for _ in words) or 1} order by point",
+        values,
+    )

@@ -1,0 +1,112 @@
+"""From points of the database back to their arrays."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.database.ask import DATABASE, ask, opened
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def open_point(key: str) -> xr.Dataset:
+    """The whole run of a point from the store, labelled as ``simulate`` does.
+
+    Parameters
+    ----------
+    key : of the point; ``select key from points where ...`` finds it.
+
+    Raises
+    ------
+    InputError
+        When the store has no such point, or not as it was written.
+    """
+    from riserstudy.dataset.label import to_dataset
+    from riserstudy.model.absent_effects import absent
+    from riserstudy.scene.load import SceneFile
+    from riserstudy.scene.origin import Origin
+    from riserstudy.study import store
+
+    about, result = store.about(key), store.get(key)
+    if about is None or result is None:
+        allowed = "dataset_of takes what its study keeps; the next run simulates what is missing"
+        raise InputError("store", "", f"no whole point {key!r}", allowed)
+    origins = {path: Origin(status, None) for path, status in about["origins"].items()}
+    file = SceneFile(about["source"], about["scene"], origins)
+    dataset = to_dataset(result, file, absent(set(result.facts["effects"])))
+    provenance = json.loads(dataset.attrs["provenance"]) | {"engine": about["engine"]}
+    del provenance["riserstudy"]  # the engine stands for the version that simulated it
+    dataset.attrs["provenance"] = json.dumps(provenance)
+    return dataset
+
+
+def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dataset:
+    """What studies keep of a selection of points, along the dimension ``point``.
+
+    Points of studies with different nodes or times stand over those of all, without a number where a study
+    has none; nothing is interpolated.
+
+    Parameters
+    ----------
+    points : numbers of points, as in ``query("select point from ...")["point"]``.
+
+    Raises
+    ------
+    InputError
+        When there is no such point, or a dataset is not where the database says.
+    """
+    import xarray as xr
+
+    wanted = [int(point) for point in points]
+    found: dict[int, tuple[str, str, int]] = {}
+    with opened(database) as db:
+        asked = (
+            "select study, path, position from points join studies using (study) where point = ?"
+        )
+        for point in wanted:
+            for row in ask(db, asked, (point,)).rows:
+                found[point] = row
+    if not wanted or (missing := [point for point in wanted if point not in found]):
+        what = f"no point {missing[0]}" if wanted else "no points"
+        raise InputError(database, "points", what, "allowed are numbers of table points")
+    parts = []
+    for study, path in dict.fromkeys((found[point][0], found[point][1]) for point in wanted):
+        mine = [point for point in found if found[point][0] == study]
+        parts.append(_part(Path(database).parent / path, mine, [found[p][2] for p in mine], study))
+    if len(parts) == 1:
+        return parts[0].sel(point=wanted)
+    # an axis that some studies have not is a variable while they are joined
+    coords = {str(name): of.dims for part in parts for name, of in part.coords.items()}
+    axes = [n for n, dims in coords.items() if dims == ("point",) and n not in ("point", "study")]
+    joined: xr.Dataset = xr.concat(
+        [part.reset_coords([axis for axis in axes if axis in part.coords]) for part in parts],
+        "point",
+        data_vars="all",
+        join="outer",
+        combine_attrs="drop_conflicts",
+    )
+    return joined.set_coords(axes).sel(point=wanted)
+
+
+def _part(path: Path, points: list[int], positions: list[int], study: str) -> xr.Dataset:
+    """Some points of one dataset."""
+    import numpy as np
+    import xarray as xr
+
+    if not path.is_file():
+        raise InputError(path, "", "no dataset", "the next run makes it anew")
+    with xr.open_dataset(path, engine="netcdf4") as dataset:
+        axes = dataset["point_key"].dims
+        if not axes:
+            dataset = dataset.expand_dims("point")
+            part = dataset.isel(point=[0] * len(points)).load()
+        else:
+            places = np.unravel_index(positions, [dataset.sizes[axis] for axis in axes])
+            at = {axis: xr.DataArray(k, dims="point") for axis, k in zip(axes, places, strict=True)}
+            part = dataset.isel(at).load()
+    return part.assign_coords(point=points, study=("point", [study] * len(points)))

@@ -1,0 +1,85 @@
+"""What the store keeps without need: points of other engines, and points that no study refers to."""
+
+from __future__ import annotations
+
+from collections.abc import Set
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from riserstudy.database.ask import ask, opened
+from riserstudy.digests import engine_digest
+from riserstudy.errors import InputError
+from riserstudy.scene.check import check
+from riserstudy.scene.load import read_yaml
+from riserstudy.study import store
+from riserstudy.study.config import Config
+from riserstudy.study.read import read_studies
+from riserstudy.study.study import Study
+
+
+@dataclass
+class Unneeded:
+    """What can go: of other engines, formats or damaged; and of this engine, but of no study here."""
+
+    old: list[store.Held] = field(default_factory=list)
+    strange: list[store.Held] = field(default_factory=list)
+    needed: int = 0
+
+
+def unneeded(database: Path, config: Path) -> Unneeded:
+    """Look through the store.
+
+    Needed is what a study of the configuration plans, in any tier, and what the database, if there is one,
+    speaks of.
+
+    Raises
+    ------
+    InputError
+        When the configuration cannot be meant.
+    """
+    keys = planned(config) | _spoken_of(database)
+    found = Unneeded()
+    for held in store.everything():
+        if held.key in keys:
+            found.needed += 1
+        elif held.key and _engine(held.key) == engine_digest():
+            found.strange.append(held)
+        else:
+            found.old.append(held)
+    return found
+
+
+def _engine(key: str) -> str | None:
+    about = store.about(key)
+    return about["engine"] if about else None
+
+
+def _spoken_of(database: Path) -> Set[str]:
+    if not database.exists():
+        return set()
+    with opened(database) as db:
+        return {key for (key,) in ask(db, "select key from points").rows}
+
+
+def planned(config: Path) -> Set[str]:
+    """Keys of all points of all configured studies, in every tier.
+
+    Raises
+    ------
+    InputError
+        If a file of the configuration does not read.
+    """
+    path = config / "config.yaml"
+    tree = read_yaml(path, keep=True)
+    if not isinstance(tree, dict):
+        raise InputError(path, "", "no mapping", "it starts with names such as 'papers:'")
+    settings = check(Config, tree, path)
+    keys: set[str] = set()
+    for paper in settings.papers:
+        file = read_studies(config, paper)
+        for tier, of_tier in settings.tiers.items():
+            accuracy = of_tier.accuracy
+            for name, model in file.studies.items():
+                study = Study(paper, name, model, config, tier, accuracy, file.readings)
+                keys.update(point.key for point in study.plan)
+    return keys

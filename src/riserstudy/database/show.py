@@ -1,0 +1,77 @@
+"""Answers as text for a screen, CSV or JSON; numbers in full but on a screen."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from riserstudy.database.ask import Answer
+from riserstudy.errors import InputError, shown
+
+WIDEST = 60  # characters of a text on a screen
+
+
+def as_table(answer: Answer, units: Mapping[str, str] | None = None) -> Iterator[str]:
+    """Lines of a table with aligned columns; numbers to six digits."""
+    heads = [
+        f"{name} ({units[name]})" if units and name in units else name for name in answer.columns
+    ]
+    heads = [head or "" for head in heads]
+    columns = [
+        [head, *map(_cell, values)]
+        for head, values in zip(heads, zip(*answer.rows, strict=True), strict=False)
+    ] or [[head] for head in heads]
+    widths = [max(map(len, column)) for column in columns]
+    right = [
+        all(value is None or isinstance(value, int | float) for value in values)
+        for values in zip(*answer.rows, strict=True)
+    ] or [False] * len(columns)
+    for cells in zip(*columns, strict=True):
+        aligned = (
+            cell.rjust(width) if to_the_right else cell.ljust(width)
+            for cell, width, to_the_right in zip(cells, widths, right, strict=True)
+        )
+        yield "  ".join(aligned).rstrip()
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    text = shown(value)
+    return text if len(text) <= WIDEST else f"{text[: WIDEST - 4]} ..."
+
+
+def as_json(answer: Answer) -> str:
+    """A list of objects; what JSON has no number for is null or text."""
+    rows = [dict(zip(answer.columns, map(_plain, row), strict=True)) for row in answer.rows]
+    return json.dumps(rows, indent=1, ensure_ascii=False, allow_nan=False)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, bytes):
+        return value.hex()
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def write_csv(answer: Answer, target: Path) -> None:
+    """A CSV file of an answer.
+
+    Raises
+    ------
+    InputError
+        When it cannot be written.
+    """
+    try:
+        with target.open("w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(answer.columns)
+            writer.writerows(answer.rows)
+    except OSError as error:
+        found = error.strerror or "cannot be written"
+        raise InputError("--csv", str(target), found, "name another file") from None

@@ -1,0 +1,57 @@
+"""Files that the database is built from, with their digests."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+from riserstudy.errors import InputError
+
+KINDS = {".nc": "dataset", ".png": "figure", ".pdf": "figure", ".csv": "table"}
+
+
+@dataclass(frozen=True)
+class Sources:
+    """What the database is to hold.
+
+    Attributes
+    ----------
+    config : folder with study files and printed numbers.
+    papers : in their order.
+    files : datasets and figures in a folder named like their paper, and the tables over all papers.
+    """
+
+    config: Path
+    papers: list[str]
+    files: list[Path]
+
+
+class File(NamedTuple):
+    """A file of the results folder, by its path within the folder."""
+
+    path: str
+    kind: str
+    bytes: int
+    sha256: str
+
+
+def described(file: Path, folder: Path) -> File:
+    """A file with its digest.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, or lies elsewhere.
+    """
+    try:
+        with file.open("rb") as stream:
+            digest = hashlib.file_digest(stream, "sha256").hexdigest()
+        path = file.resolve().relative_to(folder.resolve()).as_posix()
+        return File(path, KINDS[file.suffix], file.stat().st_size, digest)
+    except OSError as error:
+        raise InputError(file, "", error.strerror or "cannot be read", "make it anew") from None
+    except (ValueError, KeyError):
+        allowed = f"allowed are {', '.join(KINDS)} in {folder}"
+        raise InputError(file, "", "no file of the results", allowed) from None

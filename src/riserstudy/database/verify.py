@@ -1,0 +1,61 @@
+"""Whether files and points are as they were when the database was made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from riserstudy.database.ask import ask, opened
+from riserstudy.database.sources import KINDS, described
+from riserstudy.errors import InputError
+from riserstudy.study import store
+
+
+class Verified(NamedTuple):
+    """What was looked at, and what differs, a line each; points that are gone need not be wrong."""
+
+    files: int
+    points: int
+    wrong: list[str]
+    gone: int
+
+
+def verify(database: Path) -> Verified:
+    """Compare every file with its digest, and every stored point with its seal.
+
+    Raises
+    ------
+    InputError
+        When there is no database, or it cannot be read.
+    """
+    with opened(database) as db:
+        db.set_authorizer(None)  # which refuses the next statement
+        wrong = [f"{database}: {fault}" for (fault,) in db.execute("pragma integrity_check")]
+        wrong = [line for line in wrong if not line.endswith(": ok")]
+        wrong += [f"{database}: {row}" for row in db.execute("pragma foreign_key_check")]
+        files = dict(ask(db, "select path, sha256 from files").rows)
+        keys = [key for (key,) in ask(db, "select distinct key from points").rows]
+    wrong += [*_files(database.parent, files)]
+    damaged = [key for key in keys if store.has(key) and store.about(key) is None]
+    wrong += [
+        f"point {key}: damaged; the next run that needs it simulates it anew" for key in damaged
+    ]
+    gone = sum(not store.has(key) for key in keys)
+    return Verified(len(files), len(keys), wrong, gone)
+
+
+def _files(folder: Path, files: dict[str, str]) -> Iterator[str]:
+    for path, digest in files.items():
+        try:
+            same = described(folder / path, folder).sha256 == digest
+        except InputError as error:
+            yield f"{folder / path}: {error.found}"
+            continue
+        if not same:
+            yield f"{folder / path}: not what it was when the database was made"
+    papers = {Path(path).parent.as_posix() for path in files} - {"."}
+    for file in sorted(file for paper in papers for file in (folder / paper).glob("*")):
+        known = file.relative_to(folder).as_posix() in files
+        if file.suffix in KINDS and file.suffix != ".csv" and not known:
+            yield f"{file}: not in the database"

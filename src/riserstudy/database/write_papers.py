@@ -1,0 +1,119 @@
+"""What study files, tables and printed numbers say of papers: captions, figures, verdicts, errata."""
+
+from __future__ import annotations
+
+import csv
+import sqlite3
+from collections.abc import Iterator
+from pathlib import Path
+
+from riserstudy.database.sources import File, Sources
+from riserstudy.database.write_study import About, marks
+from riserstudy.grading.grade import samples_told
+from riserstudy.grading.models import published_path, read_published
+from riserstudy.study.models import StudyFile
+from riserstudy.study.read import read_studies
+
+TABLES = ("figure_reads", "figures", "rests_on", "numbers_and_claims", "errata", "reads")
+
+
+def studies_of(sources: Sources) -> dict[str, StudyFile]:
+    """Study files by paper."""
+    return {paper: read_studies(sources.config, paper) for paper in sources.papers}
+
+
+def datasets_of(files: dict[str, StudyFile]) -> Iterator[About]:
+    """What study files say of their datasets."""
+    for paper, file in files.items():
+        for name in file.datasets:
+            kind = "simulated" if name in file.studies else "measured"
+            caption = file.studies[name].caption if name in file.studies else ""
+            if name in file.derived:
+                kind, caption = "derived", "from " + ", ".join(file.derived[name].reads)
+            yield About(paper, name, kind, caption, f"{paper}/{name}.nc")
+
+
+def remove_papers(db: sqlite3.Connection) -> None:
+    """Delete what `write_papers` inserts: it is little, and is written anew each time."""
+    for table in TABLES:
+        db.execute(f"delete from {table}")
+
+
+def write_papers(
+    db: sqlite3.Connection, sources: Sources, files: dict[str, StudyFile], present: list[File]
+) -> None:
+    """Insert what is derived from what, figures, graded numbers and claims, and errata."""
+    paths = {file.path for file in present}
+    studies = {study for (study,) in db.execute("select study from studies")}
+    for paper, file in files.items():
+        _write_reads(db, paper, file, studies)
+        _write_figures(db, paper, file, studies, paths)
+        if published_path(sources.config, paper).exists():
+            _write_rests(db, sources.config, paper, file, studies)
+    for path in sources.files:
+        if path.name == "reproduction.csv":
+            _insert(db, "numbers_and_claims", map(_graded, _rows(path)))
+        if path.name == "errata.csv":
+            _insert(db, "errata", (tuple(row.values()) for row in _rows(path)))
+
+
+def _write_reads(db: sqlite3.Connection, paper: str, file: StudyFile, studies: set[str]) -> None:
+    pairs = {
+        (f"{paper}/{name}", f"{paper}/{source}")
+        for name, derived in file.derived.items()
+        for source in derived.reads
+    }
+    _insert(db, "reads", sorted(pair for pair in pairs if studies.issuperset(pair)))
+
+
+def _write_figures(
+    db: sqlite3.Connection, paper: str, file: StudyFile, studies: set[str], paths: set[str]
+) -> None:
+    captions = {name: shown.caption for name, shown in (file.schematics | file.figures).items()}
+    for name, caption in captions.items():
+        drawn = [f"{paper}/{name}.{kind}" for kind in ("png", "pdf")]
+        if paths.issuperset(drawn):
+            _insert(db, "figures", [(f"{paper}/{name}", paper, name, caption, *drawn)])
+            figure = file.figures.get(name)
+            read = {f"{paper}/{source}" for source in (figure.reads if figure else [])}
+            _insert(
+                db, "figure_reads", [(f"{paper}/{name}", one) for one in sorted(read & studies)]
+            )
+
+
+def _write_rests(
+    db: sqlite3.Connection, config: Path, paper: str, file: StudyFile, studies: set[str]
+) -> None:
+    published = read_published(config, paper, set(file.datasets))
+    rests = {
+        (paper, entry.id, f"{paper}/{name}")
+        for entry in (*published.items, *published.errata)
+        for name in entry.datasets
+    }
+    _insert(db, "rests_on", sorted(row for row in rests if row[2] in studies))
+
+
+def _rows(path: Path) -> list[dict[str, str]]:
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
+    """A row of reproduction.csv with its share and what decides as columns."""
+    samples = samples_told(row["depends_on"] or row["note"])
+    met, every = samples or (None, None)
+    return (
+        *(row[name] for name in ("paper", "id", "figure", "kind", "statement")),
+        *(float(row[name]) if row[name] else None for name in ("published", "simulated")),
+        row["unit"],
+        float(row["error"]) if row["error"] else None,
+        row["verdict"],
+        *(met / every if met is not None and every else None, met, every),
+        *(row["depends_on"].partition(";")[0], row["note"]),
+    )
+
+
+def _insert(db: sqlite3.Connection, table: str, rows: object) -> None:
+    every = [tuple(row) for row in rows]  # type: ignore[attr-defined]
+    if every:
+        db.executemany(f"insert into {table} values ({marks(len(every[0]))})", every)

@@ -1,0 +1,214 @@
+"""One dataset as rows: its study, and for a simulated one its points, parameters and results."""
+
+from __future__ import annotations
+
+import json
+import sqlite3
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import chain, product, repeat
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from riserstudy.database.names import Names, quoted
+from riserstudy.database.parameters import Parameter, parameters_of
+from riserstudy.database.read_dataset import Contents, Grid, read_dataset
+from riserstudy.database.statistics import Statistic, statistics_of
+from riserstudy.database.wide_table import FACTS, is_result, write_wide_table
+from riserstudy.model.absent_effects import absent
+
+MANY = 100_000  # rows that are held in memory at a time
+
+
+@dataclass(frozen=True)
+class About:
+    """What a study file says of a dataset, and where it lies within the results folder."""
+
+    paper: str
+    name: str
+    kind: str
+    caption: str
+    path: str
+
+    @property
+    def study(self) -> str:
+        """Paper and name."""
+        return f"{self.paper}/{self.name}"
+
+
+def write_study(db: sqlite3.Connection, about: About, folder: Path) -> None:
+    """Read a dataset of a results folder and insert all that the database holds of it."""
+    contents = read_dataset(folder / about.path)
+    grid, *others = contents.grids
+    tables = Names(name for (name,) in db.execute("select name from sqlite_master"))
+    table = tables.free(f"{about.paper}_{about.name}")
+    _write_head(db, about, table, contents)
+    statistics = [t for v in grid.variables for t in statistics_of(v, contents.coordinates)]
+    first = None
+    if about.kind == "simulated":
+        first = _write_points(db, about, contents)
+        _write_parameters(db, about, contents, first)
+        _write_results(db, [t for t in statistics if is_result(t)], first)
+    write_wide_table(db, table, about.study, grid, statistics, first)
+    for other in others:
+        over = "_".join(axis.name for axis in other.axes) or "all"
+        further = [t for v in other.variables for t in statistics_of(v, contents.coordinates)]
+        name = tables.free(f"{table}_over_{over}")
+        write_wide_table(db, name, about.study, other, further, None)
+
+
+def marks(count: int) -> str:
+    """Places of values in a statement."""
+    return ", ".join("?" * count)
+
+
+def _write_head(db: sqlite3.Connection, about: About, table: str, contents: Contents) -> None:
+    attributes, grid = contents.attributes, contents.grids[0]
+    scene = json.loads(attributes.get("scene", "{}"))
+    row = (
+        *(about.study, about.paper, about.name, about.kind, about.caption),
+        *(json.dumps({a.name: len(a.values) for a in grid.axes}), grid.cells),
+        *(
+            attributes.get("scene_file"),
+            attributes.get("tier"),
+            scene.get("analysis", {}).get("accuracy"),
+        ),
+        *(attributes.get("engine"), table, about.path),
+    )
+    db.execute(f"insert into studies values ({marks(len(row))})", row)
+
+
+def _write_points(db: sqlite3.Connection, about: About, contents: Contents) -> int:
+    """Insert the points of a study; the number of the first."""
+    grid = contents.grids[0]
+    of = {v.name: v.values.tolist() for v in grid.variables if not v.within}
+    first: int = db.execute("select coalesce(max(point), 0) + 1 from points").fetchone()[0]
+    absent_fact: Iterator[None] = repeat(None)
+    rows = zip(
+        range(first, first + grid.cells),
+        repeat(about.study),
+        range(grid.cells),
+        of["point_key"],
+        _places(grid),
+        repeat(contents.attributes["engine"]),
+        _effect_sets(db, contents.attributes, of.get("effects")),
+        *(of.get(name, absent_fact) for name in FACTS),
+        strict=False,  # what repeats has no end
+    )
+    db.executemany(f"insert into points values ({marks(7 + len(FACTS))})", rows)
+    return first
+
+
+def _places(grid: Grid) -> Iterator[str]:
+    """Where points are on the axes, as text."""
+    texts = [[f"{a.name}={value}" for value in a.values] for a in grid.axes]
+    return map(", ".join, product(*texts))
+
+
+def _effect_sets(
+    db: sqlite3.Connection, attributes: dict[str, Any], effects: list[str] | None
+) -> Iterator[int | None]:
+    """Numbers of the sets of effects of points; None where the dataset does not say."""
+    if effects is None:
+        return repeat(None)
+    why = json.loads(attributes["effects"])
+    number: int = db.execute("select coalesce(max(effect_set), 0) from effect_sets").fetchone()[0]
+    numbers: dict[str, int | None] = {}
+    for text in dict.fromkeys(effects):
+        number += 1
+        numbers[text] = number
+        on = text.splitlines()
+        rows = [(number, name, 1, why.get(name, "")) for name in on]
+        rows += [(number, name, 0, reason) for name, reason in absent(set(on)).items()]
+        db.executemany("insert into effect_sets values (?, ?, ?, ?)", rows)
+    return map(numbers.__getitem__, effects)
+
+
+def _write_parameters(db: sqlite3.Connection, about: About, contents: Contents, first: int) -> None:
+    same, varied = parameters_of(contents.attributes, contents.grids[0])
+    for parameter in same:
+        row = (about.study, _value_id(db, parameter))
+        db.execute("insert into study_parameters values (?, ?)", row)
+    columns = []
+    for values, at in varied:
+        used = np.unique(at)
+        ids = np.full(len(values) + 1, -1)  # the last one for what is absent
+        for parameter, number in values.items():
+            if number in used:
+                ids[number] = _value_id(db, parameter)
+        columns.append(ids[at.ravel()])
+    if not columns:
+        return
+    by_point = np.sort(np.stack(columns, axis=1), axis=1)
+    points = np.repeat(np.arange(first, first + len(by_point)), len(columns))
+    flat = by_point.ravel()
+    pairs = zip(points[flat >= 0].tolist(), flat[flat >= 0].tolist(), strict=True)
+    db.executemany("insert into point_parameters values (?, ?)", pairs)
+
+
+def _value_id(db: sqlite3.Connection, parameter: Parameter) -> int | None:
+    statement = "insert into parameter_values values (null, ?, ?, ?, ?, ?, ?)"
+    return db.execute(statement, parameter).lastrowid
+
+
+def _write_results(db: sqlite3.Connection, statistics: list[Statistic], first: int) -> None:
+    """Insert the statistics of every point, all of a point together."""
+    numeric = [(t, _quantity_id(db, t)) for t in statistics if t.values.dtype.kind in "fiu"]
+    if not numeric:
+        return
+    numeric.sort(key=lambda pair: pair[1])
+    ids = np.array([number for _, number in numeric])
+    cells = len(numeric[0][0].values)
+    nothing = np.full(cells, np.nan)
+    for begin in range(0, cells, some := max(1, MANY // len(ids))):
+        part = slice(begin, min(begin + some, cells))
+        values = np.stack([t.values[part].astype(float) for t, _ in numeric], axis=1).ravel()
+        there = ~np.isnan(values)
+        points = np.repeat(np.arange(first + part.start, first + part.stop), len(ids))
+        columns = [points[there].tolist(), np.tile(ids, part.stop - part.start)[there].tolist()]
+        columns.append(values[there].tolist())
+        for name in ("s", "time", "cylinder"):
+            at = [t.at.get(name, nothing)[part] for t, _ in numeric]
+            columns.append(np.stack(at, axis=1).ravel()[there].tolist())
+        db.executemany(
+            "insert into result_values values (?, ?, ?, ?, ?, ?)", zip(*columns, strict=True)
+        )
+
+
+def _quantity_id(db: sqlite3.Connection, of: Statistic) -> int:
+    about = (of.quantity, of.statistic, of.unit, of.long_name)
+    asked = "select quantity_id from quantities where quantity = ? and statistic = ? and unit is ?"
+    found = db.execute(asked, about[:3]).fetchone()
+    if found is None:
+        statement = "insert into quantities values (null, ?, ?, ?, ?) returning quantity_id"
+        found = db.execute(statement, about).fetchone()
+    number: int = found[0]
+    return number
+
+
+def remove_study(db: sqlite3.Connection, study: str) -> None:
+    """Delete a study with all that belongs to it alone."""
+    asked = "select distinct table_name from columns where study = ?"
+    for (table,) in db.execute(asked, (study,)).fetchall():
+        db.execute(f"drop table {quoted(table)}")
+    db.execute("delete from studies where study = ?", (study,))
+
+
+def remove_unused(db: sqlite3.Connection) -> None:
+    """Delete what nothing refers to any more."""
+    used = chain.from_iterable(
+        db.execute(f"select distinct value_id from {table}")
+        for table in ("study_parameters", "point_parameters")
+    )
+    db.execute("create temp table used (value_id integer primary key)")
+    db.executemany("insert or ignore into used values (?)", used)
+    db.execute("delete from parameter_values where value_id not in (select value_id from used)")
+    db.execute("drop table used")
+    db.execute(
+        "delete from effect_sets where effect_set not in (select distinct effect_set from points)"
+    )
+    db.execute(
+        "delete from quantities where quantity_id not in (select distinct quantity_id from result_values)"
+    )

@@ -1,0 +1,112 @@
+"""From points of the database back to arrays."""
+
+import json
+
+import numpy as np
+import pytest
+import workspace
+import xarray as xr
+
+from riserstudy import dataset_of, open_point, query, simulate
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
+from riserstudy.study import store
+
+
+def dataset(name):
+    """A dataset as xarray alone reads it."""
+    with xr.open_dataset(workspace.RESULTS / f"{name}.nc", decode_times=False) as found:
+        return found.load()
+
+
+def keys(study):
+    """Points of a study with their keys."""
+    asked = "select point, key from points where study = ? order by position"
+    return query(asked, [study])
+
+
+def test_a_selection_of_points_has_the_arrays_of_their_study(here):
+    points = query("select point from plain_surge where amplitude = 2.5 order by period desc")
+    found = dataset_of(points["point"])
+    surge = dataset("plain/surge").sel(amplitude=2.5).isel(period=[2, 1, 0])
+    assert found["x"].dims == ("point", "time", "s")
+    assert found["period"].values.tolist() == [15.0, 12.0, 9.0]
+    for name in ("x", "bending_moment_max", "wall_seconds", "point_key"):
+        np.testing.assert_array_equal(found[name].values, surge[name].values)
+    assert found["point"].values.tolist() == points["point"].tolist()
+    assert found["x"].attrs["units"] == "m"
+
+
+def test_points_of_different_grids_stand_over_all_their_nodes_and_times(here):
+    meshes, surge = keys("plain/meshes")["point"], keys("plain/surge")["point"]
+    chosen = [int(meshes[2]), int(surge[0]), int(meshes[0])]
+    found = dataset_of(chosen)
+    assert found["point"].values.tolist() == chosen
+    assert found["study"].values.tolist() == ["plain/meshes", "plain/surge", "plain/meshes"]
+    for place, (name, at) in enumerate(
+        [("plain/meshes", {"mesh": 2}), ("plain/surge", {"amplitude": 0, "period": 0})]
+    ):
+        own = dataset(name).isel(at)
+        there = found.isel(point=place).sel(s_node=own["s_node"], time=own["time"], s=own["s"])
+        for variable in ("x_max", "x", "bending_moment"):
+            np.testing.assert_array_equal(there[variable].values, own[variable].values)
+    foreign = ~np.isin(found["s_node"].values, dataset("plain/surge")["s_node"].values)
+    assert foreign.any()
+    assert np.isnan(found["x_max"].isel(point=1).values[foreign]).all()
+
+
+def test_a_point_asked_for_twice_comes_twice(here):
+    point = int(keys("plain/surge")["point"][1])
+    found = dataset_of([point, point])
+    assert found.sizes["point"] == 2
+    np.testing.assert_array_equal(found["x"].values[0], found["x"].values[1])
+
+
+def test_a_study_without_axes_has_its_point_too(here):
+    found = dataset_of(keys("plain/one")["point"])
+    np.testing.assert_array_equal(found["x"].values[0], dataset("plain/one")["x"].values)
+
+
+@pytest.mark.parametrize("points", [[], [10**9], [1, 10**9]])
+def test_points_that_are_not_there_are_told(here, points):
+    with pytest.raises(InputError, match="no point"):
+        dataset_of(points)
+
+
+def test_a_dataset_that_is_gone_is_told(mine):
+    (workspace.RESULTS / "plain/surge.nc").unlink()
+    with pytest.raises(InputError, match=r"plain/surge\.nc"):
+        dataset_of(keys("plain/surge")["point"])
+
+
+def test_a_point_opens_as_its_scene_is_simulated(here):
+    key = keys("plain/surge")["key"][4]
+    found = open_point(key)
+    about = store.about(key)
+    anew = simulate(SceneFile(about["source"], about["scene"]))
+    assert {*found.data_vars} <= {*anew.data_vars}
+    for name in ("x", "z", "effective_tension", "bending_moment", "x_max"):
+        np.testing.assert_array_equal(found[name].values, anew[name].values)
+        assert found[name].attrs == anew[name].attrs
+    provenance = json.loads(found.attrs["provenance"])
+    assert provenance["engine"] == about["engine"]
+    assert provenance["scene"]["platform"]["surge"]["period"] == "12.0 s"
+
+
+@pytest.mark.parametrize("damage", ["gone", "flipped"])
+def test_a_point_that_is_gone_or_damaged_is_told(mine, damage):
+    key = keys("plain/surge")["key"][0]
+    (held,) = [held for held in store.everything() if held.key == key]
+    content = bytearray(held.path.read_bytes())
+    content[len(content) // 2] ^= 1
+    held.path.write_bytes(content)
+    if damage == "gone":
+        held.path.unlink()
+    with pytest.raises(InputError, match="no whole point"):
+        open_point(key)
+
+
+def test_no_such_point_is_told_whatever_is_asked_for(here):
+    for key in ("", "ab", "../../../etc/passwd", "'; drop"):
+        with pytest.raises(InputError, match="no whole point"):
+            open_point(key)

@@ -1,0 +1,176 @@
+"""What differs from the digests is told, and only what nothing needs is removed."""
+
+import random
+import sys
+
+import pytest
+import workspace
+from ruamel.yaml import YAML
+
+from riserstudy.cli import main
+from riserstudy.database.verify import verify
+from riserstudy.study import store
+
+
+@pytest.fixture
+def command(mine, monkeypatch, capsys):
+    """Run a command in a workspace of one's own; its exit code, output and messages."""
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["riserstudy", *map(str, arguments)])
+        try:
+            main()
+            code = 0
+        except SystemExit as done:
+            code = done.code or 0
+        said = capsys.readouterr()
+        return code, said.out, said.err
+
+    return run
+
+
+def points():
+    """Files of stored points by key."""
+    return {held.key: held.path for held in store.everything()}
+
+
+def test_all_is_well_in_what_was_just_made(command):
+    code, out, err = command("verify")
+    assert (code, err) == (0, "")
+    assert out.startswith("0 faults in ")
+
+
+@pytest.mark.parametrize(
+    "name", ["plain/surge.nc", "odd/fig1.png", "plain/one.pdf", "reproduction.csv", "errata.csv"]
+)
+@pytest.mark.parametrize("how", ["flipped", "cut", "longer", "gone"])
+def test_a_file_that_differs_is_named(mine, name, how):
+    path = workspace.RESULTS / name
+    content = bytearray(path.read_bytes())
+    if how == "flipped":
+        content[random.Random(name).randrange(len(content))] ^= 4
+    path.write_bytes({"cut": content[:-1], "longer": content + b"\n"}.get(how, content))
+    if how == "gone":
+        path.unlink()
+    found = verify(workspace.DATABASE)
+    (line,) = found.wrong
+    assert str(path) in line
+    assert found.gone == 0
+
+
+def test_every_kind_of_damage_to_a_point_is_named_and_a_missing_one_counted(command):
+    (first, one), (_, two), (_, three), *_ = sorted(points().items())
+    content = bytearray(one.read_bytes())
+    content[-40] ^= 1
+    one.write_bytes(content)
+    two.write_bytes(two.read_bytes()[:-5])
+    three.unlink()
+    code, out, _ = command("verify")
+    assert code == 1
+    assert f"point {first}: damaged" in out
+    assert "2 faults in" in out
+    assert "1 points are not in this store" in out
+
+
+def test_a_file_that_the_database_does_not_know_is_named(command):
+    (workspace.RESULTS / "plain/stray.nc").write_bytes(b"")
+    code, out, _ = command("verify")
+    assert code == 1
+    assert "stray.nc: not in the database" in out
+
+
+def test_a_database_whose_rows_do_not_fit_is_named(mine):
+    import sqlite3
+    from contextlib import closing
+
+    with closing(sqlite3.connect(workspace.DATABASE)) as db, db:
+        db.execute("delete from studies where study = 'plain/one'")  # its points stay behind
+    assert any("results.sqlite" in line for line in verify(workspace.DATABASE).wrong)
+
+
+def test_nothing_is_removed_where_all_is_needed(command):
+    before = points()
+    code, out, _ = command("prune", "--yes", "--all")
+    assert code == 0
+    assert f"needed: {len(before)} points" in out
+    assert "nothing to remove" in out
+    assert points() == before
+
+
+def leftovers():
+    """A point of another engine, one of no study, one of a former format, a damaged one."""
+    needed = points()
+    key, path = next(iter(sorted(needed.items())))
+    file, result = store.about(key), store.get(key)
+    scene = store_file(file)
+    folder = path.parent
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(store, "engine_digest", lambda: "another engine")
+        store.put("00" + "a" * 30, result, scene)
+    store.put("00" + "b" * 30, result, scene)
+    (folder / "old.npz").write_bytes(b"old")
+    (folder / ("c" * 32 + ".point")).write_bytes(b"damaged")
+    return needed
+
+
+def store_file(about):
+    """The scene that a stored point names."""
+    from riserstudy.scene.load import SceneFile
+
+    return SceneFile(about["source"], about["scene"])
+
+
+def test_the_size_of_what_goes_is_told_before_anything_is_asked(command, monkeypatch):
+    needed = leftovers()
+    every = points()
+    gone = sum(held.bytes for held in store.everything() if held.key not in needed)
+    answers = []
+
+    def refuse(question):
+        answers.append(question)
+        return False
+
+    monkeypatch.setattr("typer.confirm", refuse)
+    code, out, _ = command("prune")
+    assert code == 1
+    assert answers == ["remove 3 files?"]
+    assert "of other engines or formats, or damaged: 3 files" in out
+    assert "of this engine, but of no study here: 1 files" in out
+    assert f"needed: {len(needed)} points" in out
+    assert points() == every
+    assert gone > 0
+
+
+def test_points_of_old_engines_go_and_all_that_studies_need_stays(command):
+    needed = leftovers()
+    before = sum(held.bytes for held in store.everything())
+    code, out, _ = command("prune", "--yes")
+    assert code == 0
+    assert {*points()} == {*needed, "00" + "b" * 30}
+    freed = before - sum(held.bytes for held in store.everything())
+    assert f"3 files removed, {freed / 1e6:.1f} MB" in out
+    assert command("prune", "--yes", "--all")[0] == 0
+    assert {*points()} == {*needed}
+    assert verify(workspace.DATABASE).gone == 0
+
+
+def test_points_that_only_the_database_speaks_of_stay(command):
+    yaml = YAML()
+    path = workspace.Path("config/studies/plain.yaml")
+    tree = yaml.load(path)
+    del tree["studies"]["static"]
+    yaml.dump(tree, path)
+    before = points()
+    assert command("prune", "--yes", "--all")[0] == 0
+    assert points() == before
+    workspace.built()
+    assert command("prune", "--yes", "--all")[0] == 0
+    assert len(points()) == len(before) - 1
+
+
+def test_without_a_configuration_nothing_goes(command):
+    before = points()
+    workspace.Path("config/config.yaml").unlink()
+    code, _, err = command("prune", "--yes", "--all")
+    assert (code, "config.yaml" in err) == (2, True)
+    assert points() == before
