@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.text import Annotation
+from matplotlib.text import Annotation, Text
 
 from riserstudy.scene.load import load_scene
 from riserstudy.schematic import schematic
@@ -176,3 +176,14 @@ def test_every_printed_figure_is_drawn_or_told_as_left_out(paper):
     printed = {f"fig{k:02d}" for k in range(1, PRINTED[paper] + 1)}
     assert printed <= drawn_here | set(file.left_out)
     assert set(file.left_out) <= printed
+
+
+def test_words_of_a_scene_are_drawn_as_written(tmp_path):
+    """A dollar or a bracket is one, and begins neither a formula nor a style."""
+    words = r"a [b] [/c] $\frac$ d $"
+    said = {"title": words, "riser[0].name": r"$\alpha{$ [/x]"}
+    figure = schematic(load_scene(CONFIG / "scenes/bench/s4b.yaml", **said).scene())
+    figure.savefig(tmp_path / "a.png")
+    drawn = [text.get_text() for text in figure.findobj(Text)]
+    assert words in drawn
+    assert any(r"$\alpha{$ [/x]" in text for text in drawn)

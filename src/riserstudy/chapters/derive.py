@@ -6,6 +6,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.chapters import function_of
+from riserstudy.dataset.label import history
 from riserstudy.scene.origin import unwrap
 
 if TYPE_CHECKING:
@@ -23,7 +24,8 @@ def derive(
     ``settings`` are what the study file tells it besides the datasets; the attribute ``settings`` keeps them
     with ranges and reasons.
 
-    Its attribute ``origins`` joins those of its sources: where a calibrated value went must stay known.
+    Its attribute ``parents`` tells tier, engine and digest of each of its sources, ``origins`` joins their
+    origins: where a calibrated value went must stay known.
     """
     plain, told, _ = unwrap(settings or {})
     dataset: xr.Dataset = function_of(paper, "derived", name)(**datasets, **plain)
@@ -33,5 +35,13 @@ def derive(
     for source in datasets.values():
         for path, status in json.loads(source.attrs.get("origins", "{}")).items():
             origins[path] = status if origins.get(path) != "calibrated" else "calibrated"
+    dataset.attrs.setdefault("title", f"{paper}: {name.replace('_', ' ')}")
     dataset.attrs["origins"] = json.dumps(origins)
+    dataset.attrs["parents"] = json.dumps({name: _about(d) for name, d in datasets.items()})
+    dataset.attrs["history"] = history(f"derived {name} of {paper} from {', '.join(datasets)}")
     return dataset
+
+
+def _about(source: xr.Dataset) -> dict[str, Any]:
+    """What tells a source from others: its digest covers scene, axes and points."""
+    return {n: source.attrs[n] for n in ("tier", "engine", "digest") if n in source.attrs}

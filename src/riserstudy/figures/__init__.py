@@ -20,17 +20,35 @@ def module_of_plot(plot: str) -> str:
 
 def draw_plot(model: FigureModel, dataset: xr.Dataset) -> Figure:
     """A figure that names a plot for any grid."""
+    from riserstudy.figures.style import as_written
+
     module = import_module(module_of_plot(str(model.plot)))
-    figure: Figure = getattr(module, module.__name__.rpartition(".")[2])(dataset, model.of)
+    with as_written():
+        figure: Figure = getattr(module, module.__name__.rpartition(".")[2])(dataset, model.of)
     return figure
 
 
 def save(figure: Figure, *targets: Path) -> None:
-    """Write a figure in the formats of the targets' endings, each whole or not at all."""
+    """Write a figure in the formats of the targets' endings, each whole or not at all.
+
+    A PNG says in words what is seen, which becomes its alternative text; CSV holds the values drawn.
+    """
+    from riserstudy.figures.drawn import table
+
     for target in targets:
         target.parent.mkdir(parents=True, exist_ok=True)
         partial = target.with_name(f".{target.stem}.partial{target.suffix}")
-        metadata = {"CreationDate": None} if target.suffix == ".pdf" else None
-        figure.savefig(partial, metadata=metadata)
+        if target.suffix == ".csv":
+            partial.write_text(table(figure), "utf-8")
+        else:
+            figure.savefig(partial, metadata=_metadata(figure, target.suffix))
         partial.replace(target)
         figure.set_layout_engine("none")  # the next format is laid out as this one
+
+
+def _metadata(figure: Figure, suffix: str) -> dict[str, str | None] | None:
+    from riserstudy.figures.drawn import headline, words
+
+    if suffix == ".png":
+        return {"Title": headline(figure), "Description": words(figure)}
+    return {"CreationDate": None} if suffix == ".pdf" else None

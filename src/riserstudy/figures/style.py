@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import textwrap
+from contextlib import AbstractContextManager
 from typing import Any
 
 import xarray as xr
+from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -12,6 +15,8 @@ from matplotlib.figure import Figure
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 GREY = "#888888"
 WIDTH = 6.4  # inches
+LETTERS_AN_INCH = 13  # of a headline
+SIGNED: dict[str, Any] = {"cmap": "PuOr_r"}
 PRINTED: dict[str, Any] = {"color": "black", "linestyle": (0, (6, 3)), "linewidth": 1.0}
 
 
@@ -36,17 +41,47 @@ def panels(
     return figure, axes
 
 
+def as_written() -> AbstractContextManager[None]:
+    """Texts that are made within this are users' own words: a dollar is a dollar and begins no formula."""
+    return rc_context({"text.parse_math": False})
+
+
 def key_below(figure: Figure, ax: Axes, columns: int) -> None:
     """One legend for the whole figure, below its panels."""
     handles, labels = ax.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=columns, fontsize="small")
 
 
-def field(figure: Figure, ax: Axes, values: xr.DataArray, across: str, up: str, label: str) -> None:
-    """A quantity in colours over two of its coordinates, with a bar that says its unit."""
+def headline(figure: Figure, text: str) -> None:
+    """What a reader should see, over all panels."""
+    figure.suptitle(
+        textwrap.fill(text, LETTERS_AN_INCH * figure.get_size_inches()[0]), fontsize="medium"
+    )
+
+
+def field(
+    figure: Figure,
+    ax: Axes,
+    values: xr.DataArray,
+    across: str,
+    up: str,
+    label: str,
+    signed: float | None = None,
+) -> None:
+    """A quantity in colours over two of its coordinates, with a bar that says its unit.
+
+    Parameters
+    ----------
+    figure, ax : where it is drawn.
+    values : over both coordinates.
+    across, up : names of the coordinates.
+    label : of the bar.
+    signed : largest size, by which colours leave white to either side; absent: from least to most.
+    """
     shown = values.transpose(up, across)
+    scale = {"cmap": "viridis"} if signed is None else SIGNED | {"vmin": -signed, "vmax": signed}
     colours = ax.pcolormesh(
-        shown[across], shown[up], shown, shading="gouraud", cmap="viridis", rasterized=True
+        shown[across], shown[up], shown, shading="gouraud", rasterized=True, **scale
     )
     figure.colorbar(colours, ax=ax, label=label)
     ax.grid(False)

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, fields
 from functools import partial
@@ -16,7 +17,9 @@ from scipy.stats import binomtest
 
 from riserstudy.errors import SimulationError
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
+from riserstudy.grading.names import input_name, option_name
 from riserstudy.grading.sensitivity import deciding, listed, shares_by_option
+from riserstudy.grading.sequential import settled
 from riserstudy.grading.verdict import Verdict, error, met, verdict_of_claim, verdict_of_number
 
 Datasets = Mapping[str, xr.Dataset]
@@ -25,14 +28,24 @@ MANY = 100  # samples from which a band is told
 
 
 class Found(NamedTuple):
-    """What a check finds: a quantity, and for a claim whether it is true; over the same cells."""
+    """What a check finds: a quantity, and for a claim whether it is true; over the same cells.
+
+    ``given``: where what the claim takes for granted is so, over samples; others are not judged. Absent: all.
+    """
 
     value: xr.DataArray
     true: xr.DataArray | None = None
+    given: xr.DataArray | None = None
 
     def at(self, cell: Mapping[str, Any]) -> Found:
         """One cell of it."""
-        return Found(self.value.sel(cell), None if self.true is None else self.true.sel(cell))
+        return Found(*(None if part is None else part.sel(cell) for part in self))  # type: ignore[arg-type]
+
+    def granted(self) -> Found:
+        """The samples that may be judged."""
+        if self.given is None or "sample" not in self.given.dims:
+            return self
+        return self.at({"sample": self.given["sample"][self.given.values]})
 
 
 @dataclass(frozen=True)
@@ -77,13 +90,23 @@ def grade(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Row]:
 
 
 def graded(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Row:
-    """The row of one number or claim."""
+    """The row of one number or claim.
+
+    Raises
+    ------
+    SimulationError
+        When a check finds no finite number.
+    """
     if item.impossible:
         return _row(paper, item, None, None, "not reproducible", "", [item.impossible, item.note])
     look = partial(_look, item, checks=checks, datasets=datasets)
     found = look(item.reads)
     base = found.at(item.base) if item.base else found
     space = look(item.over) if item.over else found
+    judged, left_out = space.granted(), ""
+    if judged is not space:
+        left_out = _granted(judged.value.size, space.value.size)
+        space = judged if judged.value.size else base
     simulated = float(base.value)
     if not math.isfinite(simulated):
         raise SimulationError(f"{paper}/{item.id}: {item.check} finds {simulated}")
@@ -99,12 +122,16 @@ def graded(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Row:
         sampled = share if hits.ndim else None
         verdict = verdict_of_number(bool(_hits(item, base)), sampled, calibrated)
     about = datasets[next(iter((item.over or item.reads).values()))]
+    if left_out and hits.ndim:
+        about = about.sel(sample=hits["sample"])
     depends_on, said = _explained(item, hits, about, verdict) if hits.ndim else ("", "")
     cases = [_case(item, "Base case", base, about) if item.published is None else ""]
     for name, reads in item.beside.items():
         about = datasets[next(iter(reads.values()))]
         cases.append(_case(item, name, _at_base(item, look(reads)), about))
-    return _row(paper, item, simulated, off, verdict, depends_on, [said, *cases, item.note])
+    sure = settled(hits.values) if hits.dims == ("sample",) and hits.size >= MANY else ""
+    notes = [said, left_out, sure, *cases, item.note]
+    return _row(paper, item, simulated, off, verdict, depends_on, notes)
 
 
 def _hits(item: Item, found: Found) -> xr.DataArray:
@@ -134,7 +161,7 @@ def _case(item: Item, name: str, found: Found, about: xr.Dataset) -> str:
         return f"{name}: {float(found.value):.3g}{unit}, {hit}."
     low, high = float(found.value.min()), float(found.value.max())
     names = deciding(hits, about).names
-    by = f", decided by {listed(names)}" if names else ""
+    by = f", decided by {listed(map(input_name, names))}" if names else ""
     return f"{name}: {low:.3g} to {high:.3g}{unit}, {_told(hits, words[0])}{by}."
 
 
@@ -142,6 +169,19 @@ def _told(hits: xr.DataArray, word: str) -> str:
     """How many samples are hits."""
     percent = f"{100 * float(hits.mean()):.0f} %{_band(hits)}"
     return f"{word} in {int(hits.sum())} of {hits.size} samples ({percent})"
+
+
+def _granted(judged: int, samples: int) -> str:
+    """How many samples a claim with a premise is judged by."""
+    if not judged:
+        return f"What it takes for granted is so in none of {samples} samples; judged by the base case."
+    return f"Judged where what it takes for granted is so: {judged} of {samples} samples."
+
+
+def samples_told(text: str) -> tuple[int, int] | None:
+    """Hits and samples as a row tells them: at the start of a note, or behind what decides."""
+    found = re.search(r"(?:^|; )(?:[Mm]et|[Tt]rue) in (\d+) of (\d+) samples", text)
+    return (int(found[1]), int(found[2])) if found else None
 
 
 def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[ErratumRow]:
@@ -184,15 +224,15 @@ def _explained(
         return "", f"{share[0].upper()}{share[1:]}."
     names, why = deciding(hits, about)
     said = [why, *_by_option(hits, about, names, word)]
-    name = listed(names) if names else "no single input or pair"
+    name = listed(map(input_name, names)) if names else "no single input or pair"
     return f"{name}; {share}", " ".join(text for text in said if text)
 
 
 def _by_option(hits: xr.DataArray, about: xr.Dataset, names: list[str], word: str) -> Iterator[str]:
     """How often it comes out under each option of deciding inputs, a sentence an input."""
     for name, shares in shares_by_option(hits, about, names).items():
-        each = ", ".join(f"{option}: {100 * share:.0f} %" for option, share in shares.items())
-        yield f"{word.capitalize()} by {name}: {each}."
+        each = "; ".join(f"{option_name(o)} ({100 * share:.0f} %)" for o, share in shares.items())
+        yield f"{word.capitalize()} by {input_name(name)}: {each}."
 
 
 def _band(hits: xr.DataArray) -> str:

@@ -96,10 +96,29 @@ class Erratum(Checked):
     simulation: str = ""
 
 
+class PrintedInput(Strict):
+    """An input that a paper prints, as its scenes write it, and where it is printed.
+
+    ``at`` says where scenes hold it as it stands, ``riser[*]`` for any section. Absent: what they hold is
+    derived from it, or it is used nowhere.
+    """
+
+    what: str
+    value: str | int | float
+    where: str
+    at: str | list[str] = Field(default_factory=list)
+
+    @property
+    def paths(self) -> list[str]:
+        """Where scenes hold it."""
+        return [self.at] if isinstance(self.at, str) else self.at
+
+
 class PublishedFile(Strict):
-    """All that is graded of one paper."""
+    """All that a paper printed: its inputs, and what is graded of it. Absent inputs: not yet listed."""
 
     paper: str
+    inputs: list[PrintedInput] = Field(default_factory=list)
     items: list[Item] = Field(min_length=1)
     errata: list[Erratum] = Field(default_factory=list)
 

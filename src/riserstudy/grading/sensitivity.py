@@ -17,6 +17,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from riserstudy.grading.names import input_name
+
 MOST_GROUPS = 8  # of a continuous input
 A_GROUP = 4  # samples at least
 WEAK = 0.5  # below this share of the variance, a second input is looked for
@@ -62,7 +64,8 @@ def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
             names, explained = pair, together
     word = "explains" if len(names) == 1 else "together explain"
     return Deciding(
-        names, f"{listed(names)} {word} {100 * explained:.0f} % of the variance of the outcome."
+        names,
+        f"{listed(map(input_name, names))} {word} {100 * explained:.0f} % of the variance of the outcome.",
     )
 
 
@@ -110,7 +113,7 @@ def _of_a_grid(outcome: xr.DataArray) -> Deciding:
         (name for name, effect in effects.items() if effect >= 0.5 * largest),
         key=lambda name: -effects[name],
     )
-    shares = ", ".join(f"{name} {100 * effects[name]:.0f} %" for name in names)
+    shares = ", ".join(f"{input_name(name)} {100 * effects[name]:.0f} %" for name in names)
     return Deciding(names, f"Total effects: {shares}.")
 
 

@@ -1,8 +1,8 @@
 """How a printed number or claim comes out.
 
 A number is met within half a unit of its last printed digit or 1 %, whichever is larger. Where a paper
-leaves something open, number and claim are judged over samples of it: what almost always holds holds,
-what almost never holds fails, anything between depends.
+leaves something open, number and claim are judged over samples of it: what almost always holds holds, a
+claim that almost never holds fails, a number fails that no sample meets, anything between depends.
 """
 
 from __future__ import annotations
@@ -43,7 +43,8 @@ def verdict_of_number(hit: bool, share: float | None, calibrated: bool) -> Verdi
     calibrated : whether a calibrated input lies on its path.
     """
     if share is not None:
-        settled = share >= ALMOST_ALWAYS if hit else share <= ALMOST_NEVER
+        # one reading that meets a number shows that it can be had
+        settled = share >= ALMOST_ALWAYS if hit else share == 0.0
         if not settled:
             return "depends"
     if not hit:

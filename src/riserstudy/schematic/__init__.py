@@ -12,6 +12,7 @@ import textwrap
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from riserstudy.figures.style import as_written
 from riserstudy.scene.models import Scene
 from riserstudy.schematic.above import above, has_plan, radius
 from riserstudy.schematic.facts import freedom_text
@@ -40,7 +41,11 @@ NOTE = (
 
 def schematic(scene: Scene) -> Figure:
     """Drawing of a scene."""
-    geometry = Geometry(scene)
+    with as_written():
+        return _schematic(Geometry(scene), scene)
+
+
+def _schematic(geometry: Geometry, scene: Scene) -> Figure:
     figure = Figure((WIDTH, HEIGHT), dpi=150, facecolor="white")
     whole = _panel(figure, COLUMNS[0], FLOOR, (WHOLE, CEILING - FLOOR), *_all(geometry), whole=True)
     whole.ax.set_title("(a) whole", loc="left", fontsize="small")

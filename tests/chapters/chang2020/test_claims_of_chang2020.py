@@ -5,6 +5,7 @@ import pytest
 import xarray as xr
 
 from riserstudy.chapters.chang2020 import claims as checks
+from riserstudy.chapters.chang2020.derived import reductions_open
 
 
 def runs(up, down, amplitudes=(0.5, 1.0, 3.0, 10.0)):
@@ -68,3 +69,97 @@ def test_a_line_differs_from_a_curve_and_not_from_itself():
     found = checks.line_differs(other, at_least=0.05)
     assert float(found.value) == pytest.approx(0.1)
     assert bool(found.true)
+
+
+def histories(amplitude, piston, riser, force):
+    """Runs at rest and at one amplitude; time, the piston's X, the riser's x and the cylinder's force."""
+    zero, place = 2394.0, ("heave_amplitude", "time", "cylinder")
+    still = np.zeros_like(piston)
+
+    def both(values, rest):
+        return np.stack([rest + still, values])
+
+    return xr.Dataset(
+        {
+            "tensioner_stroke": (place, -both(piston, 0.0)[..., None]),
+            "tensioner_force": (place, both(force, 5.0)[..., None]),
+            "tensioner_stroke_static": (("heave_amplitude", "cylinder"), np.zeros((2, 1))),
+            "tensioner_force_static": (("heave_amplitude", "cylinder"), np.full((2, 1), 5.0)),
+            "z": (("heave_amplitude", "time", "s"), zero + both(riser, 0.0)[..., None]),
+            "z_static": (("heave_amplitude", "s_node"), np.full((2, 1), zero)),
+        },
+        {
+            "heave_amplitude": [0.0, amplitude],
+            "time": np.arange(len(piston)),
+            "s": [zero],
+            "s_node": [zero],
+        },
+    )
+
+
+def test_piston_and_riser_are_told_apart_where_force_is_large():
+    """The riser is highest where the piston is pushed in: what holds of X fails of x."""
+    piston = np.array([0.0, -2.0, 0.0, 3.0])
+    riser = np.array([0.0, 1.5, 0.0, -1.0])
+    runs = histories(10.0, piston, riser, force=np.array([5.0, 9.0, 5.0, 3.0]))
+    found = checks.pushed_in_harder(runs, amplitudes=[10.0])
+    assert found.true.sel(displacement="of the piston, X").item()
+    assert not found.true.sel(displacement="of the riser, x").item()
+    assert float(found.value.sel(displacement="of the piston, X")) == pytest.approx(2.0)
+    assert float(found.value.sel(displacement="of the riser, x")) == pytest.approx(-0.5)
+
+
+def test_the_law_that_keeps_more_tension_is_found():
+    def smallest(values):
+        tension = xr.DataArray(values, dims=("heave_amplitude", "s_node"))
+        return tension.assign_coords(heave_amplitude=[3.0, 10.0]).to_dataset(
+            name="effective_tension_min"
+        )
+
+    gas, line = smallest([[2e6, 3e6], [-1e6, 1e6]]), smallest([[2.5e6, 3e6], [-4e6, 1e6]])
+    more = checks.keeps_more_tension(gas, line, amplitude=10.0)
+    assert bool(more.true)
+    assert float(more.value) == pytest.approx(3.0)
+    assert not bool(checks.keeps_more_tension(gas, line, amplitude=3.0).true)
+
+
+def test_asymmetry_is_the_law_s_only_if_a_line_has_none():
+    bent = runs([1.0, 2.0, 4.0, 22.0], [1.0, 2.0, 3.0, 10.0])
+    straight = runs([1.0, 2.0, 3.0, 10.0], [1.0, 2.0, 3.0, 10.0])
+    limits = {"amplitude": 10.0, "asymmetry": 1.1, "at_most": 0.01}
+    found = checks.caused_by_the_law(bent, straight, **limits)
+    assert bool(found.true)
+    assert float(found.value) == pytest.approx(2.2)
+    assert not bool(checks.caused_by_the_law(bent, bent, **limits).true)
+    assert not bool(checks.caused_by_the_law(straight, straight, **limits).true)
+
+
+def test_a_smaller_gas_volume_must_raise_asymmetry_at_every_step():
+    def volumes(up):
+        found = runs(up, [1.0, 1.0, 1.0], amplitudes=(2.4, 3.2, 6.4))
+        return found.rename(heave_amplitude="gas_volume")
+
+    assert bool(checks.grows_with_the_bend(volumes([3.0, 2.0, 1.5])).true)
+    assert float(checks.grows_with_the_bend(volumes([3.0, 2.0, 1.5])).value) == pytest.approx(2.0)
+    assert not bool(checks.grows_with_the_bend(volumes([2.0, 3.0, 1.5])).true)
+
+
+def test_reductions_of_a_sample_are_those_of_its_own_record():
+    """A riser that follows with half the platform's motion, and one whose record ends early."""
+    time = np.arange(0.0, 40.0, 0.1)
+    swings = np.sin(2.0 * np.pi * time / 20.0)[None, None, :] * np.array([2.5, 5.0])[None, :, None]
+    platform = np.repeat(swings, 2, axis=0)
+    platform[1, :, 200:] = np.nan
+    share = np.array([0.5, 0.25])[:, None, None]
+    dims = ("sample", "heave_amplitude", "time")
+    runs = xr.Dataset(
+        {
+            "z": ((*dims, "s"), (2394.0 + share * platform)[..., None]),
+            "tensioner_stroke": ((*dims, "cylinder"), ((1.0 - share) * platform)[..., None]),
+        },
+        {"sample": [0, 1], "heave_amplitude": [2.5, 5.0], "time": time, "s": [2394.0]},
+    )
+    found = reductions_open(runs)["reduction"]
+    assert set(found.dims) == {"quantity", "sample", "measure", "height"}
+    for sample, expected in ((0, 0.5), (1, 0.75)):
+        np.testing.assert_allclose(found.sel(sample=sample), expected, rtol=1e-9)

@@ -1,16 +1,27 @@
 """What fem_riser measures and how its claims are judged, on curves whose answer is known."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
 
 from riserstudy.chapters.fem_riser import claims as checks
-from riserstudy.chapters.fem_riser.along import amplitude_at, angles, place, stress_factor
+from riserstudy.chapters.fem_riser.along import (
+    amplitude_at,
+    angles,
+    drift_rate,
+    place,
+    stress_factor,
+    without_drift,
+)
 from riserstudy.model.sea import current_table, profile
 from riserstudy.scene.load import read_scene
+from riserstudy.scene.units import to_si
+from riserstudy.study.read import read_studies
 
+CONFIG = Path(__file__).parents[3] / "config"
 BASE = "config/scenes/fem_riser/base.yaml"
 
 
@@ -58,7 +69,22 @@ def test_the_current_is_tide_and_drift(base):
     scene = base.scene()
     z, speed = current_table(scene.current, scene.water)
     drift = profile(scene.current.profile.sum[1], (0.0, 2000.0), z)
-    np.testing.assert_allclose(speed, (z / 2000.0) ** 0.142857 + drift, atol=1e-12)
+    np.testing.assert_allclose(speed, 0.75 * (z / 2000.0) ** 0.142857 + drift, atol=1e-12)
+
+
+def test_every_assumed_number_that_is_drawn_on_has_a_range_or_says_where_it_is_varied(base):
+    """What Table 1 would give: a range, options, a reading of the study file, or a study's own axis."""
+    varied_elsewhere = {
+        "riser[0].outer_diameter", "riser[0].drag.diameter", "riser[0].added_mass.diameter",
+        "buoyancy.factor", "buoyancy.tension_ratio", "buoyancy.reading",
+    }  # fmt: skip
+    words = {"top.x", "top.z", "current.profile.sum[0].shape", "wave.above_mean_level"}
+    fixed = {
+        path
+        for path, origin in base.origins.items()
+        if origin.status == "assumed" and not (origin.range or origin.options)
+    }
+    assert fixed == varied_elsewhere | words
 
 
 def test_an_amplitude_is_found_beside_a_drift_and_on_few_times():
@@ -67,6 +93,14 @@ def test_an_amplitude_is_found_beside_a_drift_and_on_few_times():
         40.0 + 0.02 * t + 0.3 * np.sin(2.0 * np.pi * t / 8.0 + 1.0), coords={"time": t}
     )
     assert float(amplitude_at(x, 8.0)) == pytest.approx(0.3, rel=1e-9)
+
+
+def test_a_drift_is_told_from_the_wave_and_taken_off():
+    t = 261.0 + 0.5 * np.arange(79)
+    wave = 0.3 * np.sin(2.0 * np.pi * t / 8.0 + 1.0)
+    x = xr.DataArray(40.0 + 0.02 * t + wave, coords={"time": t})
+    assert float(drift_rate(x, 8.0)) == pytest.approx(0.02, rel=1e-9)
+    np.testing.assert_allclose(without_drift(x, 8.0), 40.0 + 0.02 * t[-1] + wave, rtol=1e-12)
 
 
 def test_angles_and_places_are_those_of_a_parabola():
@@ -83,10 +117,21 @@ def test_stress_follows_the_diameters_of_each_sample(base):
     runs = xr.Dataset(attrs={"scene": json.dumps(base.tree)})
     plain = 32.0 * 0.5334 / (np.pi * (0.5334**4 - 0.4826**4))
     assert float(stress_factor(runs)) == pytest.approx(plain)
-    runs["assumed_riser[0]_outer_diameter"] = ("sample", ["0.5334 m", "20 in"])
+    runs["assumed_riser_0_outer_diameter"] = ("sample", ["0.5334 m", "20 in"])
     found = stress_factor(runs)
     assert float(found[0]) == pytest.approx(plain)
     assert float(found[1]) == pytest.approx(32.0 * 0.508 / (np.pi * (0.508**4 - 0.4826**4)))
+    named = xr.Dataset(
+        {"assumed_outer_diameter": ("sample", ["0.508 m", "0.5334 m"])}, attrs=runs.attrs
+    )
+    np.testing.assert_allclose(stress_factor(named), found[::-1])
+
+
+def test_both_sizes_of_pipe_meet_the_water_with_their_own_diameter(base):
+    for label, sets in read_studies(CONFIG, "fem_riser").readings["outer_diameter"].items():
+        section = base.with_values(sets, "test").scene().riser[0]
+        found = {section.outer_diameter, section.drag.diameter, section.added_mass.diameter}
+        assert found == {to_si(label, "m")}
 
 
 def motion(curve):
@@ -142,3 +187,51 @@ def test_a_trend_needs_every_step_and_together_every_claim():
         found = checks.together(measured(**(rows | {name: values})), 0.1, 0.1)
         assert not bool(found.true)
         assert float(found.value) == 5.0
+
+
+def test_the_papers_beam_is_judged_where_lumped_masses_stand_beside_it():
+    t = np.arange(301.0)
+    x = xr.DataArray(
+        np.stack([np.ones((301, 3)), 2.0 * np.ones((301, 3))]),
+        {"solver": [checks.LUMPED, checks.BEAM], "time": t},
+        ("solver", "time", "s"),
+    )
+    assert (checks.middle(xr.Dataset({"x": x})) == 2.0).all()
+
+
+def test_one_case_that_still_drifts_is_enough_against_all_settled():
+    rows = {
+        "drift_by_length": ("length", [0.0, 0.001, 0.002]),
+        "drift_by_ratio": ("tension_ratio", [0.004, 0.001, 0.0]),
+        "drift_by_factor": ("buoyant_factor", [0.0, 0.001, 0.006]),
+    }
+    found = checks.all_settled(xr.Dataset(rows), 0.005)
+    assert float(found.value) == 0.006
+    assert not bool(found.true)
+    assert bool(checks.all_settled(xr.Dataset(rows), 0.007).true)
+
+
+def timed(**seconds):
+    steps = sorted((float(step[1:].replace("_", ".")) for step in seconds), reverse=True)
+    values = [seconds["s" + f"{step:g}".replace(".", "_")] for step in steps]
+    moments = [1.0 + step for step in steps]
+    return xr.Dataset(
+        {
+            "solve_seconds": ("time_step", values),
+            "x_max": (("time_step", "s_node"), [[0.0, m] for m in moments]),
+            "bending_moment_max": (("time_step", "s_node"), [[0.0, 2.0 * m] for m in moments]),
+        },
+        {"time_step": steps},
+    )
+
+
+def test_the_papers_run_is_timed_or_told_by_the_time_of_a_step():
+    short = checks.run_time(timed(s0_05=1.5))
+    assert short["seconds"] == pytest.approx(150.0)
+    assert short["run"].startswith("not run in this tier")
+    whole = checks.run_time(timed(s0_05=1.5, s0_0005=120.0))
+    assert whole["seconds"] == pytest.approx(120.0)
+    assert whole["milliseconds"] == pytest.approx(0.2)
+    assert whole["run"] == (
+        "run as printed, 120 s; steps of 0.05 s give deflection and moment to 0.05 of them"
+    )

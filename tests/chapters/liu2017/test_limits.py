@@ -13,6 +13,7 @@ from riserstudy.chapters.liu2017.limits import (
     first_limit,
     reached,
     shares,
+    starts,
     watch_circle,
 )
 
@@ -61,3 +62,14 @@ def test_where_no_limit_is_reached_every_offset_is_allowed():
     circle = watch_circle(runs(), 60.0)
     assert int(circle["circle_outcome"]) == NEVER
     assert float(circle["circle_radius"]) == pytest.approx(200.0)
+
+
+def test_a_response_begins_with_a_change_from_rest_whatever_its_sign():
+    """From -0.04 through zero to +0.01 of the limit at 5 s: a size would not have changed by so much."""
+    found = runs(wellhead=-0.001)
+    most = LIMITS["upper flex joint"].most
+    found["ufj_angle"] = most * history(0.01 * TIME - 0.04)
+    begins = starts(found, 0.05)
+    assert float(begins.sel(limit="upper flex joint")) == pytest.approx(5.0)
+    assert float(begins.sel(limit="wellhead")) == pytest.approx(50.0)
+    assert float(begins.sel(limit="conductor")) == np.inf

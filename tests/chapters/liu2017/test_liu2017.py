@@ -11,7 +11,8 @@ from riserstudy.chapters.liu2017.derived import driveoff
 from riserstudy.effects.soil import _clay
 from riserstudy.model.mesh import even
 from riserstudy.model.soil import springs, ultimate_resistance
-from riserstudy.scene.load import load_scene
+from riserstudy.scene.load import load_scene, read_scene
+from riserstudy.simulation.refine import run as simulate
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
@@ -125,3 +126,31 @@ def test_springs_of_the_scene_yield_as_the_clay_and_at_its_y50():
     for y, share in ((45.72e-3, 0.5), (8 * 45.72e-3, 1.0)):
         force, _, _ = _clay.py_func(soil, 0, y)
         assert force == pytest.approx(share * soil.ultimate[0])
+
+
+STEEL, WATER = 7850.0, 1025.0  # kg/m3
+
+
+@pytest.mark.parametrize("reading, section", [("lmrp_and_bop", 1), ("conductor_wall", 0)])
+def test_weight_and_length_go_with_the_mass_that_is_sampled(reading, section):
+    """Steel weighs 1 - 1025/7850 of its mass in water, and the upper flex joint stays L above the BOP."""
+    for sets in FILE.readings[reading].values():
+        scene = read_scene(REF).with_values(sets, "test").scene()
+        part = scene.riser[section]
+        assert part.submerged_weight == pytest.approx(
+            part.mass * 9.81 * (1 - WATER / STEEL), rel=1e-3
+        )
+        assert scene.top.elevation - scene.riser[1].length == pytest.approx(1327.0)
+        if section == 0:
+            wall = np.pi / 4 * (part.outer_diameter**2 - part.inner_diameter**2)
+            assert part.mass == pytest.approx(STEEL * wall, rel=1e-3)
+
+
+def test_the_joint_goes_no_further_than_its_printed_limit():
+    """At the stop the riser's own stiffness, a tenth of the stop's, takes the rest."""
+    sets = {"analysis.mesh.elements": 60, "analysis.step": "0.1 s", "analysis.duration": "90 s"}
+    run_to_stop = simulate(
+        read_scene(REF).with_values(sets, "test").scene(), estimated=False
+    ).arrays
+    assert 9.9 < run_to_stop["stroke"].max() < 10.0
+    assert run_to_stop["effective_tension"][:, -1].max() > 1.2 * TENSION

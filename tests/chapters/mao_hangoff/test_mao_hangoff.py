@@ -12,8 +12,19 @@ from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
 from riserstudy.chapters.mao_hangoff.claims.errata import load_power, readings_near
-from riserstudy.chapters.mao_hangoff.claims.heave import harmonic
-from riserstudy.chapters.mao_hangoff.derived.towed import towed
+from riserstudy.chapters.mao_hangoff.claims.heave import (
+    harmonic,
+    largest_rise,
+    lows_deeper_at_first,
+    rise_largest_at_0_degrees,
+)
+from riserstudy.chapters.mao_hangoff.claims.towed import (
+    change_arises_near_the_lmrp,
+    change_near_the_lmrp,
+    loads_small_at_the_lmrp,
+    small_below,
+)
+from riserstudy.chapters.mao_hangoff.derived.towed import end_loads, reference_masses, towed
 from riserstudy.chapters.mao_hangoff.towed import at_top, displacement
 from riserstudy.errors import InputError
 from riserstudy.grading.grade import ErratumRow, errata, grade, table
@@ -251,7 +262,7 @@ def of_two_readings(heavy, light, moment):
 def test_a_distance_that_grows_with_the_square_of_the_speed_has_the_power_of_two():
     speeds = {"90 deg": -1.0}
     for angle, speed in ((0, 1.5), (45, 0.75), (135, -2.75), (180, -3.5)):
-        speeds |= {f"{angle} deg, 2.5 m/s": speed, f"{angle} deg, 3 m/s": 10.0}
+        speeds |= {f"{angle} deg, 2.5 m/s": 10.0, f"{angle} deg, 3 m/s": speed}
     x = np.zeros((len(speeds), 2, 2))
     x[:, 1, 0] = [-(speed**2) for speed in speeds.values()]
     coords = {"track": list(speeds), "time": [0.0, 130.0], "s": [0.0, 1.0]}
@@ -261,6 +272,96 @@ def test_a_distance_that_grows_with_the_square_of_the_speed_has_the_power_of_two
     found = load_power(runs)
     assert found["power"] == pytest.approx(2.0)
     assert (found["slow"], found["fast"]) == (1.5, 3.5)
+
+
+def test_a_rise_has_level_and_amplitude():
+    """A curve on a parabola: at its last crest, 2.5 s before the end, 0.01 t + 1.5."""
+    t = np.arange(0.0, 130.5, 0.5)
+    z = xr.DataArray(0.01 * t + 1.5 * np.sin(2 * np.pi * t / 10.0) - 7.0, {"time": t}, "time")
+    assert float(largest_rise(z)) == pytest.approx(0.01 * 122.5 + 1.5, rel=1e-3)
+
+
+def heaving(*curves, **of):
+    """Elevations over time of nodes from the LMRP up."""
+    t = np.arange(0.0, 130.5, 0.5)
+    z = np.stack([curve(t) for curve in curves], axis=-1)
+    return xr.Dataset({"z": (("time", "s"), z)}, {"time": t} | of)
+
+
+def test_lows_at_depths_are_compared_with_that_of_the_top():
+    def heave(amplitude):
+        return lambda t: amplitude * np.sin(2 * np.pi * t / 10.0)
+
+    depths = [1000.0, 1500.0]
+    nodes = [0.0, 300.0, 800.0, 1800.0]
+    deeper = heaving(heave(1.3), heave(1.2), heave(1.1), heave(1.0), s=nodes)
+    found = lows_deeper_at_first(deeper, depths)
+    assert float(found.value) == pytest.approx(1.1, rel=1e-6)
+    assert bool(found.true)
+    risen = heaving(lambda t: heave(1.3)(t) + 0.05 * t, *[heave(0.9)] * 2, heave(1.0), s=nodes)
+    assert not bool(lows_deeper_at_first(risen, depths).true)
+
+
+def test_0_degrees_is_told_from_both_other_angles():
+    z = np.zeros((3, 2, 1))
+    z[:, 1, 0] = [2.0, 1.0, 1.7]
+    coords = {"track_angle": [0.0, 45.0, 90.0], "time": [0.0, 130.0], "s": [0.0]}
+    heave = xr.Dataset({"z": (("track_angle", "time", "s"), z)}, coords)
+    assert not bool(rise_largest_at_0_degrees(heave, 1.25).true)
+    assert bool(rise_largest_at_0_degrees(heave, 1.1).true)
+    assert float(rise_largest_at_0_degrees(heave, 1.1).value) == pytest.approx(0.85)
+
+
+def shapes_of(light, heavy):
+    """Runs whose risers of 100 m have shapes, with 120 and 140 t, over height from the LMRP."""
+    s = np.linspace(0.0, 100.0, 101)
+    x = np.zeros((2, 2, s.size))
+    x[0, 1], x[1, 1] = -light(s), -heavy(s)
+    coords = {"lmrp_mass": [120.0, 140.0], "time": [0.0, 130.0], "s": s}
+    return xr.Dataset({"x": (("lmrp_mass", "time", "s"), x)}, coords)
+
+
+def test_a_change_that_grows_all_the_way_down_occurs_near_the_lmrp_and_arises_everywhere():
+    straight = shapes_of(lambda s: 2.0 * (100.0 - s), lambda s: 100.0 - s)
+    assert bool(change_near_the_lmrp(straight).true)
+    assert float(change_near_the_lmrp(straight).value) == pytest.approx(3.0, rel=0.02)
+    assert float(change_arises_near_the_lmrp(straight, 0.5).value) == pytest.approx(0.25)
+    bulged = shapes_of(lambda s: s * (100.0 - s), lambda s: 0.0 * s)
+    assert not bool(change_near_the_lmrp(bulged).true)
+
+
+def test_moments_are_small_or_not_below_the_depth_that_is_asked_for():
+    s = np.linspace(0.0, 1800.0, 181)
+    moment = np.where(s > 1800.0 - 170.0, 1.0, 0.4)
+    dims = {"lmrp_mass": [140.0], "time": [130.0], "s": s}
+    runs = xr.Dataset({"bending_moment": (("lmrp_mass", "time", "s"), moment[None, None])}, dims)
+    assert bool(small_below(runs, 200.0, 0.5).true)
+    assert not bool(small_below(runs, 150.0, 0.5).true)
+
+
+def test_loads_are_those_of_the_slip_at_both_ends(datasets):
+    """Against 1 m/s at 1 m/s the joint meets 2 m/s; C_D 1.2 and 0.7, no current at the LMRP."""
+    readings = datasets["readings"]
+    base = {name: readings[name].values[0] for name in ("riser_weight", "flow", "current_profile")}
+    loads = end_loads(readings).sel(base)
+    assert loads["load_at_joint"].values == pytest.approx(
+        -0.5 * 1025.0 * 1.2 * 0.5334 * 4.0, rel=1e-6
+    )
+    x = readings["x"].sel(base).isel(s=0)
+    speed = (x.sel(time=130.0) - x.sel(time=120.0)) / 10.0
+    there = -0.5 * 1025.0 * 0.7 * 0.5334 * speed**2
+    np.testing.assert_allclose(loads["load_at_lmrp"], there, rtol=1e-9)
+    found = loads_small_at_the_lmrp(loads, 0.5)
+    assert bool(found.true) == (float(found.value) <= 0.5)
+
+
+def test_the_case_without_open_inputs_stands_beside_the_printed_numbers(datasets):
+    runs = datasets["hangoff_ref"]
+    both = reference_masses(runs)
+    for mass, name in ((140.0, "hangoff_ref"), (120.0, "hangoff_ref_120t")):
+        xr.testing.assert_equal(
+            both["x"].sel(lmrp_mass=mass, drop=True), runs["x"].sel(variant=name, drop=True)
+        )
 
 
 def test_readings_that_come_near_print_are_named():
@@ -282,7 +383,7 @@ def test_all_numbers_claims_and_errata_of_the_dossier_are_there():
     known = {*FILE.studies, *FILE.derived}
     file = read_published(CONFIG, PAPER, known)
     ids = {item.id for item in file.items} | {erratum.id for erratum in file.errata}
-    wanted = [("N", 3), ("C", 25), ("T", 13), ("E", 15)]
+    wanted = [("N", 4), ("C", 28), ("R", 4), ("T", 14), ("E", 15)]
     assert {f"{letter}{k}" for letter, most in wanted for k in range(1, most + 1)} <= ids
     for item in file.items:
         assert item.impossible or callable(checks_of(PAPER)(item.check))

@@ -26,17 +26,6 @@ def reduction(reductions: xr.Dataset, quantity: str) -> Found:
     return Found(reductions["reduction"].sel(quantity=quantity, drop=True))
 
 
-def both_reductions(reductions: xr.Dataset, tension: float, heave: float, rounding: float) -> Found:
-    """Whether tension and heave are reduced as printed in one reading; value: their difference."""
-    table = reductions["reduction"]
-    found = {name: table.sel(quantity=name, drop=True) for name in ("tension", "heave")}
-    near = [
-        abs(found[name] - wanted) <= 0.5 * rounding
-        for name, wanted in (("tension", tension), ("heave", heave))
-    ]
-    return Found((found["heave"] - found["tension"]).round(9), near[0] & near[1])
-
-
 # Figs 5, 6, 9: the tensioner's law
 
 
@@ -143,30 +132,72 @@ def upper_side_larger(runs: xr.Dataset) -> Found:
 
 
 def pushed_in_harder(runs: xr.Dataset, amplitudes: list[float]) -> Found:
-    """Piston moves less but force changes more towards X < 0; value: ratio of force changes.
+    """Towards the negative side displacement is smaller and the tensioner's force changes more.
 
-    The value belongs to the largest amplitude.
+    Judged for the piston's displacement X and the riser's x; value: change of force at the lowest place
+    over its size at the highest, at the largest amplitude.
     """
     runs = _model(runs, "gas law").isel(cylinder=0)
-    law = {"X": (-1.0, "tensioner_stroke"), "F": (1.0, "tensioner_force")}
     rest, moving = _rest(runs), runs.sel(heave_amplitude=amplitudes)
-    away = {
-        name: sign * (moving[variable] - rest[variable + "_static"])
-        for name, (sign, variable) in law.items()
+    force = moving["tensioner_force"] - rest["tensioner_force_static"]
+    ways = {
+        "of the piston, X": rest["tensioner_stroke_static"] - moving["tensioner_stroke"],
+        "of the riser, x": moving["z"].isel(s=-1, drop=True)
+        - rest["z_static"].isel(s_node=-1, drop=True),
     }
-    inward = -away["X"].min("time") < away["X"].max("time")
-    stronger = away["F"].max("time") > -away["F"].min("time")
-    ratio = away["F"].max("time") / -away["F"].min("time")
-    return Found(
-        ratio.isel(heave_amplitude=-1, drop=True), (inward & stronger).all("heave_amplitude")
-    )
+    ratios, found = [], []
+    for away in ways.values():
+        inward, outward = (_when(force, away, sign) for sign in (-1.0, 1.0))
+        ratios.append(inward / abs(outward))
+        smaller = -away.min("time") < away.max("time")
+        found.append((smaller & (inward > abs(outward))).all("heave_amplitude"))
+    names = xr.DataArray(list(ways), dims="displacement", name="displacement")
+    ratio = xr.concat(ratios, names).isel(heave_amplitude=-1, drop=True)
+    return Found(ratio, xr.concat(found, names))
 
 
-def stays_in_tension(runs: xr.Dataset, amplitudes: list[float]) -> Found:
-    """The riser is never compressed; value: smallest tension (MN)."""
-    tension = _model(runs, "gas law")["effective_tension_min"].sel(heave_amplitude=amplitudes)
-    smallest = tension.min(["s_node", "heave_amplitude"]) / 1e6
-    return Found(smallest, smallest > 0)
+def _when(force: xr.DataArray, away: xr.DataArray, sign: float) -> xr.DataArray:
+    """Force at the time at which a displacement is farthest to one side; records may end early."""
+    farthest = (sign * away).fillna(-np.inf).argmax("time")
+    return force.isel(time=farthest).drop_vars("time")
+
+
+def keeps_more_tension(gas: xr.Dataset, linear: xr.Dataset, amplitude: float) -> Found:
+    """The riser's smallest tension is larger with the gas law; value: by how much (MN)."""
+    smallest = [
+        _model(runs, model)["effective_tension_min"]
+        .sel(heave_amplitude=amplitude, drop=True)
+        .min("s_node")
+        for model, runs in (("gas law", gas), ("linear", linear))
+    ]
+    more = (smallest[0] - smallest[1]) / 1e6
+    return Found(more, more > 0)
+
+
+def caused_by_the_law(
+    gas: xr.Dataset, linear: xr.Dataset, amplitude: float, asymmetry: float, at_most: float
+) -> Found:
+    """The gas law's response is asymmetric and a line's is not; value: S of the gas law over the line's."""
+    sides = [_sides(_model(runs, m)) for m, runs in (("gas law", gas), ("linear", linear))]
+    curved, straight = ((up / down).sel(heave_amplitude=amplitude, drop=True) for up, down in sides)
+    true = (curved >= asymmetry) & (abs(straight - 1.0) <= at_most)
+    return Found(curved / straight, true)
+
+
+def apart_at_large_amplitudes(
+    gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float]
+) -> Found:
+    """Both models differ more, over the swing, at the larger amplitude; value: ratio of the differences."""
+    small, large = (_apart(gas, linear, amplitude).min("compared") for amplitude in amplitudes)
+    return Found(large / small, large > small)
+
+
+def grows_with_the_bend(volumes: xr.Dataset) -> Found:
+    """S rises as the gas volume falls, which bends the law; value: S of the least over the most."""
+    top = volumes.isel(s_node=-1, drop=True).sortby("gas_volume", ascending=False)
+    index = (top["z_max"] - top["z_static"]) / (top["z_static"] - top["z_min"])
+    found = (index.diff("gas_volume") > 0).all("gas_volume")
+    return Found(index.isel(gas_volume=-1, drop=True) / index.isel(gas_volume=0, drop=True), found)
 
 
 def _apart(gas: xr.Dataset, linear: xr.Dataset, amplitude: float) -> xr.DataArray:
@@ -215,12 +246,15 @@ def readings(reductions: xr.Dataset) -> dict[str, Any]:
     """Reductions in words of the erratum on 30 % and 50 %."""
     table = reductions["reduction"]
     swing = table.sel(quantity="heave", measure="swing")
+    half = table.sel(height="height", reading="from_rest")
     apart = abs(table.sel(quantity="heave") - table.sel(quantity="tension")).max()
     return {
         "apart": float(apart),
         "amplitude": float(swing.sel(height="amplitude", reading="from_rest")),
         "height": float(swing.sel(height="height", reading="from_rest")),
         "settled": float(swing.sel(height="amplitude", reading="steady")),
+        "tension": float(half.sel(quantity="tension", measure="swing")),
+        "heave": float(half.sel(quantity="heave", measure="deviation")),
     }
 
 
@@ -232,6 +266,33 @@ def ringing(asymmetry: xr.Dataset) -> dict[str, Any]:
         for side in ("up", "down")
         for reading in ("from_rest", "steady")
     }
+
+
+def two_displacements(runs: xr.Dataset) -> dict[str, Any]:
+    """Tensioner force (MN) at the lowest and the highest place of riser and of piston, settled at 10 m."""
+    run = _model(runs, "gas law").sel(heave_amplitude=10.0).isel(s=-1)
+    force = run["tensioner_force"].sum("cylinder") / 1e6
+    places = {"x": run["z"] - float(runs["s"][-1]), "X": -run["tensioner_stroke"].isel(cylinder=0)}
+    found = {}
+    for name, place in places.items():
+        found[f"{name}_low"] = float(force.isel(time=int(place.argmin("time"))))
+        found[f"{name}_high"] = float(force.isel(time=int(place.argmax("time"))))
+    found["lowest"] = float(places["x"].min())
+    return found
+
+
+def kept_in_tension(settled: xr.Dataset, start: xr.Dataset, bare: xr.Dataset) -> dict[str, Any]:
+    """Smallest tensions of the riser (MN) with the tensioner at 5 and 10 m, and without it at 5 m."""
+    cases = {"settled": _model(settled, "gas law"), "start": _model(start, "gas law")}
+    told = {
+        f"{name}_{amplitude:g}": float(
+            runs["effective_tension_min"].sel(heave_amplitude=amplitude).min() / 1e6
+        )
+        for name, runs in cases.items()
+        for amplitude in (5.0, 10.0)
+    }
+    pressed = bare["effective_tension_min"].sel(heave_amplitude=5.0).min()
+    return told | {"bare": -float(pressed) / 1e6}
 
 
 def equilibria(law: xr.Dataset) -> dict[str, Any]:

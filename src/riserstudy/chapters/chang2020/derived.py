@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from riserstudy.dataset.describe import described
+from riserstudy.dataset.describe import described, sampled
 
 PAPER = "chang2020"
 #: how the printed motion height H = 5 m can be meant, and the amplitude (m) that each gives
@@ -71,6 +71,32 @@ def reductions(
         PAPER,
         "reduction of the riser's oscillation by the tensioner",
     )
+
+
+def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of what the paper leaves open, in the record of each.
+
+    Without tensioner the riser's top follows the platform, x = a, and a is x - X of the same run. Tension
+    is k_r x with and without (Eq. 8), so that one reduction is both.
+    """
+    rise = open_choices["z"].isel(s=-1, drop=True) - float(open_choices["s"][-1])
+    platform = rise + open_choices["tensioner_stroke"].isel(cylinder=0, drop=True)
+    parts = []
+    for amplitude in HEIGHTS.values():
+        held, bare = (x.sel(heave_amplitude=amplitude, drop=True) for x in (rise, platform))
+        parts.append(1.0 - _spread(held) / _spread(bare))
+    height = xr.DataArray(list(HEIGHTS), dims="height", name="height")
+    quantity = xr.DataArray(list(QUANTITIES), dims="quantity", name="quantity")
+    table = xr.concat(parts, height).expand_dims(quantity=quantity)
+    found = table.to_dataset(name="reduction").assign(sampled(open_choices))
+    return described(found, PAPER, "reduction of the oscillation over what the paper leaves open")
+
+
+def _spread(history: xr.DataArray) -> xr.DataArray:
+    """Swing, standard deviation and peak of a history, over ``measure``; records end at their own times."""
+    measures = xr.DataArray(["swing", "deviation", "peak"], dims="measure", name="measure")
+    high, low = history.max("time"), history.min("time")
+    return xr.concat([high - low, history.std("time"), high], measures)
 
 
 def _measures(runs: xr.Dataset, quantity: str, amplitude: float) -> xr.DataArray:

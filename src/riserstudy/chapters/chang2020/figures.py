@@ -11,18 +11,22 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from scipy.interpolate import CubicSpline
 
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
 
 MODELS = {"gas law": "-", "linear": "--"}
+FITTED = (-8.0, 8.0)  # m, of the line in Fig 9
 READINGS = {
     "steady": "settled",
     "from_rest": "first 100 s from rest",
     "quasi_static": "quasi-static",
 }
-FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12, of which the text names 3 and 10
+FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
+NAMED = (3.0, 10.0)  # of them, those that the text names
 #: reductions that the text gives for Fig 8; config/published/chang2020.yaml, A1 and A2
 REDUCED = {"tension": 0.30, "heave": 0.50}
+LEAST = "least squares over -8 to 8 m"
 STARTS = {"unstretched": "unstretched at rest", "equilibrium": "in equilibrium"}
 PISTON = "piston displacement X = x − a (m)"
 HEAVE, TENSION = "riser heave x (m)", "riser tension (MN)"
@@ -36,11 +40,12 @@ def fig05(quasi_static: xr.Dataset) -> Figure:
     """Tensioner force over piston displacement."""
     figure, (ax,) = panels()
     law = _law(quasi_static, "gas law")
-    law = law.interp(X=np.linspace(max(-10, float(law["X"][0])), 10, 201), method="cubic")
+    law = law.interp(X=np.linspace(*FITTED, 201), method="cubic")
     ax.plot(law["X"], law / 1e6, color=COLOURS[0])
     ax.set_xlabel(PISTON)
     ax.set_ylabel("force of four cylinders (MN)")
     _per_cylinder(ax, "force of one cylinder (MN)")
+    headline(figure, "The tensioner's force falls along a convex curve")
     return figure
 
 
@@ -48,17 +53,17 @@ def fig06(quasi_static: xr.Dataset) -> Figure:
     """Secant and tangent stiffness over piston displacement."""
     figure, (ax,) = panels()
     law = _law(quasi_static, "gas law")
-    at = np.linspace(max(-10, float(law["X"][0])), 10, 401)
-    fine = law.interp(X=at, method="cubic")
-    rise = fine - law.interp(X=0.0, method="cubic")
-    secant = np.abs(rise / fine["X"].where(np.abs(fine["X"]) > 1e-9))
-    tangent = np.abs(fine.differentiate("X"))
-    ax.plot(at, tangent / 1e6, color=GREY, label="tangent |dF/dX|")
+    curve = CubicSpline(law["X"].values, law.values)
+    at = np.linspace(*FITTED, 401)
+    at = at[np.abs(at) > 1e-6]
+    ax.plot(at, np.abs(curve(at, 1)) / 1e6, color=GREY, label="tangent |dF/dX|")
+    secant = np.abs((curve(at) - curve(0.0)) / at)
     ax.plot(at, secant / 1e6, color=COLOURS[0], label="secant |F(X) − F(0)| / |X|, Eq. 5")
     ax.set_xlabel(PISTON)
     ax.set_ylabel("stiffness of four cylinders (MN/m)")
     ax.legend(fontsize="small")
     _per_cylinder(ax, "stiffness of one cylinder (MN/m)")
+    headline(figure, "Stiffness falls with the displacement; what Eq. 5 prints is the secant")
     return figure
 
 
@@ -66,13 +71,14 @@ def fig09(quasi_static: xr.Dataset) -> Figure:
     """Gas law and its least-squares line."""
     figure, (ax,) = panels()
     for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
-        law = _law(quasi_static, model).interp(X=np.linspace(-8, 8, 161), method="cubic")
+        law = _law(quasi_static, model).interp(X=np.linspace(*FITTED, 161), method="cubic")
         label = {"gas law": "gas law", "linear": "least-squares line"}[model]
         ax.plot(law["X"], law / 1e6, line, color=colour, label=label)
     ax.set_xlabel(PISTON)
     ax.set_ylabel("force of four cylinders (MN)")
     ax.legend(fontsize="small")
     _per_cylinder(ax, "force of one cylinder (MN)")
+    headline(figure, "The least-squares line over -8 to 8 m leaves the gas law most at its ends")
     return figure
 
 
@@ -102,40 +108,103 @@ def _per_cylinder(ax: Axes, label: str) -> None:
 
 
 def fig08(from_rest: xr.Dataset, steady: xr.Dataset, rigid: xr.Dataset) -> Figure:
-    """Riser tension and heave with and without tensioner, platform heaving 5 m."""
-    figure, axes = panels(2, 1, 3.2, sharex=True)
-    runs = {
-        "without tensioner": (_histories(rigid).sel(heave_amplitude=5.0), GREY, 1.4),
-        "with tensioner, from rest": (_gas(from_rest).sel(heave_amplitude=5.0), COLOURS[0], 1.2),
-        "with tensioner, settled": (
-            _repeated(_gas(steady).sel(heave_amplitude=5.0), from_rest["time"]),
-            COLOURS[1],
-            1.2,
-        ),
-    }
-    for ax, quantity, label in zip(axes, ("tension", "heave"), (TENSION, HEAVE), strict=True):
-        for name, (run, colour, width) in runs.items():
-            ax.plot(run["time"], run[quantity], color=colour, linewidth=width, label=name)
-        bare, held = runs["without tensioner"][0], runs["with tensioner, settled"][0]
-        half = 0.5 * (1.0 - REDUCED[quantity]) * float(np.ptp(bare[quantity].values))
-        middle = 0.5 * float(held[quantity].max() + held[quantity].min())
-        for side, word in ((-1.0, None), (1.0, "printed reduction: tension 30 %, heave 50 %")):
-            ax.axhline(middle + side * half, label=word, **PRINTED)
-        ax.set_ylabel(label)
-    axes[-1].set_xlabel(TIME)
-    axes[-1].set_xlim(0, 100)
+    """Riser tension and heave with and without tensioner, H = 5 m read in two ways."""
+    figure, axes = panels(2, 2, 3.0, sharex=True)
+    for column, (amplitude, meant) in enumerate(
+        ((5.0, "H = 5 m is the amplitude"), (2.5, "H = 5 m is twice the amplitude"))
+    ):
+        runs = {
+            "without tensioner": (_histories(rigid).sel(heave_amplitude=amplitude), GREY, 1.4),
+            "with tensioner, from rest": (
+                _gas(from_rest).sel(heave_amplitude=amplitude),
+                COLOURS[0],
+                1.2,
+            ),
+            "with tensioner, settled": (
+                _repeated(_gas(steady).sel(heave_amplitude=amplitude), from_rest["time"]),
+                COLOURS[1],
+                1.2,
+            ),
+        }
+        for ax, quantity, label in zip(
+            axes[column::2], ("tension", "heave"), (TENSION, HEAVE), strict=True
+        ):
+            for name, (run, colour, width) in runs.items():
+                ax.plot(run["time"], run[quantity], color=colour, linewidth=width, label=name)
+            swing = {name: float(np.ptp(run[quantity].values)) for name, (run, *_) in runs.items()}
+            bare = swing.pop("without tensioner")
+            ax.set_title(meant, loc="right", fontsize="small")
+            ax.set_ylabel(label)
+            told = [
+                f"{name[16:]} {100.0 * (1.0 - part / bare):.0f} %" for name, part in swing.items()
+            ]
+            ax.annotate(
+                f"swing less by: {', '.join(told)}; printed about {100.0 * REDUCED[quantity]:.0f} %",
+                (0.5, 0.97),
+                xycoords="axes fraction",
+                ha="center",
+                va="top",
+                fontsize="x-small",
+                bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
+            )
+            ax.margins(y=0.18)
+            left = 0.5 * (1.0 - REDUCED[quantity]) * bare
+            middle = 0.5 * float(
+                runs["without tensioner"][0][quantity].max()
+                + runs["without tensioner"][0][quantity].min()
+            )
+            ax.errorbar(
+                101.5,
+                middle,
+                yerr=left,
+                color="black",
+                capsize=3,
+                clip_on=False,
+                label="swing that the printed reduction leaves",
+            )
+    for ax in axes[2:]:
+        ax.set_xlabel(TIME)
+    axes[-1].set_xlim(0, 104)
+    headline(
+        figure,
+        "No reading takes 30 % off the swing of tension and 50 % off that of heave: both are k_r x, "
+        "so that they fall alike",
+    )
     key_below(figure, axes[0], 2)
     return figure
 
 
-def fig10(from_rest: xr.Dataset) -> Figure:
-    """Heave and tension at 3 and 10 m, gas law and linear tensioner."""
-    figure, axes = panels(2, 2, 3.0, sharex=True)
-    _models_compared(axes, from_rest)
-    for ax in axes[2:]:
-        ax.set_xlabel(TIME)
-    axes[0].set_xlim(0, 100)
-    key_below(figure, axes[0], 2)
+def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) -> Figure:
+    """Heave and tension at 3 and 10 m, gas law and lines; from rest, and settled."""
+    figure, axes = panels(4, 2, 2.2)
+    started, settled = _histories(from_rest), _histories(steady)
+    straight = _histories(lines_settled)
+    start = float(steady["time"][0])
+    rows = [(a, q) for a in (3.0, 10.0) for q in ("heave", "tension")]
+    for (amplitude, quantity), left, right in zip(rows, axes[::2], axes[1::2], strict=True):
+        for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+            run = started.sel(tensioner_model=model, heave_amplitude=amplitude)
+            label = {"gas law": "gas law", "linear": LEAST}[model]
+            left.plot(run["time"], run[quantity], line, color=colour, lw=1.1, label=label)
+        law = settled.sel(tensioner_model="gas law", heave_amplitude=amplitude)
+        right.plot(law["time"] - start, law[quantity], color=COLOURS[0], lw=2.2, label="gas law")
+        for colour, line in zip(COLOURS[1:], straight["line"].values, strict=False):
+            run = straight.sel(line=line, heave_amplitude=amplitude)
+            right.plot(run["time"] - start, run[quantity], "--", color=colour, lw=1.1, label=line)
+        left.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
+        left.set_title(f"platform {amplitude:g} m, from rest", loc="right", fontsize="small")
+        right.set_title(f"platform {amplitude:g} m, settled", loc="right", fontsize="small")
+    axes[-2].set_xlabel(TIME)
+    axes[-1].set_xlabel("time in the settled period (s)")
+    for left, right in zip(axes[::2], axes[1::2], strict=True):
+        left.set_xlim(0, 100)
+        right.set_xlim(0, 20)
+    headline(
+        figure,
+        "At 3 m it depends on the line how well it agrees: the tangent at rest does, that of Fig 9 does not; "
+        "at 10 m none does",
+    )
+    key_below(figure, axes[1], 3)
     return figure
 
 
@@ -162,6 +231,9 @@ def settled_response(steady: xr.Dataset) -> Figure:
         fontsize="x-small", loc="upper right", title="amplitude", title_fontsize="x-small"
     )
     axes[0].set_xlim(0, 20)
+    headline(
+        figure, "Without start-up ringing: high crests and flat lows, which a line does not have"
+    )
     return figure
 
 
@@ -181,7 +253,7 @@ def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
 
 
 def _four(runs: xr.Dataset, quantity: str, label: str) -> Figure:
-    figure, axes = panels(4, 1, 1.55, sharex=True, sharey=True)
+    figure, axes = panels(4, 1, 1.75, sharex=True, sharey=True)
     for ax, colour, amplitude in zip(axes, COLOURS, FOUR, strict=False):
         run = _gas(runs).sel(heave_amplitude=amplitude)
         rest = float(
@@ -191,10 +263,17 @@ def _four(runs: xr.Dataset, quantity: str, label: str) -> Figure:
         )
         ax.axhline(rest, color=GREY, linewidth=0.8)
         ax.plot(run["time"], run[quantity], color=colour, linewidth=1.2)
-        ax.set_title(f"platform {amplitude:g} m", loc="right", fontsize="small")
+        told = "named in the text" if amplitude in NAMED else "assumed"
+        ax.set_title(f"platform {amplitude:g} m, {told}", loc="right", fontsize="small")
+        ax.locator_params(axis="y", nbins=5)
     figure.supylabel(label, fontsize="medium")
     axes[-1].set_xlabel(TIME + "; grey: equilibrium")
     axes[-1].set_xlim(0, 100)
+    headline(
+        figure,
+        f"The larger the platform's heave, the less symmetric the riser's {quantity}; "
+        "start-up ringing of 2.6 s hides it where heave is small",
+    )
     return figure
 
 
@@ -249,6 +328,11 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
         ax.set_title(model, loc="right", fontsize="small")
     axes[0].set_ylabel("displacement from equilibrium (m)")
     key_below(figure, axes[0], 2)
+    headline(
+        figure,
+        "Settled, the riser moves further above its equilibrium than below with the gas law; with a line "
+        "equally far",
+    )
     return figure
 
 
@@ -273,6 +357,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     ax.set_xlabel(AMPLITUDE)
     ax.set_ylabel("asymmetry index S = x_p / x_n (-)")
     ax.legend(fontsize="small")
+    headline(figure, "Asymmetry grows with the amplitude, by the gas law alone")
     return figure
 
 
@@ -299,6 +384,9 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
         axes[0].plot([], [], color=colour, label=f"one sample, riser starts {STARTS[start]}")
     axes[0].set_ylabel("asymmetry index S (-)")
     key_below(figure, axes[0], 2)
+    headline(
+        figure, "Asymmetry grows with the amplitude in most samples of what the paper leaves open"
+    )
     return figure
 
 
@@ -353,6 +441,10 @@ def percentages(reductions: xr.Dataset) -> Figure:
     ax.set_ylabel("reduction of heave, and of tension (%)")
     ax.margins(y=0.12)
     key_below(figure, ax, 3)
+    headline(
+        figure,
+        "No one measure is reduced by 30 % in tension and 50 % in heave; two measures of one run are",
+    )
     return figure
 
 
@@ -370,13 +462,26 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
             for model, line in MODELS.items():
                 curve = values.sel(heave_amplitude=amplitude, tensioner_model=model)
                 name = f"platform {amplitude:g} m, {model}"
+                wide = 3.0 if amplitude == values["heave_amplitude"].values[0] else 1.0
                 ax.plot(
-                    curve["heave_period"], curve, line, color=colour, marker=".", ms=3, label=name
+                    curve["heave_period"],
+                    curve,
+                    line,
+                    color=colour,
+                    marker=".",
+                    ms=3,
+                    lw=wide,
+                    alpha=0.5 if wide > 1.0 else 1.0,
+                    label=name,
                 )
         ax.set_xlabel("heave period of the platform (s)")
         ax.set_ylabel(label)
     axes[0].set_yscale("log")
     key_below(figure, axes[0], 2)
+    headline(
+        figure,
+        "Resonance at 2.6 s; with the gas law asymmetry peaks there and at twice that period",
+    )
     return figure
 
 
@@ -403,4 +508,5 @@ def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
     axes[1].set_title("settled", loc="right", fontsize="small")
     axes[1].legend(fontsize="small")
     key_below(figure, axes[0], 2)
+    headline(figure, "Mass along the riser moves less than the same mass at the ring")
     return figure

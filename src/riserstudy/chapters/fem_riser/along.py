@@ -33,14 +33,31 @@ def place(values: xr.DataArray, s: xr.DataArray, dim: str, among: xr.DataArray) 
 
 
 def amplitude_at(x: xr.DataArray, period: float) -> xr.DataArray:
-    """Amplitude at a period, by least squares beside a straight line in time."""
+    """Amplitude at a period (s), by least squares beside a straight line in time."""
+    parts = xr.dot(x, _fitting(x, period, 2, 4), dim="time")
+    amplitude: xr.DataArray = (parts**2).sum("part") ** 0.5
+    return amplitude
+
+
+def drift_rate(x: xr.DataArray, period: float) -> xr.DataArray:
+    """Slope of that line: change a second, freed of what has the period (s)."""
+    slope: xr.DataArray = xr.dot(x, _fitting(x, period, 1, 2), dim="time").isel(part=0)
+    return slope
+
+
+def without_drift(x: xr.DataArray, period: float) -> xr.DataArray:
+    """Values less that line, about where it is at the last time."""
+    left: xr.DataArray = x - drift_rate(x, period) * (x["time"] - x["time"][-1])
+    return left
+
+
+def _fitting(x: xr.DataArray, period: float, first: int, end: int) -> xr.DataArray:
+    """Rows of the least-squares fit of a constant, a line, a cosine and a sine to the times of x."""
     t = x["time"].values
     w = 2.0 * np.pi / period
     basis = np.stack([np.ones_like(t), t - t.mean(), np.cos(w * t), np.sin(w * t)], axis=1)
-    fit = xr.DataArray(np.linalg.pinv(basis)[2:], dims=("part", "time"), coords={"time": x["time"]})
-    parts = xr.dot(x, fit, dim="time")
-    amplitude: xr.DataArray = (parts**2).sum("part") ** 0.5
-    return amplitude
+    rows = np.linalg.pinv(basis)[first:end]
+    return xr.DataArray(rows, dims=("part", "time"), coords={"time": x["time"]})
 
 
 def period_of(runs: xr.Dataset) -> float:
@@ -49,13 +66,16 @@ def period_of(runs: xr.Dataset) -> float:
 
 
 def stress_factor(runs: xr.Dataset) -> xr.DataArray:
-    """Bending stress at the outer fibre over bending moment, D / 2I (1/m3), of each sample."""
+    """Bending stress at the outer fibre over bending moment, D / 2I (1/m3), of each sample.
+
+    Samples tell a diameter by the value that they assume, or by the name of a reading, which is one.
+    """
 
     def diameter(name: str) -> Any:
-        varied = f"assumed_riser[0]_{name}"
-        if varied in runs:
-            values = [to_si(str(text), "m") for text in runs[varied].values]
-            return xr.DataArray(values, dims=runs[varied].dims)
+        for varied in (f"assumed_riser_0_{name}", f"assumed_{name}"):
+            if varied in runs:
+                values = [to_si(str(text), "m") for text in runs[varied].values]
+                return xr.DataArray(values, dims=runs[varied].dims)
         return xr.DataArray(to_si(json.loads(runs.attrs["scene"])["riser"][0][name], "m"))
 
     outer, inner = diameter("outer_diameter"), diameter("inner_diameter")

@@ -10,6 +10,7 @@ import xarray as xr
 from riserstudy.chapters.fem_riser.along import (
     amplitude_at,
     angles,
+    drift_rate,
     extreme,
     period_of,
     place,
@@ -27,6 +28,7 @@ MEASURES = {
     "deflection": "m",
     "deflection_place": "1",
     "vibration": "m",
+    "drift": "1",
     "stress": "Pa",
     "stress_from_bottom": "1",
     "stress_from_top": "1",
@@ -34,6 +36,8 @@ MEASURES = {
     "angle_from_bottom": "1",
     "angle_from_top": "1",
 }
+SPAN = 35.0  # s, from the mean over a wave around 261 s to that around 296 s
+BEAM, LUMPED = "Hermite beam", "lumped masses"
 
 
 def water(motion: xr.Dataset) -> xr.Dataset:
@@ -76,22 +80,35 @@ def trends(
     )
 
 
-def beam_trends(**studies: xr.Dataset) -> xr.Dataset:
-    """The same by the Hermite beam alone, the paper's own model."""
-    return trends(**studies).sel(solver="Hermite beam", drop=True)
+def lumped_trends(**studies: xr.Dataset) -> xr.Dataset:
+    """The same by lumped masses alone."""
+    return trends(**studies).sel(solver=LUMPED, drop=True)
 
 
 def open_trends(
     open_500: xr.Dataset, open_1000: xr.Dataset, open_1500: xr.Dataset,
     open_ratio: xr.Dataset, open_factor: xr.Dataset,
 ) -> xr.Dataset:  # fmt: skip
-    """The same over samples of what the paper leaves open."""
+    """The same over samples of what the paper leaves open, by the paper's beam."""
     lengths = _over_length(open_500, open_1000, open_1500)
-    dataset = _joined(
-        {"length": lengths, "ratio": measures(open_ratio), "factor": measures(open_factor)}
+    ratio, factor = (
+        measures(runs).sel(solver=BEAM, drop=True) for runs in (open_ratio, open_factor)
     )
-    assumed = [name for name in open_ratio.data_vars if str(name).startswith("assumed_")]
-    return dataset.assign({name: open_ratio[name] for name in assumed})
+    return _with_assumed(_joined({"length": lengths, "ratio": ratio, "factor": factor}), open_ratio)
+
+
+def open_lumped_trends(open_ratio: xr.Dataset, open_factor: xr.Dataset) -> xr.Dataset:
+    """The same over samples by lumped masses, over tension ratio and buoyant factor."""
+    ratio, factor = (
+        measures(runs).sel(solver=LUMPED, drop=True) for runs in (open_ratio, open_factor)
+    )
+    return _with_assumed(_joined({"ratio": ratio, "factor": factor}), open_ratio)
+
+
+def _with_assumed(dataset: xr.Dataset, samples: xr.Dataset) -> xr.Dataset:
+    """With what each sample assumed."""
+    assumed = [name for name in samples.data_vars if str(name).startswith("assumed_")]
+    return dataset.assign({name: samples[name] for name in assumed})
 
 
 def map_trends(map_500: xr.Dataset, map_1000: xr.Dataset, map_1500: xr.Dataset) -> xr.Dataset:
@@ -104,10 +121,15 @@ def reading_trends(readings: xr.Dataset) -> xr.Dataset:
     return _joined({"factor": measures(readings)})
 
 
+def drift_trends(top_drift: xr.Dataset) -> xr.Dataset:
+    """Measures over how far the top is held from above the wellhead."""
+    return _joined({"offset": measures(top_drift)})
+
+
 def sample_error(open_fine: xr.Dataset, open_ratio: xr.Dataset) -> xr.Dataset:
-    """Relative error of each measure at the accuracy of the samples, over those also run finely."""
+    """Relative error of each measure on the mesh of the samples, over those also run finely."""
     fine = measures(open_fine)
-    coarse = measures(open_ratio).sel(sample=fine["sample"])
+    coarse = measures(open_ratio).sel(sample=fine["sample"], solver=BEAM)
     sizes = ("deflection", "vibration", "stress", "angle")
     dataset = xr.Dataset({name: abs(coarse[name] / fine[name] - 1.0) for name in sizes})
     for name in sizes:
@@ -119,18 +141,22 @@ def measures(runs: xr.Dataset) -> xr.Dataset:
     """What the claims are about, of every run of a study.
 
     Largest deflection, stress and angle over the record, vibration as the largest amplitude at the
-    wave's period, and places as shares of the length: of the largest deflection from the bottom, of the
-    largest stress and angle of the lower half from the bottom, of the upper half from the top.
+    wave's period, drift of mid-length from 261 to 296 s over its deflection, and places as shares of the
+    length: of the largest deflection from the bottom, of the largest stress and angle of the lower half from
+    the bottom, of the upper half from the top.
     """
     s = runs["s_node"] / runs["s_node"][-1]
     deflection = extreme(runs, "x")
     stress = stress_factor(runs) * extreme(runs, "bending_moment")
     slope = abs(angles(runs)).max("time")
+    period = period_of(runs)
+    mid = runs["x"].sel(s=0.5 * float(runs["s"][-1]), method="nearest", drop=True)
     return xr.Dataset(
         {
             "deflection": deflection.max("s_node"),
             "deflection_place": place(deflection, s, "s_node", s >= 0.0),
-            "vibration": amplitude_at(runs["x"], period_of(runs)).max("s"),
+            "vibration": amplitude_at(runs["x"], period).max("s"),
+            "drift": SPAN * abs(drift_rate(mid, period) / mid.mean("time")),
             "stress": stress.max("s_node"),
             "stress_from_bottom": place(stress, s, "s_node", s <= 0.5),
             "stress_from_top": 1.0 - place(stress, s, "s_node", s >= 0.5),

@@ -1,7 +1,7 @@
 """Figures of the Hamilton-principle riser paper: the printed ones by number, others by what they show.
 
-Filled: envelope of the lumped masses. Lines of the same colour: envelope of the Hermite beam, the
-paper's own method. Heights count along the riser from its lower end.
+Filled: envelope of the Hermite beam, the paper's own method. Dashed lines of the same colour: lumped
+masses. Heights count along the riser from its lower end.
 """
 
 from __future__ import annotations
@@ -10,26 +10,42 @@ from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.chapters.fem_riser.along import angles, stress_factor
+from riserstudy.chapters.fem_riser.along import (
+    amplitude_at,
+    angles,
+    drift_rate,
+    period_of,
+    stress_factor,
+    without_drift,
+)
 from riserstudy.chapters.fem_riser.claims import (
     BEAM,
+    DURATION,
     LUMPED,
+    PHASES,
+    SETTLED,
     TOGETHER,
     averaged,
     claims,
     differences,
     grid_error,
     middle,
+    reciprocates,
+    settling_time,
 )
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
 
 HEIGHT, TIME = "s from the bottom (m)", "time (s)"
 DEFLECTION, STRESS, ANGLE = "deflection x (m)", "bending stress (MPa)", "angle (deg)"
 WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
-SETTLED = 0.005  # share of the last mean; config/published/fem_riser.yaml, B4
+BLUE, RED, BLACK = COLOURS[0], COLOURS[1], COLOURS[6]
+PHASE = colormaps["cividis_r"]  # of time, or of the tide
+GRID_TIME = 80.0  # s, of the runs of the grid test
+APART = "vibration, and drift in 40 s (m)"
 
 
 # the sea
@@ -56,12 +72,17 @@ def fig03(water: xr.Dataset) -> Figure:
         figure.colorbar(drawn, ax=ax, label=label, location="top", shrink=0.9)
         ax.invert_yaxis()
         ax.set_xlabel(TIME)
-    axes[0].set_ylabel("depth (m), upper 60 m")
+    for ax in axes[:2]:
+        ax.set_ylabel("depth (m), upper 60 m")
     axes[2].plot(water["water_speed"], water["below_surface"], color=COLOURS[0])
-    axes[2].invert_yaxis()
-    axes[2].set_xlabel("current (m/s)")
+    axes[2].set_xlabel("current (m/s), assumed")
     axes[2].set_ylabel("depth (m), whole riser")
+    axes[2].set_ylim(float(water["below_surface"][-1]), 0.0)
     axes[2].set_xlim(left=0.0)
+    headline(
+        figure,
+        "The wave moves the water near the surface only; the current does not change in time",
+    )
     return figure
 
 
@@ -71,17 +92,19 @@ def fig03(water: xr.Dataset) -> Figure:
 def fig04(motion: xr.Dataset) -> Figure:
     """Deflection profiles and histories in the three windows."""
     figure, axes = panels(2, 3, 3.2)
-    x = motion["x"].sel(solver=LUMPED)
+    x, other = (motion["x"].sel(solver=solver) for solver in (BEAM, LUMPED))
     for k, (start, end) in enumerate(WINDOWS):
         window = x.sel(time=slice(start, end))
         shapes = window.isel(time=slice(None, None, max(1, window.sizes["time"] // 24)))
         for j, time in enumerate(shapes["time"].values):
-            shade = 0.85 - 0.75 * j / max(1, shapes.sizes["time"] - 1)
-            axes[k].plot(shapes.sel(time=time), shapes["s"], color=str(shade), linewidth=0.7)
-        beam = motion["x"].sel(solver=BEAM).sel(time=end, method="nearest")
-        axes[k].plot(beam, beam["s"], **PRINTED, label=f"Hermite beam at {end:g} s")
+            early = PHASE(0.9 - 0.7 * j / max(1, shapes.sizes["time"] - 1))
+            axes[k].plot(shapes.sel(time=time), shapes["s"], linewidth=0.7,
+                         color=RED if k == 2 else early)  # fmt: skip
+        last = other.sel(time=end, method="nearest")
+        axes[k].plot(last, last["s"], **PRINTED, label=f"lumped masses at {end:g} s")
         axes[k].set_title(f"{start:g} to {end:g} s", loc="right", fontsize="small")
         axes[k].set_xlabel(DEFLECTION)
+        axes[k].set_ylim(0.0, float(x["s"][-1]))
         axes[k].legend(fontsize="x-small", loc="upper right")
         history = axes[k + 3]
         for j, s in enumerate(np.arange(200.0, 2000.0, 200.0)):
@@ -91,66 +114,139 @@ def fig04(motion: xr.Dataset) -> Figure:
                          linestyle="-" if j < len(COLOURS) else "--")  # fmt: skip
         history.set_xlabel(TIME)
     slow = averaged(middle(motion))
-    last = float(slow.isel(time=-1))
-    axes[5].axhspan((1 - SETTLED) * last, (1 + SETTLED) * last, color="0.85", zorder=0)
+    final = float(slow.isel(time=-1))
+    axes[5].axhspan((1 - SETTLED) * final, (1 + SETTLED) * final, color="0.85", zorder=0)
     axes[0].set_ylabel(HEIGHT)
     axes[3].set_ylabel(DEFLECTION)
     key_below(figure, axes[3], 9)
+    settled = float(settling_time(motion, SETTLED))
+    headline(
+        figure,
+        f"Fast at first, then slower, settled after {settled:.0f} s (printed: 260 s, which chose the tide)",
+    )
     return figure
 
 
 def fig05(settled: xr.Dataset) -> Figure:
-    """Envelopes of the base case."""
-    return _envelopes({"2000 m, ratio 1.3, factor 0.7": settled})
+    """The base case."""
+    figure = _envelopes({"2000 m, ratio 1.3, factor 0.7 (assumed)": settled}, (BLUE,))
+    headline(figure, "Deflection is largest near the middle, stress and angle near both ends")
+    return figure
+
+
+def tides(tides: xr.Dataset) -> Figure:
+    """Mid-length over time and the tide; how far it swings back, and when it settles."""
+    figure, axes = panels(1, 2, 3.6)
+    slow = averaged(middle(tides))
+    values = tides["tide"].values
+    for k, tide in enumerate(values):
+        curve = slow.sel(tide=tide)
+        axes[0].plot(curve["time"], curve / curve[-1], label=f"{tide:g} m/s",
+                     color=PHASE(0.95 - 0.85 * k / max(1, len(values) - 1)))  # fmt: skip
+    axes[0].axvline(PHASES["second"][1], **PRINTED)
+    axes[0].axhspan(1.0 - SETTLED, 1.0 + SETTLED, color="0.85", zorder=0)
+    axes[0].set_xlabel(TIME)
+    axes[0].set_ylabel("mid-length over its last mean (-)")
+    axes[0].legend(
+        title="tide at the surface", fontsize="x-small", title_fontsize="x-small", ncols=2
+    )
+    time, back = settling_time(tides, SETTLED), 100.0 * reciprocates(tides, 0.0).value
+    axes[1].plot(values, time, "o-", color=BLUE, label="settling time (s)")
+    axes[1].plot(values, back, "s-", color=RED, label="swing back in 17 to 260 s (%)")
+    axes[1].axhline(PHASES["second"][1], label="printed: 260 s", **PRINTED)
+    axes[1].set_xlabel("surface speed of the tide (m/s)")
+    axes[1].set_ylabel("time (s), share of the last mean (%)")
+    axes[1].legend(fontsize="x-small")
+    headline(
+        figure,
+        "Weak tides have the riser swing back, one of 0.75 m/s has it settle at 260 s; none does both",
+    )
+    return figure
 
 
 # parameters
 
 
 def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Dataset) -> Figure:
-    """Envelopes for three lengths."""
-    return _envelopes({"500 m": length_500, "1000 m": length_1000, "1500 m": length_1500})
+    """Three lengths; colours as the text has them, where it says."""
+    figure = _envelopes(
+        {"500 m": length_500, "1000 m": length_1000, "1500 m": length_1500}, (BLUE, BLACK, RED)
+    )
+    headline(
+        figure,
+        "A longer riser deflects and leans more; a shorter one vibrates more and is bent more",
+    )
+    return figure
 
 
 def fig07(tension_ratio: xr.Dataset) -> Figure:
-    """Envelopes for three top tension ratios."""
-    return _envelopes(_each(tension_ratio, "tension_ratio", "ratio"))
+    """Three top tension ratios; colours as the text has them, where it says."""
+    figure = _envelopes(_each(tension_ratio, "tension_ratio", "ratio"), (BLUE, BLACK, RED))
+    headline(figure, "More tension at the top: less deflection, vibration, stress and angle")
+    return figure
 
 
 def fig08(buoyant_factor: xr.Dataset) -> Figure:
-    """Envelopes for three buoyant factors."""
-    return _envelopes(_each(buoyant_factor, "buoyant_factor", "factor"))
+    """Three buoyant factors; colours as the text has them, where it says."""
+    figure = _envelopes(_each(buoyant_factor, "buoyant_factor", "factor"), (RED, BLUE, BLACK))
+    headline(
+        figure,
+        "More buoyancy, and less tension: more deflection, stress and angle (reading R1, assumed)",
+    )
+    return figure
 
 
 def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
     return {f"{word} {value:g}": runs.sel({axis: value}) for value in runs[axis].values}
 
 
-def _envelopes(cases: Mapping[str, xr.Dataset]) -> Figure:
-    """Deflection, stress and angle over height, of each case and solver."""
-    figure, axes = panels(1, 3, 4.4, sharey=True)
-    for colour, (name, runs) in zip(COLOURS, cases.items(), strict=False):
+def _envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figure:
+    """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and drift, which (a) is freed of."""
+    figure, axes = panels(1, 4, 4.2, sharey=True)
+    largest: list[str] = []  # amplitudes
+    for colour, (name, runs) in zip(colours, cases.items(), strict=True):
         factor = stress_factor(runs) / 1e6
-        for solver in (LUMPED, BEAM):
+        period = period_of(runs)
+        for solver in (BEAM, LUMPED):
             run = runs.sel(solver=solver)
+            x = run["x"].dropna("s", how="all")
             angle: xr.DataArray = xr.apply_ufunc(np.rad2deg, angles(run))
-            length = float(run["s_node"][-1])
+            nodes, length = run["s_node"], float(run["s_node"][-1])
+            still = without_drift(x, period)
+            low, high = (factor * run[f"bending_moment_{side}"] for side in ("min", "max"))
             fields = (
-                (run["x_min"], run["x_max"], run["s_node"]),
-                (
-                    factor * run["bending_moment_min"],
-                    factor * run["bending_moment_max"],
-                    run["s_node"],
-                ),
+                (still.min("time"), still.max("time"), x["s"]),
+                (low, high, nodes),
                 (angle.min("time"), angle.max("time"), length * angle["middle"]),
             )
-            for ax, (low, high, s) in zip(axes, fields, strict=True):
-                _envelope(ax, low, high, s, colour, name if solver == LUMPED else None)
-    for ax, label in zip(axes, (DEFLECTION, STRESS, ANGLE), strict=True):
+            for ax, (least, most, s) in zip(axes, fields, strict=False):
+                _envelope(ax, least, most, s, colour, name if solver == BEAM else None)
+            line = "-" if solver == BEAM else "--"
+            vibration = amplitude_at(x, period)
+            axes[3].plot(vibration, x["s"], line, color=colour, linewidth=0.9)
+            if solver == BEAM:
+                largest.append(f"{float(vibration.max()):.3g}")
+                span = float(x["time"][-1] - x["time"][0])
+                axes[3].plot(
+                    span * abs(drift_rate(x, period)), x["s"], ":", color=colour, linewidth=1.2
+                )
+    for ax, label in zip(axes, (DEFLECTION, STRESS, ANGLE, APART), strict=True):
         ax.set_xlabel(label)
+    axes[3].set_xscale("log")
+    axes[3].set_xlim(left=1e-4)
+    axes[3].set_title(f"largest: {', '.join(largest)} m", loc="right", fontsize="small")
     axes[0].set_ylabel(HEIGHT)
-    axes[0].plot([], [], color=GREY, linewidth=0.8, linestyle="--", label="Hermite beam")
-    key_below(figure, axes[0], 4)
+    axes[0].set_ylim(bottom=0.0)
+    axes[0].plot([], [], color=GREY, linewidth=0.8, linestyle="--", label="lumped masses")
+    axes[0].plot(
+        [],
+        [],
+        color=GREY,
+        linewidth=1.2,
+        linestyle=":",
+        label="drift in 261 to 300 s, taken off (a)",
+    )
+    key_below(figure, axes[0], 5)
     return figure
 
 
@@ -179,6 +275,10 @@ def readings(reading_trends: xr.Dataset) -> Figure:
         ax.set_ylabel(label)
         ax.set_ylim(bottom=0.0)
     key_below(figure, axes[0], 3)
+    headline(
+        figure,
+        "Only reading R1 has the factor raise deflection, stress and angle, as the text says",
+    )
     return figure
 
 
@@ -205,8 +305,9 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset) -> Figure:
         ax.set_xlabel("surface speed of the tide (m/s)")
         ax.set_ylabel("wave height (m)")
     _shares(axes[3], claims(open_trends))
-    figure.suptitle("Claims B5 to B10: green where all hold, else the numbers of those that do not",
-                    fontsize="small")  # fmt: skip
+    headline(
+        figure, "Claims B5 to B10: green where all hold, else the numbers of those that do not"
+    )
     return figure
 
 
@@ -239,11 +340,12 @@ def solvers(small_deflection: xr.Dataset) -> Figure:
     ax.set_xlabel("largest deflection (m)")
     ax.set_ylabel("largest difference over largest value (%)")
     ax.legend(fontsize="small")
+    headline(figure, "The larger the deflection, the more lumped masses and the paper's beam part")
     return figure
 
 
-def grid_test(grid_test: xr.Dataset) -> Figure:
-    """Error over element length and step, and the time of a run."""
+def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
+    """Error over element length and step, and the time of a run, that of the paper's own among them."""
     figure, axes = panels(1, 2, 3.6)
     error = 100.0 * grid_error(grid_test)
     for colour, element in zip(COLOURS, grid_test["element"].values, strict=False):
@@ -254,6 +356,10 @@ def grid_test(grid_test: xr.Dataset) -> Figure:
         )
         axes[1].loglog(curve["time_step"], grid_test["wall_seconds"].sel(element=element), "o-", ms=4,
                        color=colour)  # fmt: skip
+    share = GRID_TIME / DURATION
+    axes[1].plot(own_setting["time_step"], share * own_setting["wall_seconds"], "*", color=BLACK, ms=9,
+                 label="paper's elements and rule, 80 of its 300 s")  # fmt: skip
+    axes[1].legend(fontsize="x-small", loc="lower left")
     for ax in axes:
         ax.axvline(5e-4, **PRINTED)
         ax.annotate("paper: 0.0005 s", (5e-4, 0.96), xycoords=("data", "axes fraction"), rotation=90,
@@ -262,6 +368,9 @@ def grid_test(grid_test: xr.Dataset) -> Figure:
     axes[0].set_ylabel("error against the finest grid (%)")
     axes[1].set_ylabel("time for 80 s, with its error estimate (s)")
     key_below(figure, axes[0], 5)
+    headline(
+        figure, "Elements of 5 m suffice; steps two hundred times longer than the paper's do, too"
+    )
     return figure
 
 
@@ -297,6 +406,7 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel("difference over largest value (%)")
     axes[2].set_ylim(bottom=0.0)
-    axes[2].legend(fontsize="small", loc="center right")
+    axes[2].legend(fontsize="x-small")
     key_below(figure, axes[0], 3)
+    headline(figure, "API Bulletin 2J: both solvers agree, the surge that is open moves more")
     return figure

@@ -11,12 +11,12 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.chapters.liu2017.crossing import first_crossing
-from riserstudy.chapters.liu2017.limits import LIMITS, at_time, reached, shares
+from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, at_time, reached, shares, starts
 from riserstudy.grading.grade import Found
 
 TARGET = 100.0  # m, the false position
-SLOW = ("lower flex joint", "conductor", "wellhead")
-START = 0.02  # share of a limit by which a quantity has begun to respond
+TENSION, STRENGTH = 3.02e6, 386e6  # N, Pa, both printed; the latter read as the riser's, too
+MOVED = 1.0  # m, by which a place of the riser has begun to move
 
 
 # printed numbers
@@ -25,13 +25,6 @@ START = 0.02  # share of a limit by which a quantity has begun to respond
 def time_of_ufj_limit(runs: xr.Dataset, degrees: float) -> Found:
     """Time (s) at which the upper flex joint reaches an angle; infinite where it never does."""
     return Found(first_crossing(abs(_along(runs)["ufj_angle"]), np.deg2rad(degrees)))
-
-
-def riser_force(runs: xr.Dataset, time: float) -> Found:
-    """Force of the riser on the platform (MN) at a time."""
-    return Found(
-        _along(runs)["riser_force_x"].interp(time=time, assume_sorted=True).drop_vars("time") / 1e6
-    )
 
 
 # Fig 4
@@ -95,13 +88,13 @@ def inhibits_overall(runs: xr.Dataset) -> Found:
 
 
 def ufj_first(runs: xr.Dataset) -> Found:
-    """The upper flex joint is the first to reach its limit; value: largest share of another then."""
+    """Where the upper flex joint reaches its limit it is the first; value: largest share of another then."""
     run = _along(runs)
     times = reached(run)
     others = times.sel(limit=[name for name in LIMITS if name != "upper flex joint"])
     first = times.sel(limit="upper flex joint", drop=True)
     used = at_time(shares(run), first).sel(limit=others["limit"]).max("limit")
-    return Found(used, (first < np.inf) & (first < others.min("limit")))
+    return Found(used, first < others.min("limit"), first < np.inf)
 
 
 def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
@@ -115,26 +108,49 @@ def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
 
 def slow_below(runs: xr.Dataset, later: float) -> Found:
     """What is at the bottom begins to respond later than the upper joint; value: least delay (s)."""
-    starts = _starts(runs)
-    delay = starts.sel(limit=list(SLOW)).min("limit") - starts.sel(
+    begins = starts(_along(runs))
+    delay = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(
         limit="upper flex joint", drop=True
     )
     return Found(_finite(delay, runs), delay >= later)
 
 
+def bottom_moves_later(runs: xr.Dataset, later: float) -> Found:
+    """A tenth up from its foot the riser moves later than its top; value: by how much (s)."""
+    run = _along(runs)
+    top, low = (first_crossing(abs(run[n]), MOVED) for n in ("platform_surge", "low_displacement"))
+    return Found(_finite(low - top, runs), low - top >= later)
+
+
+def inertia_explains_the_lag(runs: xr.Dataset) -> Found:
+    """The riser's inertia takes more of the lag than its drag; value: its share of the lag.
+
+    What each adds to the lag is averaged over being added first and being added to the other.
+    """
+    lag = runs["lag"]
+    whole = lag.sel(riser_inertia="with", riser_drag="with") - lag.sel(
+        riser_inertia="without", riser_drag="without"
+    )
+    adds = lag.sel(riser_inertia="with") - lag.sel(riser_inertia="without")
+    share = adds.mean("riser_drag") / whole
+    return Found(share.reset_coords(drop=True), (share > 0.5).reset_coords(drop=True))
+
+
 def stroke_responds_fast(runs: xr.Dataset, times: float) -> Found:
     """At 50 s the stroke has used more of its limit than all at the bottom; value: how many times."""
     used = shares(_along(runs)).interp(time=50.0, assume_sorted=True).drop_vars("time")
-    ratio = used.sel(limit="telescopic joint", drop=True) / used.sel(limit=list(SLOW)).max("limit")
+    ratio = used.sel(limit="telescopic joint", drop=True) / used.sel(limit=list(BOTTOM)).max(
+        "limit"
+    )
     return Found(ratio, ratio >= times)
 
 
 def stroke_begins_with_the_ufj(runs: xr.Dataset) -> Found:
     """The stroke begins nearer to the upper joint than to what is at the bottom; value: its delay (s)."""
-    starts = _starts(runs)
-    first = starts.sel(limit="upper flex joint", drop=True)
-    stroke = starts.sel(limit="telescopic joint", drop=True)
-    slow = starts.sel(limit=list(SLOW)).min("limit")
+    begins = starts(_along(runs))
+    first = begins.sel(limit="upper flex joint", drop=True)
+    stroke = begins.sel(limit="telescopic joint", drop=True)
+    slow = begins.sel(limit=list(BOTTOM)).min("limit")
     return Found(_finite(stroke - first, runs), stroke - first < slow - stroke)
 
 
@@ -147,12 +163,6 @@ def environment_helps_or_opposes(runs: xr.Dataset) -> Found:
     work = start["thrust_x"] * start["environment_force_x"]
     value = _against(start["environment_force_x"]) / 1e6
     return Found(value, (_along(work) > 0.0) & (_against(work) < 0.0))
-
-
-def deadline_along_is_safe(runs: xr.Dataset) -> Found:
-    """The deadline found along holds against as well; value: time of the first limit against (s)."""
-    times = reached(runs).min("limit")
-    return Found(_finite(_against(times), runs), _along(times) <= _against(times))
 
 
 def _along(runs: Any) -> Any:
@@ -174,12 +184,6 @@ def _by_arrival(runs: xr.Dataset, heading: str) -> xr.DataArray:
     return before
 
 
-def _starts(runs: xr.Dataset) -> xr.DataArray:
-    """When each quantity along has changed by a small share of its limit."""
-    used = shares(_along(runs))
-    return first_crossing(abs(used - used.isel(time=0, drop=True)), START)
-
-
 def _finite(value: xr.DataArray, runs: xr.Dataset) -> xr.DataArray:
     """Never told as the end of the record."""
     return value.where(np.isfinite(value), float(runs["time"][-1]))
@@ -195,7 +199,8 @@ def facts(base: xr.Dataset, losses: xr.Dataset) -> dict[str, Any]:
     fifty = _along(base).interp(time=50.0)
     printed, exact = (float(fifty[f"riser_{name}_x"]) / 1e6 for name in ("force", "reaction"))
     chord = np.hypot(float(fifty["platform_surge"]), 1327.0) - 1327.0
-    drift = losses["limit_time"].sel(loss="drift-off")
+    lost = losses.sel(loss="drift-off").dropna("time", how="all")
+    drift = lost["limit_time"]
     return {
         "along": float(_along(times).min("limit")),
         "against": float(_against(times).min("limit")),
@@ -210,12 +215,17 @@ def facts(base: xr.Dataset, losses: xr.Dataset) -> dict[str, Any]:
         "thrust": float(abs(base["thrust_x"]).max() / 1e6),
         "printed": printed,
         "exact": exact,
+        "implied": float(-TENSION * np.sin(LIMITS["upper flex joint"].most) / 1e6),
         "overshoot": float(_along(base)["platform_surge"].max()),
-        "lower": float(shares(fifty).sel(limit=list(SLOW)).max()),
+        "lower": float(shares(fifty).sel(limit=list(BOTTOM)).max()),
+        "riser_stress": float(fifty["riser_stress"]) / 1e6,
         "drift_stroke": float(drift.sel(limit="telescopic joint")),
-        "drift_lower": float(drift.sel(limit="lower flex joint")),
+        "drift_conductor": float(drift.sel(limit="conductor")),
+        "drift_riser": float(first_crossing(lost["riser_stress"], STRENGTH)),
+        "drift_tension": float(lost["riser_tension"].max() / 1e6),
+        "drift_lower": float(lost["limit_share"].sel(limit="lower flex joint").max()),
         "drift_upper": float(
             np.rad2deg(LIMITS["upper flex joint"].most)
-            * losses["limit_share"].sel(loss="drift-off", limit="upper flex joint").max()
+            * lost["limit_share"].sel(limit="upper flex joint").max()
         ),
     }

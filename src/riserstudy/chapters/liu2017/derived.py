@@ -14,20 +14,24 @@ import xarray as xr
 
 from riserstudy.chapters.liu2017.crossing import first_crossing
 from riserstudy.chapters.liu2017.limits import (
+    BOTTOM,
     LIMITS,
     MEANINGS,
     at_time,
     first_limit,
     reached,
     shares,
+    starts,
     watch_circle,
 )
 from riserstudy.dataset.describe import described
 from riserstudy.scene.units import to_si
 
 PAPER = "liu2017"
+BEGUN = (0.02, 0.03, 0.05, 0.07, 0.1)  # shares of a limit
+FEW = 10  # stations: fewer are no riser
 ALONE = "_no_riser"
-WELLHEAD = 73.0  # m above the conductor's foot
+WELLHEAD, LOW = 73.0, 218.0  # m above the conductor's foot: the wellhead, a tenth up the riser
 OF_THE_PLATFORM = ("platform_surge", "platform_speed_x", "thrust_x", "environment_force_x")
 OF_THE_RISER = ("riser_reaction_x", "ufj_angle", "lfj_angle", "stroke")
 DEADLINE = 50.0  # s, the printed number
@@ -89,7 +93,29 @@ def measured(run: xr.Dataset) -> xr.Dataset:
     found["conductor_stress"] = run["largest_stress"]
     moment = run["bending_moment"]
     found["wellhead_moment"] = moment.sel(s=WELLHEAD, method="nearest", drop=True)
+    if "x" in run and run.sizes["s"] > 1:
+        low = run["x"].sel(s=LOW, method="nearest", drop=True)
+        found["low_displacement"] = low - low.isel(time=0, drop=True)
+    if "effective_tension" in run and run.sizes["s"] > FEW:
+        found["riser_stress"] = riser_stress(run)
     return found
+
+
+def riser_stress(run: xr.Dataset) -> xr.DataArray:
+    """Largest stress (Pa) at the outer fibre of the riser, from a run that has all its nodes.
+
+    The sixth limit that the paper names, 386 MPa; tension over the wall and moment over its section modulus.
+    """
+    riser = json.loads(run.attrs["scene"])["riser"]
+    below = sum(to_si(section["length"], "m") for section in riser[:2])
+    pipe = run.sel(s=slice(below, below + to_si(riser[2]["length"], "m")))
+    outer, inner = (to_si(riser[2][f"{side}_diameter"], "m") for side in ("outer", "inner"))
+    area = 0.25 * math.pi * (outer**2 - inner**2)
+    fibre = 32.0 * outer / (math.pi * (outer**4 - inner**4))
+    stress: xr.DataArray = abs(pipe["effective_tension"]) / area + fibre * abs(
+        pipe["bending_moment"]
+    )
+    return stress.max("s")
 
 
 def calibration(fits: xr.Dataset) -> xr.Dataset:
@@ -98,10 +124,16 @@ def calibration(fits: xr.Dataset) -> xr.Dataset:
     found = xr.Dataset(
         {
             "ufj_angle": angle.interp(time=DEADLINE).drop_vars("time"),
+            "largest_ufj_angle": angle.sel(time=slice(0.0, DEADLINE)).max("time"),
             "ufj_limit_time": first_crossing(angle, LIMITS["upper flex joint"].most),
         }
     )
-    return described(found, PAPER, "fits to the one printed number")
+    vessel = json.loads(fits.attrs["scene"])["vessel"]
+    fit = {
+        "gain": to_si(vessel["thrusters"]["gain"], "kN/m"),
+        "hull_drag": to_si(vessel["hull_drag"], "kN*s^2/m^2"),
+    }
+    return described(found, PAPER, "fits to the one printed number").assign_attrs(fit)
 
 
 # limits
@@ -140,6 +172,18 @@ def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr
     return found
 
 
+def lag(late: xr.Dataset) -> xr.Dataset:
+    """How much later than the upper flex joint the bottom responds, with and without inertia and drag.
+
+    Over the share of its limit by which a quantity counts as having begun to respond.
+    """
+    found = measured(late)
+    begins = xr.concat([starts(found, share) for share in BEGUN], xr.Variable("begun", list(BEGUN)))
+    bottom = begins.sel(limit=list(BOTTOM)).min("limit")
+    found["lag"] = bottom - begins.sel(limit="upper flex joint", drop=True)
+    return described(found, PAPER, "what makes the bottom respond late")
+
+
 def losses(ref_0: xr.Dataset, drift: xr.Dataset) -> xr.Dataset:
     """Shares of the limits over time in a drive-off and in a drift-off, and when they are reached."""
     parts = []
@@ -148,6 +192,8 @@ def losses(ref_0: xr.Dataset, drift: xr.Dataset) -> xr.Dataset:
         part = xr.Dataset({"limit_share": shares(found), "platform_surge": found["platform_surge"]})
         part["riser_force_x"] = found["riser_force_x"]
         part["limit_time"] = reached(found)
+        part["riser_stress"] = found["riser_stress"]
+        part["riser_tension"] = top_tension(run)
         parts.append(part.assign_coords(loss=name))
     joined = xr.concat(parts, "loss", join="outer", coords="minimal", compat="override")
     return described(joined, PAPER, "drive-off and drift-off")
@@ -161,7 +207,7 @@ def envelope(offsets: xr.Dataset) -> xr.Dataset:
 
 
 def _at_rest(rest: xr.Dataset) -> xr.Dataset:
-    """Angles, stroke, stress and moment of risers at rest, from their shapes and moments."""
+    """Angles, stroke (from still water on), stress and moment of risers at rest, from shapes and moments."""
     scene = json.loads(rest.attrs["scene"])
     riser, joint = scene["riser"], scene["top"]["telescopic_joint"]
     x, z, moment = rest["x_static"], rest["z_static"], rest["bending_moment_static"]
@@ -180,14 +226,20 @@ def _at_rest(rest: xr.Dataset) -> xr.Dataset:
         {
             "ufj_angle": np.arctan2(across, up) + bend,
             "lfj_angle": moment.sel(s_node=foot, method="nearest", drop=True) / stiffness,
-            "stroke": length - length.sel(offset=0.0),
+            "stroke": length - length.sel(offset=0.0, surface_speed=0.0, drop=True),
             "conductor_stress": stress.where(conductor).max("s_node"),
             "wellhead_moment": moment.sel(s_node=WELLHEAD, method="nearest", drop=True),
         }
     )
 
 
-def top_tension(run: xr.Dataset) -> float:
-    """The constant tension (N)."""
-    top: dict[str, Any] = json.loads(run.attrs["scene"])["top"]
-    return to_si(top["telescopic_joint"]["tension"], "N")
+def top_tension(run: xr.Dataset) -> xr.DataArray:
+    """Tension (N) along the telescopic joint; not a number at its stroke's end in runs with few stations.
+
+    It is constant before, and then the riser's own pull comes in.
+    """
+    if "effective_tension" in run and run.sizes["s"] > FEW:
+        return run["effective_tension"].isel(s=-1, drop=True)
+    joint: dict[str, Any] = json.loads(run.attrs["scene"])["top"]["telescopic_joint"]
+    constant = xr.full_like(run["stroke"], to_si(joint["tension"], "N"))
+    return constant.where(run["stroke"] < LIMITS["telescopic joint"].most)

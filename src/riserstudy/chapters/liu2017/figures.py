@@ -9,11 +9,13 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.chapters.liu2017.crossing import first_crossing
 from riserstudy.chapters.liu2017.limits import LIMITS, TOO_LATE, shares
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, WIDTH, key_below, panels
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
 HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
@@ -21,10 +23,17 @@ TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
 TIME, SURGE = "time (s)", "surge of the platform (m)"
 SHOWN = 100.0  # s
 DEGREES = 180.0 / np.pi
+PASSED = 0.25  # deg, by which an angle is past its largest
 AS_ONE = "as one"  # of platform and riser
 LEAST = 1e-8  # difference that is shown (m, deg)
 DEADLINE, UFJ_LIMIT = 50.0, 12.0  # s and degrees; config/published/liu2017.yaml, N1
+viridis = colormaps["viridis"]
 FORCE_AT_LIMIT = -3.02 * np.sin(np.deg2rad(UFJ_LIMIT))  # MN, which Fig 6 implies
+
+
+def says(figure: Figure, what: str) -> None:
+    """What a figure shows, above it."""
+    figure.suptitle(what, fontsize="medium")
 
 
 def fig04(driveoff: xr.Dataset) -> Figure:
@@ -40,9 +49,14 @@ def fig04(driveoff: xr.Dataset) -> Figure:
                     run["time"], run["platform_surge"], line, color=colour, label=text
                 )
                 axes[2 + column].plot(run["time"], run["platform_speed_x"], line, color=colour)
-        axes[column].axhline(100.0, color=GREY, linewidth=0.9)
+        axes[column].axhline(100.0, color=GREY, linewidth=0.9, label="printed: false position")
         axes[column].set_title(title, loc="right", fontsize="small")
         axes[2 + column].set_xlabel(TIME)
+    first, later = (
+        float(first_crossing(driveoff["platform_surge"].sel(case=f"ref_{h}"), 100.0))
+        for h in HEADINGS
+    )
+    says(figure, f"100 m are reached after {first:.0f} s along, {later:.0f} s against (a)")
     axes[0].set_ylabel(SURGE)
     axes[2].set_ylabel("speed of the platform (m/s)")
     key_below(figure, axes[0], 4)
@@ -57,11 +71,12 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
     ):
         rest = run.isel(time=0)
         ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="at rest")
-        for colour, time in zip(COLOURS, TIMES, strict=False):
+        for colour, time in zip(viridis(np.linspace(0.0, 0.9, len(TIMES))), TIMES, strict=True):
             shape = run.sel(time=time)
             ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
         ax.set_xlabel("lateral displacement (m)")
         ax.set_title(label, loc="right", fontsize="small")
+    says(figure, "The top is drawn away while the bottom stands: after 20 s it has hardly moved")
     axes[0].set_ylabel("elevation above the wellhead (m)")
     axes[1].legend(fontsize="small", loc="lower left")
     return figure
@@ -77,9 +92,19 @@ def fig06(driveoff: xr.Dataset) -> Figure:
             printed, exact = run["riser_force_x"] / 1e6, run["riser_reaction_x"] / 1e6
             ax.plot(run["time"], printed, color=colour, label=f"{label}, T sin θ as printed")
             ax.plot(run["time"], exact, ":", color=colour, label=f"{label}, exact reaction")
-        ax.axhline(FORCE_AT_LIMIT, label="T sin 12°", **PRINTED)
+        ax.plot(
+            [DEADLINE],
+            [FORCE_AT_LIMIT],
+            "o",
+            color="black",
+            label="implied by print, at 0°: T sin 12° at 50 s",
+        )
+        ax.axhline(0.0, color=GREY, linewidth=0.9)
         ax.set_xlabel(TIME)
         ax.set_title(title, loc="right", fontsize="small")
+    drives = driveoff["riser_force_x"].sel(case="ref_0")
+    until = float(first_crossing(-drives, 0.0))
+    says(figure, f"The riser drives (+) for the first {until:.0f} s at 0°, and never at 180°")
     axes[0].set_ylabel("force of the riser on the platform (MN)")
     key_below(figure, axes[0], 3)
     return figure
@@ -92,8 +117,11 @@ def fig07(driveoff: xr.Dataset) -> Figure:
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
         used = shares(shown.sel(case=f"{kind}_0"))
         _limits(ax, used)
+        stress = shown["riser_stress"].sel(case=f"{kind}_0") / LIMITS["conductor"].most
+        ax.plot(stress["time"], stress, color=COLOURS[5], label="riser, 386 MPa too (assumed)")
         ax.plot([DEADLINE], [1.0], "o", color="black", label="printed: 12° at 50 s")
         ax.set_title(title, loc="right", fontsize="small")
+    says(figure, "The upper flex joint comes first; what is at the bottom starts 20 s late")
     axes[0].set_ylabel("share of the limit that is used (-)")
     key_below(figure, axes[0], 3)
     return figure
@@ -106,9 +134,18 @@ def losses(losses: xr.Dataset) -> Figure:
     """Shares of the limits in a drive-off and in a drift-off."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
     for ax, loss in zip(axes, ("drive-off", "drift-off"), strict=True):
-        run = losses["limit_share"].sel(loss=loss).dropna("time", how="all")
-        _limits(ax, run.sel(time=slice(0.0, 150.0 if loss == "drive-off" else 400.0)))
+        run = losses.sel(loss=loss).dropna("time", how="all")
+        _limits(ax, run["limit_share"])
+        end = float(run["limit_time"].sel(limit="telescopic joint"))
+        ax.axvline(end, color=GREY, linestyle=":", label="telescopic joint at its end")
         ax.set_title(loss, loc="right", fontsize="small")
+        ax.set_ylim(0.0, 1.6)
+    lost = losses["limit_time"].sel(loss="drift-off")
+    end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
+    says(
+        figure,
+        f"In a drift-off the stroke ends after {end:.0f} s; the conductor follows in {stress - end:.0f} s",
+    )
     axes[0].set_ylabel("share of the limit that is used (-)")
     key_below(figure, axes[0], 3)
     return figure
@@ -117,52 +154,81 @@ def losses(losses: xr.Dataset) -> Figure:
 def _limits(ax: Axes, used: xr.DataArray) -> None:
     for colour, name in zip(COLOURS, LIMITS, strict=False):
         ax.plot(used["time"], used.sel(limit=name), color=colour, label=name)
-    ax.axhline(1.0, **PRINTED)
+    ax.axhline(1.0, label="limit (printed)", **PRINTED)
     ax.set_xlabel(TIME)
 
 
 def disconnect(disconnect: xr.Dataset) -> Figure:
     """When limits are reached, and where the alarm must be, by angle to the environment."""
     scenarios = disconnect["scenario"].values
-    figure, axes = panels(2, len(scenarios), 3.4, sharex=True)
+    figure = Figure((1.6 * WIDTH, 7.6), dpi=150, layout="constrained")
+    count = len(scenarios)
     for column, scenario in enumerate(scenarios):
         run = disconnect.sel(scenario=scenario)
-        times, circles = axes[column], axes[len(scenarios) + column]
+        times = figure.add_subplot(2, count, column + 1)
+        circles: Any = figure.add_subplot(2, count, count + column + 1, projection="polar")
         _limit_times(times, run)
         _circles(circles, run)
+        for ax, letter in ((times, "abc"[column]), (circles, "def"[column])):
+            ax.set_title(f"({letter})", loc="left", fontsize="medium")
         times.set_title(str(scenario), loc="right", fontsize="small")
-        circles.set_xlabel("environment to hull (deg)")
-        circles.set_xticks(range(0, 181, 45))
-    axes[0].set_ylabel("limit reached after (s)")
-    axes[len(scenarios)].set_ylabel("red watch circle (m)")
-    for ax, word in (
-        (axes[0], "limits; without a line: not reached"),
-        (axes[len(scenarios)], "time to disconnect; cross: too late"),
-    ):
-        ax.set_ylim(top=ax.get_ylim()[1] + 0.7 * (ax.get_ylim()[1] - ax.get_ylim()[0]))
-        ax.legend(fontsize="small", loc="upper left", title=word, title_fontsize="small", ncols=2)
+        times.set_xlabel("environment to hull (deg)")
+        times.set_xticks(range(0, 181, 45))
+        times.set_ylim(0.0, 1.05 * float(disconnect["limit_time"].where(np.isfinite).max()))
+        circles.set_rmax(1.05 * float(disconnect["red_circle_radius"].max()))
+        circles.set_rticks([50.0, 100.0, 150.0])
+    first, second = figure.axes[0], figure.axes[1]
+    first.set_ylabel("limit reached after (s)")
+    second.set_ylabel("red watch circle (m)", labelpad=28)
+    first.legend(
+        fontsize="small", loc="upper left", title="no line: not reached", title_fontsize="small"
+    )
+    key_below(figure, second, len(disconnect["eds_time"]))
+    longest = float(disconnect["eds_time"][-1])
+    late = (disconnect["red_circle_outcome"].sel(eds_time=longest) == TOO_LATE).mean(
+        "environment_heading"
+    )
+    says(
+        figure,
+        f"In a drive-off a disconnect of {longest:.0f} s comes too late in "
+        f"{100 * float(late[0]):.0f} % of the directions; a drift-off leaves time",
+    )
     return figure
 
 
 def _limit_times(ax: Axes, run: xr.Dataset) -> None:
+    ax.grid(True, color="0.9", linewidth=0.6)
     for colour, name in zip(COLOURS, LIMITS, strict=False):
         times = run["limit_time"].sel(limit=name)
         shown = times.where(np.isfinite(times))
         ax.plot(run["environment_heading"], shown, ".-", color=colour, label=name)
 
 
-def _circles(ax: Axes, run: xr.Dataset) -> None:
+def _circles(ax: Any, run: xr.Dataset) -> None:
+    """Radius over the environment's angle to the hull, which drives off upwards; either side is alike."""
+    ax.set_theta_zero_location("N")
     sizes = np.linspace(
         9.0, 3.0, run.sizes["eds_time"]
     )  # marks at one place show around each other
+    angle = np.deg2rad(run["environment_heading"].values)
+    turn = np.concatenate([angle, 2.0 * np.pi - angle[::-1]])
     for colour, size, eds in zip(COLOURS, sizes, run["eds_time"].values, strict=False):
         circle = run.sel(eds_time=eds)
-        radius = circle["red_circle_radius"]
-        late = circle["red_circle_outcome"] == TOO_LATE
-        heading = run["environment_heading"]
+        half = circle["red_circle_radius"].values
+        late = circle["red_circle_outcome"].values == TOO_LATE
+        radius, late = (np.concatenate([part, part[::-1]]) for part in (half, late))
         style: dict[str, Any] = {"color": colour, "ms": size, "mew": 1.0, "mfc": "none"}
-        ax.plot(heading, radius.where(~late), "o-", label=f"{eds:g} s", lw=1.0, **style)
-        ax.plot(heading, radius.where(late), "x", **style)
+        label = f"disconnect takes {eds:g} s"
+        ax.plot(turn, np.where(late, np.nan, radius), "o-", label=label, lw=1.0, **style)
+        ax.plot(turn, np.where(late, radius, np.nan), "x", **style)
+    ax.text(
+        0.5,
+        -0.16,
+        "cross at the centre: too late",
+        transform=ax.transAxes,
+        ha="center",
+        fontsize="small",
+    )
 
 
 def envelope(envelope: xr.Dataset) -> Figure:
@@ -180,30 +246,41 @@ def envelope(envelope: xr.Dataset) -> Figure:
     ax.set_xlabel("current at the surface, + away from the well (m/s)")
     ax.set_ylabel("offset at rest (m)")
     ax.set_ylim(bottom=0.0)
+    still = envelope["limit_offset"].sel(surface_speed=0.0)
+    end, then = (float(still.sel(limit=name)) for name in ("telescopic joint", "conductor"))
+    says(
+        figure,
+        f"At rest the stroke ends {end:.0f} m away; the conductor follows {then - end:.0f} m further",
+    )
     key_below(figure, ax, 3)
     return figure
 
 
 def calibration(calibration: xr.Dataset) -> Figure:
-    """Gains and hull drags that meet the printed number, for three weights of the riser."""
+    """Gains and hull drags that meet the printed number, for three weights of the riser.
+
+    While the angle still rises then, its largest value so far is reached for the first time.
+    """
     figure, (ax,) = panels(height=3.8)
     handles = []
     for colour, weight in zip(COLOURS, calibration["riser_weight"].values, strict=False):
-        first = calibration["ufj_limit_time"].sel(riser_weight=weight)
-        shown = first.transpose("hull_drag", "gain").where(np.isfinite(first))  # never: no number
-        ax.contour(shown["gain"], shown["hull_drag"], shown, levels=[DEADLINE], colors=[colour])
+        run = calibration.sel(riser_weight=weight).transpose("hull_drag", "gain") * DEGREES
+        largest = run["largest_ufj_angle"]
+        now = run["ufj_angle"].values
+        style: dict[str, Any] = {"levels": [UFJ_LIMIT], "colors": [colour]}
+        where = run["gain"], run["hull_drag"]
+        ax.contour(*where, largest.where(largest - now < PASSED), **style)
         handles += ax.plot([], [], color=colour, label=f"riser's weight in water: {weight}")
-    handles += ax.plot([65.1], [250.0], "o", color="black", label="fit that is used")
-    reached = (calibration["ufj_limit_time"] < np.inf).any("riser_weight")
-    for axis, other, limit in (
-        ("gain", "hull_drag", ax.set_xlim),
-        ("hull_drag", "gain", ax.set_ylim),
-    ):
-        along = calibration[axis].values[reached.any(other).values]
-        limit(along.min(), along.max())
+    fit = [calibration.attrs["gain"]], [calibration.attrs["hull_drag"]]
+    handles += ax.plot(*fit, "o", color="black", label="fit that is used, with the wave")
     ax.set_xlabel("thrusters' gain (kN/m)")
     ax.set_ylabel("hull drag (kN s²/m²)")
-    ax.set_title(f"lines: 12° first reached at {DEADLINE:g} s", loc="right", fontsize="small")
+    ax.set_xlim(float(calibration["gain"].min()), 110.0)
+    ax.set_ylim(float(calibration["hull_drag"].min()), 600.0)
+    says(
+        figure,
+        f"One printed number, many fits: on each line 12° are first reached at {DEADLINE:g} s",
+    )
     ax.legend(handles=handles, fontsize="small", loc="upper left")
     return figure
 
@@ -230,6 +307,10 @@ def coupling(coupling: xr.Dataset) -> Figure:
     axes[2].invert_yaxis()
     axes[2].set_xlabel("cost over that as one (-)")
     axes[2].set_title("bars: iterations, dots: time", loc="right", fontsize="small")
+    says(
+        figure,
+        "Exchanged every second, platform and riser stay within a metre of the joint solution",
+    )
     key_below(figure, axes[0], len(ways))
     return figure
 
@@ -250,8 +331,12 @@ def open_choices(open_drive_off: xr.Dataset) -> Figure:
         reached = times.values[np.isfinite(times.values)]
         text = f"{label}, reached in {100 * len(reached) / times.size:.0f} %"
         axes[1].hist(reached, bins, color=colour, alpha=0.5, label=text)
-    axes[0].plot([DEADLINE], [UFJ_LIMIT], "o", color="black", label="printed")
-    axes[1].axvline(DEADLINE, label="printed", **PRINTED)
+    axes[0].plot([DEADLINE], [UFJ_LIMIT], "o", color="black", label="printed, at 0°")
+    axes[1].axvline(DEADLINE, label="printed, at 0°", **PRINTED)
+    says(
+        figure,
+        "What the paper leaves open spreads the upper flex joint by degrees; many samples never reach 12°",
+    )
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint (deg)")
     axes[1].set_xlabel("upper flex joint at 12° after (s)")

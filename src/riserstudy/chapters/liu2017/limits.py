@@ -1,6 +1,7 @@
 """Limits of a connected riser (Liu et al. 2017, section 3), and how much of each is used.
 
-The paper names six limits and gives five values; the riser's own strength is left out.
+The paper names six limits and gives five values; the riser's own strength, if it is the conductor's, is told
+apart.
 """
 
 from __future__ import annotations
@@ -29,6 +30,12 @@ LIMITS = {
 }
 
 
+#: what is at the bottom
+BOTTOM = ("lower flex joint", "conductor", "wellhead")
+#: share of a limit by which a quantity has begun to respond: more than the wave moves the upper flex joint by
+START = 0.05
+
+
 def shares(runs: xr.Dataset) -> xr.DataArray:
     """Share of each limit that is used, over ``limit`` and the dimensions of the runs."""
     used = [abs(runs[limit.variable]) / limit.most for limit in LIMITS.values()]
@@ -39,6 +46,14 @@ def shares(runs: xr.Dataset) -> xr.DataArray:
 def reached(runs: xr.Dataset) -> xr.DataArray:
     """Time (s) at which each limit is reached, infinite if never."""
     return first_crossing(shares(runs), 1.0)
+
+
+def starts(runs: xr.Dataset, share: float = START) -> xr.DataArray:
+    """When each quantity has changed by a share of its limit since the start (s), infinite if never."""
+    changes = [runs[limit.variable] / limit.most for limit in LIMITS.values()]
+    labels = xr.DataArray(list(LIMITS), dims="limit", name="limit")
+    used = xr.concat(changes, labels, coords="minimal", compat="override")
+    return first_crossing(abs(used - used.isel(time=0, drop=True)), share)
 
 
 def first_limit(times: xr.DataArray) -> xr.DataArray:

@@ -1,7 +1,7 @@
 """Static displacement of a riser in a current by methods that share nothing with the engine.
 
-Both solve the small-slope beam (EI u'')'' - (T u')' = c |U| U, pinned at both ends, with the tension of
-the straight riser and the current of the undeformed one.
+Both solve the small-slope beam (EI u'')'' - (T u')' = c |U| U, pinned above and pinned or on a spring
+below, with the tension of the straight riser and the current of the undeformed one.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
 
 from riserstudy.model.sea import current_table
+from riserstudy.scene.ends import FlexJoint
 from riserstudy.scene.models import Scene
 
 FloatArray = NDArray[np.float64]
@@ -30,6 +31,7 @@ class Beamlike(NamedTuple):
     drag: float  # N s2/m3
     elevation: FloatArray  # m above the bottom, of the current's table
     speed: FloatArray  # m/s
+    spring: float = 0.0  # N m/rad, that turns the lower end back
 
     def current(self, s: FloatArray) -> FloatArray:
         """Speed of the water at arclengths (m/s)."""
@@ -46,6 +48,7 @@ def beamlike(scene: Scene) -> Beamlike:
     if not (scene.top.tension and scene.current and scene.water and pipe.drag):
         raise TypeError("a beam in a current needs top tension, current and drag")
     outer, inner = pipe.outer_diameter or 0.0, pipe.inner_diameter or 0.0
+    rotation = scene.bottom.rotation
     z, speed = current_table(scene.current, scene.water)
     return Beamlike(
         pipe.total_length,
@@ -55,13 +58,14 @@ def beamlike(scene: Scene) -> Beamlike:
         0.5 * scene.water.density * pipe.drag.constant * pipe.drag.diameter,
         z - (scene.bottom.elevation or 0.0),
         speed,
+        rotation.stiffness if isinstance(rotation, FlexJoint) else 0.0,
     )
 
 
 def by_hermite_elements(beam: Beamlike, at: FloatArray) -> FloatArray:
     """Displacement (m) at arclengths by cubic finite elements."""
     # Brings compiled kernels with it, for which other derived datasets need not wait.
-    from riserstudy.solve.hermite import Beam, statics
+    from riserstudy.solve.hermite import Beam, End, statics
 
     s = np.linspace(0.0, beam.length, ELEMENTS + 1)
     pull = beam.pull(s)
@@ -76,6 +80,7 @@ def by_hermite_elements(beam: Beamlike, at: FloatArray) -> FloatArray:
             drag=beam.drag * whole,
             load=np.zeros((ELEMENTS, 2)),
             current=beam.current,
+            bottom=End(rotation_stiffness=beam.spring),
         )
     )
     return np.interp(at, s, np.asarray(found.displacement))
@@ -87,6 +92,7 @@ def by_collocation(beam: Beamlike, at: FloatArray) -> FloatArray:
     Unknowns over x = s / L: u/L, slope, M L / EI, Q L^2 / EI with Q the force across the undeformed riser.
     """
     scale = beam.length**2 / beam.stiffness
+    turning = beam.spring * beam.length / beam.stiffness  # M = K u' at the lower end
 
     def slopes(x: FloatArray, y: FloatArray) -> FloatArray:
         s = beam.length * x
@@ -98,7 +104,7 @@ def by_collocation(beam: Beamlike, at: FloatArray) -> FloatArray:
         )
 
     def ends(low: FloatArray, high: FloatArray) -> FloatArray:
-        return np.array([low[0], low[2], high[0], high[2]])
+        return np.array([low[0], low[2] - turning * low[1], high[0], high[2]])
 
     x = np.linspace(0.0, 1.0, 401)
     found = solve_bvp(slopes, ends, x, np.zeros((4, x.size)), tol=1e-6, max_nodes=20000)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import xarray as xr
 
 from riserstudy.chapters.mao_hangoff.towed import displacement
@@ -25,6 +27,11 @@ def largest(runs: xr.Dataset) -> xr.DataArray:
     return moments(runs).max("s")
 
 
+def as_drawn(values: Any) -> Any:
+    """Runs or values in the profile that Figs 11 and 12 draw first, where it is varied."""
+    return values.isel(current_profile=0, drop=True) if "current_profile" in values.dims else values
+
+
 def with_printed_lmrp(values: xr.DataArray) -> xr.DataArray:
     """Values with the printed LMRP mass, where it is varied."""
     return values.sel(lmrp_mass=140.0, drop=True) if "lmrp_mass" in values.dims else values
@@ -42,6 +49,8 @@ def last_over_first(values: xr.DataArray, axis: str) -> xr.DataArray:
 
 def at_angle(runs: xr.DataArray, angle: float) -> xr.DataArray:
     """Values at an angle of the track (deg), over the speed of the current (m/s)."""
+    if "track_angle" in runs.dims:
+        return runs.sel(track_angle=angle, drop=True)
     found = {}
     for label in runs["track"].values:
         degrees, _, speed = str(label).partition(" deg, ")

@@ -7,18 +7,30 @@ import xarray as xr
 
 from riserstudy.chapters.liu2020.second_methods import beamlike, by_collocation, by_hermite_elements
 from riserstudy.dataset.describe import described, sampled, scenes_of
+from riserstudy.model.sea import current_table
 
 PAPER = "liu2020"
 
 
-def current_profiles(check_riser: xr.Dataset) -> xr.Dataset:
-    """Speed of the current over its surface speed, over (current_profile, depth)."""
+def current_profiles(check_riser: xr.Dataset, statics_calibrated: xr.Dataset) -> xr.Dataset:
+    """Speed of the current over its surface speed, over (current_profile, depth).
+
+    The last two are those calibrated to the tensioners' horizontal force.
+    """
     length = float(check_riser["s_node"][-1])
     depth = xr.DataArray(np.linspace(0.0, length, 201), dims="depth", name="depth")
     shares = {}
     for place, scene in scenes_of(check_riser.isel(contents=[0])):
         speed = beamlike(scene).current(length - depth.values)
         shares[place["current_profile"]] = depth.copy(data=speed / speed[0])
+    surface = 1.0
+    tuned = statics_calibrated.sel(tensioner_model=["gas law"], surface_speed=[surface])
+    for place, scene in scenes_of(tuned):
+        if scene.current is None or scene.water is None:
+            raise TypeError("a scene without current")
+        level, speed = current_table(scene.current, scene.water)
+        fades = np.interp(scene.water.surface - depth.values, level, speed)
+        shares[f"calibrated: {place['calibration']}"] = depth.copy(data=fades / surface)
     names = xr.DataArray(list(shares), dims="current_profile", name="current_profile")
     table = xr.concat(shares.values(), names).assign_coords(depth=depth)
     return described(table.to_dataset(name="current_share"), PAPER, "current profiles (assumed)")

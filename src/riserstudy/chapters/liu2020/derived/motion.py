@@ -9,48 +9,75 @@ import numpy as np
 import xarray as xr
 from scipy.signal import welch
 
+from riserstudy.chapters.liu2020.below_ring import RING, at_depths, first_at, on_riser, ring_of
 from riserstudy.chapters.liu2020.periods import first_harmonic, half_swing, settling
 from riserstudy.dataset.describe import described, sampled, scenes_of
 from riserstudy.model.rao import operator
 from riserstudy.scene.models import Scene
-from riserstudy.scene.units import to_si
 
 PAPER = "liu2020"
-RING = 533.0  # m, arclength of the riser's top
 SURGE_PERIOD = 15.0  # s
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
-PERIODS = np.arange(3.0, 40.01, 0.1)  # s, of the responses drawn
-WITHOUT = ["constant", "vertical force at the ring", "riser's top on the platform"]
+PERIODS = np.arange(5.0, 30.01, 0.1)  # s, of the responses drawn, as in Figs 21 and 22
+ARRIVED = 0.05  # of the largest displacement at a depth, by which its motion counts as begun
 
 
 # surge
 
 
 def surge(surge_case: xr.Dataset) -> xr.Dataset:
-    """Amplitude and lag of the displacement at four depths, over (tensioner_model, depth)."""
-    depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
+    """Motion at four depths over (tensioner_model, depth), and when it begins."""
     riser = surge_case["x"].sel(s=surge_case["s"] <= RING + 1e-6)
-    x = riser.interp(s=RING - depth, method="cubic").assign_coords(depth=depth)
-    lag = lag_at(DEPTHS, riser, SURGE_PERIOD)
-    return described(
-        _moved(x.drop_vars("s"), lag), PAPER, "displacement under surge at four depths"
-    )
+    x = _between_nodes(riser)
+    found = _moved(x, lag_at(DEPTHS, riser, SURGE_PERIOD)).assign(arrival=first_at(x, ARRIVED))
+    return described(found, PAPER, "displacement under surge at four depths")
 
 
 def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open."""
-    x = surge_open["x"].assign_coords(depth=RING - surge_open["s"]).swap_dims(s="depth")
-    x = x.drop_vars("s").sortby("depth")
+    """The same for every sample of what the paper leaves open, once settled."""
+    x = at_depths(surge_open["x"], ring_of(surge_open), DEPTHS)
     found = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
     return described(found, PAPER, "displacement under surge over what the paper leaves open")
 
 
+def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
+    """When surge is first felt at four depths, for every sample of what the paper leaves open."""
+    return _arrivals(surge_start, "surge over what the paper leaves open")
+
+
+def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
+    """When roll is first felt at four depths."""
+    riser = roll_case["x"].sel(s=roll_case["s"] <= RING + 1e-6, time=slice(0.0, 60.0))
+    found = xr.Dataset({"arrival": first_at(_between_nodes(riser), ARRIVED)})
+    return described(found, PAPER, "when roll is first felt")
+
+
+def roll_arrival(roll_start: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of what the paper leaves open."""
+    return _arrivals(roll_start, "when roll is first felt, over what the paper leaves open")
+
+
+def _arrivals(runs: xr.Dataset, title: str) -> xr.Dataset:
+    x = at_depths(runs["x"], ring_of(runs), DEPTHS)
+    found = xr.Dataset({"arrival": first_at(x, ARRIVED)}).assign(sampled(runs))
+    return described(found, PAPER, title)
+
+
+def _between_nodes(riser: xr.DataArray) -> xr.DataArray:
+    depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
+    return riser.interp(s=RING - depth, method="cubic").assign_coords(depth=depth).drop_vars("s")
+
+
 def _moved(x: xr.DataArray, lag: xr.DataArray) -> xr.Dataset:
-    """Amplitude and lag behind the platform down the riser, and how settled the motion is."""
+    """Amplitude and lag behind the platform down the riser, how settled, and how far from the gas law's."""
+    last = x.sel(time=slice(float(x["time"][-1]) - SURGE_PERIOD, None))
+    law = last.sel(tensioner_model="gas law", drop=True)
+    over = ["time", "depth"]
     return xr.Dataset(
         {
             "displacement_amplitude": half_swing(x, SURGE_PERIOD),
             "displacement_lag": lag,
+            "displacement_apart": np.sqrt(((last - law) ** 2).mean(over) / (law**2).mean(over)),
             "settling": settling(x, SURGE_PERIOD),
         }
     )
@@ -92,48 +119,36 @@ def _lag(x: xr.DataArray, period: str | float, along: str) -> xr.DataArray:
 
 
 def roll(roll_runs: xr.Dataset) -> xr.Dataset:
-    """Largest bending moment over (roll_amplitude, roll_period), and how settled it is.
+    """Largest bending moment over (roll_amplitude, roll_period), and how settled it is."""
+    return _rolled(roll_runs, "largest bending moment under roll, centre of rotation calibrated")
 
-    Settled motion bends as far to one side as to the other.
-    """
-    high, low = _extremes(roll_runs)
-    found = _largest(roll_runs).to_dataset(name="max_bending_moment")
-    found["settling"] = abs(high + low) / (high - low)
-    made = described(
-        found, PAPER, "largest bending moment under roll, centre of rotation calibrated"
-    )
+
+def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
+    """The same about an assumed centre."""
+    return _rolled(roll_base, "largest bending moment under roll, centre of rotation assumed")
+
+
+def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of what the paper leaves open."""
+    return _rolled(roll_open, "roll over what the paper leaves open")
+
+
+def varied_roll(roll_variants: xr.Dataset) -> xr.Dataset:
+    """The same over (variant, roll_period)."""
+    return _rolled(roll_variants, "largest bending moment under roll, in variants of the riser")
+
+
+def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
+    """Largest moment on the curve; settled motion bends as far to one side as to the other."""
+    high = runs["bending_moment_max"].max("s_node")
+    low = runs["bending_moment_min"].min("s_node")
+    largest = runs["largest_bending_moment"]
+    found = xr.Dataset({"max_bending_moment": largest, "settling": abs(high + low) / (high - low)})
+    made = described(found.assign(sampled(runs)), PAPER, title)
     made["settling"].attrs["long_name"] = (
         "difference of largest and smallest moment over their sum, by size"
     )
     return made
-
-
-def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
-    """The same about an assumed centre, and the lag of the riser down its length."""
-    lag = lag_at(DEPTHS, roll_base["x"], "roll_period")
-    found = xr.Dataset({"max_bending_moment": _largest(roll_base), "displacement_lag": lag})
-    found["settling"] = settling(roll_base["x"], "roll_period")
-    return described(found, PAPER, "largest bending moment under roll, centre of rotation assumed")
-
-
-def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open, the lag at nodes near the four depths."""
-    x = roll_open["x"].assign_coords(depth=RING - roll_open["s"]).swap_dims(s="depth")
-    lag = _lag(x.drop_vars("s").sortby("depth"), "roll_period", "depth")
-    near = lag.sel(depth=list(DEPTHS), method="nearest")
-    found = xr.Dataset({"max_bending_moment": _largest(roll_open), "displacement_lag": near})
-    return described(
-        found.assign(sampled(roll_open)), PAPER, "roll over what the paper leaves open"
-    )
-
-
-def _largest(runs: xr.Dataset) -> xr.DataArray:
-    high, low = _extremes(runs)
-    return high.where(high > -low, -low)
-
-
-def _extremes(runs: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
-    return runs["bending_moment_max"].max("s_node"), runs["bending_moment_min"].min("s_node")
 
 
 # response in waves
@@ -170,13 +185,13 @@ def rao(rao_runs: xr.Dataset) -> xr.Dataset:
 
 
 def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open, each in waves of its own period."""
-    stress, periods = fibre_stress(rao_open), rao_open["assumed_platform_response_wave_period"]
-    swings = [
-        half_swing(stress.isel(sample=k), to_si(str(period), "s")).max(["s", "side"])
-        for k, period in enumerate(periods.values)
-    ]
-    found = _shared(xr.concat(swings, stress["sample"])).assign(sampled(rao_open))
+    """The same for every sample of what the paper leaves open."""
+    ring = ring_of(rao_open)
+    swings = []
+    for period in rao_open["wave_period"].values:  # one at a time, or histories fill the memory
+        stress = fibre_stress(rao_open.sel(wave_period=period), ring)
+        swings.append(half_swing(stress, float(period)).max(["s", "side"]))
+    found = _shared(xr.concat(swings, rao_open["wave_period"])).assign(sampled(rao_open))
     return described(found, PAPER, "stress amplitude by motion over what the paper leaves open")
 
 
@@ -191,14 +206,20 @@ def _shared(stress: xr.DataArray) -> xr.Dataset:
     return xr.Dataset({"stress_amplitude": stress, "stress_share": stress / stress.sum("motion")})
 
 
-def fibre_stress(runs: xr.Dataset) -> xr.DataArray:
-    """Stress along the riser of either outermost fibre, T/A + M D/(2 I) and T/A - M D/(2 I) (Pa)."""
+def fibre_stress(runs: xr.Dataset, ring: xr.DataArray | None = None) -> xr.DataArray:
+    """Stress along the riser of either outermost fibre, T/A + M D/(2 I) and T/A - M D/(2 I) (Pa).
+
+    Parameters
+    ----------
+    runs : with histories of tension and moment.
+    ring : arclength of the ring (m); absent: 533 m.
+    """
     _, scene = next(scenes_of(runs.isel({dim: [0] for dim in runs["point_key"].dims})))
     area, modulus = section(scene)
-    on_riser = runs.isel(s=(runs["s"] < RING + 1e-6).values)
-    bending = on_riser["bending_moment"].fillna(0.0) / modulus  # none under heave alone
+    up_to = xr.DataArray(RING) if ring is None else ring
+    bending = runs["bending_moment"].fillna(0.0) / modulus  # none under heave alone
     side = xr.DataArray([1.0, -1.0], dims="side")
-    return on_riser["effective_tension"] / area + side * bending
+    return on_riser(runs["effective_tension"], up_to) / area + side * bending
 
 
 def section(scene: Scene) -> tuple[float, float]:

@@ -6,11 +6,13 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from riserstudy.chapters.liu2020.below_ring import on_riser, ring_of
 from riserstudy.dataset.describe import described, sampled, scenes_of
 from riserstudy.scene.models import Scene
 
 PAPER = "liu2020"
-RING = 533.0  # m, arclength
+#: of which cylinders each calibration makes the printed force
+COUNTED = {"8765 N by all cylinders": "all cylinders", "8765 N by one cylinder": "one cylinder"}
 NEAR = 60.0  # m below the ring, what the text calls near the sea surface
 #: deg, of cylinders between ring and deck, all alike
 INCLINATIONS = (0.0, 2.0, 5.7, 9.5, 11.3, 12.8)
@@ -35,47 +37,62 @@ def dat_force(statics: xr.Dataset) -> xr.Dataset:
 
 
 def dat_force_calibrated(statics_calibrated: xr.Dataset) -> xr.Dataset:
-    """The same in the current that was tuned to the printed force at 1 m/s."""
-    force = _force(statics_calibrated).sel(counted="all cylinders", drop=True)
-    found = force.to_dataset(name="horizontal_force")
-    return described(found, PAPER, "force of the tensioners, current profile calibrated")
+    """The same in the currents tuned to the printed force at 1 m/s, of the cylinders that each counts."""
+    runs = statics_calibrated.sel(tensioner_model=["gas law"])
+    force = _force(runs).squeeze("tensioner_model", drop=True)
+    parts = [
+        force.sel(calibration=calibration, counted=counted, drop=True)
+        for calibration, counted in COUNTED.items()
+    ]
+    found = xr.concat(parts, statics_calibrated["calibration"].sel(calibration=list(COUNTED)))
+    return described(
+        found.to_dataset(name="horizontal_force"), PAPER, "force of the tensioners, calibrated"
+    )
+
+
+def statics_tuned(statics_calibrated: xr.Dataset) -> xr.Dataset:
+    """Displacement, moments and force in the calibrated currents, by model of the tensioners."""
+    found = _at_rest(statics_calibrated)
+    return described(found, PAPER, "displacement and moments at rest, current calibrated")
 
 
 def statics_readings(statics_open: xr.Dataset) -> xr.Dataset:
-    """Largest displacement and moments of every sample, over (sample, tensioner_model, surface_speed).
-
-    Moments are the largest within 60 m below the ring and the largest difference from the gas law's
-    further below.
-    """
-    moment = statics_open["bending_moment_static"]
-    at = moment["s_node"]
-    near = abs(moment.where((at > RING - NEAR) & (at < RING + 1e-6)))
-    deep = moment.where(at <= RING - NEAR)
-    other = abs(deep - deep.sel(tensioner_model="gas law")).max("s_node")
-    force = _force(statics_open.sel(tensioner_model=["gas law"]))
-    found = xr.Dataset(
-        {
-            "largest_displacement": abs(statics_open["x_static"]).max("s_node"),
-            "largest_moment": abs(moment.where(at < RING + 1e-6)).max("s_node"),
-            "moment_near_ring": near.max("s_node"),
-            "moment_apart_below": other,
-            "horizontal_force": force.squeeze("tensioner_model", drop=True),
-        }
-    ).assign(sampled(statics_open))
+    """The same of every sample, over (sample, tensioner_model, surface_speed)."""
+    found = _at_rest(statics_open).assign(sampled(statics_open))
     return described(
         found, PAPER, "displacement and moments at rest over what the paper leaves open"
+    )
+
+
+def _at_rest(runs: xr.Dataset) -> xr.Dataset:
+    """Largest displacement of the riser, largest moment on its curve and within 60 m below the ring."""
+    ring = ring_of(runs)
+    moment, at = abs(runs["bending_moment_static"]), runs["s_node"]
+    near = moment.where((at > ring - NEAR) & (at <= ring + 1e-6))
+    force = _force(runs.sel(tensioner_model=["gas law"]))
+    return xr.Dataset(
+        {
+            "largest_displacement": abs(on_riser(runs["x_static"], ring, "s_node")).max("s_node"),
+            # the joint above the ring bends less than the ring
+            "largest_moment": runs["largest_bending_moment"],
+            "moment_near_ring": near.max("s_node"),
+            "horizontal_force": force.squeeze("tensioner_model", drop=True),
+        }
     )
 
 
 def _force(runs: xr.Dataset) -> xr.DataArray:
     """Horizontal force (N) against the current, of all cylinders and of one in the mean."""
     place = list(runs["point_key"].dims)
-    riser = runs.sel(s_node=runs["s_node"] <= RING + 1e-6).isel(s_node=[-2, -1])
     total = xr.zeros_like(runs["tensioner_force_static"].isel(cylinder=0, drop=True))
     total.attrs = {}
+    needed = runs[["x_static", "z_static", "tensioner_force_static"]].load()
     for at, scene in scenes_of(runs):
-        top = riser.sel(at)
-        pull = top["tensioner_force_static"].dropna("cylinder").values
+        point = needed.sel(at)
+        ring = sum(section.total_length for section in scene.riser)
+        top = point[["x_static", "z_static"]].where(point["s_node"] <= ring + 1e-6)
+        top = top.dropna("s_node").isel(s_node=[-2, -1])
+        pull = point["tensioner_force_static"].dropna("cylinder").values
         total.loc[at] = pushed_back(scene, pull, top["x_static"].values, top["z_static"].values)
     total = total.transpose(*place)
     counted = xr.DataArray(["all cylinders", "one cylinder"], dims="counted", name="counted")

@@ -6,11 +6,12 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, GREY, field, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, field, headline, key_below, panels
 
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 MODELS = {"gas law": "-", "linear": "--"}
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
+RING = 533.0  # m, arclength of the riser's top
 STROKE = 7.5  # m, either way
 TENSION = "effective tension (kN)"
 AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
@@ -24,10 +25,11 @@ def fig13(heave_case: xr.Dataset) -> Figure:
     ax.set_xlabel(TIME)
     ax.set_ylabel(DEPTH)
     ax.invert_yaxis()
+    headline(figure, "Under heave the axial force rises and falls all along the riser at once")
     return figure
 
 
-def fig14(heave_case: xr.Dataset) -> Figure:
+def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
     """Effective tension over time at four depths."""
     figure, (ax,) = panels(height=3.8)
     tension = _by_depth(heave_case)["effective_tension"] / 1e3
@@ -36,15 +38,26 @@ def fig14(heave_case: xr.Dataset) -> Figure:
             curve = tension.sel(tensioner_model=model).interp(depth=depth)
             label = f"{depth:.0f} m, {model}"
             ax.plot(curve["time"], curve, line, color=colour, linewidth=1.1, label=label)
+    upright = _by_depth(heave_upright)["effective_tension"].squeeze("tensioner_model") / 1e3
+    curve = upright.interp(depth=DEPTHS[0])
+    label = f"{DEPTHS[0]:.0f} m, upright cylinders"
+    ax.plot(curve["time"], curve, ":", color="black", linewidth=1.1, label=label)
     ax.set_xlabel(TIME)
     ax.set_ylabel(TENSION)
-    key_below(figure, ax, 4)
+    law = tension.sel(tensioner_model="gas law").isel(depth=0)
+    swing = 0.5 * float(law.max() - law.min())
+    headline(
+        figure,
+        f"Heave of 2 m in 15 s: an amplitude of {swing:.0f} kN, {100.0 * swing / float(law.mean()):.0f} % "
+        "of the tension, the same at all depths",
+    )
+    key_below(figure, ax, 3)
     return figure
 
 
 def fig15(heave: xr.Dataset) -> Figure:
     """Amplitude of the axial force over heave amplitude and period."""
-    figure, axes = panels(1, 3, 3.8)
+    figure, axes = panels(1, 2, 3.8, sharey=True)
     kinds = {"gas law": "axial_force_amplitude", "linear": "axial_force_amplitude_linear"}
     periods = [p for p in (5.0, 15.0, 30.0) if p in heave["heave_period"]]
     for model, name in kinds.items():
@@ -60,10 +73,11 @@ def fig15(heave: xr.Dataset) -> Figure:
                 label=label,
                 marker=".",
             )
-        for colour, amplitude in zip(COLOURS, heave["heave_amplitude"].values, strict=False):
+        for colour, amplitude in zip(COLOURS[3:], heave["heave_amplitude"].values, strict=False):
             curve = force.sel(heave_amplitude=amplitude)
-            axes[1].plot(curve["heave_period"], curve, MODELS[model], color=colour)
+            axes[1].plot(curve["heave_period"], curve, MODELS[model], color=GREY)
             if model == "gas law":
+                axes[1].lines[-1].set_color(colour)
                 end = (float(curve["heave_period"][-1]), float(curve[-1]))
                 axes[1].annotate(
                     f"{amplitude:g} m",
@@ -77,17 +91,15 @@ def fig15(heave: xr.Dataset) -> Figure:
     axes[0].set_ylabel("amplitude of the axial force (kN)")
     axes[0].legend(fontsize="small")
     axes[1].set_xlabel(PERIOD)
-    axes[1].set_ylabel("amplitude of the axial force (kN)")
     axes[1].margins(x=0.16)
-    axes[1].set_title("heave amplitudes; dashed: linear", loc="right", fontsize="small")
-    for colour, amplitude in zip(COLOURS, heave["heave_amplitude"].values, strict=False):
-        change = 100.0 * heave["settling"].sel(heave_amplitude=amplitude)
-        axes[2].plot(change["heave_period"], change, color=colour, label=f"{amplitude:g} m")
-    axes[2].set_yscale("log")
-    axes[2].set_xlabel(PERIOD)
-    axes[2].set_ylabel("change in the last period (%)")
-    axes[2].set_title("how settled, by heave amplitude", loc="right", fontsize="small")
-    axes[2].legend(fontsize="small", ncols=2)
+    axes[1].set_title("by heave amplitude; grey: linear", loc="right", fontsize="small")
+    spread = heave["axial_force_amplitude"]
+    spread = (spread.max("heave_period") / spread.min("heave_period") - 1.0).max()
+    headline(
+        figure,
+        "The axial force grows with heave and hardly depends on its period: "
+        f"at most {100.0 * float(spread):.1f} % from the least to the most",
+    )
     return figure
 
 
@@ -96,13 +108,21 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     figure, axes = panels(1, 2, 3.6)
     reach = heave_limit["tensioner_stroke"].isel(cylinder=0)
     tension = heave_limit["effective_tension"].isel(s=0) / 1e6
-    for colour, stiffness in zip(COLOURS, heave_limit["stop_stiffness"].values, strict=False):
+    stops = heave_limit["stop_stiffness"].values
+    for colour, width, stiffness in zip(COLOURS, (5.0, 3.0, 1.2), stops, strict=False):
         for quantity, ax in ((reach, axes[0]), (tension, axes[1])):
             curve = quantity.sel(stop_stiffness=stiffness)
             for side in ("max", "min"):
                 ends = getattr(curve, side)("time")
                 label = f"stops of {stiffness:g} MN/m" if side == "max" else None
-                ax.plot(ends["heave_amplitude"], ends, color=colour, marker=".", label=label)
+                ax.plot(
+                    ends["heave_amplitude"],
+                    ends,
+                    color=colour,
+                    linewidth=width,
+                    marker=".",
+                    label=label,
+                )
     for limit in (-STROKE, STROKE):
         axes[0].axhline(limit, color=GREY, linewidth=0.9)
     axes[1].axhline(0.0, color=GREY, linewidth=0.9)
@@ -111,11 +131,16 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     axes[1].set_title("below zero: slack", loc="right", fontsize="small")
     for ax in axes:
         ax.set_xlabel(AMPLITUDE)
+    headline(
+        figure,
+        "Beyond heave of 7.5 m cylinders meet their stops and the riser goes slack; stiff stops pull harder",
+    )
     key_below(figure, axes[0], 3)
     return figure
 
 
 def _by_depth(runs: xr.Dataset) -> xr.Dataset:
     """Over depth below the riser's top instead of arclength from its bottom."""
+    runs = runs.sel(s=runs["s"] <= RING + 1e-6)
     length = float(np.max(runs["s"]))
     return runs.assign_coords(depth=length - runs["s"]).swap_dims(s="depth").sortby("depth")

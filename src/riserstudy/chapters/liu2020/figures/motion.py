@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, PRINTED, field, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, field, headline, key_below, panels
 
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 RING = 533.0  # m, arclength of the riser's top
@@ -14,6 +14,7 @@ WITHOUT = "riser's top on the platform"
 BASELINES = {
     "constant": "constant pull along cylinders",
     "vertical force at the ring": "vertical force at the ring",
+    "232 t carried to the upper flex joint": "232 t carried to the flex joint",
     WITHOUT: WITHOUT,
 }
 MOMENT = 32.8  # kN m that the text gives for 4 deg in 10 s; config/published/liu2020.yaml, N3
@@ -21,6 +22,8 @@ DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 DISPLACEMENT = "lateral displacement (m)"
 UNITS = {"small": "-", "medium": "--", "large": ":"}
 WAVE = "wave period (s)"
+GENERIC = "generic unit"  # those of the paper's platform are not printed
+WAVE_SPEED = 31.9  # m/s, of lateral waves: root of tension over mass with added mass
 
 
 # surge
@@ -28,30 +31,65 @@ WAVE = "wave period (s)"
 
 def fig16(surge_case: xr.Dataset) -> Figure:
     """Displacement over depth and time, the riser's top on the platform."""
-    return _moved(surge_case, WITHOUT)
+    return _surged(surge_case, WITHOUT, "without tensioners, its top on the platform")
 
 
 def fig17(surge_case: xr.Dataset) -> Figure:
     """Displacement over depth and time, on the tensioners."""
-    return _moved(surge_case, "gas law")
+    return _surged(surge_case, "gas law", "on the tensioners")
 
 
-def fig18(surge_case: xr.Dataset) -> Figure:
+def _surged(surge_case: xr.Dataset, model: str, what: str) -> Figure:
+    """The first minute, which shows how surge enters, and the last, in colours that both figures share."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    both = surge_case["x"].sel(tensioner_model=[WITHOUT, "gas law"])
+    size = float(abs(both).max())
+    x = _by_depth(surge_case["x"].sel(tensioner_model=model)).dropna("depth", how="all")
+    x = x.sel(depth=slice(0.0, None))
+    end = float(x["time"][-1])
+    for ax, times, name in zip(
+        axes, (slice(0.0, 60.0), slice(end - 60.0, None)), ("as it begins", "settled"), strict=True
+    ):
+        field(figure, ax, x.sel(time=times), "time", "depth", DISPLACEMENT, signed=size)
+        ax.set_xlabel(TIME)
+        ax.set_title(name, loc="right", fontsize="small")
+    begun = np.array([5.0, 5.0 + RING / WAVE_SPEED])
+    axes[0].plot(begun, [0.0, RING], color="black", linestyle=":", label=f"{WAVE_SPEED} m/s")
+    axes[0].legend(fontsize="small", loc="lower right")
+    axes[0].set_ylabel(DEPTH)
+    axes[0].invert_yaxis()
+    headline(figure, f"Surge runs down the riser {what}")
+    return figure
+
+
+def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
     """Displacement at four depths, with and without tensioners."""
-    figure, axes = panels(2, 2, 2.7, sharex=True)
+    figure, axes = panels(2, 2, 2.7, sharex=True, sharey=True)
     x = _by_depth(surge_case["x"]).sel(time=slice(105.0, None))
+    lines = {
+        "gas law": ("-", 3.0),
+        WITHOUT: ("-", 1.2),
+        "232 t carried to the upper flex joint": (":", 1.2),
+    }
     for ax, depth in zip(axes, DEPTHS, strict=True):
         for colour, model in zip(COLOURS, ("gas law", *BASELINES), strict=False):
             curve = x.sel(tensioner_model=model).dropna("depth", how="all").interp(depth=depth)
-            label = "with tensioners" if model == "gas law" else BASELINES[model]
-            line = "-" if model in ("gas law", WITHOUT) else "--"
-            ax.plot(curve["time"], curve, line, color=colour, linewidth=1.1, label=label)
+            label = "with tensioners (gas law)" if model == "gas law" else BASELINES[model]
+            line, width = lines.get(model, ("--", 1.2))
+            ax.plot(curve["time"], curve, line, color=colour, linewidth=width, label=label)
         ax.set_title(f"{depth:.0f} m", loc="right", fontsize="small")
     for ax in axes[2:]:
         ax.set_xlabel(TIME)
     for ax in axes[::2]:
         ax.set_ylabel(DISPLACEMENT)
-    key_below(figure, axes[0], 2)
+    amplitude = surge["displacement_amplitude"]
+    ratio = amplitude.sel(tensioner_model="gas law") / amplitude.sel(tensioner_model=WITHOUT)
+    headline(
+        figure,
+        f"On the tensioners the riser moves {float(ratio.min()):.2f} to {float(ratio.max()):.2f} times "
+        "as much as with its top on the platform, and later; other readings of it move as much or less",
+    )
+    key_below(figure, axes[0], 3)
     return figure
 
 
@@ -79,21 +117,16 @@ def baselines(statics_readings: xr.Dataset, surge_readings: xr.Dataset) -> Figur
             risen = np.sort(values.sel(tensioner_model=model).values)
             share = np.arange(1, len(risen) + 1) / len(risen)
             ax.step(risen, 100.0 * share, color=colour, where="post", label=label)
-        ax.axvline(even, color="black", linewidth=0.9)
+        ax.axvline(even, color=GREY, linewidth=4.0, alpha=0.4, zorder=0.5)
         ax.set_xlabel(x)
         ax.set_title(title, loc="right", fontsize="small")
     axes[0].set_ylabel("share of the samples below (%)")
-    key_below(figure, axes[0], 3)
-    return figure
-
-
-def _moved(surge_case: xr.Dataset, model: str) -> Figure:
-    figure, (ax,) = panels(height=3.8)
-    x = _by_depth(surge_case["x"].sel(tensioner_model=model)).dropna("depth", how="all")
-    field(figure, ax, x.sel(depth=slice(0.0, None)), "time", "depth", DISPLACEMENT)
-    ax.set_xlabel(TIME)
-    ax.set_ylabel(DEPTH)
-    ax.invert_yaxis()
+    headline(
+        figure,
+        "At rest a vertical force lets the riser move most, under surge a top on the platform: "
+        "the two definitions of the riser without tensioners contradict each other",
+    )
+    key_below(figure, axes[0], 2)
     return figure
 
 
@@ -102,18 +135,30 @@ def _moved(surge_case: xr.Dataset, model: str) -> Figure:
 
 def fig19(roll_case: xr.Dataset) -> Figure:
     """Bending moment over depth and time under roll."""
-    figure, axes = panels(1, 2, 3.8, sharey=True)
+    figure, axes = panels(1, 3, 3.8, sharey=True)
     run = roll_case.sel(tensioner_model="gas law")
     moment = _by_depth(run["bending_moment"]).sel(depth=slice(0.0, None)) / 1e3
-    field(figure, axes[0], moment, "time", "depth", "bending moment (kN m)")
-    axes[0].set_xlabel(TIME)
+    end = float(moment["time"][-1])
+    size = float(abs(moment).max())
+    for ax, times, name in zip(
+        axes, (slice(0.0, 40.0), slice(end - 40.0, None)), ("as it begins", "settled"), strict=False
+    ):
+        label = "bending moment (kN m)"
+        field(figure, ax, moment.sel(time=times), "time", "depth", label, signed=size)
+        ax.set_xlabel(TIME)
+        ax.set_title(name, loc="right", fontsize="small")
+    settled = abs(moment.sel(time=slice(end - 20.0, None))).max("time")
+    axes[2].plot(settled, settled["depth"], color=COLOURS[0], label="settled")
+    axes[2].axvline(MOMENT, label="printed, calibrated to", **PRINTED)
+    axes[2].set_xlabel("largest bending moment (kN m)")
+    axes[2].legend(fontsize="x-small", loc="lower right")
     axes[0].set_ylabel(DEPTH)
-    largest = abs(moment).max("time")
-    axes[1].plot(largest, largest["depth"], color=COLOURS[0])
-    axes[1].axvline(MOMENT, label="printed, and calibrated to", **PRINTED)
-    axes[1].set_xlabel("largest bending moment (kN m)")
-    axes[1].legend(fontsize="small")
-    axes[1].invert_yaxis()
+    axes[0].invert_yaxis()
+    headline(
+        figure,
+        f"Roll of 4 deg in 10 s runs down the riser and bends it with {float(settled.max()):.1f} kN m, "
+        "to which the centre of rotation is calibrated",
+    )
     return figure
 
 
@@ -127,6 +172,9 @@ def fig20(roll: xr.Dataset) -> Figure:
     ax.set_xlabel("roll period of the platform (s)")
     ax.set_ylabel("largest bending moment (kN m)")
     ax.legend(fontsize="small")
+    headline(
+        figure, "The moment grows with roll and falls with its period, but for lateral resonances"
+    )
     return figure
 
 
@@ -139,10 +187,12 @@ def fig21(rao_table: xr.Dataset) -> Figure:
     for colour, name in zip(COLOURS, ("heave", "surge"), strict=False):
         for unit, line in UNITS.items():
             curve = rao_table[f"rao_{name}"].sel(platform_unit=unit)
-            ax.plot(curve["wave_period"], curve, line, color=colour, label=f"{name}, {unit}")
+            label = f"{name}, {unit} {GENERIC}"
+            ax.plot(curve["wave_period"], curve, line, color=colour, label=label)
     ax.set_xlabel(WAVE)
     ax.set_ylabel("motion over wave amplitude (-)")
     ax.legend(fontsize="small")
+    headline(figure, "Response by a formula: three generic units stand in for the paper's platform")
     return figure
 
 
@@ -151,21 +201,35 @@ def fig22(rao_table: xr.Dataset) -> Figure:
     figure, (ax,) = panels(height=3.6)
     for unit, line in UNITS.items():
         curve = np.rad2deg(rao_table["rao_pitch"].sel(platform_unit=unit))
-        ax.plot(curve["wave_period"], curve, line, color=COLOURS[0], label=unit)
+        ax.plot(curve["wave_period"], curve, line, color=COLOURS[0], label=f"{unit} {GENERIC}")
     ax.set_xlabel(WAVE)
     ax.set_ylabel("pitch over wave amplitude (deg/m)")
     ax.legend(fontsize="small")
+    headline(figure, "Response by a formula: three generic units stand in for the paper's platform")
     return figure
 
 
 def fig23(rao: xr.Dataset) -> Figure:
     """Stress amplitude by each motion."""
-    return _by_motion(rao["stress_amplitude"] / 1e6, "stress amplitude (MPa)")
+    stress = rao["stress_amplitude"] / 1e6
+    largest = stress.max(["wave_period", "platform_unit", "reference"])
+    told = ", ".join(
+        f"{float(largest.sel(motion=m)):.1f} MPa by {m}" for m in largest["motion"].values
+    )
+    figure = _by_motion(stress, "stress amplitude (MPa)")
+    headline(figure, f"Surge stresses the riser most: up to {told}")
+    return figure
 
 
 def fig24(rao: xr.Dataset) -> Figure:
     """Share of each motion in the stress amplitude."""
-    return _by_motion(100.0 * rao["stress_share"], "share of the stress amplitude (%)")
+    share = 100.0 * rao["stress_share"]
+    span = float(share["wave_period"].max() - share["wave_period"].min())
+    mean = share.integrate("wave_period").mean(["platform_unit", "reference"]) / span
+    told = ", ".join(f"{m} {float(mean.sel(motion=m)):.0f} %" for m in mean["motion"].values)
+    figure = _by_motion(share, "share of the stress amplitude (%)")
+    headline(figure, f"Share of the stress amplitude, mean over periods and generic units: {told}")
+    return figure
 
 
 def _by_motion(values: xr.DataArray, label: str) -> Figure:
@@ -174,7 +238,8 @@ def _by_motion(values: xr.DataArray, label: str) -> Figure:
         for colour, motion in zip(COLOURS, values["motion"].values, strict=False):
             for unit, line in UNITS.items():
                 curve = values.sel(reference=reference, motion=motion, platform_unit=unit)
-                ax.plot(curve["wave_period"], curve, line, color=colour, label=f"{motion}, {unit}")
+                which = f"{motion}, {unit} {GENERIC}"
+                ax.plot(curve["wave_period"], curve, line, color=colour, label=which)
         ax.set_xlabel(WAVE)
         ax.set_title(f"centre of motion {reference}", loc="right", fontsize="small")
     axes[0].set_ylabel(label)
@@ -186,14 +251,18 @@ def waves(waves: xr.Dataset) -> Figure:
     """Stress amplitude with waves on the riser and without."""
     figure, (ax,) = panels(height=3.8)
     stress = waves["stress_amplitude"] / 1e6
-    lines = ("-", "--", "-.", ":")
-    for colour, line, reading in zip(COLOURS, lines, stress["waves"].values, strict=False):
+    lines = (("-", 1.5), ("-", 5.0), ("-", 3.0), ("-", 1.2))
+    for colour, (line, width), reading in zip(COLOURS, lines, stress["waves"].values, strict=False):
         curve = stress.sel(waves=reading)
         label = reading if "alone" in reading else f"on the riser too, {reading}"
-        ax.plot(curve["wave_period"], curve, line, color=colour, label=label)
+        ax.plot(curve["wave_period"], curve, line, color=colour, linewidth=width, label=label)
     ax.set_xlabel(WAVE)
     ax.set_ylabel("stress amplitude (MPa)")
     ax.set_title("surge, heave and pitch at once", loc="right", fontsize="small")
+    headline(
+        figure,
+        "Waves on the riser add stress where they are short; what they do above the mean level hardly tells",
+    )
     key_below(figure, ax, 2)
     return figure
 
@@ -202,7 +271,7 @@ def sea(storm: xr.Dataset) -> Figure:
     """Histories and spectra of three hours."""
     figure, axes = panels(3, 2, 2.3)
     shown = {
-        "bending moment (kN m)": ("bending_moment", 1e-3),
+        "moment at the ring (kN m)": ("bending_moment", 1e-3),
         "tension at the ring (kN)": ("effective_tension", 1e-3),
         "stroke (m)": ("stroke", 1.0),
     }
@@ -213,11 +282,17 @@ def sea(storm: xr.Dataset) -> Figure:
         left, right = axes[2 * row], axes[2 * row + 1]
         left.plot(history["time"], scale * history, color=COLOURS[0], linewidth=0.4)
         left.set_ylabel(label)
-        low = spectrum["frequency"] < 0.3
+        low = spectrum["frequency"] < 0.5
         right.plot(spectrum["frequency"][low], scale**2 * spectrum[low], color=COLOURS[0])
-        right.set_ylabel(label.replace(")", ")²/Hz"))
+        right.set_ylabel(
+            f"its density ({label.partition('(')[2][:-1]})²/Hz".replace("(kN m)", "(kN m)")
+        )
     axes[4].set_xlabel(TIME)
     axes[5].set_xlabel("frequency (1/s)")
+    headline(
+        figure,
+        "Three hours of an irregular sea: the riser answers where waves are and at its lateral modes",
+    )
     return figure
 
 

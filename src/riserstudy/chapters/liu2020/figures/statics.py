@@ -2,18 +2,34 @@
 
 from __future__ import annotations
 
+import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
 
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
-#: pulls along cylinders, and their lines
-ALONG = {"gas law": "-", "linear": "--", "constant": ":"}
-CONSTANT = ("vertical force at the ring", "riser's top on the platform")
+VERTICAL, ON_PLATFORM = "vertical force at the ring", "riser's top on the platform"
+#: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
+WITHOUT = ("constant", VERTICAL, "232 t carried to the upper flex joint", ON_PLATFORM)
+MODELS = {
+    "gas law": "tensioners",
+    "constant": "constant pull along cylinders",
+    VERTICAL: VERTICAL,
+    "232 t carried to the upper flex joint": "232 t carried to the flex joint",
+    ON_PLATFORM: ON_PLATFORM,
+}
+LINES = ("-", "--", "--", ":", "-.")
+ALL = "8765 N by all cylinders"
+#: currents and drag so that the cylinders push back with 8765 N, and what they are
+CALIBRATIONS = {
+    ALL: "calibrated: 33.9 m exponential, drag coefficient 1",
+    "8765 N by one cylinder": "calibrated: 200 m exponential, drag coefficient 1.112",
+}
 #: N that the text gives at these speeds; config/published/liu2020.yaml, N2a to N2c
 PUSHED = (337.0, 3166.0, 8765.0)
+NEAR = 120.0  # m below the ring
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 
 
@@ -21,22 +37,29 @@ DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 
 
 def fig09(current_profiles: xr.Dataset) -> Figure:
-    """Current profiles over depth: printed surface speeds, assumed shapes."""
+    """Current profiles over depth: printed surface speeds, assumed and calibrated shapes."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
     share = current_profiles["current_share"]
-    for colour, speed in zip(COLOURS, SPEEDS, strict=False):
-        curve = speed * share.sel(current_profile="linear")
-        axes[0].plot(curve, curve["depth"], color=colour, label=f"{speed:g} m/s")
+    tuned = f"calibrated: {ALL}"
+    for line, speed in zip(("-", "--", ":"), SPEEDS, strict=True):
+        curve = speed * share.sel(current_profile=tuned)
+        axes[0].plot(curve, curve["depth"], line, color="black", label=f"{speed:g} m/s, printed")
     for colour, shape in zip(COLOURS, share["current_profile"].values, strict=False):
         curve = share.sel(current_profile=shape)
-        axes[1].plot(curve, curve["depth"], color=colour, label=shape)
-    for ax, title in zip(axes, ("linear", "1 m/s at the surface"), strict=True):
+        line = "--" if str(shape).startswith("calibrated") else "-"
+        axes[1].plot(curve, curve["depth"], line, color=colour, label=shape)
+    titles = ("exponential, fitted to 8765 N", "1 m/s at the surface; solid: assumed")
+    for ax, title in zip(axes, titles, strict=True):
         ax.set_xlabel("current speed (m/s)")
         ax.set_title(title, loc="right", fontsize="small")
     axes[0].legend(fontsize="small", loc="lower right")
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
-    key_below(figure, axes[1], 6)
+    headline(
+        figure,
+        "Only surface speeds are printed; the force of 8765 N asks for a current near the surface",
+    )
+    key_below(figure, axes[1], 3)
     return figure
 
 
@@ -72,97 +95,160 @@ def fig10(codes: xr.Dataset) -> Figure:
         )  # fmt: skip
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
-    key_below(figure, axes[0], 4)
+    apart = 100.0 * float(codes["codes_apart"].max())
+    headline(
+        figure,
+        f"Three methods agree to {apart:.1f} %; contents and profile, both assumed, decide the size. "
+        "The two drawn black take slopes as small",
+    )
+    key_below(figure, axes[0], 3)
     return figure
 
 
 # statics of the system
 
 
-def fig11(statics: xr.Dataset) -> Figure:
+def fig11(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
     """Displacement in currents, on the tensioners and on a constant tension."""
-    return _at_rest(statics, "x_static", 1.0, "lateral displacement (m)")
-
-
-def fig12(statics: xr.Dataset) -> Figure:
-    """Bending moment in currents, on the tensioners and on a constant tension."""
-    figure = _at_rest(statics, "bending_moment_static", 1e-3, "bending moment (kN m)")
-    _enlarged(figure.axes[0], figure.axes[1].get_xlim())
+    figure = _at_rest(
+        statics_calibrated, statics_tuned, "x_static", 1.0, "lateral displacement (m)"
+    )
+    ratio = _ratios(statics_tuned, "largest_displacement")
+    headline(
+        figure,
+        "On the tensioners the riser moves less than under a vertical force of 232 t "
+        f"({ratio[VERTICAL]:.2f} times), but more than with its top on the platform "
+        f"({ratio[ON_PLATFORM]:.2f} times) and as much as with 232 t carried to the flex joint",
+    )
     return figure
 
 
-def _enlarged(ax: Axes, limits: tuple[float, float]) -> None:
-    """The curves of a panel once more within limits that a few of them leave by far."""
-    inset = ax.inset_axes((0.13, 0.12, 0.62, 0.62))
-    for line in ax.get_lines():
-        inset.plot(*line.get_data(), line.get_linestyle(), color=line.get_color(), linewidth=1.1)
-    inset.set_xlim(*limits)
-    inset.set_ylim(*ax.get_ylim())
-    inset.set_title("enlarged", loc="right", fontsize="small")
-    inset.tick_params(labelsize="small")
+def fig12(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
+    """Bending moment in currents, on the tensioners and on a constant tension."""
+    label = "bending moment (kN m)"
+    figure = _at_rest(statics_calibrated, statics_tuned, "bending_moment_static", 1e-3, label)
+    ratio = _ratios(statics_tuned, "moment_near_ring")
+    for ax, calibration in zip(figure.axes[1::2], CALIBRATIONS, strict=True):
+        _near_the_ring(ax, statics_tuned.sel(calibration=calibration, surface_speed=1.0))
+    headline(
+        figure,
+        "Moments differ near the ring: there a vertical force of 232 t bends the riser "
+        f"{1.0 / ratio[VERTICAL]:.0f} times as much as the tensioners do, "
+        f"a top on the platform {1.0 / ratio[ON_PLATFORM]:.2f} times",
+    )
+    return figure
 
 
-def _at_rest(statics: xr.Dataset, name: str, scale: float, label: str) -> Figure:
-    figure, axes = panels(2, 2, 4.2, sharey=True)
-    lines = ("-", "--")
-    for ax, other in zip(axes, CONSTANT, strict=False):
-        for line, model in zip(lines, ("gas law", other), strict=True):
+def _near_the_ring(ax: Axes, tuned: xr.Dataset) -> None:
+    """A panel cut to what bends near the ring, all but the vertical force, which is told."""
+    drawn = [line.get_xdata() for line in ax.get_lines() if line.get_label() != VERTICAL]
+    low = min(float(np.min(values)) for values in drawn)
+    high = max(float(np.max(values)) for values in drawn)
+    room = 0.08 * (high - low)
+    ax.set_xlim(low - room, high + room)
+    ax.set_ylim(NEAR, 0.0)
+    off = float(tuned["moment_near_ring"].sel(tensioner_model=VERTICAL)) / 1e3
+    ax.annotate(
+        f"under the vertical force {off:.0f} kN m at the ring",
+        (0.04, 0.04),
+        xycoords="axes fraction",
+        fontsize="x-small",
+        bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
+    )
+
+
+def _ratios(tuned: xr.Dataset, name: str) -> dict[str, float]:
+    """A quantity on the tensioners over that without them, in the first calibration at 1 m/s."""
+    at = tuned[name].sel(calibration=ALL, surface_speed=1.0)
+    law = float(at.sel(tensioner_model="gas law"))
+    return {model: law / float(at.sel(tensioner_model=model)) for model in WITHOUT}
+
+
+def _at_rest(runs: xr.Dataset, tuned: xr.Dataset, name: str, scale: float, label: str) -> Figure:
+    """A row for each calibrated current: the paper's comparison, and every reading of it at 1 m/s."""
+    figure, axes = panels(2, 2, 4.2)
+    for row, calibration in zip((axes[:2], axes[2:]), CALIBRATIONS, strict=True):
+        here = scale * runs[name].sel(calibration=calibration)
+        for line, model in (("-", "gas law"), ("--", VERTICAL)):
             for colour, speed in zip(COLOURS, SPEEDS, strict=False):
-                run = statics[name].sel(
-                    current_profile="linear", tensioner_model=model, surface_speed=speed
-                )
-                curve = scale * run.where(run["s_node"] < 533.1, drop=True)
-                name_of = "tensioners" if model == "gas law" else "232 t"
-                ax.plot(
-                    curve,
-                    533.0 - curve["s_node"],
-                    line,
-                    color=colour,
-                    label=f"{speed:g} m/s, {name_of}",
-                )
-        ax.set_title(
-            f"232 t as a {other}" if "force" in other else other, loc="right", fontsize="small"
+                what = "tensioners" if model == "gas law" else "232 t, vertical"
+                curve = here.sel(tensioner_model=model, surface_speed=speed)
+                _by_depth(row[0], curve, line, colour, f"{speed:g} m/s, {what}")
+        for line, (model, what), colour in zip(LINES, MODELS.items(), COLOURS, strict=False):
+            curve = here.sel(tensioner_model=model, surface_speed=1.0)
+            _by_depth(row[1], curve, line, colour, what, 3.5 if model == "gas law" else 1.3)
+        cylinders = "one cylinder" if "one" in calibration else "all cylinders"
+        force = tuned["horizontal_force"].sel(calibration=calibration, counted=cylinders)
+        told = [
+            f"{speed:g} m/s: {float(force.sel(surface_speed=speed)):.0f} N ({printed:.0f} N)"
+            for speed, printed in zip(SPEEDS, PUSHED, strict=True)
+        ]
+        row[0].annotate(
+            "pushed back by " + cylinders + " (printed):\n" + "\n".join(told),
+            (0.97, 0.04),
+            xycoords="axes fraction",
+            ha="right",
+            va="bottom",
+            fontsize="x-small",
+            bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
         )
-    fast = scale * statics[name].sel(surface_speed=1.0).where(statics["s_node"] < 533.1, drop=True)
-    depth = 533.0 - fast["s_node"]
-    for colour, profile in zip(COLOURS, fast["current_profile"].values, strict=False):
-        for line, model in zip(lines, ("gas law", CONSTANT[1]), strict=True):
-            curve = fast.sel(current_profile=profile, tensioner_model=model)
-            shown = profile if model == "gas law" else None
-            axes[2].plot(curve, depth, line, color=colour, label=shown)
-    for (model, line), colour in zip(ALONG.items(), COLOURS, strict=False):
-        curve = fast.sel(current_profile="linear", tensioner_model=model)
-        axes[3].plot(curve, depth, line, color=colour, label=model)
-    axes[2].set_title(f"1 m/s; dashed: {CONSTANT[1]}", loc="right", fontsize="small")
-    axes[3].set_title("1 m/s, linear profile, along cylinders", loc="right", fontsize="small")
+        row[0].set_title(CALIBRATIONS[calibration], loc="right", fontsize="small")
+        row[1].set_title("1 m/s, every reading of the riser alone", loc="right", fontsize="small")
+        row[0].set_ylabel(DEPTH)
     for ax in axes[2:]:
-        ax.legend(fontsize="x-small")
-    for ax in axes:
         ax.set_xlabel(label)
-    for ax in axes[::2]:
-        ax.set_ylabel(DEPTH)
-    axes[0].invert_yaxis()
+    axes[1].legend(fontsize="x-small", loc="lower right")
     key_below(figure, axes[0], 3)
     return figure
 
 
+def _by_depth(
+    ax: Axes, curve: xr.DataArray, line: str, colour: str, label: str, width: float = 1.3
+) -> None:
+    riser = curve.where(curve["s_node"] < 533.0 + 1e-6).dropna("s_node")
+    ax.plot(riser, 533.0 - riser["s_node"], line, color=colour, label=label, linewidth=width)
+    ax.set_ylim(560.0, -20.0)
+
+
 def dat_force(dat_force: xr.Dataset, dat_force_calibrated: xr.Dataset) -> Figure:
-    """Horizontal force of the tensioners over surface speed."""
-    figure, (ax,) = panels(height=4.2)
+    """Horizontal force of the tensioners over surface speed, as multiples of the printed."""
+    figure, axes = panels(1, 2, 3.8)
+    wide = axes[0]
+    printed = xr.DataArray(
+        list(PUSHED), dims="surface_speed", coords={"surface_speed": list(SPEEDS)}
+    )
     for colour, shape in zip(COLOURS, dat_force["current_profile"].values, strict=False):
         for line, counted in (("-", "all cylinders"), (":", "one cylinder")):
-            force = dat_force["horizontal_force"].sel(current_profile=shape, counted=counted) / 1e3
-            label = shape if counted == "all cylinders" else None
-            ax.plot(force["surface_speed"], force, line, color=colour, marker=".", label=label)
-    tuned = dat_force_calibrated["horizontal_force"] / 1e3
-    ax.plot(tuned["surface_speed"], tuned, color="black", label="exponential, calibrated")
-    ax.plot(SPEEDS, [f / 1e3 for f in PUSHED], "kx", markersize=8, label="printed")
-    ax.set_yscale("log")
-    ax.set_xlabel("surface speed of the current (m/s)")
-    ax.set_ylabel("horizontal force of the tensioners (kN)")
-    ax.set_title("solid: all cylinders; dotted: one", loc="right", fontsize="small")
-    key_below(figure, ax, 4)
+            force = dat_force["horizontal_force"].sel(current_profile=shape, counted=counted)
+            label = f"{shape}, assumed" if counted == "all cylinders" else None
+            over = force / printed
+            wide.plot(over["surface_speed"], over, line, color=colour, marker=".", label=label)
+    for line, calibration in zip(
+        ("-", "--"), dat_force_calibrated["calibration"].values, strict=True
+    ):
+        over = dat_force_calibrated["horizontal_force"].sel(calibration=calibration) / printed
+        for ax, style in zip(axes, (line, "none"), strict=True):
+            ax.plot(
+                over["surface_speed"],
+                over,
+                linestyle=style,
+                color="black",
+                marker="." if line == "-" else "x",
+                label=f"calibrated: {calibration}",
+            )
+    for ax, title in zip(
+        axes, ("solid: all cylinders; dotted: one", "calibrated alone"), strict=True
+    ):
+        ax.axhline(1.0, label="printed: 337, 3166, 8765 N", **PRINTED)
+        ax.set_xlabel("surface speed of the current (m/s)")
+        ax.set_title(title, loc="right", fontsize="small")
+    wide.set_yscale("log")
+    wide.set_ylabel("horizontal force over the printed (-)")
+    slow = dat_force_calibrated["horizontal_force"].sel(surface_speed=0.2).isel(calibration=0)
+    headline(
+        figure,
+        "Printed forces do not grow with the square of the speed: fitted at 1 m/s, "
+        f"that at 0.2 m/s comes out {100.0 * (float(slow) / PUSHED[0] - 1.0):.1f} % too large",
+    )
+    key_below(figure, wide, 3)
     return figure
-
-
-# heave

@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from riserstudy.chapters.mao_hangoff.claims.heave import largest_rise, lmrp_motion
 from riserstudy.chapters.mao_hangoff.runs import (
     PRINTED,
     STATED,
+    as_drawn,
     at_angle,
     distance,
     largest,
@@ -21,7 +23,7 @@ from riserstudy.chapters.mao_hangoff.towed import at_top
 from riserstudy.scene.origin import unwrap
 from riserstudy.scene.units import to_si
 
-CURRENT = 2.5  # m/s, of tracks that are told
+CURRENT = 3.0  # m/s, of tracks that are told
 NAMED = 5  # readings told by name, the nearest of them
 
 
@@ -107,7 +109,7 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
 
 
 def tracks(runs: xr.Dataset) -> dict[str, Any]:
-    """Distance x (m) at five angles of the track, in a current of 2.5 m/s."""
+    """Distance x (m) at five angles of the track, in a current of 3 m/s."""
     x = distance(runs)
     return {f"x{angle}": float(_in_current(at_angle(x, angle))) for angle in (0, 45, 90, 135, 180)}
 
@@ -142,6 +144,7 @@ def flows(runs: xr.Dataset) -> dict[str, Any]:
 
 def sweep(runs: xr.Dataset, axis: str) -> dict[str, Any]:
     """Distance x (m) and M (kN m) at both ends of an axis."""
+    runs = as_drawn(runs)
     x, m = distance(runs), largest(runs) / 1e3
     return {
         f"{name}_{word}": float(values.isel({axis: end}))
@@ -155,3 +158,24 @@ def lengths(runs: xr.Dataset) -> dict[str, Any]:
     angle = abs(np.degrees(runs["ufj_angle"].sel(time=STATED)))
     ends = {f"angle_{w}": float(angle[k]) for w, k in (("first", 0), ("last", -1))}
     return sweep(runs, "riser_length") | ends
+
+
+def axial_lengths(heave: xr.Dataset) -> dict[str, Any]:
+    """Amplitude and largest rise of the LMRP (m) of the shortest and the longest riser."""
+    a, rise = lmrp_motion(heave)["amplitude"], largest_rise(heave["z"].isel(s=0, drop=True))
+    return {
+        f"{name}_{word}": float(values.isel(riser_length=end))
+        for name, values in (("a", a), ("rise", rise))
+        for word, end in (("first", 0), ("last", -1))
+    }
+
+
+def nearest_found(runs: xr.Dataset, heavy: float, light: float, moment: float) -> dict[str, Any]:
+    """Distances (m) and moment (kN m) of what a continuous search found nearest, and its worst miss."""
+    x, m = distance(runs), largest(runs).sel(lmrp_mass=140.0, drop=True) / 1e3
+    misses = misses_of_print(runs, heavy, light, moment)[list(PRINTED)].to_dataarray("number")
+    found = {
+        f"x_{name}": float(x.sel(lmrp_mass=mass))
+        for name, mass in (("heavy", 140.0), ("light", 120.0))
+    }
+    return found | {"m_heavy": float(m), "worst": float(misses.max())}

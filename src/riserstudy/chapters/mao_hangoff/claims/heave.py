@@ -1,6 +1,7 @@
 """Mao, Zeng, Liu: what claims on axial motion, Figs 9d to 14c, are checked against.
 
-a is the amplitude of axial motion at the period of the heave.
+a is the amplitude of axial motion at the period of the heave; the rise is how far a curve gets above rest,
+its level with its amplitude, which is what the text calls amplitude where curves are "stretched".
 """
 
 from __future__ import annotations
@@ -11,11 +12,17 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riserstudy.chapters.mao_hangoff.runs import follows, last_over_first, with_printed_lmrp
+from riserstudy.chapters.mao_hangoff.runs import (
+    at_angle,
+    follows,
+    last_over_first,
+    with_printed_lmrp,
+)
 from riserstudy.grading.grade import Found
 
 SETTLED = 70.0  # s, by then every ramp of the heave has ended
 SMALL = 0.05  # change that counts as small
+FIRST = 40.0  # s, end of the first phase, the second time of Fig 9c
 
 
 def one_frequency(heave: xr.Dataset, depths: list[float]) -> Found:
@@ -51,6 +58,48 @@ def amplitude_hardly_changes(heave: xr.Dataset, axis: str) -> Found:
     """Amplitude a of the LMRP changes little along an axis; value: last over first."""
     ratio = last_over_first(lmrp_motion(heave)["amplitude"], axis)
     return Found(ratio, abs(ratio - 1.0) <= SMALL)
+
+
+def rise_follows(heave: xr.Dataset, axis: str, sign: float) -> Found:
+    """The LMRP's largest rise grows or falls along an axis; value: last over first."""
+    rise = largest_rise(heave["z"].isel(s=0, drop=True))
+    return Found(last_over_first(rise, axis), follows(rise, axis, sign))
+
+
+def rise_hardly_changes(heave: xr.Dataset, axis: str) -> Found:
+    """The LMRP's largest rise changes little along an axis; value: last over first."""
+    ratio = last_over_first(largest_rise(heave["z"].isel(s=0, drop=True)), axis)
+    return Found(ratio, abs(ratio - 1.0) <= SMALL)
+
+
+def lows_deeper_at_first(heave: xr.Dataset, depths: list[float]) -> Found:
+    """In the first phase depths reach lower below rest than the top does; value: the least over the top's."""
+    z = with_printed_lmrp(_z_at(heave, [0.0, *depths]))
+    fallen = (z.isel(time=0) - z.sel(time=slice(0.0, FIRST))).max("time")
+    below = fallen.sel(depth=depths) / fallen.sel(depth=0.0, drop=True)
+    least = below.min("depth")
+    return Found(least, least > 1.0)
+
+
+def amplitude_largest_at_0_degrees(heave: xr.Dataset, considerably: float) -> Found:
+    """The LMRP's amplitude a at 0 deg is considerably above that at 45 and 90 deg; value: 90 over 0 deg."""
+    return _largest_at_0_degrees(lmrp_motion(heave)["amplitude"], considerably)
+
+
+def rise_largest_at_0_degrees(heave: xr.Dataset, considerably: float) -> Found:
+    """The LMRP's largest rise at 0 deg is considerably above those at 45 and 90 deg; value: 90 over 0 deg."""
+    return _largest_at_0_degrees(largest_rise(heave["z"].isel(s=0, drop=True)), considerably)
+
+
+def _largest_at_0_degrees(values: xr.DataArray, considerably: float) -> Found:
+    at0, at45, at90 = (at_angle(values, angle) for angle in (0, 45, 90))
+    return Found(at90 / at0, (at0 >= considerably * at45) & (at0 >= considerably * at90))
+
+
+def largest_rise(z: xr.DataArray) -> xr.DataArray:
+    """How far elevations (m) get above rest, where records start."""
+    rise: xr.DataArray = z.max("time") - z.isel(time=0, drop=True)
+    return rise
 
 
 def _z_at(heave: xr.Dataset, depths: list[float]) -> xr.DataArray:

@@ -6,11 +6,10 @@ amplitude of axial motion at the period of the heave.
 
 from __future__ import annotations
 
+import numpy as np
 import xarray as xr
 
-from riserstudy.chapters.mao_hangoff.claims.heave import (
-    lmrp_motion,
-)
+from riserstudy.chapters.mao_hangoff.claims.heave import largest_rise, lmrp_motion
 from riserstudy.chapters.mao_hangoff.runs import (
     PRINTED,
     STATED,
@@ -29,6 +28,7 @@ from riserstudy.grading.grade import Found
 SURFACE_ZONE = 150.0  # m below the joint, where C_D is large
 TIMES = [10.0, 40.0, 70.0, 100.0, 130.0]  # s, of Fig 9c
 NEARLY = 0.99  # of the largest, which counts as the largest
+PLACES = 200  # evenly along the riser, for means
 
 
 # printed numbers
@@ -78,10 +78,10 @@ def moment_at_the_top(runs: xr.Dataset) -> Found:
     return Found(depth, depth <= SURFACE_ZONE)
 
 
-def small_below(runs: xr.Dataset, at_most: float) -> Found:
-    """Moments below the surface zone are small; value: the largest there over M."""
+def small_below(runs: xr.Dataset, depth: float, at_most: float) -> Found:
+    """Moments below a depth (m) are small; value: the largest there over M."""
     moment = with_printed_lmrp(moments(runs))
-    below = moment.where(moment["s"] < float(moment["s"][-1]) - SURFACE_ZONE).max("s")
+    below = moment.where(moment["s"] < float(moment["s"][-1]) - depth).max("s")
     share = below / moment.max("s")
     return Found(share, share <= at_most)
 
@@ -139,7 +139,23 @@ def joint_angle_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
     return Found(last_over_first(angle, axis), follows(angle, axis, sign))
 
 
-def change_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
+def change_near_the_lmrp(runs: xr.Dataset) -> Found:
+    """What a lighter LMRP changes is largest at the LMRP, and mainly below mid-length.
+
+    Value: mean of the lower half over that of the upper.
+    """
+    away = abs(displacement(runs)).sel(time=STATED, drop=True)
+    change = away.sel(lmrp_mass=120.0, drop=True) - away.sel(lmrp_mass=140.0, drop=True)
+    places = np.linspace(float(change["s"][0]), float(change["s"][-1]), PLACES)
+    even = change.interp(s=places)
+    lower, upper = even.isel(s=slice(0, PLACES // 2)), even.isel(s=slice(PLACES // 2, None))
+    ratio = lower.mean("s") / upper.mean("s")
+    at_lmrp = change.isel(s=0, drop=True)
+    true = (at_lmrp >= NEARLY * change.max("s")) & (at_lmrp > 0.0) & (ratio > 1.0)
+    return Found(ratio, true)
+
+
+def change_arises_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
     """Most of what a lighter LMRP changes arises in the lowest quarter; value: the share."""
     away = abs(displacement(runs)).sel(time=STATED, drop=True)
     change = away.sel(lmrp_mass=120.0, drop=True) - away.sel(lmrp_mass=140.0, drop=True)
@@ -151,9 +167,25 @@ def change_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
 
 def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float) -> Found:
     """x, M and a all rise or fall along an axis; value: last x over first."""
-    x, m, a = distance(runs), largest(runs), lmrp_motion(heave)["amplitude"]
-    true = follows(x, axis, sign) & follows(m, axis, sign) & follows(a, axis, sign)
+    return _all_follow(runs, lmrp_motion(heave)["amplitude"], axis, sign)
+
+
+def all_rise_with(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float) -> Found:
+    """The same with the LMRP's largest rise in place of a."""
+    return _all_follow(runs, largest_rise(heave["z"].isel(s=0, drop=True)), axis, sign)
+
+
+def _all_follow(runs: xr.Dataset, axial: xr.DataArray, axis: str, sign: float) -> Found:
+    x, m = distance(runs), largest(runs)
+    true = follows(x, axis, sign) & follows(m, axis, sign) & follows(axial, axis, sign)
     return Found(last_over_first(x, axis), true)
+
+
+def loads_small_at_the_lmrp(loads: xr.Dataset, at_most: float) -> Found:
+    """The load on the riser at the LMRP is a share of that at the joint at most; value: their ratio."""
+    ratio = abs(loads["load_at_lmrp"] / loads["load_at_joint"])
+    ratio = with_printed_lmrp(ratio)
+    return Found(ratio, ratio <= at_most)
 
 
 def other_way_at_90_degrees(runs: xr.Dataset) -> Found:

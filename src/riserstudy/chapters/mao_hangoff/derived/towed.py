@@ -14,11 +14,54 @@ from riserstudy.dataset.describe import described, scenes_of
 from riserstudy.model.sea import current_table
 
 STATED = 130.0  # s, the time of Fig 9
+MEAN_OVER = 10.0  # s, before it
 
 
 def base(base_runs: xr.Dataset) -> xr.Dataset:
     """The evacuation of Table 2."""
     return towed(base_runs, "base")
+
+
+def reference_masses(hangoff_ref: xr.Dataset) -> xr.Dataset:
+    """The case without open inputs over ``lmrp_mass`` (t): the scene and its variant with a lighter LMRP."""
+    names = {140.0: "hangoff_ref", 120.0: "hangoff_ref_120t"}
+    masses = xr.DataArray(list(names), dims="lmrp_mass", name="lmrp_mass", attrs={"units": "t"})
+    runs = [hangoff_ref.sel(variant=name, drop=True) for name in names.values()]
+    return xr.concat(runs, masses, combine_attrs="override")
+
+
+def end_loads(readings: xr.Dataset) -> xr.Dataset:
+    """Drag a metre of riser (N/m) at the joint and at the LMRP at 130 s, in every reading.
+
+    The riser's speed is the mean of the last ten seconds.
+    """
+    past, now = (readings["x"].sel(time=time, drop=True) for time in (STATED - MEAN_OVER, STATED))
+    speed = (now - past) / MEAN_OVER
+    axes = [str(dim) for dim in speed.dims if dim != "s"]
+    made = {
+        name: xr.zeros_like(speed.isel(s=0, drop=True))
+        for name in ("load_at_joint", "load_at_lmrp")
+    }
+    for place, scene in scenes_of(readings):
+        if scene.current is None or scene.water is None or scene.riser[0].drag is None:
+            raise TypeError("a reading without a current or drag")
+        drag = scene.riser[0].drag
+        z, flow = current_table(scene.current, scene.water)
+        levels, coefficients = zip(*drag.table, strict=True)
+        top = scene.top.elevation or 0.0
+        at = {axis: place[axis] for axis in axes}
+        for name, end, elevation in (
+            ("load_at_joint", -1, top),
+            ("load_at_lmrp", 0, top - scene.riser[0].total_length),
+        ):
+            coefficient = coefficients[-1] if elevation >= levels[-1] else coefficients[0]
+            slip = float(np.interp(elevation, z, flow) - speed.sel(at).isel(s=end))
+            load = 0.5 * scene.water.density * coefficient * drag.diameter * abs(slip) * slip
+            made[name].loc[at] = load
+    loads = described(xr.Dataset(made), PAPER, "loads at both ends of the riser at 130 s")
+    for name in made:
+        loads[name].attrs = {"units": "N/m", "long_name": name.replace("_", " ")}
+    return loads
 
 
 def current_profiles(readings: xr.Dataset) -> xr.Dataset:

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, GREY, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panels
 
 PERIODS = (6.0, 8.0)  # s, of heave
 
@@ -42,13 +42,18 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         ax.set_xlabel("riser length (m)")
         ax.grid(visible=False)
     axes[0].set_ylabel("LMRP mass (t)")
-    for colour, name in zip((*COLOURS[: len(names)], GREY), (*names, "none reached"), strict=True):
-        axes[0].bar(
-            0, 0, color=colour, alpha=0.35, label=f"{name} governs" if name in names else name
+    governing = set(speed_limits["governing_limit"].values.astype(int).ravel().tolist())
+    for which in sorted(governing, reverse=True):
+        colour, name = (
+            (COLOURS[which], f"{names[which]} governs") if which >= 0 else (GREY, "none reached")
         )
+        axes[0].bar(0, 0, color=colour, alpha=0.35, label=name)
     axes[0].bar(0, 0, color="none", label="kn through water at the surface")
     axes[0].bar(0, 0, color="none", label="(kn over ground)")
     key_below(figure, axes[0], 3)
+    headline(
+        figure, "How fast the platform may tow the riser before a limit is reached (limits assumed)"
+    )
     return figure
 
 
@@ -62,7 +67,8 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         at = of_paper.sel(mode=mode)
         slack = at["tension_lowest"].transpose("heave_amplitude", "heave_period") < 0.0
         _cells(ax, spread.sel(mode=mode), norm, slack)
-        ax.set_title(f"{mode}: range of top tension (MN)", fontsize="small", loc="right")
+        riser = f"{float(of_paper['riser_length']):g} m, {float(of_paper['lmrp_mass']):g} t"
+        ax.set_title(f"{mode}, {riser}: range of top tension (MN)", fontsize="small", loc="right")
         ax.set_xlabel("heave period (s)")
         ax.set_ylabel("heave amplitude (m)")
     lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
@@ -72,13 +78,17 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         _cells(ax, hard, Normalize(0.0, most))
         period = float(hard["heave_period"])
         ax.set_title(
-            f"hard, {period:g} s: heave that loses tension (m)", fontsize="small", loc="right"
+            f"hard, {period:g} s, each riser: heave that loses tension (m)",
+            fontsize="small",
+            loc="right",
         )
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
-    length, mass = float(of_paper["riser_length"]), float(of_paper["lmrp_mass"])
-    said = f"above: {length:g} m with {mass:g} t, orange where tension is lost"
-    figure.supxlabel(f"{said}; on tensioners {_lost_softly(lost, most)}", fontsize="small")
+    said = f"orange: tension is lost; on tensioners {_lost_softly(lost, most)}"
+    figure.supxlabel(said, fontsize="small")
+    headline(
+        figure, "Locked to the platform a riser soon loses tension in heave; on tensioners late"
+    )
     return figure
 
 

@@ -12,8 +12,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.chapters.mao_hangoff.runs import as_drawn
 from riserstudy.chapters.mao_hangoff.towed import displacement
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
 
 ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
 MOMENT = "bending moment at 130 s (kN m)"
@@ -25,7 +26,10 @@ START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
 DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
 #: printed values; config/published/mao_hangoff.yaml, N1 to N3
 X_HEAVY, X_LIGHT, LARGEST = 58.2, 62.7, 52.0
-ONE_PROFILE = ("0 deg, 2.5 m/s", "45 deg, 2.5 m/s", "90 deg")  # tracks of Fig 13
+ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
+SIGNED = "bending moment at 130 s, signed (kN m)"
+CLOSE_UP = 20.0  # s, at the end of records
+LEAST_SPAN = 0.2  # of the values, that an axis of trends shows at least
 MARKS = ("o", "s", "^", "D", "v", "P")
 
 
@@ -47,6 +51,10 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
     _down(axes[0], ASTERN)
     _down(axes[1], "bending moment (kN m)")
     axes[1].legend(fontsize="small")
+    headline(
+        figure,
+        "A case of our own, the paper's is not printed: implicit and explicit stepping agree for 12 s",
+    )
     return figure
 
 
@@ -64,6 +72,7 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
     ax.set_ylabel("distance from the clamp (mm)")
     ax.invert_yaxis()
     ax.legend(fontsize="small")
+    headline(figure, "The tank's PE pipe at speeds that may have been run (none is printed)")
     return figure
 
 
@@ -84,6 +93,7 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
     axes[0].invert_yaxis()
     axes[0].legend(fontsize="small")
     key_below(figure, axes[1], 4)
+    headline(figure, "Current over depth: surface speeds as printed, shapes assumed")
     return figure
 
 
@@ -93,12 +103,18 @@ def fig09(base: xr.Dataset, base_runs: xr.Dataset, variants: xr.Dataset) -> Figu
     depth = float(base["s"][-1]) - base["s"]
     axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=COLOURS[0])
     axes[0].axvline(X_HEAVY, label="printed at the LMRP: 58.2 m", **PRINTED)
-    axes[1].plot(base["max_bending_moment"] / 1e3, depth, color=COLOURS[0])
+    moment = base_runs["bending_moment"].sel(time=STATED) / 1e3
+    moment = _largest_to_the_right(moment)
+    at_joint = float(moment.isel(s=-1))
+    axes[1].plot(moment, depth, color=COLOURS[0])
+    style: dict[str, Any] = {"color": COLOURS[0], "ms": 4, "clip_on": False}
+    axes[1].plot(at_joint, 0.0, "o", label=f"at the joint: {at_joint:.1f} kN m", **style)
     axes[1].axvline(LARGEST, label="printed largest: 52 kN m", **PRINTED)
     own = variants.sel(variant="mesh and step of the paper")
     shape = -displacement(own).sel(time=STATED).dropna("s")
-    moment = abs(own["bending_moment"]).sel(time=STATED).dropna("s") / 1e3
-    for ax, curve in zip(axes, (shape, moment), strict=False):
+    theirs = own["bending_moment"].sel(time=STATED).dropna("s") / 1e3
+    theirs = _largest_to_the_right(theirs)
+    for ax, curve in zip(axes, (shape, theirs), strict=False):
         ax.plot(
             curve,
             float(curve["s"][-1]) - curve["s"],
@@ -114,13 +130,23 @@ def fig09(base: xr.Dataset, base_runs: xr.Dataset, variants: xr.Dataset) -> Figu
     for colour, line, below in zip(COLOURS, ("-", "-", "-", "--"), DEPTHS, strict=False):
         at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
         axes[3].plot(at["time"], at - at[0], line, color=colour, lw=1.1, label=f"{below:g} m")
-    for ax, label in zip(axes, (ASTERN, MOMENT, ASTERN), strict=False):
+    for ax, label in zip(axes, (ASTERN, SIGNED, ASTERN), strict=False):
         _down(ax, label)
     axes[3].set_xlabel(TIME)
     axes[3].set_ylabel("axial motion (m)")
     for ax in axes:
         ax.legend(fontsize="small")
+    headline(
+        figure,
+        "The LMRP trails farthest, moments are largest near the surface (current assumed)",
+    )
     return figure
+
+
+def _largest_to_the_right(moment: xr.DataArray) -> xr.DataArray:
+    """A signed moment over s, turned so that its largest size is positive."""
+    largest = float(moment.isel(s=int(abs(moment).argmax("s"))))
+    return moment if largest > 0.0 else -moment
 
 
 def fig10(lmrp_mass: xr.Dataset) -> Figure:
@@ -130,40 +156,87 @@ def fig10(lmrp_mass: xr.Dataset) -> Figure:
         figure.axes[0].axvline(value, **(PRINTED | {"color": colour}))
     figure.axes[0].set_xlim(right=1.05 * X_LIGHT)
     figure.axes[0].set_title("dashed: printed", loc="right", fontsize="small")
+    figure.axes[1].axvline(LARGEST, **(PRINTED | {"color": COLOURS[0]}))
+    headline(
+        figure,
+        "The lighter the LMRP, the farther it trails, the larger the moment, the higher it rises",
+    )
     return figure
 
 
 def fig11(current_speed: xr.Dataset) -> Figure:
-    """The same for three speeds of the current."""
-    return _three(current_speed, "current_speed", (1.0, 1.1, 1.2), "current {:g} m/s")
+    """The same for three speeds of the current, in two profiles."""
+    figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), "current {:g} m/s")
+    headline(figure, "The faster the current along the track, the less the riser trails and bends")
+    return figure
 
 
 def fig12(platform_speed: xr.Dataset) -> Figure:
-    """The same for three speeds of the platform."""
-    return _three(platform_speed, "platform_speed", (2.4, 2.5, 2.6), "platform {:g} kn")
+    """The same for three speeds of the platform, in two profiles."""
+    figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), "platform {:g} kn")
+    headline(figure, "The faster the platform, the more the riser trails, bends and rises")
+    return figure
+
+
+def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str) -> Figure:
+    """Panels in the profile that is drawn first; dotted, shapes and moments in the other."""
+    figure = _three(as_drawn(runs), axis, values, label, key=False)
+    axes = figure.axes
+    names = [str(name) for name in runs["current_profile"].values]
+    other = runs.isel(current_profile=-1, drop=True)
+    for colour, value in zip(COLOURS, values, strict=False):
+        run = other.sel({axis: value}, method="nearest")
+        shape = run["displacement_along"].sel(time=STATED).dropna("s")
+        moment = run["max_bending_moment"].dropna("s") / 1e3
+        for ax, curve in zip(axes, (-shape, moment), strict=False):
+            ax.plot(curve, float(curve["s"][-1]) - curve["s"], ":", color=colour, lw=1.2)
+    axes[0].plot([], [], color=GREY, label=f"current: {names[0]} (assumed)")
+    axes[0].plot([], [], ":", color=GREY, label=f"current: {names[-1]} (assumed)")
+    key_below(figure, axes[0], 5)
+    return figure
 
 
 def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
-    """The same for three angles of the track, speeds apart and in one profile."""
-    figure = _three(track_angle, "track_angle", (0.0, 45.0, 90.0), "track at {:g} deg", key=False)
-    axes = figure.axes
+    """The same for three angles of the track, both speeds in one profile; dashed, speeds apart."""
+    figure, axes = panels(1, 3, 3.7)
     shapes = displacement(track_one_profile).sel(time=STATED)
     moments = abs(track_one_profile["bending_moment"].sel(time=STATED)) / 1e3
     z = track_one_profile["z"].isel(s=0)
-    for colour, track in zip(COLOURS, ONE_PROFILE, strict=False):
-        depth = float(shapes["s"][-1]) - shapes["s"]
-        axes[0].plot(-shapes.sel(track=track), depth, "--", color=colour)
-        axes[1].plot(moments.sel(track=track), depth, "--", color=colour)
+    depth = float(shapes["s"][-1]) - shapes["s"]
+    for colour, track, angle in zip(COLOURS, ONE_PROFILE, (0.0, 45.0, 90.0), strict=False):
+        axes[0].plot(-shapes.sel(track=track), depth, color=colour, label=f"track at {angle:g} deg")
+        axes[1].plot(moments.sel(track=track), depth, color=colour)
         risen = z.sel(track=track) - z.sel(track=track).isel(time=0)
-        axes[2].plot(risen["time"], risen, "--", color=colour, lw=1.0)
-    axes[0].plot([], [], "--", color=GREY, label="both speeds in one profile")
-    key_below(figure, axes[0], 4)
+        axes[2].plot(risen["time"], risen, color=colour, lw=1.0)
+        apart = track_angle.sel(track_angle=angle)
+        shape = apart["displacement_along"].sel(time=STATED)
+        own = float(shape["s"][-1]) - shape["s"]
+        axes[0].plot(-shape, own, "--", color=colour, lw=0.8)
+        axes[1].plot(apart["max_bending_moment"] / 1e3, own, "--", color=colour, lw=0.8)
+    axes[0].plot([], [], color=GREY, label="both speeds in one profile")
+    axes[0].plot([], [], "--", color=GREY, lw=0.8, label="water and platform apart")
+    axes[0].axvline(0.0, color=GREY, lw=0.6)
+    _down(axes[0], ASTERN)
+    _down(axes[1], MOMENT)
+    axes[2].set_xlabel(TIME)
+    axes[2].set_ylabel(RISE)
+    _close_up(axes[2])
+    key_below(figure, axes[0], 5)
+    headline(
+        figure,
+        "Current 3 m/s, platform 1 m/s (assumed): deformed most at 0 deg, the other way at 90 deg",
+    )
     return figure
 
 
 def fig14(riser_length: xr.Dataset) -> Figure:
     """The same for three lengths of riser."""
-    return _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
+    figure = _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
+    headline(
+        figure,
+        "A longer riser trails farther; moments as the text has them would grow with length, too",
+    )
+    return figure
 
 
 def _three(
@@ -184,9 +257,27 @@ def _three(
     _down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel(RISE)
+    _close_up(axes[2])
     if key:
         key_below(figure, axes[0], 3)
     return figure
+
+
+def _close_up(ax: Axes) -> None:
+    """The last crest of curves over time, enlarged, where they would lie on one another."""
+    curves = [(np.asarray(line.get_xdata()), np.asarray(line.get_ydata())) for line in ax.lines]
+    end = max(float(t[-1]) for t, _ in curves)
+    lowest, highest = ax.get_ylim()
+    ax.set_ylim(lowest, highest + 0.75 * (highest - lowest))
+    inset = ax.inset_axes((0.08, 0.62, 0.88, 0.34))
+    for line, (t, z) in zip(ax.lines, curves, strict=True):
+        late = t >= end - CLOSE_UP
+        inset.plot(t[late], z[late], color=line.get_color(), lw=1.0)
+    tops = [float(z[t >= end - CLOSE_UP].max()) for t, z in curves]
+    spread = max(max(tops) - min(tops), 0.02 * abs(max(tops)))
+    inset.set_ylim(min(tops) - 2.0 * spread, max(tops) + spread)
+    inset.tick_params(labelsize="x-small")
+    inset.set_title("crests of the last 20 s", fontsize="x-small", pad=2)
 
 
 def _down(ax: Axes, label: str) -> None:
@@ -214,7 +305,8 @@ def trends(
         "riser_length": (riser_length, "riser length (m)"),
         "track_angle": (track_angle, "track angle (deg)"),
     }
-    for k, (axis, (runs, label)) in enumerate(columns.items()):
+    for k, (axis, (full, label)) in enumerate(columns.items()):
+        runs = as_drawn(full)
         at = runs.sel(time=STATED)
         curves: tuple[xr.DataArray, ...] = (
             -at["lmrp_displacement"],
@@ -223,6 +315,7 @@ def trends(
         )
         for ax, curve in zip(axes[k :: len(columns)], curves, strict=True):
             ax.plot(curve[axis], curve, marker=".", color=COLOURS[k])
+            _no_smaller_than(ax, LEAST_SPAN)
         across = at["lmrp_displacement_cross"]
         if float(abs(across).max()) > 0.0:
             axes[k].plot(across[axis], across, "--", color=COLOURS[k], label="across")
@@ -232,7 +325,19 @@ def trends(
         axes[:: len(columns)], ("LMRP astern (m)", "M (kN m)", "joint (deg)"), strict=True
     ):
         ax.set_ylabel(label)
+    headline(
+        figure,
+        "What moves the LMRP, the largest moment and the joint at 130 s, and what hardly does",
+    )
     return figure
+
+
+def _no_smaller_than(ax: Axes, share: float) -> None:
+    """Widen an axis that would show less than a share of its values, so that little looks little."""
+    low, high = ax.get_ylim()
+    middle = 0.5 * (low + high)
+    half = 0.5 * max(high - low, share * abs(middle))
+    ax.set_ylim(middle - half, middle + half)
 
 
 def readings(readings: xr.Dataset) -> Figure:
@@ -250,6 +355,10 @@ def readings(readings: xr.Dataset) -> Figure:
     for mark, flow in zip(MARKS, flows, strict=False):
         axes[0].plot([], [], ls="none", marker=mark, color=GREY, ms=4, label=str(flow))
     key_below(figure, axes[0], 3)
+    headline(
+        figure,
+        "Readings of weight, flow and profile, all assumed, beside the printed numbers (dashed)",
+    )
     return figure
 
 
@@ -262,8 +371,22 @@ def open_choices(open_lmrp_mass: xr.Dataset) -> Figure:
         one = found.sel(sample=weights == weight)
         axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=3, label=str(weight))
         axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
+    _around_print(axes, found)
     key_below(figure, axes[0], 2)
+    headline(figure, "Samples of all that is open, beside the printed numbers (dashed)")
     return figure
+
+
+def _around_print(axes: list[Axes], found: xr.Dataset) -> None:
+    """Show what is near the printed numbers; samples beyond are counted."""
+    bounds = ((axes[0], "moment", 4.0 * LARGEST), (axes[1], "ratio", 1.5))
+    for ax, name, top in bounds:
+        ax.set_xlim(0.0, 4.0 * X_HEAVY)
+        ax.set_ylim(0.0 if name == "moment" else 0.9, top)
+        beyond = int(((found["x"] > 4.0 * X_HEAVY) | (found[name] > top)).sum())
+        ax.set_title(
+            f"{beyond} of {found.sizes['sample']} beyond the frame", loc="right", fontsize="small"
+        )
 
 
 def _coloured(readings: xr.DataArray) -> dict[str, str]:

@@ -1,102 +1,137 @@
-"""What accuracy costs: error against wall time, by method, with the best that can be had marked."""
+"""What accuracy costs by method, and whether requests are met."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from numpy.typing import NDArray
+
+from riserstudy.figures.style import COLOURS, key_below, panels
 
 QUANTITIES = ("displacement", "moment", "tension")
-MARKERS = "osD^vPX*"
+MARKERS = "osD^vPX*<>"
+STYLES = ("-", (0, (4, 2)))
+LARGEST = 0.5  # error that is drawn, at most
+TARGET = 0.002  # error at which methods are compared
 
 
 def accuracy(accuracy: xr.Dataset) -> Figure:
-    """Rows are scenes, columns quantities; a point is one mesh and step, the line the Pareto front."""
-    scenes = list(accuracy["scene"].values)
-    figure = Figure((11.0, 0.9 + 2.9 * len(scenes)), dpi=150, layout="constrained")
-    axes = figure.subplots(len(scenes), 3, squeeze=False)
-    for row, scene in enumerate(scenes):
-        for column, quantity in enumerate(QUANTITIES):
-            _panel(axes[row, column], accuracy.sel({"scene": scene}), scene, quantity)
-            if row == len(scenes) - 1:
-                axes[row, column].set_xlabel("wall time of a run (s)")
-        axes[row, 0].set_ylabel(f"{scene}\nerror over largest value (-)")
-    handles, labels = [], []
-    for ax in axes.flat:
+    """A panel a scene: for each method the lower edge of all its meshes and steps."""
+    scenes = [str(scene) for scene in accuracy["scene"].values]
+    columns = min(2, len(scenes))
+    figure, axes = panels(-(-len(scenes) // columns), columns, height=3.3)
+    for ax, scene in zip(axes, scenes, strict=False):
+        best = _scene(ax, accuracy.sel({"scene": scene}))
+        ax.set_title(f"{scene}: {best}", fontsize="small")
+        ax.set_xlabel("time of a run (s)")
+        ax.set_ylabel("largest error (%)")
+        ax.set_xscale("log")
+        ax.set_yscale("log")
+        ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
+        ax.xaxis.set_minor_formatter(NullFormatter())
+    for ax in axes[len(scenes) :]:
+        ax.set_axis_off()
+        ax.set_title("", loc="left")
+    shown: dict[str, Any] = {}
+    for ax in axes[: len(scenes)]:
         for handle, label in zip(*ax.get_legend_handles_labels(), strict=True):
-            if label not in labels:
-                handles.append(handle)
-                labels.append(label)
-    figure.legend(handles, labels, loc="outside lower center", ncols=5, fontsize="small")
+            shown.setdefault(label, handle)
+    figure.legend(
+        shown.values(), shown.keys(), loc="outside lower center", ncols=4, fontsize="small"
+    )
     return figure
 
 
-def _panel(ax: Axes, of: xr.Dataset, scene: str, quantity: str) -> None:
-    cost, error = [], []
-    for k, method in enumerate(of["method"].values):
-        one = of.sel({"method": method})
-        x, y = one["wall_seconds"].values.ravel(), one[f"error_{quantity}"].values.ravel()
-        ran = np.isfinite(x) & np.isfinite(y) & (y < 1.0) & (y > 0.0)
-        if not ran.any():
+def _scene(ax: Axes, of: xr.Dataset) -> str:
+    """Draw the edges of all methods; which of them is the quickest at the target."""
+    quickest = (np.inf, "no method")
+    for k, method in enumerate(map(str, of["method"].values)):
+        edge = _edge(of.sel({"method": method}))
+        if not len(edge):
             continue
-        order = _order(one, quantity)
-        note = f" ({order:.1f})" if np.isfinite(order) else ""
-        ax.plot(x[ran], y[ran], MARKERS[k % len(MARKERS)], ms=3.5, color=f"C{k}", label=str(method))
-        best = np.nanargmin(np.where(ran, y, np.nan))
-        if note:
-            ax.annotate(note, (x[best], y[best]), fontsize="xx-small", color=f"C{k}")
-        cost.append(x[ran])
-        error.append(y[ran])
-    if not cost:
-        ax.text(0.5, 0.5, f"no {quantity}", ha="center", transform=ax.transAxes, color="0.5")
-        ax.set_axis_off()
-        return
-    x, y = np.concatenate(cost), np.concatenate(error)
-    front = np.argsort(x)
-    lowest = np.minimum.accumulate(y[front])
-    ax.step(x[front], lowest, where="post", color="0.6", lw=1.0, zorder=0, label="best of all")
-    ax.set_xscale("log")
-    ax.set_yscale("log")
-    ax.set_title(f"{scene}: {quantity}", fontsize="medium")
-    ax.xaxis.set_minor_formatter(NullFormatter())
-    ax.grid(alpha=0.3)
+        ax.plot(
+            *edge.T, marker=MARKERS[k % len(MARKERS)], markersize=3.5, linewidth=1.2,
+            color=COLOURS[k % len(COLOURS)], linestyle=STYLES[k // len(COLOURS)], label=method,
+        )  # fmt: skip
+        met = edge[edge[:, 1] <= TARGET, 0]
+        if len(met):
+            quickest = min(quickest, (float(met.min()), method))
+    ax.axhline(TARGET, color="0.5", linewidth=0.8, linestyle=":")
+    name = quickest[1]
+    return f"{name} reaches {100 * TARGET:g} %" + ("" if name == "no method" else " first")
 
 
-def _order(one: xr.Dataset, quantity: str) -> float:
-    """Observed order in the step on the finest mesh, where three rungs still fall."""
-    error = one[f"error_{quantity}"].isel(mesh_level=-1).values
-    step = one["step"].isel(mesh_level=-1).values
-    good = np.isfinite(error) & np.isfinite(step) & (error < 0.3)
-    if good.sum() < 3:
-        return float("nan")
-    e, h = error[good][:3], step[good][:3]
-    return float(np.polyfit(np.log(h), np.log(e), 1)[0])
+def _edge(one: xr.Dataset) -> NDArray[np.float64]:
+    """Time and largest error of runs that no quicker one of the method betters, (n, 2)."""
+    errors = np.stack([one[f"error_{q}"].values.ravel() for q in QUANTITIES])
+    worst = np.where(np.isnan(errors), -np.inf, errors).max(axis=0)
+    seconds = one["wall_seconds"].values.ravel()
+    good = np.isfinite(seconds) & (worst > 0.0) & (worst < LARGEST)
+    order = np.argsort(seconds[good])
+    seconds, worst = seconds[good][order], worst[good][order]
+    best = worst < np.concatenate([[np.inf], np.minimum.accumulate(worst)[:-1]])
+    return np.asarray(np.column_stack([seconds[best], worst[best]]))
 
 
 def asked(accuracy: xr.Dataset) -> Figure:
-    """Accuracy asked for, estimated and reached, and the time it took."""
-    figure = Figure((9.6, 4.0), dpi=150, layout="constrained")
-    left, right = figure.subplots(1, 2)
-    scenes = list(dict.fromkeys(accuracy["request_scene"].values.tolist()))
-    for k, scene in enumerate(scenes):
+    """Accuracy asked for, estimated and reached, and the time it took; late scenes are named."""
+    figure, (left, right) = panels(1, 2, height=3.9)
+    known = accuracy["request_seconds"].notnull().values
+    scenes = list(dict.fromkeys(map(str, accuracy["request_scene"].values)))
+    drawn = [name for name in scenes if known[accuracy["request_scene"].values == name].any()]
+    for k, scene in enumerate(drawn):
         of = accuracy.isel(request=np.flatnonzero(accuracy["request_scene"].values == scene))
-        worst = np.nanmax([of[f"reached_{q}"].values for q in QUANTITIES], axis=0)
-        told = np.nanmax([of[f"estimated_{q}"].values for q in QUANTITIES], axis=0)
-        left.plot(of["requested"], worst, "o-", color=f"C{k}", ms=4, label=scene)
-        left.plot(of["requested"], told, "x:", color=f"C{k}", ms=4)
-        right.plot(of["requested"], of["request_seconds"], "o-", color=f"C{k}", ms=4, label=scene)
+        colour = COLOURS[k % len(COLOURS)]
+        worst, told = (_largest(of, kind) for kind in ("reached", "estimated"))
+        left.plot(of["requested"], worst, "o-", color=colour, ms=4, label=scene)
+        left.plot(of["requested"], told, "x:", color=colour, ms=4)
+        right.plot(of["requested"], of["request_seconds"], "o-", color=colour, ms=4)
+        change = float(accuracy["reference_change"].sel(scene=scene).max())
+        if change == change:
+            left.axhline(change, color=colour, linewidth=0.7, linestyle=(0, (1, 3)))
     ends = np.array([float(accuracy["requested"].min()), float(accuracy["requested"].max())])
-    left.plot(ends, ends, color="0.6", lw=1.0, label="asked = reached")
-    for ax, word in (
-        (left, "error: reached (o), estimated (x)"),
-        (right, "wall time, all refinements (s)"),
-    ):
+    left.plot(ends, ends, color="0.6", lw=1.0, label="reached as asked")
+    for ax, word in ((left, "error (%)"), (right, "time of all runs (s)")):
         ax.set_xscale("log")
         ax.set_yscale("log")
-        ax.set_xlabel("accuracy asked for (-)")
+        ax.set_xlabel("accuracy asked for (%)")
         ax.set_ylabel(word)
-        ax.grid(alpha=0.3)
-    left.legend(fontsize="small")
+        asked = sorted(set(accuracy["requested"].values.tolist()))
+        ax.set_xticks(asked, [f"{100 * x:g}" for x in asked])
+        ax.xaxis.set_minor_formatter(NullFormatter())
+        ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        ax.yaxis.set_minor_formatter(NullFormatter())
+        ax.margins(y=0.15)
+    left.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
+    right.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+    bottom, top = right.get_ylim()
+    right.set_ylim(min(bottom, 0.5 * top), max(top, 2.0 * bottom))
+    left.set_title("(a) reached (o), estimated (x)", loc="left", fontsize="medium")
+    right.set_title("(b) time", loc="left", fontsize="medium")
+    if late := sorted(set(scenes) - set(drawn)):
+        right.text(
+            0.02, 0.02, f"not within the time allowed: {', '.join(late)}",
+            transform=right.transAxes, fontsize="x-small",
+        )  # fmt: skip
+    figure.suptitle(_met(accuracy), fontsize="medium", x=0.01, ha="left")
+    key_below(figure, left, 4)
     return figure
+
+
+def _largest(of: xr.Dataset, kind: str) -> NDArray[np.float64]:
+    values = np.stack([of[f"{kind}_{q}"].values for q in QUANTITIES])
+    worst = np.where(np.isnan(values), -np.inf, values).max(axis=0)
+    return np.where(np.isfinite(worst), worst, np.nan)
+
+
+def _met(accuracy: xr.Dataset) -> str:
+    """How many requests reached what they asked for."""
+    worst = _largest(accuracy, "reached")
+    judged = np.isfinite(worst)
+    kept = int((worst[judged] <= accuracy["requested"].values[judged]).sum())
+    return f"{kept} of {judged.sum()} requests err no more than was asked for"

@@ -2,36 +2,64 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from riserstudy.figures.style import COLOURS, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
 LEAST = 1e-7  # error that a mark is drawn at, at least
+DECADES = 100.0  # spread below which more than powers of ten are written
+ROW, FRAME = 0.3, 1.7  # inches
 
 
 def tiers(tiers: xr.Dataset) -> Figure:
-    """Time and error by tier, a line a scene."""
-    figure, (left, right) = panels(1, 2, height=3.8)
-    at = np.arange(tiers.sizes["tier"])
-    for k, scene in enumerate(tiers["scene"].values):
-        of = tiers.sel(scene=scene)
-        style: dict[str, Any] = {
-            "color": COLOURS[k % len(COLOURS)],
-            "marker": "os^Dv<>"[(k + k // len(COLOURS)) % 7],
-            "markersize": 5,
-        }
-        left.plot(at, of["wall_seconds"], label=str(scene), **style)
-        right.plot(at, np.maximum(of["estimated"], LEAST), **style)
-        error = np.maximum(of["error"].max("quantity"), LEAST)
-        right.plot(at, error, linestyle="", markerfacecolor="none", **style)
-    left.set_ylabel("wall time of a run, all refinements (s)")
-    right.set_ylabel("largest error (-)")
-    for ax in (left, right):
-        ax.set_yscale("log")
-        ax.set_xticks(at, tiers["tier"].values)
+    """A row a scene, a colour a tier: time, and error as estimated and as peaks show it."""
+    figure, (left, right) = panels(1, 2, height=FRAME + ROW * tiers.sizes["scene"])
+    rows = np.arange(tiers.sizes["scene"])
+    for k, tier in enumerate(tiers["tier"].values):
+        of = tiers.sel(tier=tier)
+        colour, marker = COLOURS[k], "os^"[k % 3]
+        left.plot(of["wall_seconds"], rows, marker, color=colour, markersize=6, label=str(tier))
+        right.plot(_shown(of["estimated"]), rows, marker, color=colour, markersize=6)
+        peaks = _shown(of["error"].max("quantity"))
+        right.plot(peaks, rows, marker, color=colour, markersize=6, markerfacecolor="none")
+    left.set_yticks(rows, tiers["scene"].values, fontsize="small")
+    right.set_yticks(rows, [""] * len(rows))
+    _across(left, "time of all runs (s)", 1.0)
+    _across(right, "largest error (%): estimated (filled), of peaks (open)", 100.0)
+    headline(figure, answer(tiers))
     key_below(figure, left, 3)
     return figure
+
+
+def answer(tiers: xr.Dataset) -> str:
+    """What the finest tier costs over the coarsest, in the median of scenes that both can do."""
+    first, last = str(tiers["tier"].values[0]), str(tiers["tier"].values[-1])
+    ratio = (tiers["wall_seconds"].sel(tier=last) / tiers["wall_seconds"].sel(tier=first)).dropna(
+        "scene"
+    )
+    if not ratio.size:
+        return f"No scene was simulated at both {first} and {last}"
+    return (
+        f"{last.capitalize()} takes {float(ratio.median()):.2g} times as long as {first} "
+        f"(median of {ratio.size} of {tiers.sizes['scene']} scenes)"
+    )
+
+
+def _shown(error: xr.DataArray) -> xr.DataArray:
+    return error.clip(min=LEAST)
+
+
+def _across(ax: Axes, label: str, factor: float) -> None:
+    ax.set_xscale("log")
+    ax.set_xlabel(label)
+    ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{factor * x:g}"))
+    ax.xaxis.set_minor_formatter(NullFormatter())
+    bottom, top = ax.get_xlim()
+    if top < DECADES * bottom:
+        ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    ax.margins(y=0.1 if ax.get_yticks().size > 2 else 0.4)
+    ax.invert_yaxis()

@@ -1,0 +1,145 @@
+"""What stays stable, in one picture: how hard cases ended, and the steps that methods bear."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, Rectangle
+from numpy.typing import NDArray
+
+from riserstudy.figures.style import COLOURS
+
+#: how a case ended, by colour
+ENDS = {
+    "accurate to 1 %": "#4fa876",
+    "inaccurate, and says so": "#f0c35a",
+    "refused with the reason": "#7fb2dd",
+    "finished, no reference": "#c7a9d4",
+    "not as expected": "#c0392b",
+}
+ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
+#: methods of the lower panel, as far as they were run; the table has all
+SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", "explicit")
+
+
+def stability(stability: xr.Dataset) -> Figure:
+    """Squares in families above, ranges of steps by family and method below."""
+    families = list(dict.fromkeys(map(str, stability["family"].values)))
+    methods = [m for m in SHOWN if m in stability["method"].values]
+    stepped = [name for name in families if not np.isnan(_ranges(stability, name, methods)).all()]
+    heights = [0.34 * len(families) + 0.7, 0.11 * len(methods) * len(stepped) + 1.4]
+    figure = Figure((9.6, sum(heights) + 0.5), dpi=150, layout="constrained")
+    above, below = figure.subplots(2, 1, height_ratios=heights)
+    _squares(above, stability, families)
+    _steps(below, stability, stepped, methods)
+    return figure
+
+
+def ended(stability: xr.Dataset) -> list[str]:
+    """How each case ended, in the words of the key."""
+    found = []
+    for outcome, met in zip(
+        map(str, stability["written_outcome"].values), stability["as_expected"].values, strict=True
+    ):
+        kinds = {"accurate": ACCURATE, "stable but inaccurate": FLAGGED}
+        end = kinds.get(outcome, REFUSED if outcome.startswith("refused") else UNJUDGED)
+        found.append(end if met else WRONG)
+    return found
+
+
+def answer(stability: xr.Dataset) -> str:
+    """How many cases ended how."""
+    ends = ended(stability)
+    counts = [f"{ends.count(end)} {end}" for end in ENDS if end in ends and end != WRONG]
+    wrong = ends.count(WRONG)
+    verdict = "all ended as expected" if not wrong else f"{wrong} did not end as expected"
+    return f"{len(ends)} hard cases, {verdict}:\n{'; '.join(counts)}"
+
+
+def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
+    ends = np.array(ended(stability))
+    of = stability["family"].values.astype(str)
+    most = 0
+    for row, family in enumerate(families):
+        for place, end in enumerate(sorted(ends[of == family], key=list(ENDS).index)):
+            square = Rectangle((place, row - 0.4), 0.8, 0.8, facecolor=ENDS[end], edgecolor="none")
+            ax.add_patch(square)
+            most = max(most, place + 1)
+    ax.set_xlim(-0.3, max(most, 20))
+    ax.set_ylim(len(families) - 0.4, -0.6)
+    ax.set_yticks(range(len(families)), families)
+    ax.set_xticks([])
+    ax.tick_params(length=0)
+    for side in ax.spines.values():
+        side.set_visible(False)
+    present = [end for end in ENDS if end in ends]
+    ax.legend(
+        handles=[Patch(facecolor=ENDS[end], label=end) for end in present],
+        loc="center right", fontsize="small", frameon=False,
+    )  # fmt: skip
+    ax.set_title(f"(a) {answer(stability)}", loc="left", fontsize="medium")
+
+
+def _ranges(stability: xr.Dataset, family: str, methods: list[str]) -> NDArray[np.float64]:
+    """Mean largest accurate and largest surviving step of methods over the default's, (methods, 2)."""
+    here = np.flatnonzero(stability["family"].values.astype(str) == family)
+    of = stability.isel(case=here)
+    laddered = (of["step"].notnull().sum("rung") > 1).any("method").values
+    of = of.isel(case=np.flatnonzero(laddered))
+    out = np.full((len(methods), 2), np.nan)
+    for row, method in enumerate(methods):
+        for side, name in enumerate(("largest_accurate_step", "largest_stable_step")):
+            ratio = (of[name].sel({"method": method}) / of["written_step"]).values
+            if np.isfinite(ratio).any():
+                out[row, side] = np.exp(np.nanmean(np.log(ratio)))
+    return out
+
+
+def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:
+    height = 1.0 / (len(methods) + 1.2)
+    for row, family in enumerate(families):
+        for k, (accurate, stable) in enumerate(_ranges(stability, family, methods)):
+            y = row + (k - 0.5 * (len(methods) - 1)) * height
+            colour = COLOURS[k % len(COLOURS)]
+            ends = [x for x in (accurate, stable) if np.isfinite(x)]
+            ax.plot(ends, [y] * len(ends), color=colour, linewidth=3.0, alpha=0.45, zorder=2)
+            ax.plot(
+                accurate,
+                y,
+                "o",
+                color=colour,
+                markersize=4.5,
+                zorder=3,
+                label=methods[k] if not row else "",
+            )
+            ax.plot(stable, y, "o", color=colour, markersize=7.5, markerfacecolor="none", zorder=3)
+    ax.axvline(1.0, color="0.5", linewidth=0.8, zorder=1)
+    ax.set_xscale("log")
+    ax.set_yticks(range(len(families)), families)
+    ax.set_ylim(len(families) - 0.5, -0.5)
+    for edge in range(1, len(families)):
+        ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)
+    ax.tick_params(axis="y", length=0)
+    ax.set_xlabel("step over the step that the default accuracy chooses (1)")
+    ax.set_title(f"(b) {_bearable(stability, families, methods)}", loc="left", fontsize="medium")
+    handles, labels = ax.get_legend_handles_labels()
+    if handles:
+        ax.legend(
+            handles, labels, loc="upper center", bbox_to_anchor=(0.5, -0.09 - 0.25 / len(families)),
+            ncols=5, fontsize="small", frameon=False,
+        )  # fmt: skip
+
+
+def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) -> str:
+    """Which method stays accurate at the longest steps, in how many families."""
+    ranges = np.array([_ranges(stability, family, methods)[:, 0] for family in families])
+    seen = ranges[~np.isnan(ranges).all(axis=1)] if len(ranges) else ranges
+    if not len(seen):
+        return "steps that methods bear"
+    best = np.nanmax(seen, axis=1)
+    wins = [(int((seen[:, k] >= (1 - 1e-9) * best).sum()), m) for k, m in enumerate(methods)]
+    count = max(wins)[0]
+    names = " and ".join(m for n, m in wins if n == count)
+    return f"Longest accurate steps: {names}, in {count} of {len(seen)} families"

@@ -1,0 +1,133 @@
+"""What a figure shows, read from itself: in words for those who do not see it, and as numbers."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PathCollection, PolyCollection, QuadMesh
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+SAYS = 30  # characters from which the title of a panel says what is seen
+_LETTER = re.compile(r"^\([a-z]\)\s*")
+MOST_NAMED = 6  # lines of a panel that are named in words
+HEADER = ("panel", "x", "y", "series", "x_value", "y_value", "colour_value")
+
+
+class Drawn(NamedTuple):
+    """One series of a panel: its kind, its name, and values over x and y, with that of its colour."""
+
+    kind: str
+    name: str
+    values: Array  # (n, 3), the third nan where colour tells nothing
+
+
+def headline(figure: Figure) -> str:
+    """What a figure says: its title, or that of its first panel; "" where it says nothing."""
+    axes = _shown(figure)
+    panel = _LETTER.sub("", _title(axes[0])) if axes else ""
+    return _plain(figure.get_suptitle()) or (panel if len(panel) > SAYS else "")
+
+
+def words(figure: Figure) -> str:
+    """What is seen: panels with their titles, axes and named series."""
+    said = [panel for ax in _shown(figure) if (panel := _panel(ax))]
+    head = figure.get_suptitle()
+    count = f"{len(said)} panels. " if len(said) > 1 else ""
+    return " ".join([*([f"{head}."] if head else []), count + " ".join(said)]).replace("\n", " ")
+
+
+def table(figure: Figure) -> str:
+    """All that is drawn as CSV text: a row a value, to six digits."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(HEADER)
+    for number, ax in enumerate(_shown(figure), start=1):
+        title = _title(ax) or str(number)
+        labels = _plain(ax.get_xlabel()), _plain(ax.get_ylabel())
+        for one in _series(ax):
+            writer.writerows(
+                (title, *labels, one.name, *(_cell(value) for value in row)) for row in one.values
+            )
+    return text.getvalue()
+
+
+def _shown(figure: Figure) -> list[Axes]:
+    return [ax for ax in figure.axes if ax.get_visible() and ax.get_label() != "<colorbar>"]
+
+
+def _panel(ax: Axes) -> str:
+    series = [*_series(ax)]
+    if not series and not ax.has_data():
+        return ""
+    title, x, y = _title(ax), _plain(ax.get_xlabel()), _plain(ax.get_ylabel())
+    axes = " over ".join(word for word in (y, x) if word)
+    names = list(dict.fromkeys(one.name for one in series if one.name))
+    many = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+    shown = f": {'; '.join(names[:MOST_NAMED])}{many}" if names else ""
+    return f"{title + ': ' if title else ''}{axes or 'a drawing'}{shown}."
+
+
+def _title(ax: Axes) -> str:
+    return _plain(" ".join(t for loc in ("left", "center") if (t := ax.get_title(loc=loc))))
+
+
+def _plain(text: str) -> str:
+    return " ".join(text.replace("$", "").split())
+
+
+def _series(ax: Axes) -> Iterator[Drawn]:
+    for artist in ax.get_children():
+        label = str(artist.get_label() or "")
+        name = "" if label.startswith("_") else label
+        values = _values(artist)
+        if values is not None and len(values):
+            yield Drawn(type(artist).__name__, name, values)
+    for bars in ax.containers:
+        label = str(bars.get_label() or "")
+        boxes = [patch.get_bbox() for patch in getattr(bars, "patches", [])]
+        if boxes:
+            tops = np.array([(0.5 * (b.x0 + b.x1), b.y1, np.nan) for b in boxes])
+            yield Drawn("bars", "" if label.startswith("_") else label, tops)
+
+
+def _values(artist: Any) -> Array | None:
+    if isinstance(artist, Line2D):
+        return _columns(artist.get_xdata(orig=False), artist.get_ydata(orig=False))
+    if isinstance(artist, QuadMesh):
+        array, grid = artist.get_array(), np.asarray(artist.get_coordinates())
+        if array is None:
+            return None
+        if array.size != grid[..., 0].size:  # a value a cell, not a corner
+            grid = 0.25 * (grid[1:, 1:] + grid[:-1, 1:] + grid[1:, :-1] + grid[:-1, :-1])
+        return _columns(grid[..., 0].ravel(), grid[..., 1].ravel(), array.ravel())
+    if isinstance(artist, PathCollection):
+        places = np.ma.getdata(artist.get_offsets())
+        array = artist.get_array()
+        colour = array.ravel() if array is not None and array.size == len(places) else None
+        return _columns(places[:, 0], places[:, 1], colour)
+    if isinstance(artist, PolyCollection):
+        corners = [path.vertices for path in artist.get_paths()]
+        return _columns(*np.concatenate(corners).T) if corners else None
+    return None
+
+
+def _columns(x: Any, y: Any, colour: Any = None) -> Array:
+    x, y = (np.ma.filled(np.ma.asarray(v, float), np.nan) for v in (x, y))
+    shade = (
+        np.full(len(x), np.nan) if colour is None else np.ma.filled(colour.astype(float), np.nan)
+    )
+    return np.column_stack([x, y, shade])
+
+
+def _cell(value: float) -> str:
+    return "" if np.isnan(value) else f"{value:.6g}"

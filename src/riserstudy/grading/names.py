@@ -1,0 +1,35 @@
+"""Inputs and their options as verdicts name them: in words, not as paths of a scene."""
+
+from __future__ import annotations
+
+import re
+
+_INDEX = re.compile(r"^(\w+)\[(\d+)\]$")
+_COUNTED = {"riser": "riser section"}
+_JOINED = re.compile(r"[a-z]+(_[a-z0-9]+)+")
+ABSENT = "absent"
+
+
+def input_name(path: str) -> str:
+    """A path of a scene, or the name of an axis or of readings, as one would say it.
+
+    ``current.profile.sum[0].surface_speed`` is the surface speed of current profile part 1.
+    """
+    *above, last = path.split(".")
+    words = " ".join(_part(part) for part in above)
+    return f"{_part(last)} of {words}" if words else _part(last)
+
+
+def _part(part: str) -> str:
+    found = _INDEX.match(part)
+    if not found:
+        return part.replace("_", " ")
+    name, number = found[1], int(found[2]) + 1
+    return f"{'part' if name == 'sum' else _COUNTED.get(name, name)} {number}"
+
+
+def option_name(option: str) -> str:
+    """An option as one would say it; what a scene leaves out is absent."""
+    if option == "None":
+        return ABSENT
+    return option.replace("_", " ") if _JOINED.fullmatch(option) else option

@@ -1,0 +1,56 @@
+"""After how many samples a verdict was certain, looking at ever more of them in their order.
+
+Sobol points are spread evenly at every such prefix. The others are simulated all the same: what decides a
+claim takes more samples to see than whether anything does.
+
+References
+----------
+Clopper and Pearson (1934), bounds of a share from hits among draws.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import binomtest
+
+from riserstudy.grading.verdict import ALMOST_ALWAYS, ALMOST_NEVER
+
+SURE = 0.99  # that a share lies on the side of a bound on which it seems to lie
+FIRST = 8  # samples
+
+
+def looks(samples: int) -> list[int]:
+    """Numbers of samples after which one looks: 8, 16, 32, 64, 96, 128, 192, 256 ..., all of them at last."""
+    counts = [FIRST]
+    while counts[-1] < samples:
+        last = counts[-1]
+        power = 1 << (last.bit_length() - 1)
+        counts.append(last + power // 2 if last >= 8 * FIRST else 2 * last)
+    return [count for count in counts if count < samples] + [samples]
+
+
+def certain(hits: int, samples: int) -> bool:
+    """Whether so many hits settle if the share is almost all, almost none, or neither."""
+    band = binomtest(hits, samples).proportion_ci(2.0 * SURE - 1.0, method="exact")
+    always, never = band.low >= ALMOST_ALWAYS, band.high <= ALMOST_NEVER
+    return bool(always or never or (band.low > ALMOST_NEVER and band.high < ALMOST_ALWAYS))
+
+
+def decided_after(hits: NDArray[np.bool_]) -> int | None:
+    """Samples after which the verdict was certain; None when all of them leave it open.
+
+    Parameters
+    ----------
+    hits : (samples,) in the order of their numbers.
+    """
+    total = np.cumsum(hits)
+    return next((n for n in looks(len(hits)) if certain(int(total[n - 1]), n)), None)
+
+
+def settled(hits: NDArray[np.bool_]) -> str:
+    """When the verdict was certain, as a sentence; ``hits`` as in ``decided_after``."""
+    first, percent = decided_after(hits), f"{100 * SURE:.0f} %"
+    if first is None:
+        return f"Near a bound: {len(hits)} samples leave the verdict open at {percent} confidence."
+    return f"Settled at {percent} confidence by the first {first} samples."
