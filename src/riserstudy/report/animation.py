@@ -28,9 +28,9 @@ WIDE, SLIM = (
 )  # breadth of the view in space over its height: at most, for the wider; at least
 FONT = {"family": "Source Sans 3, Segoe UI, Helvetica Neue, Arial, sans-serif", "size": 12}
 DIVERGING = [
-    [0.0, "#b2182b"],
+    [0.0, "#2166ac"],
     [0.5, "#b9c0c7"],
-    [1.0, "#2166ac"],
+    [1.0, "#b2182b"],
 ]  # seen on white in the middle too
 PAUSE = 60  # between frames while playing (ms)
 

@@ -1,36 +1,31 @@
-"""What the report tells, gathered from datasets, tables and study files."""
+"""What the report tells, gathered from the results database, tables, datasets and study files."""
 
 from __future__ import annotations
 
 import csv
 import json
-from collections import Counter
+import sqlite3
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from riserstudy.database.ask import opened
+from riserstudy.report import audit
 from riserstudy.report.animation import animation
+from riserstudy.report.claims import VERDICTS, Claim, read_claims
 from riserstudy.report.engine import engine
 from riserstudy.report.motion import motion_of
+from riserstudy.report.overview import amounts, bars, findings, short_of, subject, tiles, title_of
+from riserstudy.report.pictures import Figure, claims_by_figure, heading, picture_of
 from riserstudy.report.scenes import SceneTable, scene_tables
-from riserstudy.report.wording import counted, grouped, listed, seconds, share
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
 
 if TYPE_CHECKING:
     import xarray as xr
 
-VERDICTS = {
-    "reproduced": "inside the printed rounding or 1 %, nothing calibrated on the way",
-    "calibrated": "met, with an input that was fitted to a printed number",
-    "holds": "a claim true in at least 95 % of the assumption samples",
-    "depends": "decided by an input that the paper leaves open",
-    "fails": "a number missed, or a claim true in at most 5 % of the samples",
-    "not reproducible": "the paper does not say enough",
-}
 ENGINE = "numerics"  # the chapter about the engine itself
-ERRORS = ("displacement", "moment", "tension")
 
 
 @dataclass(frozen=True)
@@ -41,36 +36,23 @@ class Sources:
     ----------
     config : folder with the study files.
     papers : in the order of the report.
-    datasets, figures : files of all results, netCDF and PNG, in a folder named like their paper.
-    tables : CSV files named ``reproduction`` and ``errata``, as far as there are any.
+    database : of the results; figures, datasets and tables lie beside it, by the paths that it holds.
     compiled : marker that holds the time of the cold compile.
     """
 
     config: Path
     papers: list[str]
-    datasets: list[Path]
-    figures: list[Path]
-    tables: list[Path]
+    database: Path
     compiled: Path
 
-
-class Row(NamedTuple):
-    """One dataset of the audit."""
-
-    paper: str
-    name: str
-    about: str
-    axes: str
-    points: int
-    wall: dict[str, float]
-    unexplained: float
-    errors: dict[str, float]
-    warnings: list[tuple[str, int]]
-    warned: int
+    @property
+    def folder(self) -> Path:
+        """Where results lie."""
+        return self.database.parent
 
 
 class MovingRun(NamedTuple):
-    """One run in motion: its paper, its name, what it is, and its figure as JSON."""
+    """One run in motion: its paper, its study, what it is, and its figure as JSON."""
 
     paper: str
     name: str
@@ -78,14 +60,18 @@ class MovingRun(NamedTuple):
     figure: str
 
 
-class Figure(NamedTuple):
-    """One figure, and the scenes behind it."""
+class Chapter(NamedTuple):
+    """All that is told of one paper."""
 
     paper: str
-    name: str
-    caption: str
-    image: Path
-    reads: list[str]
+    title: str
+    reference: str
+    about: str
+    claims: list[Claim]
+    motion: MovingRun | None
+    figures: list[Figure]
+    errata: list[dict[str, str]]
+    left_out: dict[str, str]
     scenes: list[SceneTable]
 
 
@@ -93,176 +79,163 @@ def contents(sources: Sources) -> dict[str, Any]:
     """Everything that the page's template asks for."""
     import xarray as xr
 
-    studies = {paper: read_studies(sources.config, paper) for paper in sources.papers}
-    datasets: dict[tuple[str, str], xr.Dataset] = {}
-    for path in sources.datasets:
+    files = {paper: read_studies(sources.config, paper) for paper in sources.papers}
+    claims = read_claims(sources.folder / "reproduction.csv")
+    with opened(sources.database) as db:
+        paths: dict[str, str] = dict(db.execute("select study, path from studies").fetchall())
         # histories are large, and but few of them are looked at
-        datasets[path.parent.name, path.stem] = xr.open_dataset(path, engine="netcdf4")
-    simulated = {key: ds for key, ds in datasets.items() if "point_key" in ds}
-    rows = [_row(*key, dataset) for key, dataset in simulated.items()]
-    graded = table(sources.tables, "reproduction")
-    figures = [_figure(path, studies, simulated, sources.config) for path in sources.figures]
-    grading = len({row["paper"] for row in graded}) + 1 if graded else 0
-    jobs = (
-        len(sources.datasets) + len(sources.figures) + grading + 2
-    )  # with compiling and reporting
+        datasets = {
+            tuple(study.split("/")): xr.open_dataset(sources.folder / path, engine="netcdf4")
+            for study, path in paths.items()
+        }
+        tables = {p: _scenes(p, files[p], datasets, sources.config) for p in sources.papers}
+        images, figures = _figures(db, sources, files, claims, paths, tables)
+        rows, warned, missed = audit.audit(db), audit.warned(db), audit.missed(db)
+        facts = audit.run_facts(db)
     cold = json.loads(sources.compiled.read_text() or "{}").get("cold_seconds")
-    wall: dict[str, float] = {}
-    for row in rows:
-        wall |= row.wall
+    measured = {name: ds for (paper, name), ds in datasets.items() if paper == ENGINE}
+    points = sum(row.points for row in rows)
     return {
-        "papers": sources.papers,
-        "summary": [
-            *_came_out(graded),
-            *_amounts(sources, rows, wall, jobs, cold),
-            *_soundness(rows, simulated),
-        ],
-        "verdicts": VERDICTS,
-        "graded": graded,
-        "errata": table(sources.tables, "errata"),
-        "motions": [*_motions(studies, datasets)],
-        "figures": figures,
-        "left_out": {paper: file.left_out for paper, file in studies.items() if file.left_out},
-        "anchors": {f"{figure.paper}-{figure.name}" for figure in figures},
-        "engine": engine({name: ds for (paper, name), ds in datasets.items() if paper == ENGINE}),
-        "rows": rows,
-        "derived": [key for key in datasets if key not in simulated and key[0] != ENGINE],
-        "wall": wall,
-        "jobs": jobs,
+        "subject": subject(files),
+        "bars": bars(claims, files),
+        "findings": findings(claims, files, figures, images),
+        "tiles": tiles(figures, images),
+        "facts": [amounts(claims, len(paths), len(figures), points), facts],
+        "total": sum(row.total for row in rows),
         "cold": cold,
+        "verdicts": VERDICTS,
+        "numbers": [claim for claim in claims if claim.kind == "number"],
+        "claims": [claim for claim in claims if claim.kind != "number"],
+        "chapters": [*_chapters(files, claims, figures, datasets, tables, sources.folder)],
+        "short": {paper: short_of(files, paper) for paper in sources.papers},
+        "figures_of": _figures_of(figures),
+        "engine": engine(measured),
+        "engine_chapter": ENGINE,
+        "rows": rows,
+        "warned": warned,
+        "missed": missed,
     }
 
 
-def table(tables: list[Path], name: str) -> list[dict[str, str]]:
+def _table(path: Path) -> list[dict[str, str]]:
     """Rows of a table, none when it is not there."""
-    for path in tables:
-        if path.stem == name:
-            with path.open(newline="", encoding="utf-8") as file:
-                return list(csv.DictReader(file))
-    return []
+    if not path.is_file():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
 
 
-# in ten lines
-
-
-def _came_out(graded: list[dict[str, str]]) -> list[str]:
-    if not graded:
-        return ["No printed numbers or claims are graded."]
-    papers = list(dict.fromkeys(row["paper"] for row in graded))
-    lines = []
-    if len(papers) > 1:
-        what = counted(len(papers), "paper")
-        lines.append(f"{len(graded)} printed numbers and claims of {what}: {_verdicts(graded)}.")
-    for paper in papers:
-        own = [row for row in graded if row["paper"] == paper]
-        kinds = []
-        for kind in ("number", "claim"):
-            if found := [row for row in own if row["kind"] == kind]:
-                kinds.append(f"{counted(len(found), kind)} ({_verdicts(found)})")
-        lines.append(f"{paper}: {listed(kinds)}.")
-    return lines
-
-
-def _verdicts(rows: list[dict[str, str]]) -> str:
-    counts = Counter(row["verdict"] for row in rows)
-    ordered = [*(v for v in VERDICTS if v in counts), *sorted(set(counts) - set(VERDICTS))]
-    return ", ".join(f"{counts[verdict]} {verdict}" for verdict in ordered)
-
-
-def _amounts(
-    sources: Sources, rows: list[Row], wall: dict[str, float], jobs: int, cold: float | None
-) -> list[str]:
-    what = (counted(len(sources.datasets), "dataset"), counted(len(sources.figures), "figure"))
-    points = sum(row.points for row in rows)
-    lines = [
-        f"{what[0]} and {what[1]} from {counted(jobs, 'job')}; {counted(points, 'grid point')}, "
-        f"{len(wall)} of them different simulations."
-    ]
-    if wall:
-        total, longest = sum(wall.values()), max(wall.values())
-        compiling = f"; compiling the kernels from nothing {seconds(cold)}" if cold else ""
-        lines.append(
-            f"Simulating took {seconds(total)} of one core, {seconds(total / len(wall))} a point on "
-            f"average and {seconds(longest)} at most{compiling}."
+def _chapters(
+    files: dict[str, StudyFile],
+    claims: list[Claim],
+    figures: list[Figure],
+    datasets: dict[Any, xr.Dataset],
+    tables: dict[str, list[SceneTable]],
+    folder: Path,
+) -> Iterator[Chapter]:
+    errata = _table(folder / "errata.csv")
+    for paper, file in files.items():
+        yield Chapter(
+            paper,
+            title_of(files, paper),
+            file.reference,
+            file.about,
+            [claim for claim in claims if claim.paper == paper],
+            _motion(paper, file, datasets),
+            [figure for figure in figures if figure.paper == paper],
+            [row for row in errata if row["paper"] == paper],
+            file.left_out,
+            tables[paper],
         )
-    return lines
 
 
-def _soundness(rows: list[Row], simulated: dict[tuple[str, str], xr.Dataset]) -> list[str]:
-    lines = []
-    worst = max(rows, key=lambda row: row.unexplained, default=None)
-    if worst and worst.unexplained > 0.0:
-        lines.append(
-            f"Of the energy exchanged in a simulation at most {share(worst.unexplained)} is left "
-            f"unexplained ({worst.paper}/{worst.name})."
+def _motion(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> MovingRun | None:
+    shown = file.in_motion
+    if not shown or (paper, shown.study) not in datasets:
+        return None
+    motion = motion_of(shown, datasets[paper, shown.study])
+    return MovingRun(paper, shown.study, motion.title, animation(motion))
+
+
+def _scenes(
+    paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset], config: Path
+) -> list[SceneTable]:
+    own = {name: datasets[paper, name] for name in file.studies if (paper, name) in datasets}
+    return scene_tables(own, file, config)
+
+
+def _figures(
+    db: sqlite3.Connection,
+    sources: Sources,
+    files: dict[str, StudyFile],
+    claims: list[Claim],
+    paths: dict[str, str],
+    tables: dict[str, list[SceneTable]],
+) -> tuple[dict[str, Path], list[Figure]]:
+    """Images by anchor, and figures in the order of study files, with all that they are linked to."""
+    known = {
+        (paper, name): (caption, png, pdf)
+        for paper, name, caption, png, pdf in db.execute(
+            "select paper, name, caption, png, pdf from figures"
         )
-    errors = []
-    for name in ERRORS[:2]:
-        worst = max(rows, key=lambda row: row.errors[name], default=None)
-        if worst and worst.errors[name] > 0.0:
-            where = f"{worst.paper}/{worst.name}"
-            errors.append(f"{share(worst.errors[name])} of {name} ({where})")
-    if errors:
-        lines.append(f"Estimated errors are at most {listed(errors)}.")
-    warned, points = sum(row.warned for row in rows), sum(row.points for row in rows)
-    lines.append(f"{warned} of {counted(points, 'grid point')} carry a warning; see the audit.")
-    about = [
-        listed(sorted({str(dataset.attrs[name]) for dataset in simulated.values()}))
-        for name in ("tier", "riserstudy", "engine")
-    ]
-    lines.append(f"Tier {about[0]}; riserstudy {about[1]}, engine {about[2]}.")
-    return lines
+    }
+    rests = _sets(db, "select paper, id, study from rests_on")
+    reads = {
+        key[0]: found for key, found in _sets(db, "select figure, study from figure_reads").items()
+    }
+    behind = {
+        key[0]: found
+        for key, found in _sets(db, "select study, source from simulated_behind").items()
+    }
+    present = {path for (path,) in db.execute("select path from files")}
+    images: dict[str, Path] = {}
+    figures: list[Figure] = []
+    for paper, file in files.items():
+        names = [n for n in (*file.schematics, *file.figures) if (paper, n) in known]
+        own = claims_by_figure(
+            [claim for claim in claims if claim.paper == paper],
+            names,
+            rests,
+            {name: reads.get(f"{paper}/{name}", set()) for name in names},
+        )
+        for name in names:
+            caption, png, pdf = known[paper, name]
+            read = (
+                [f"{paper}/{n}" for n in file.figures[name].reads] if name in file.figures else []
+            )
+            simulated = set().union(*(behind.get(study, set()) for study in read))
+            picture = picture_of(sources.folder / png)
+            beside = [("PDF", pdf), ("PNG", png), ("data as CSV", f"{paper}/{name}.csv")]
+            figure = Figure(
+                paper,
+                name,
+                heading(name, picture.title),
+                caption,
+                picture,
+                [(what, path) for what, path in beside if path in present],
+                [(study.split("/")[1], paths[study]) for study in read if study in paths],
+                own[name],
+                [(t.title, t.anchor(paper)) for t in tables[paper] if simulated & t.studies(paper)],
+                f"snakemake -c1 {paper}_{name}",
+            )
+            images[figure.anchor] = sources.folder / png
+            figures.append(figure)
+    return images, figures
 
 
-# datasets and figures
+def _sets(db: sqlite3.Connection, sql: str) -> dict[tuple[str, ...], set[str]]:
+    """The last column of a statement's rows by the others."""
+    found: dict[tuple[str, ...], set[str]] = {}
+    for *key, value in db.execute(sql):
+        found.setdefault(tuple(key), set()).add(value)
+    return found
 
 
-def _row(paper: str, name: str, dataset: xr.Dataset) -> Row:
-    def largest(variable: str) -> float:
-        return max((float(v) for v in dataset[variable].values.flat if v == v), default=0.0)
-
-    keys = [str(key) for key in dataset["point_key"].values.flat]
-    said = [str(text) for text in dataset["warnings"].values.flat]
-    return Row(
-        paper=paper,
-        name=name,
-        about=str(dataset.attrs["title"]).partition(": ")[2],
-        axes=" × ".join(f"{dataset.sizes[a]} {a}" for a in dataset["point_key"].dims),
-        points=len(keys),
-        wall=dict(zip(keys, map(float, dataset["wall_seconds"].values.flat), strict=True)),
-        unexplained=largest("unexplained_energy"),
-        errors={error: largest(f"error_{error}") for error in ERRORS},
-        warnings=grouped(part for text in said for part in text.splitlines()),
-        warned=sum(bool(text) for text in said),
-    )
-
-
-def _motions(
-    studies: dict[str, StudyFile], datasets: dict[tuple[str, str], xr.Dataset]
-) -> Iterator[MovingRun]:
-    for paper, file in studies.items():
-        shown = file.in_motion
-        if shown and (paper, shown.study) in datasets:
-            motion = motion_of(shown, datasets[paper, shown.study])
-            yield MovingRun(paper, shown.study, motion.title, animation(motion))
-
-
-def _figure(
-    image: Path,
-    studies: dict[str, StudyFile],
-    simulated: dict[tuple[str, str], xr.Dataset],
-    config: Path,
-) -> Figure:
-    paper, name = image.parent.name, image.stem
-    file = studies[paper]
-    if name in file.schematics:
-        shown = file.schematics[name]
-        return Figure(paper, name, shown.caption, image, [shown.scene], [])
-    figure = file.figures[name]
-    behind: list[str] = []
-    for read in figure.reads:
-        sources = file.derived[read].reads if read in file.derived else [read]
-        behind += [s for s in sources if s not in behind]
-    scenes = {s: simulated[paper, s] for s in behind if (paper, s) in simulated}
-    tables = scene_tables(scenes, file, config)
-    return Figure(paper, name, figure.caption, image, figure.reads, tables)
+def _figures_of(figures: list[Figure]) -> dict[str, list[tuple[str, str]]]:
+    """Anchors and short names of the figures of each claim, by the claim's anchor."""
+    found: dict[str, list[tuple[str, str]]] = {}
+    for figure in figures:
+        for claim in figure.claims:
+            short = heading(figure.name, "").replace("Figure ", "Fig. ")
+            found.setdefault(claim.anchor, []).append((figure.anchor, short))
+    return found

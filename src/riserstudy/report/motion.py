@@ -181,7 +181,7 @@ def _histories(run: xr.Dataset, scene: Scene, moved: Array | None) -> list[Histo
         rows.append(History("flex joints (deg)", angles))
     if "bending_moment" in run and len(rows) < MOST_HISTORIES:
         largest = abs(run["bending_moment"]).max("s").values / 1e3
-        rows.append(History("largest moment (kN m)", {"anywhere": largest}))
+        rows.append(History("largest moment (kN m)", {"along the riser": largest}))
     elif "effective_tension" in run and len(rows) < MOST_HISTORIES:
         tension = run["effective_tension"].isel(s=-1).values / 1e3
         rows.append(History("top tension (kN)", {"riser's top": tension}))

@@ -14,18 +14,77 @@ const makeTablesSortable = async () => {
   document.head.prepend(style); // the page's own style wins
   const script = new Blob([await unpacked("datatables")], { type: "text/javascript" });
   const { default: DataTable } = await import(URL.createObjectURL(script));
+  const made = [];
   for (const table of document.querySelectorAll("table.sortable")) {
-    new DataTable(table, {
+    const one = new DataTable(table, {
       paging: false,
       order: [],
       autoWidth: false,
       layout: { topStart: "search", topEnd: "info", bottomStart: null, bottomEnd: null },
       language: { search: "", searchPlaceholder: "filter by words", info: "_TOTAL_ rows", infoFiltered: "of _MAX_" },
-      columnDefs: [{ targets: "choose", columnControl: [["searchList"]] }],
+      columnDefs: [{ targets: ["of-paper", "of-verdict"], columnControl: [["searchList"]] }],
       ordering: { indicators: true, handler: true },
     });
+    if (table.classList.contains("graded")) made.push(one);
   }
+  return made;
 };
+
+// A part of a bar shows the numbers and claims of its paper and verdict; the button shows all again.
+const letBarsFilter = (tables) => {
+  const told = document.querySelector(".chosen-filter");
+  const show = (paper, verdict) => {
+    for (const table of tables) {
+      table.column(".of-paper").search(paper, { exact: true });
+      table.column(".of-verdict").search(verdict, { exact: true }).draw();
+    }
+    told.hidden = !verdict;
+    told.querySelector("span").textContent = `Shown: ${paper}, ${verdict}.`;
+  };
+  const parts = document.querySelectorAll(".bar a");
+  for (const part of parts) {
+    part.addEventListener("click", () => {
+      for (const other of parts) other.classList.toggle("chosen", other === part);
+      show(part.dataset.paper, part.dataset.verdict);
+    });
+  }
+  told?.querySelector("button").addEventListener("click", () => {
+    for (const part of parts) part.classList.remove("chosen");
+    show("", "");
+  });
+  return () => show("", "");
+};
+
+// A link to a row or a scene that a filter or an opener hides shows it.
+const followLinks = (showAll) => {
+  document.addEventListener("click", (event) => {
+    const id = event.target.closest?.('a[href^="#"]')?.getAttribute("href").slice(1);
+    if (!id || event.target.closest(".bar")) return;
+    if (id.startsWith("claim-") && !document.getElementById(id)) showAll();
+    const place = document.getElementById(id);
+    for (let above = place; above; above = above.parentElement) {
+      if (above.tagName === "DETAILS") above.open = true;
+    }
+  });
+};
+
+// Figures open in their full size.
+const enlargeFigures = () => {
+  const dialog = document.querySelector("dialog");
+  const large = dialog.querySelector("img");
+  for (const button of document.querySelectorAll("button.enlarge")) {
+    button.addEventListener("click", () => {
+      const small = button.querySelector("img");
+      large.src = small.src;
+      large.alt = small.alt;
+      dialog.showModal();
+    });
+  }
+  dialog.addEventListener("click", () => dialog.close());
+};
+
+// Contents stand at the side where there is room, else they are folded.
+if (matchMedia("(max-width: 75rem)").matches) document.querySelector(".contents details").open = false;
 
 // Plotly rejects the promise of an animation that another one interrupts, without a reason; nobody waits
 // for it, and the browser would complain.
@@ -60,5 +119,6 @@ const drawRunsInMotion = () => {
   for (const place of document.querySelectorAll(".motion")) watcher.observe(place);
 };
 
-await makeTablesSortable();
+enlargeFigures();
 drawRunsInMotion();
+followLinks(letBarsFilter(await makeTablesSortable()));

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from riserstudy.grading.printed import printed_as, printed_inputs
+from riserstudy.scene.origin import CALLED, within
 from riserstudy.study.models import Numbers, StudyFile
 from riserstudy.study.study import scene_file
 
@@ -25,11 +28,20 @@ class Value(NamedTuple):
 
 
 class SceneTable(NamedTuple):
-    """A scene: its title, what is varied, and its values by path."""
+    """A scene: its title, the datasets that simulate it, what they vary, and its values by path."""
 
     title: str
+    datasets: list[str]
     varied: list[str]
     rows: list[tuple[str, list[Value]]]
+
+    def anchor(self, paper: str) -> str:
+        """Where it stands on the page."""
+        return f"scene-{paper}-{re.sub(r'[^a-z0-9]+', '-', self.title.lower()).strip('-')}"
+
+    def studies(self, paper: str) -> set[str]:
+        """Studies that simulate it, as the database names them."""
+        return {f"{paper}/{name}" for name in self.datasets}
 
 
 def scene_tables(
@@ -57,8 +69,10 @@ def _table(
         rows.append(
             (path, [Value(*v, "" if single else ", ".join(w)) for v, w in by_value.items()])
         )
-    varied = dict.fromkeys(text for name in datasets for text in _varied(datasets[name]))
-    return SceneTable(title, list(varied), rows)
+    varied = dict.fromkeys(
+        f"{name}: {text}" for name in datasets for text in _varied(datasets[name])
+    )
+    return SceneTable(title, list(datasets), list(varied), rows)
 
 
 def _values(
@@ -68,6 +82,7 @@ def _values(
     tree = json.loads(dataset.attrs["scene"])
     origins = json.loads(dataset.attrs["origins"])
     evidence = json.loads(dataset.attrs.get("evidence", "{}"))
+    inputs = printed_inputs(config, tree["paper"]) if tree.get("paper") else []
     plain = "published" if tree.get("paper") else "given"
     study = file.studies[name]
     written = flat(scene_file(config / study.scene).tree)
@@ -75,23 +90,23 @@ def _values(
     varied = {path: label for label, axis in numbers.items() for path in axis.paths}
     values = {}
     for path, value in flat(tree).items():
-        if path in ("title", "paper", "note"):
+        if path.rpartition(".")[2] in CALLED:
             continue
+        origin = next((place for place in origins if within(path, place)), None)
+        printed = printed_as(inputs, path, value)
         if path in varied:
             values[path] = ("varied", "axis", varied[path])
+        elif origin is not None:
+            values[path] = (value, origins[origin], evidence.get(origin, ""))
+        elif printed is not None:
+            values[path] = (value, plain, printed.where)
         elif any(within(path, place) for place in study.set):
             values[path] = (value, "chosen", "set by the study")
         elif path not in written:
             values[path] = (value, "chosen", f"by the tier, {dataset.attrs['tier']}")
         else:
-            origin = next((place for place in origins if within(path, place)), path)
-            values[path] = (value, origins.get(origin, plain), evidence.get(origin, ""))
+            values[path] = (value, plain, "")
     return values
-
-
-def within(path: str, place: str) -> bool:
-    """Whether a path is a place or lies below it."""
-    return path == place or path.startswith((f"{place}.", f"{place}["))
 
 
 def flat(tree: Any, path: str = "") -> dict[str, str]:

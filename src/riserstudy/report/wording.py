@@ -57,12 +57,20 @@ def unit(name: str) -> str:
     return "" if name in ("", "1") else f" {name}"
 
 
-def grouped(warnings: Iterable[str]) -> list[tuple[str, int]]:
-    """Warnings that differ in numbers alone as one, with the range of each number and their count."""
-    kinds: dict[str, list[list[str]]] = {}
+def grouped(warnings: Iterable[str]) -> list[tuple[str, list[str], int]]:
+    """Warnings that differ in numbers alone as one, with the range of each number.
+
+    Returns
+    -------
+    Text, the different warnings that it stands for, and how often they were given.
+    """
+    kinds: dict[str, list[str]] = {}
     for warning in warnings:
-        kinds.setdefault(_NUMBER.sub("\0", warning), []).append(_NUMBER.findall(warning))
-    return [(_filled(kind, numbers), len(numbers)) for kind, numbers in kinds.items()]
+        kinds.setdefault(_NUMBER.sub("\0", warning), []).append(warning)
+    return [
+        (_filled(kind, [_NUMBER.findall(w) for w in found]), list(dict.fromkeys(found)), len(found))
+        for kind, found in kinds.items()
+    ]
 
 
 def _filled(kind: str, numbers: list[list[str]]) -> str:

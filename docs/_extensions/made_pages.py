@@ -1,0 +1,158 @@
+"""Parts of pages that are made from the code each time the site is built, so that they cannot be old.
+
+A page holds ``<!-- made: NAME arguments -->`` where a part goes.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import typer
+import typer.cli
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
+
+import riserstudy
+from riserstudy import cli, effects
+from riserstudy.chapters import function_of
+from riserstudy.dataset.variables import variables
+from riserstudy.effects.catalogue import catalogue
+from riserstudy.folders import PACKAGE
+from riserstudy.scene.load import read_yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+MARK = re.compile(r"<!-- made: (\w+)(.*?)-->", re.DOTALL)
+NO_EFFECT = ("catalogue", "registry")  # modules of the folder that hold none
+
+
+def commands(_: str) -> str:
+    """Every command with its arguments and options, by Typer's own writer of documentation."""
+    command = typer.main.get_command(cli.app)
+    context = typer.Context(command, info_name="riserstudy")
+    text = typer.cli.get_docs_for_click(obj=command, ctx=context, name="riserstudy")
+    text = text.partition("\n")[2]  # the page has a title
+    text = re.sub(r"^\* `--help`.*\n", "", text, flags=re.MULTILINE)
+    return re.sub(r"^\*\*Options\*\*:\n\n(?!\*)", "", text, flags=re.MULTILINE)
+
+
+def functions(_: str) -> str:
+    """What ``import riserstudy`` offers."""
+    names = [name for name in riserstudy.__all__ if not name.startswith("_")]
+    return "\n".join(_rst(f".. autofunction:: riserstudy.{name}") for name in names)
+
+
+def laws(_: str) -> str:
+    """Every file of effects: what it says at its head."""
+    parts = []
+    for module in pkgutil.iter_modules(effects.__path__):
+        if module.name not in NO_EFFECT:
+            name = f"riserstudy.effects.{module.name}"
+            title = module.name.replace("_", " ").capitalize()
+            parts.append(f"## {title}\n\n`{name}`\n\n" + _rst(f".. automodule:: {name}"))
+    return "\n".join(parts)
+
+
+def called_by(_: str) -> str:
+    """Effects with the part of a scene that calls for each."""
+    rows = [f"| {name} | {' '.join(_code(word) for word in effect.section.split())} |"
+            for name, effect in catalogue().items()]  # fmt: skip
+    return "\n".join(["| effect | called for by |", "|---|---|", *rows])
+
+
+def quantities(_: str) -> str:
+    """Variables of datasets with their units."""
+    rows = [
+        f"| `{name}` | {about.get('units', '')} | {about.get('long_name', '')} |"
+        for name, about in variables().items()
+    ]
+    return "\n".join(["| variable | unit | |", "|---|---|---|", *rows])
+
+
+def coming(_: str) -> str:
+    """Notes of what the next release brings, as Towncrier would join them."""
+    command = [sys.executable, "-m", "towncrier", "build", "--draft", "--version", "Unreleased"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    return "\n" + done.stdout.partition("## ")[2].partition("\n")[2]
+
+
+def gallery(names: str) -> str:
+    """Figures with what they show and the lines that draw them."""
+    return "\n".join(_figure(*name.split("/")) for name in names.split())
+
+
+def _figure(paper: str, name: str) -> str:
+    study = read_yaml(ROOT / f"config/studies/{paper}.yaml")
+    caption = str(study["figures"][name]["caption"]).strip()
+    module = importlib.import_module(function_of(paper, "figures", name).__module__)
+    source = Path(str(module.__file__)).relative_to(PACKAGE.parent)
+    return f"""
+:::::{{container}} exhibit
+![{caption}](images/gallery/{paper}_{name}.png)
+
+**{paper}/{name}**: {caption}.
+
+```sh
+snakemake {paper}_{name}
+```
+
+::::{{container}} lines
+```{{literalinclude}} ../src/{source}
+:pyobject: {name}
+:language: python
+```
+::::
+:::::
+"""
+
+
+def _code(word: str) -> str:
+    """A path of a scene as code; the words between as they are."""
+    bare = word.rstrip(",")
+    return f"`{bare}`{word[len(bare) :]}" if "." in bare or "_" in bare else word
+
+
+def _rst(directive: str) -> str:
+    return f"```{{eval-rst}}\n{directive}\n```\n"
+
+
+MAKERS: dict[str, Callable[[str], str]] = {
+    maker.__name__: maker
+    for maker in (commands, functions, laws, called_by, quantities, coming, gallery)
+}
+
+
+def fill(app: Sphinx, page: str, source: list[str]) -> None:
+    """Put what is made in its place."""
+    source[0] = MARK.sub(lambda found: MAKERS[found[1]](found[2]), source[0])
+
+
+def outdated(
+    app: Sphinx, env: BuildEnvironment, _added: set[str], _changed: set[str], _removed: set[str]
+) -> list[str]:
+    """Pages that are read again at every build: what they hold is made from other files."""
+    return [
+        page for page in env.found_docs if MARK.search(Path(env.doc2path(page)).read_text("utf-8"))
+    ]
+
+
+def escape(
+    _app: Sphinx, _what: str, _name: str, _object: object, _options: object, lines: list[str]
+) -> None:
+    """Names such as d_+ stand in docstrings as they are read; to Sphinx an underscore there is a link."""
+    lines[:] = [
+        line if "\\" in line else re.sub(r"(?<=\w)_(?=[+-])", r"\_", line) for line in lines
+    ]
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    """Fill pages as they are read."""
+    app.connect("env-get-outdated", outdated)
+    app.connect("source-read", fill)
+    app.connect("autodoc-process-docstring", escape)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,141 @@
+"""Printed numbers and claims with their verdicts, as the report shows them."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections import Counter
+from pathlib import Path
+from typing import NamedTuple
+
+from riserstudy.report.wording import number, sentence, share, unit
+
+VERDICTS = {
+    "reproduced": "inside the printed rounding or 1 %, nothing calibrated on the way",
+    "calibrated": "met, with an input that was fitted to a printed number",
+    "holds": "a claim true in at least 95 % of the samples of unspecified inputs",
+    "depends": "decided by an input that the paper leaves open",
+    "fails": "a number that no sample meets, or a claim true in at most 5 % of them",
+    "not reproducible": "the paper does not say enough",
+}
+ENOUGH = 100  # samples from which a share has an interval
+_SAMPLES = re.compile(
+    r"(?:[Mm]et|[Tt]rue) in (\d+) of (\d+) samples \(\d+ %(?:, (\d+) to (\d+) %)?\)\.?"
+)
+_SENTENCES = re.compile(r"(?<=[.?])\s+(?=[A-Z0-9])")
+_BY_OPTION = re.compile(r"^(Met|True) by ([^:]+): (.+)\.$")
+_OPTION = re.compile(r"^(.*) \((\d+) %\)$")
+
+
+class ByOption(NamedTuple):
+    """Share of the samples that meet something under each option of an input."""
+
+    input: str
+    shares: list[tuple[str, int]]
+
+
+class Claim(NamedTuple):
+    """A printed number or claim, its verdict, and why.
+
+    ``met``, ``samples``: of the unspecified inputs, None where nothing is sampled. ``band``: 95 % interval of
+    the share (%), where samples are enough. ``said``, ``options``: what else the grading tells.
+    """
+
+    paper: str
+    id: str
+    figure: str
+    kind: str
+    statement: str
+    published: str
+    simulated: str
+    unit: str
+    error: str
+    verdict: str
+    decided_by: str
+    met: int | None
+    samples: int | None
+    band: tuple[int, int] | None
+    said: list[str]
+    options: list[ByOption]
+
+    @property
+    def anchor(self) -> str:
+        """Where it stands on the page."""
+        return f"claim-{self.paper}-{self.id}"
+
+    @property
+    def percent(self) -> float | None:
+        """Share of the samples that meet it (%)."""
+        if self.met is None or not self.samples:
+            return None
+        return 100.0 * self.met / self.samples
+
+    @property
+    def why(self) -> str:
+        """One short reason for the verdict."""
+        if self.verdict == "not reproducible":
+            return sentence(self.said[0]) if self.said else "The paper does not say enough."
+        if self.verdict == "depends":
+            if self.decided_by.startswith("no "):
+                return sentence(f"{self.decided_by} decides it")
+            return f"Decided by {self.decided_by}."
+        if self.published:
+            found = f"{number(self.simulated)}{unit(self.unit)} for {number(self.published)}"
+            off = f"{found}{unit(self.unit)}: {share(self.error)} off"
+            return off + (", with a fitted input." if self.verdict == "calibrated" else ".")
+        if self.samples:
+            every = {self.samples: f"all {self.samples}", 0: f"none of {self.samples}"}
+            return f"True in {every.get(self.met or 0, f'{self.met} of {self.samples}')} samples."
+        return "True with a fitted input." if self.verdict == "calibrated" else ""
+
+
+def read_claims(path: Path) -> list[Claim]:
+    """All rows of ``reproduction.csv``, none when it is not there."""
+    if not path.is_file():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return [claim_of(row) for row in csv.DictReader(file)]
+
+
+def claim_of(row: dict[str, str]) -> Claim:
+    """A row of the table, taken apart."""
+    by, _, told = row["depends_on"].partition("; ")
+    found = _SAMPLES.search(told) or _SAMPLES.match(row["note"])
+    low, high = (found[3], found[4]) if found else (None, None)
+    sentences = _SENTENCES.split(row["note"]) if row["note"] else []
+    options = [_by_option(m) for text in sentences if (m := _BY_OPTION.match(text))]
+    plain = [s for s in sentences if not _BY_OPTION.match(s) and not _SAMPLES.fullmatch(s)]
+    return Claim(
+        paper=row["paper"],
+        id=row["id"],
+        figure=row["figure"],
+        kind=row["kind"],
+        statement=row["statement"],
+        published=row["published"],
+        simulated=row["simulated"],
+        unit=row["unit"],
+        error=row["error"],
+        verdict=row["verdict"],
+        decided_by=by,
+        met=int(found[1]) if found else None,
+        samples=int(found[2]) if found else None,
+        band=(int(low), int(high)) if low and high else None,
+        said=plain,
+        options=options,
+    )
+
+
+def _by_option(found: re.Match[str]) -> ByOption:
+    shares = []
+    for text in found[3].split("; "):
+        option = _OPTION.match(text)
+        if option:
+            shares.append((option[1], int(option[2])))
+    return ByOption(found[2], shares)
+
+
+def counted_verdicts(claims: list[Claim]) -> list[tuple[str, int]]:
+    """How many came out how, in the order of the key."""
+    counts = Counter(claim.verdict for claim in claims)
+    ordered = [*VERDICTS, *sorted(set(counts) - set(VERDICTS))]
+    return [(verdict, counts[verdict]) for verdict in ordered if verdict in counts]
