@@ -16,7 +16,7 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
 .PHONY: help study test test-slow test-page test-cluster test-wheel check docs wheel lock figures bench clean
-.PHONY: test-hostile test-faults test-pythons
+.PHONY: test-hostile test-faults test-pythons test-strangers
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
 export PYTHON
@@ -48,8 +48,8 @@ lock:  ## resolve the dependencies anew into the hashed lock files (developers)
 docs: $(READY)  ## build the pages into build/docs, warnings as errors
 	@$(IN_ENVIRONMENT) sphinx-build -q -W -b html docs build/docs
 
-wheel: $(READY)  ## build the package into dist/
-	@.venv/bin/python -m pip wheel -q --no-deps --no-build-isolation -w dist .
+wheel:  ## build the package into dist/
+	@sh workflow/scripts/with_python.sh workflow/scripts/make_wheel.py
 
 test-wheel: $(READY)  ## install the wheel into an empty environment and run a study of one's own with it
 	@$(IN_ENVIRONMENT) pytest -q -s tests/workflow/test_wheel.py
@@ -62,6 +62,9 @@ test-faults: $(READY)  ## kill runs, fill disks, break caches; write docs/faults
 
 test-pythons: $(READY)  ## compare one core with two, and Python 3.11, 3.12 and 3.13
 	@$(IN_ENVIRONMENT) python tests/pythons/run.py python3.11 python3.12 python3.13
+
+test-strangers: $(READY)  ## run a short study as machines differ: user, locale, memory, no git; write docs/machines.md
+	@$(IN_ENVIRONMENT) python tests/strangers/run.py --write docs/machines.md
 
 figures: $(READY)  ## draw the figures, simulating only what they miss
 	@exec $(STUDY) figures

@@ -14,6 +14,7 @@ include: "workflow/rules/simulate.smk"
 include: "workflow/rules/measure.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/grade.smk"
+include: "workflow/rules/database.smk"
 include: "workflow/rules/report.smk"
 
 
@@ -23,5 +24,6 @@ rule all:
         DATASETS,
         FIGURES,
         PLAN.joined_tables(),
+        "results/results.sqlite",
         "results/report.html",
     localrule: True

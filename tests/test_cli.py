@@ -10,6 +10,7 @@ import pytest
 import xarray as xr
 
 from riserstudy.cli import main
+from riserstudy.simulation.compile import compile_once
 
 SCENES = Path(__file__).parents[1] / "config" / "scenes"
 CURRENT, SURGE = str(SCENES / "bench/s1.yaml"), str(SCENES / "bench/s2.yaml")
@@ -18,7 +19,8 @@ QUICK = ["--set", "analysis.duration=30 s"]
 
 @pytest.fixture
 def command(monkeypatch, capsys):
-    """Run a command here; its exit code, output and messages."""
+    """Run a command here; its exit code, output and messages, without that of compiling."""
+    compile_once(lambda _: None)
 
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["riserstudy", *map(str, arguments)])
@@ -179,8 +181,11 @@ def test_schema_prints_json(command):
     assert json.loads(out)["$schema"].startswith("https://json-schema.org/")
 
 
-def test_results_lists_what_is_stored(command):
-    assert command("results", "no such point ever")[:2] == (0, "")
+def test_results_without_a_database_names_what_makes_it(command, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    code, out, error = command("results", "no such point ever")
+    assert (code, out) == (2, "")
+    assert "make study" in error
 
 
 def test_the_installed_command_gives_the_exit_codes_too(tmp_path):
@@ -207,3 +212,33 @@ def test_diff_says_by_its_exit_status_whether_something_changed(command, tmp_pat
     code, out, _ = command("diff", tmp_path / "one.nc", tmp_path / "other.nc")
     assert code == 1
     assert "1 of 1 variables changed" in out
+
+
+def test_words_of_a_scene_are_printed_as_written(command, tmp_path):
+    words = r"a [b] [/c] [red] d"
+    scene = tmp_path / "scene.yaml"
+    text = (SCENES / "bench/s4b.yaml").read_text("utf-8").splitlines()
+    scene.write_text("\n".join([f"title: '{words}'", *text[2:]]), "utf-8")
+    code, out, _ = command("effects", scene)
+    assert code == 0
+    assert words in " ".join(out.split())
+
+
+def test_the_first_command_that_simulates_compiles_on_all_cores_and_says_so(monkeypatch, tmp_path):
+    """With a compiler that only takes note: the real one takes minutes."""
+    from riserstudy.simulation import compile as compiling
+
+    asked, said = [], []
+    monkeypatch.setattr(compiling, "kernel_cache", lambda: tmp_path / "kernels")
+    monkeypatch.setattr(compiling, "available_cores", lambda: 3)
+
+    def note(marker, cores):
+        asked.append(cores)
+        marker.touch()
+
+    monkeypatch.setattr(compiling, "compile_all", note)
+    compiling.compile_once(said.append)
+    compiling.compile_once(said.append)
+    assert asked == [3]
+    assert len(said) == 1
+    assert "on 3 cores" in said[0]

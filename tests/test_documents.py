@@ -7,13 +7,17 @@ import shutil
 import subprocess
 import sys
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import jsonschema
 import pytest
+import typer
 from ruamel.yaml import YAML
 
 from make_reference import made
+from riserstudy.cli import app
+from riserstudy.effects.catalogue import catalogue
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -84,21 +88,57 @@ def test_links_within_the_project_lead_somewhere(page):
             assert place in {anchor(heading) for heading in headings}, target
 
 
-def build(docs, target):
+def build(docs, target, builder):
     """Build the pages as `make docs` does."""
-    command = [sys.executable, "-m", "sphinx", "-q", "-W", "-b", "dummy", docs, target]
+    command = [sys.executable, "-m", "sphinx", "-q", "-W", "-b", builder, docs, target]
     return subprocess.run(command, capture_output=True, text=True)
 
 
-def test_the_pages_build_and_a_link_that_leads_nowhere_stops_them(tmp_path):
-    docs = tmp_path / "docs"
-    shutil.copytree(ROOT / "docs", docs)
-    for part in ("src", "workflow"):
+@pytest.fixture
+def docs(tmp_path):
+    """The pages where they may be changed, with all that they are made from."""
+    shutil.copytree(ROOT / "docs", tmp_path / "docs")
+    for part in ("src", "workflow", "config", "changelog.d", "pyproject.toml"):
         (tmp_path / part).symlink_to(ROOT / part)
-    good = build(docs, tmp_path / "good")
-    assert (good.returncode, good.stderr) == (0, "")
+    for page in (
+        "CHANGELOG.md",
+        "CONTRIBUTING.md",
+    ):  # links of a link would lead to the project itself
+        shutil.copy(ROOT / page, tmp_path)
+    return tmp_path / "docs"
+
+
+def test_the_site_builds_and_needs_no_network(docs, tmp_path):
+    site = tmp_path / "site"
+    done = build(docs, site, "html")
+    assert (done.returncode, done.stderr) == (0, "")
+    loads = re.compile(
+        r"<(?:script|img|link|iframe|source)\b[^>]*?(?:src|href)=[\"\']((?:\w+:)?//[^\"\']+)"
+    )
+    within = re.compile(r"(?:url\(|@import\s+(?:url\()?)\s*[\"\']?((?:https?:)?//[^\"\')]+)")
+    for page in site.rglob("*.html"):
+        text = page.read_text("utf-8")
+        assert not loads.findall(text), page
+        assert not within.findall(text), page
+        assert "\\frac" not in re.sub(r"<pre>.*?</pre>", "", text, flags=re.S), page
+    for style in site.rglob("*.css"):
+        assert not within.findall(style.read_text("utf-8")), style
+    assert (site / "theory.html").read_text("utf-8").count("<math") > 80
+
+
+def test_every_function_command_and_effect_has_its_place_on_the_site(monkeypatch):
+    monkeypatch.syspath_prepend(ROOT / "docs/_extensions")
+    made = import_module("made_pages")
+    assert all(f"riserstudy.{name}" in made.functions("") for name in ("simulate", "load_scene"))
+    text = made.commands("")
+    for command in typer.main.get_command(app).commands:
+        assert f"## `riserstudy {command}`" in text
+    assert all(f"| {name} |" in made.called_by("") for name in catalogue())
+
+
+def test_a_link_that_leads_nowhere_stops_the_build(docs, tmp_path):
     with (docs / "tutorial.md").open("a") as page:
         page.write("\n[more](absent.md)\n")
-    bad = build(docs, tmp_path / "bad")
+    bad = build(docs, tmp_path / "bad", "dummy")
     assert bad.returncode != 0
     assert "absent" in bad.stderr

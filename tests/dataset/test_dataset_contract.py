@@ -83,7 +83,10 @@ EXPECTED = {
         "stroke": ("time",),
         **dict.fromkeys(("tensioner_stroke", "tensioner_force"), ("time", "cylinder")),
     },
-    "static": dict.fromkeys(("x", "z", "effective_tension", "bending_moment"), ("s",)),
+    "static": {
+        **dict.fromkeys(("x", "z", "effective_tension", "bending_moment"), ("s",)),
+        **dict.fromkeys(("ufj_angle", "lfj_angle"), ()),
+    },
 }
 UNITS = {
     "time": "s",

@@ -55,6 +55,34 @@ def test_what_cannot_be_compared_counts_as_changed_without_bound(tmp_path, other
     assert why in found.varied[0].why
 
 
+def grid(folder, amplitudes, swapped=False):
+    """A chapter's folder with a response that is twice the amplitude."""
+    folder.mkdir(parents=True, exist_ok=True)
+    response = 2.0 * np.array(amplitudes)[:: -1 if swapped else 1]
+    axes = {"amplitude": amplitudes, "s": [0.0, 1.0]}
+    values = {"response": (("amplitude", "s"), np.stack([response, response], axis=1))}
+    xr.Dataset(values, axes).to_netcdf(folder / "heave.nc")
+    return folder
+
+
+def test_folders_of_one_chapter_are_compared_by_their_datasets(tmp_path):
+    old = grid(tmp_path / "a/paper", [1.0, 2.0, 3.0])
+    assert changes(old, grid(tmp_path / "b/paper", [1.0, 2.0, 3.0])).variables == 3
+    swapped = changes(old, grid(tmp_path / "c/paper", [1.0, 2.0, 3.0], swapped=True))
+    assert [(v.dataset, v.variable) for v in swapped.varied] == [("heave", "response")]
+
+
+def test_of_unequal_grids_the_points_are_compared_that_both_have(tmp_path):
+    old = grid(tmp_path / "a", [1.0, 2.0, 3.0])
+    (axis,) = changes(old, grid(tmp_path / "b", [4.0, 3.0, 0.5, 1.0])).varied
+    assert (axis.variable, axis.why) == ("amplitude", "3 values, now 4; 2 in both")
+    found = changes(old, grid(tmp_path / "c", [1.0, 3.0, 4.0], swapped=True)).varied
+    assert {one.variable: one.change for one in found}["response"] == 0.75  # 2, 6 before; 8, 6 now
+    other, *rest = changes(old, grid(tmp_path / "d", [7.0, 8.0])).varied
+    assert (other.variable, other.why) == ("amplitude", "3 values, now 2; 0 in both")
+    assert all(one.why.startswith("shape") for one in rest)
+
+
 def test_where_there_is_nothing_to_compare_diff_says_so(tmp_path):
     (tmp_path / "a").mkdir()
     (tmp_path / "bad.nc").write_bytes(b"nothing")

@@ -108,6 +108,28 @@ def damaged_results(folder):
     return f"{len(files)} files cut"
 
 
+def flipped_results(folder):
+    """One bit of every result is another, its time as before."""
+    rng = random.Random(2311)
+    files = [f for f in (folder / "results").rglob("*") if f.is_file() and ".seals" not in f.parts]
+    for file in files:
+        content, times = bytearray(file.read_bytes()), file.stat()
+        content[rng.randrange(len(content))] ^= 1 << rng.randrange(8)
+        file.write_bytes(content)
+        os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
+    return f"{len(files)} files, one bit each"
+
+
+def swapped_results(folder):
+    """Two datasets change places, and a seal is deleted."""
+    one, other = sorted((folder / "results").glob("*/*.nc"))[:2]
+    one.rename(folder / "aside")
+    other.rename(one)
+    (folder / "aside").rename(other)
+    (folder / "results/.seals/report.html").unlink()
+    return "3 files"
+
+
 def broken_records(folder):
     """Snakemake's records of earlier runs are cut short, every other one deleted."""
     files = sorted(f for f in (folder / ".snakemake/metadata").rglob("*") if f.is_file())
@@ -199,6 +221,8 @@ FAULTS = (
     broken_store,
     broken_kernels,
     damaged_results,
+    flipped_results,
+    swapped_results,
     broken_records,
     clock_set_back,
     clock_set_forward,

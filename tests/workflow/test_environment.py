@@ -62,6 +62,30 @@ def test_a_python_without_venv_is_named_with_what_to_install(tmp_path):
     assert done.stderr.count("\n") == 1
 
 
+def test_uv_is_asked_for_a_python_where_none_serves(tmp_path):
+    """With a uv that only looks like one: first it has a Python, then it must bring it."""
+    program(tmp_path / "python3", "exit 1")
+    program(tmp_path / "found", "echo ran")
+    there = f'case "$2" in find) echo {tmp_path}/found;; *) exit 9;; esac'
+    program(tmp_path / "uv", there)
+    done = with_python(tmp_path)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "ran\n", "")
+    brought = f"if [ -e {tmp_path}/brought ]; then echo {tmp_path}/found; else exit 2; fi"
+    program(
+        tmp_path / "uv", f'case "$2" in install) : > {tmp_path}/brought;; find) {brought};; esac'
+    )
+    done = with_python(tmp_path)
+    assert (done.returncode, done.stdout) == (0, "ran\n")
+    assert "uv brings 3.13" in done.stderr
+
+
+def test_where_there_is_no_uv_both_remedies_are_named(tmp_path):
+    program(tmp_path / "python3", "exit 1")
+    (line,) = with_python(tmp_path).stderr.splitlines()
+    assert "uv" in line
+    assert "your system's package" in line
+
+
 def test_a_name_with_nothing_behind_is_passed_over(tmp_path):
     program(tmp_path / "python3.13", "exit 127")
     program(tmp_path / "python3.12", 'case "$2" in print*) echo ran;; esac')

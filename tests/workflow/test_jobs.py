@@ -108,6 +108,23 @@ def test_a_job_ends_with_its_asker(server, folder):
     until(lambda: not job.is_running())
 
 
+def test_the_jobs_of_a_killed_snakemake_end(folder, tmp_path):
+    """The server's input ends with the one that holds it."""
+    os.mkfifo(tmp_path / "source")
+    with listen(tmp_path) as listener:
+        number = listener.fileno()
+        command = [*JOBS[:2], "riserstudy.jobs.server", str(number), "not compiled"]
+        process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.PIPE, pass_fds=[number])
+    asker = ask(tmp_path, *JOIN, "joined", "source")
+    until(psutil.Process(process.pid).children)
+    job = psutil.Process(process.pid).children()[0]
+    until(lambda: job.num_threads() > 1)
+    process.stdin.close()
+    assert process.wait(20) == 0
+    until(lambda: not job.is_running())
+    assert asker.wait(20) == 1
+
+
 def test_a_job_without_a_server_runs_by_itself(tmp_path):
     (tmp_path / "one").write_text("a,b\n1,2\n")
     (tmp_path / ".jobs").write_text("left behind")

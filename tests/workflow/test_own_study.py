@@ -48,12 +48,13 @@ def test_a_plain_snakemake_plans_datasets_figures_grading_and_the_report(folder)
     status, said, jobs = planned(folder)
     assert status == 0, said
     figures = ["moment_over_heave", "stroke_over_time", "surge_and_current", "swing_over_heave"]
-    assert jobs - {"compile the kernels"} == {
+    assert jobs - {"compile the kernels on all cores, once: 2 to 6 minutes"} == {
         *(f"simulate example/{name}" for name in ("heave", "heave_and_current")),
         *(f"draw example/{name}" for name in figures),
         "derive example/tension_swing",
         "grade example",
         "join the graded tables",
+        "make the results database",
         "make the report",
     }
 
@@ -116,6 +117,7 @@ STUDY = "config/studies/example.yaml"
         ("reads one dataset", "{caption: c, reads: [heave, heave_and_current], plot: lines}"),
         ("needs a plot", "{caption: c, reads: [heave], of: [x]}"),
         ("pie", "{caption: c, reads: [heave], plot: pie}"),
+        ("studies have no 'moment'", "{caption: c, reads: [heave], plot: lines, of: [moment]}"),
     ],
 )
 def test_a_figure_that_cannot_be_meant_stops_before_any_job(folder, said, added):
@@ -137,6 +139,20 @@ def test_a_chapter_that_would_need_code_is_refused(folder):
 def test_a_chapter_cannot_take_the_name_of_a_rule(folder):
     with pytest.raises(InputError, match="'report' is the name of a rule"):
         Workplan.read(folder / "config", {"papers": ["report"]}, only=[])
+
+
+def test_targets_of_two_chapters_cannot_have_one_name(folder):
+    """``a`` with a figure ``b_c``, and ``a_b`` with a figure ``c``."""
+    for paper, figure in (("a", "b_c"), ("a_b", "c")):
+        text = (
+            f"paper: {paper}\nstudies: {{one: {{scene: scenes/riser.yaml, caption: c, "
+            "axes: {kind: {plain: {}}}}}\n"
+            f"figures: {{{figure}: {{caption: c, reads: [one], plot: envelope}}}}\n"
+        )
+        (folder / f"config/studies/{paper}.yaml").write_text(text, "utf-8")
+    with pytest.raises(InputError, match=r"'a_b_c' it is figure b_c of a, too"):
+        Workplan.read(folder / "config", {"papers": ["a", "a_b"]}, only=[])
+    assert Workplan.read(folder / "config", {"papers": ["a_b"]}, only=[]).figures()
 
 
 def test_the_names_of_all_rules_are_taken():

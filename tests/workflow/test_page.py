@@ -1,5 +1,6 @@
 """The report in a real browser without a network: it moves, sorts and filters, and nothing complains."""
 
+import base64
 import json
 import shutil
 from pathlib import Path
@@ -12,6 +13,8 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
 
+from riserstudy.database.build import build
+from riserstudy.database.sources import Sources as Built
 from riserstudy.report import write_report
 from riserstudy.report.contents import Sources
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
@@ -79,7 +82,9 @@ def page(tmp_path_factory):
     table.write_text(REPRODUCTION)
     marker.write_text("{}")
     datasets = [simulated(paper, folder) for paper in RUNS]
-    write_report(Sources(CONFIG, list(RUNS), datasets, [], [table], marker), folder / "report.html")
+    build(folder / "results.sqlite", Built(CONFIG, list(RUNS), [*datasets, table]))
+    sources = Sources(CONFIG, list(RUNS), folder / "results.sqlite", marker)
+    write_report(sources, folder / "report.html")
     return folder / "report.html"
 
 
@@ -172,22 +177,22 @@ def test_play_runs_and_stop_stops(browser):
 
 
 def rows(browser, column):
-    """A column of the graded table, as it stands."""
-    cells = f"h2#graded ~ div table.sortable tbody td:nth-child({column})"
-    return [cell.text for cell in browser.find_elements(By.CSS_SELECTOR, cells)][:4]
+    """A column of the table of numbers, as it stands."""
+    cells = f"h3#numbers + .dt-container tbody td:nth-child({column})"
+    return [cell.text for cell in browser.find_elements(By.CSS_SELECTOR, cells)]
 
 
-def graded(browser):
-    """The graded table with what belongs to it."""
-    return browser.find_element(By.CSS_SELECTOR, "h2#graded ~ div .dt-container")
+def graded(browser, kind="numbers"):
+    """The table of numbers, or of claims, with what belongs to it."""
+    return browser.find_element(By.CSS_SELECTOR, f"h3#{kind} + .dt-container")
 
 
 def test_tables_sort_by_numbers(browser):
-    heading = graded(browser).find_element(By.CSS_SELECTOR, "thead th:nth-child(5)")
+    heading = graded(browser).find_element(By.CSS_SELECTOR, "thead th:nth-child(4)")
     assert heading.text == "Published"
     heading.click()
-    wait(browser, lambda: rows(browser, 5)[0] != "9 t")
-    numbers = [float(text.split()[0]) for text in rows(browser, 5) if text]
+    wait(browser, lambda: rows(browser, 4)[0] != "9 t")
+    numbers = [float(text.split()[0]) for text in rows(browser, 4) if text]
     assert numbers == sorted(numbers) == [-2.0, 9.0, 10.0]
 
 
@@ -196,15 +201,48 @@ def test_tables_filter_by_words(browser):
     table.find_element(By.CSS_SELECTOR, "input[type=search]").send_keys("roll")
     wait(browser, lambda: len(table.find_elements(By.CSS_SELECTOR, "tbody tr")) == 1)
     assert "moment under roll" in table.text
-    assert "1 rows of 4" in table.text
+    assert "1 rows of 3" in table.text
 
 
-def test_tables_filter_by_a_list_of_verdicts(browser):
-    table = graded(browser)
-    table.find_elements(By.CSS_SELECTOR, "thead .dtcc-button")[-1].click()
-    choices = wait(
-        browser, lambda: browser.find_elements(By.CSS_SELECTOR, ".dtcc-list-buttons button")
-    )
-    next(choice for choice in choices if choice.text == "holds").click()
-    wait(browser, lambda: len(table.find_elements(By.CSS_SELECTOR, "tbody tr")) == 1)
-    assert "of another kind" in table.text
+def test_a_part_of_a_bar_filters_both_tables_and_the_button_shows_all(browser):
+    part = browser.find_element(By.CSS_SELECTOR, '.bars .bar a[data-verdict="reproduced"]')
+    part.click()
+    shown = wait(browser, lambda: browser.find_element(By.CSS_SELECTOR, ".chosen-filter span").text)
+    paper = part.get_attribute("data-paper")
+    assert shown == f"Shown: {paper}, reproduced."
+    wait(browser, lambda: len(rows(browser, 1)) == 1)
+    assert rows(browser, 1) == [paper]
+    assert "reproduced" in graded(browser).text
+    assert "of another kind" not in graded(browser, "claims").text
+    browser.find_element(By.CSS_SELECTOR, ".chosen-filter button").click()
+    wait(browser, lambda: len(rows(browser, 1)) == 3)
+
+
+@pytest.mark.parametrize("width", [1440, 390])
+def test_nothing_is_wider_than_the_screen(browser, width):
+    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        wide = browser.execute_script("return document.documentElement.scrollWidth")
+        seen = browser.find_element(By.CSS_SELECTOR, "#numbers ~ .dt-container .verdict").rect
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    assert wide <= width
+    assert seen["x"] + seen["width"] <= width
+
+
+def test_verdicts_are_on_printed_paper(browser):
+    pdf = base64.b64decode(browser.execute_cdp_cmd("Page.printToPDF", {})["data"])
+    assert pdf.startswith(b"%PDF")
+    # as printing lays the page out: an A4 sheet less its margins, in pixels of the style
+    size = {"width": 703, "height": 1000, "deviceScaleFactor": 1, "mobile": False}
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        cells = browser.find_elements(By.CSS_SELECTOR, "table.graded .verdict")
+        ends = [cell.rect["x"] + cell.rect["width"] for cell in cells]
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    assert len(ends) == 4
+    assert 0 < min(ends) <= max(ends) <= 703

@@ -12,7 +12,7 @@ import xarray as xr
 SEAL = 32  # bytes at the end of compiled code
 SIMULATE = {f"simulate chang2020/{study}" for study in ("steady", "from_rest", "quasi_static")}
 AFTER = {"derive chang2020/asymmetry", "draw chang2020/fig14"}
-COMPILE = {"compile the kernels"}
+COMPILE = {"compile the kernels on all cores, once: 2 to 6 minutes"}
 STUDY = "config/studies/chang2020.yaml"
 SCENE = "config/scenes/chang2020/heave.yaml"
 
@@ -135,7 +135,7 @@ def test_a_run_killed_at_any_moment_is_finished_by_the_next(fresh, finished, mom
     assert before <= fresh.stored()  # none is written again
     assert len(fresh.stored()) == len(finished.stored())
     assert_same_numbers(fresh, finished)
-    assert not list(fresh.folder.glob("results/**/.*"))
+    assert {path.name for path in fresh.folder.glob("results/**/.*")} <= {".seals"}
 
 
 def test_damaged_points_and_datasets_are_made_anew(checkout, finished):
@@ -146,7 +146,7 @@ def test_damaged_points_and_datasets_are_made_anew(checkout, finished):
     whole = {entry for entry in checkout.stored() if entry[0] != point.name}
     status, said, complained = checkout.run()
     assert (status, complained) == (0, "")
-    assert said.count("is damaged and will be made anew") == 3
+    assert said.count("is not as written, and made anew when asked for") == 3
     assert whole < checkout.stored()
     assert len(checkout.stored()) == len(whole) + 1
     assert_same_numbers(checkout, finished)

@@ -11,8 +11,6 @@ import netCDF4
 import psutil
 import pytest
 
-from damaged import remove_damaged
-
 SCRIPTS = Path(__file__).parents[2] / "workflow/scripts"
 SNAKEFILE = """\
 rule all:
@@ -183,40 +181,3 @@ def test_a_folder_that_cannot_be_written_is_named_before_anything_runs(folder, f
     assert complained.startswith(f"riserstudy: {folder_in_the_way}: cannot be written")
     assert complained.count("\n") == 1
     assert not (folder / ".snakemake").exists()
-
-
-def test_damaged_results_are_made_anew_and_leftovers_removed(folder):
-    finish(start(folder))
-    leftover = folder / "results/paper/.a.nc.4711"
-    leftover.write_text("half")
-    os.truncate(folder / "results/paper/a.nc", 200)
-    os.truncate(folder / "results/reproduction.csv", 0)
-    status, said, _ = finish(start(folder))
-    assert status == 0
-    for name in ("results/paper/a.nc", "results/reproduction.csv"):
-        assert f"{name} is damaged and will be made anew" in said
-    netCDF4.Dataset(folder / "results/paper/a.nc").close()
-    assert (folder / "results/reproduction.csv").read_text() == TABLE
-    assert not leftover.exists()
-
-
-def test_a_damaged_end_is_seen_in_each_kind_of_file(tmp_path):
-    whole = {"a.png": b"\x89PNG IEND\xaeB`\x82", "a.pdf": b"%PDF %%EOF\n", "a.html": b"</html>\n"}
-    for name, content in whole.items():
-        (tmp_path / name).write_bytes(content)
-    assert remove_damaged(tmp_path) == []
-    for name, content in whole.items():
-        (tmp_path / name).write_bytes(content[:-3])
-    assert {path.name for path in remove_damaged(tmp_path)} == set(whole)
-    assert not list(tmp_path.iterdir())
-
-
-def test_a_dataset_that_lost_its_end_is_seen(tmp_path):
-    path = tmp_path / "a.nc"
-    for lost in (1, 100, None):
-        with netCDF4.Dataset(path, "w") as dataset:
-            dataset.createDimension("x", 1000)
-            dataset.createVariable("x", "f8", ("x",))[:] = range(1000)
-        assert remove_damaged(tmp_path) == []
-        os.truncate(path, path.stat().st_size - lost if lost else 0)
-        assert remove_damaged(tmp_path) == [path]

@@ -32,6 +32,13 @@ def calls(paper, part, names):
     return {node.name for node in tree.body if isinstance(node, ast.FunctionDef)} & set(names)
 
 
+def test_no_derived_dataset_is_called_as_a_study_of_any_chapter():
+    """Rules tell the two apart by name alone, in all chapters at once."""
+    studies = {name for of in PLAN.files.values() for name in of.studies}
+    derived = {name for of in PLAN.files.values() for name in of.derived}
+    assert not studies & derived
+
+
 def test_an_edit_of_a_chapter_s_figures_redraws_those_it_defines():
     figures = PLAN.files["liu2020"].figures
     drawn = calls("liu2020", "figures/motion", figures)

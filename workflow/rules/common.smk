@@ -3,12 +3,12 @@
 
 import sys
 from pathlib import Path
-from shlex import quote
 
 from snakemake.exceptions import WorkflowError
 
 from riserstudy.errors import InputError
-from riserstudy.jobs import start_server
+from riserstudy.jobs import start_server, use_this_python
+from riserstudy.jobs.begin import begin
 from riserstudy.jobs.workplan import Workplan
 
 # A job on a cluster starts Snakemake anew; all points were checked before it was submitted.
@@ -21,11 +21,31 @@ except InputError as error:
 
 def of(question):
     """What the plan says of the paper and the dataset or figure that a rule's wildcards name."""
-    return lambda wildcards: question(*wildcards)
+
+    def asked(wildcards):
+        begin_once()
+        return question(*wildcards)
+
+    return asked
+
+
+begun = []
+
+
+def begin_once():
+    """When jobs are first planned: what is damaged will be made anew, whatever its time says."""
+    if begun or not workflow.is_main_process:
+        return
+    begun.append(True)
+    at_work = workflow.executor_plugin and not (workflow.dryrun or workflow.touch)
+    damaged, notes = begin(PLAN.papers, PLAN.outputs(), at_work, PLAN.tier)
+    workflow.dag.forcefiles.update(damaged)
+    for note in notes:
+        print(f"riserstudy: note: {note}", file=sys.stderr)
 
 
 # Jobs use the Python that runs Snakemake, whether or not its environment was activated.
-shell.prefix(f"PATH={quote(str(Path(sys.executable).parent))}:$PATH; ")
+use_this_python()
 
 
 onstart:

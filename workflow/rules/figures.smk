@@ -7,6 +7,7 @@ rule figure:
     output:
         png="results/{paper}/{figure}.png",
         pdf="results/{paper}/{figure}.pdf",
+        csv="results/{paper}/{figure}.csv",
     log:
         "logs/{paper}/draw_{figure}.log",
     wildcard_constraints:
@@ -17,7 +18,7 @@ rule figure:
         "draw {wildcards.paper}/{wildcards.figure}"
     shell:
         "python -m riserstudy.jobs draw {wildcards.paper} {wildcards.figure}"
-        " {output.png:q} {output.pdf:q} {input:q} > {log:q} 2>&1"
+        " --targets {output:q} --sources {input:q} > {log:q} 2>&1"
 
 
 for paper, name in PLAN.figures():
@@ -26,7 +27,7 @@ for paper, name in PLAN.figures():
         name:
             f"{paper}_{name}"
         input:
-            multiext(f"results/{paper}/{name}", ".png", ".pdf"),
+            multiext(f"results/{paper}/{name}", ".png", ".pdf", ".csv"),
         localrule: True
 
 

@@ -5,9 +5,7 @@ rule report:
     input:
         studies=PLAN.study_files,
         compiled=PLAN.compiled,
-        datasets=DATASETS,
-        figures=[file for file in FIGURES if file.endswith(".png")],
-        tables=PLAN.joined_tables(),
+        database="results/results.sqlite",
     output:
         "results/report.html",
     log:
@@ -19,4 +17,4 @@ rule report:
         "make the report"
     shell:
         "python -m riserstudy.jobs report {output:q} --papers {params.papers} --compiled {input.compiled:q}"
-        " --files {input.datasets:q} {input.figures:q} {input.tables:q} > {log:q} 2>&1"
+        " --database {input.database:q} > {log:q} 2>&1"

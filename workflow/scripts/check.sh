@@ -16,6 +16,7 @@ check mypy --no-error-summary
 check snakefmt --check Snakefile workflow/rules src/riserstudy/study/template/Snakefile
 check snakemake --lint
 check lint-imports
+check python workflow/scripts/check_docstrings.py
 check codespell
 check sphinx-build -q -W -b dummy docs build/checked-docs
 exit $status

@@ -2,13 +2,15 @@
 
 The order is what makes the install closed: first the build backends, hashed; then everything else,
 hashed and built without isolation, since one dependency is published as source only and its build
-would otherwise fetch a backend that no lock names; then the project itself.
+would otherwise fetch a backend that no lock names; then the project itself. An environment that was
+complete is brought to another lock in place: what differs is installed, what no lock names is removed.
 """
 
 import fcntl
 import hashlib
 import os
 import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -16,6 +18,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 VENV = ROOT / ".venv"
+PYTHON = VENV / "bin" / "python"
 LOCKS = (ROOT / "build.lock", ROOT / "requirements.lock")
 
 
@@ -49,16 +52,52 @@ def install(marker: Path) -> None:
     locked = VENV / f".locked-{locks_digest()}"
     if not locked.exists():
         python = f"Python {platform.python_version()}"
-        print(f"Installing the environment ({python}; once, a minute or two) ...", flush=True)
-        shutil.rmtree(VENV, ignore_errors=True)
-        run(sys.executable, "-m", "venv", VENV)
+        if is_complete():
+            print(f"Bringing the environment ({python}) to the present locks ...", flush=True)
+        else:
+            print(f"Installing the environment ({python}; once, a minute or two) ...", flush=True)
+            shutil.rmtree(VENV, ignore_errors=True)
+            run(sys.executable, "-m", "venv", VENV)
+        for former in VENV.glob(".locked-*"):
+            former.unlink()  # from here on it is not complete
         for lock in LOCKS:
             pip_install("--require-hashes", "--no-build-isolation", "-r", lock)
+        if strangers := not_locked():
+            pip("uninstall", "--yes", *strangers)
         locked.touch()
     for stale in VENV.glob(".ready-*"):
         stale.unlink()
     pip_install("--no-deps", "--no-build-isolation", "-e", ROOT)
     marker.touch()
+
+
+def is_complete() -> bool:
+    """Whether there is an environment of this Python that was made here and came to its end."""
+    if not any(VENV.glob(".locked-*")):
+        return False
+    about = (VENV / "pyvenv.cfg").read_text("utf-8")
+    told = dict(re.findall(r"^(\S+) = (.*)$", about, re.MULTILINE))
+    here = told.get("command", "").endswith(f" {VENV}")
+    return here and told.get("version") == platform.python_version() and PYTHON.exists()
+
+
+def not_locked() -> list[str]:
+    """Installed packages that no lock names, besides this project and the installer."""
+    named = {name for lock in LOCKS for name in re.findall(r"^([\w.-]+)==", lock.read_text(), re.M)}
+    told = subprocess.run(
+        [PYTHON, "-m", "pip", "list", "--format=freeze", "--disable-pip-version-check"],
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    names = [line.partition("==")[0] for line in told.stdout.splitlines()]
+    kept = {plain(name) for name in (*named, "pip", "setuptools", "riserstudy")}
+    return [name for name in names if plain(name) not in kept]
+
+
+def plain(name: str) -> str:
+    """A package's name as the index compares it."""
+    return re.sub(r"[-_.]+", "-", name).lower()
 
 
 def locks_digest() -> str:
@@ -72,8 +111,12 @@ def pip_install(*arguments: object) -> None:
 
     Modules are compiled here: where PYTHONDONTWRITEBYTECODE is set, every job would do it anew.
     """
-    quiet = ("-qq", "--no-input", "--disable-pip-version-check")
-    run(VENV / "bin" / "python", "-m", "pip", "install", *quiet, *arguments)
+    pip("install", "--no-input", *arguments)
+
+
+def pip(*arguments: object) -> None:
+    """Run the environment's pip, silently unless it fails."""
+    run(PYTHON, "-m", "pip", "-qq", "--disable-pip-version-check", *arguments)
 
 
 def run(*command: object) -> None:

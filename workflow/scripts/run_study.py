@@ -27,8 +27,6 @@ from typing import NoReturn, TextIO
 
 import psutil
 
-from damaged import remove_damaged
-
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = (sys.executable, "-m", "snakemake", "--nocolor")
 RUN_NAME = "RISERSTUDY_RUN"
@@ -59,8 +57,6 @@ def main(arguments: list[str]) -> int:
         stop_when_told()
         try:
             unlock()
-            for path in remove_damaged(Path("results")):
-                print(f"{path} is damaged and will be made anew.", flush=True)
             bring_to_today()
             status = run_snakemake(options, environment(run))
         except KeyboardInterrupt:
@@ -274,6 +270,8 @@ def show_progress(lines: Iterable[str]) -> Iterator[str]:
             elif now - shown > 5 or found[1] == found[2]:
                 shown = now
                 print(steps, flush=True)
+        elif line.startswith("riserstudy: note: "):
+            print(line.rstrip().removeprefix("riserstudy: note: "), flush=True)
         elif line.startswith("Nothing to be done"):
             print("Nothing to do: every result is up to date.", flush=True)
     if terminal and steps:

@@ -7,7 +7,7 @@ import shutil
 from collections import Counter
 from pathlib import Path
 
-from riserstudy.report.contents import VERDICTS
+from riserstudy.report.claims import VERDICTS
 
 ROOT = Path(__file__).resolve().parents[2]
 PICTURE = Path("chang2020/fig14.png")

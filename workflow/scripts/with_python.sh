@@ -1,6 +1,6 @@
 #!/bin/sh
-# Run a script with the first Python that serves: $PYTHON if set, else the newest on the path.
-# Each is tried by running it, since a name on the path may be a shim with nothing behind.
+# Run a script with the first Python that serves: $PYTHON if set, else the newest on the path, else
+# one that uv has or brings, where uv is installed. Each is tried by running it, since a name on the path may be a shim with nothing behind.
 
 supported='import sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))'
 name='import sys; print("python%d.%d-venv" % sys.version_info[:2])'
@@ -24,12 +24,20 @@ while [ "$1" != -- ]; do
     lacking=$python
 done
 
+if [ -z "$PYTHON" ] && command -v uv >/dev/null; then
+    shift
+    python=$(uv python find '>=3.11,<3.14' 2>/dev/null) || {
+        echo "No Python 3.11, 3.12 or 3.13 here: uv brings 3.13." >&2
+        uv python install --quiet 3.13 && python=$(uv python find 3.13)
+    } && exec "$python" "$@"
+    exit 1
+fi
 if [ -n "$lacking" ]; then
     package=$("$lacking" -c "$name")
-    echo "riserstudy: $lacking has no venv module; install it (Debian, Ubuntu: apt install $package)." >&2
+    echo "riserstudy: $lacking has no venv module; install it (Debian, Ubuntu: apt install $package), or install uv, which brings a Python." >&2
 elif [ -n "$PYTHON" ]; then
     echo "riserstudy needs Python 3.11, 3.12 or 3.13, which PYTHON=$PYTHON is not; install one or name another." >&2
 else
-    echo "riserstudy needs Python 3.11, 3.12 or 3.13; install one, or name it: make study PYTHON=/path/to/python3.12" >&2
+    echo "riserstudy needs Python 3.11, 3.12 or 3.13; install uv, which brings one, or your system's package, and name it if it is off the path: make study PYTHON=/path/to/python3.12" >&2
 fi
 exit 1

@@ -1,8 +1,9 @@
 """What differs between two sets of results: published numbers, verdicts, and every variable of datasets.
 
 The change of a variable is its largest absolute difference over its largest magnitude in either dataset,
-since a change beside a zero crossing says nothing. What tells how long something took is left out, and
-keys of stored points, which change with every edit of the engine.
+since a change beside a zero crossing says nothing. Where grids differ, the points that both have are
+compared, and it is said how many these are. What tells how long something took is left out, and keys of
+stored points, which change with every edit of the engine.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ class Changes(NamedTuple):
 
 
 def changes(old: Path, new: Path) -> Changes:
-    """What differs between two results folders, two tables (``.csv``) or two datasets (``.nc``).
+    """What differs between two folders of results, of all chapters or of one, two tables or two datasets.
 
     Raises
     ------
@@ -93,7 +94,8 @@ def _rows(path: Path) -> dict[str, dict[str, str]]:
 def _datasets(path: Path) -> dict[str, Path]:
     """Datasets by name."""
     if path.is_dir():
-        return {f"{file.parent.name}/{file.stem}": file for file in path.glob("*/*.nc")}
+        files = [*path.glob("*.nc"), *path.glob("*/*.nc")]
+        return {file.relative_to(path).with_suffix("").as_posix(): file for file in files}
     return {"dataset": path} if path.suffix == ".nc" and path.is_file() else {}
 
 
@@ -113,7 +115,17 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
     if old is None or new is None:
         yield Varied(name, "", float("inf"), "only in " + ("NEW" if old is None else "OLD"))
         return
-    before, after = _opened(old), _opened(new)
+    before, after = opened(old), opened(new)
+    for axis in sorted({*map(str, before.indexes)} & {*map(str, after.indexes)}):
+        places = [before[axis].values, after[axis].values]
+        if set(places[0].tolist()) != set(places[1].tolist()):
+            before, after, common = _at_common_points(axis, before, after)
+            yield Varied(
+                name,
+                axis,
+                float("inf"),
+                f"{len(places[0])} values, now {len(places[1])}; {common} in both",
+            )
     for variable in sorted({*map(str, before.variables), *map(str, after.variables)}):
         if _LEFT_OUT.search(variable):
             continue
@@ -124,7 +136,26 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
             yield _one(name, variable, before[variable], after[variable])
 
 
-def _opened(path: Path) -> xr.Dataset:
+def _at_common_points(
+    axis: str, old: xr.Dataset, new: xr.Dataset
+) -> tuple[xr.Dataset, xr.Dataset, int]:
+    """Both datasets where an axis has the same values, and how many these are."""
+    import numpy as np
+
+    common, here, there = np.intersect1d(old[axis], new[axis], return_indices=True)
+    if not len(common):  # nothing to compare: said as another shape
+        return old, new, 0
+    return old.isel({axis: np.sort(here)}), new.isel({axis: there[np.argsort(here)]}), len(common)
+
+
+def opened(path: Path) -> xr.Dataset:
+    """A dataset, with times as the numbers that they are (s).
+
+    Raises
+    ------
+    InputError
+        When it cannot be read.
+    """
     import xarray as xr
 
     try:

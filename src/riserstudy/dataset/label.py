@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 from importlib.metadata import version
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from riserstudy.dataset.limits import checked
 from riserstudy.dataset.variables import ENDINGS, attributes
 from riserstudy.digests import engine_digest
 from riserstudy.scene.load import SceneFile
+from riserstudy.scene.tables import texts_of_tables
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -29,9 +32,13 @@ def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> 
         "title": file.tree.get("title", ""),
         "source": file.source,
         "effects_off": json.dumps(effects_off),
+        "history": history("simulated a scene"),
         **{key: _text(value) for key, value in result.facts.items()},
         "provenance": json.dumps(provenance(file)),
     }
+    if "limits" in file.tree:
+        rows = checked(file, file.scene(), result.facts.get("extremes", []))
+        dataset.attrs["limits"] = json.dumps([row._asdict() for row in rows])
     return dataset
 
 
@@ -78,7 +85,7 @@ def dimensions(name: str, values: Any) -> tuple[str, ...]:
     if name.startswith("tensioner_"):
         return ("time", "cylinder")[-values.ndim :]
     if name.endswith(tuple(ENDINGS)):
-        return ("s_node",)
+        return ("s_node",)[: values.ndim]
     return ("time", "s")[: values.ndim]
 
 
@@ -88,9 +95,15 @@ def provenance(file: SceneFile) -> dict[str, Any]:
         "riserstudy": version("riserstudy"),
         "engine": engine_digest(),
         "scene": file.tree,
+        "tables": texts_of_tables(file.tree, Path(file.source).parent),
         "origins": {path: o.status for path, o in file.origins.items()},
         "plain_values": "published" if file.tree.get("paper") else "given",
     }
+
+
+def history(done: str) -> str:
+    """A line for the attribute of that name; without a date, so that the same run gives the same file."""
+    return f"riserstudy {version('riserstudy')}, engine {engine_digest()}: {done}"
 
 
 def _text(value: Any) -> Any:

@@ -33,10 +33,22 @@ DIMENSIONS = (
 OF_RUNS = frozenset(
     (
         *("x", "y", "z", "effective_tension", "bending_moment", "ufj_angle", "lfj_angle", "stroke"),
+        *("shear_force", "von_mises_stress", "lower_end_tension"),
         *("tensioner_stroke", "tensioner_force", "largest_stress"),
+        *("lift", "lift_rate"),
         *("platform_surge", "platform_sway", "platform_yaw", "thrust_moment"),
         *("platform_speed_x", "riser_reaction_x", "environment_force_x", "thrust_x"),
         *("platform_speed_y", "riser_reaction_y", "environment_force_y", "thrust_y"),
+    )
+)
+
+
+#: numbers that a study tells of each of its points
+OF_POINTS = frozenset(
+    (
+        *("wall_seconds", "solve_seconds", "elements", "step", "newton_iterations"),
+        *("error_displacement", "error_moment", "error_tension", "unexplained_energy"),
+        *("smallest_tension", "largest_bending_moment", "largest_bending_moment_s"),
     )
 )
 
@@ -75,7 +87,8 @@ def density(unit: str) -> str:
 
 
 def cf_unit(unit: str) -> str:
-    """A unit as CF writes it: ``kN*s^2/m^2`` becomes ``kN s2 m-2``."""
+    """A unit as CF writes it: ``kN*s^2/m^2`` becomes ``kN s2 m-2``; it stays what it is where it is so."""
+    unit = re.sub(r"\bdeg\b", "degree", unit)
     over, *under = unit.replace("^", "").split("/")
     below = [re.sub(r"(?<=[A-Za-z])(\d*)$", r"-\1", u) for part in under for u in part.split("*")]
     return " ".join([*over.split("*"), *(u if u[-1:].isdigit() else f"{u}1" for u in below)])

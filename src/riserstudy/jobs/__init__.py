@@ -12,14 +12,25 @@ import subprocess
 import sys
 from pathlib import Path
 
+from riserstudy.study.processes import forks
+
 TAKEN = b"+"  # what a job is told by the process that will do it
+
+
+def use_this_python() -> None:
+    """Let what is started from here on find this Python first."""
+    others = os.environ.get("PATH", os.defpath)
+    os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), others])
 
 
 def start_server(compiled: str) -> None:
     """Start the process that jobs are forks of; it ends when this one does.
 
-    ``compiled`` is the file that tells that kernels are compiled.
+    Where processes are no forks each job begins by itself. ``compiled`` is the file that tells that kernels
+    are compiled.
     """
+    if not (forks() and hasattr(socket, "AF_UNIX")):
+        return
     address, log_file = Path(".snakemake/jobs"), Path("logs/server.log")
     address.unlink(missing_ok=True)
     log_file.parent.mkdir(exist_ok=True)

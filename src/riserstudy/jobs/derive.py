@@ -9,6 +9,7 @@ from pathlib import Path
 import xarray as xr
 
 from riserstudy.chapters.derive import derive
+from riserstudy.jobs.seals import seal
 from riserstudy.study.collect import write_dataset
 
 
@@ -16,6 +17,7 @@ def main(paper: str, name: str, target: Path, settings: str, sources: list[Path]
     """Read the sources, write the derived dataset."""
     datasets = {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
     write_dataset(derive(paper, name, datasets, json.loads(settings)), target)
+    seal(target)
 
 
 if __name__ == "__main__":

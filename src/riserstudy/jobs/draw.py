@@ -1,4 +1,4 @@
-"""Draw a figure from its datasets, or a schematic, which reads none, from its scene."""
+"""Draw a figure from its datasets, or a schematic, which reads none, from its scene; also as values."""
 
 from __future__ import annotations
 
@@ -10,16 +10,18 @@ from typing import TYPE_CHECKING
 from riserstudy.chapters.draw import draw
 from riserstudy.errors import RiserStudyError
 from riserstudy.figures import draw_plot, save
+from riserstudy.jobs.seals import seal
 from riserstudy.study.read import read_studies
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def main(paper: str, name: str, png: Path, pdf: Path, sources: list[Path]) -> None:
-    """Write the figure in both formats."""
+def main(paper: str, name: str, targets: list[Path], sources: list[Path]) -> None:
+    """Write the figure in all formats."""
     figure = from_datasets(paper, name, sources) if sources else from_scene(paper, name)
-    save(figure, png, pdf)
+    save(figure, *targets)
+    seal(*targets)
 
 
 def from_datasets(paper: str, name: str, sources: list[Path]) -> Figure:
@@ -43,9 +45,8 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("paper")
     parser.add_argument("name")
-    parser.add_argument("png", type=Path)
-    parser.add_argument("pdf", type=Path)
-    parser.add_argument("sources", type=Path, nargs="*")
+    parser.add_argument("--targets", type=Path, nargs="+", required=True)
+    parser.add_argument("--sources", type=Path, nargs="*", default=[])
     try:
         main(**vars(parser.parse_args()))
     except RiserStudyError as error:

@@ -13,6 +13,7 @@ from riserstudy.errors import RiserStudyError
 from riserstudy.folders import write_whole
 from riserstudy.grading.grade import ErratumRow, Row, errata, grade, table
 from riserstudy.grading.models import read_published
+from riserstudy.jobs.seals import seal
 
 
 def main(paper: str, graded: Path, errors: Path, sources: list[Path]) -> None:
@@ -22,6 +23,7 @@ def main(paper: str, graded: Path, errors: Path, sources: list[Path]) -> None:
     rows = grade(file, datasets, checks_of(paper))
     write_whole(graded, table(rows, Row).encode())
     write_whole(errors, table(errata(file, datasets, checks_of(paper)), ErratumRow).encode())
+    seal(graded, errors)
     for row in rows:
         print(f"{paper}/{row.id}: {row.verdict}")
 

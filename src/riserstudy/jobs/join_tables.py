@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import os
 from pathlib import Path
+
+from riserstudy.folders import write_whole
+from riserstudy.jobs.seals import seal
 
 
 def main(target: Path, sources: list[Path]) -> None:
@@ -13,10 +15,9 @@ def main(target: Path, sources: list[Path]) -> None:
     headers = {text.partition("\n")[0] for text in texts}
     if len(headers) > 1:
         raise SystemExit(f"{target}: tables with different columns cannot be joined")
-    partial = target.with_name(f".{target.name}.{os.getpid()}")
     rows = "".join(text.partition("\n")[2] for text in texts)
-    partial.write_text("".join(f"{header}\n" for header in headers) + rows, "utf-8")
-    partial.replace(target)
+    write_whole(target, ("".join(f"{header}\n" for header in headers) + rows).encode())
+    seal(target)
 
 
 if __name__ == "__main__":

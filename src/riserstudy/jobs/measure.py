@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from riserstudy.errors import RiserStudyError
+from riserstudy.jobs.seals import seal
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.numerics.measure import measure
 from riserstudy.study.collect import write_dataset
@@ -21,6 +22,7 @@ def main(
         sys.exit("scene, study or engine changed while the workflow was running; run it again")
     found = measure(f"{paper} {study}", plan.measured(paper, study), plan.setting(threads))
     write_dataset(found, target)
+    seal(target)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 """A process with libraries and kernels loaded; every job of a run is a fork of it.
 
 To import them costs a job 1 to 3 s, often more than its work. The server lives as long as its standard
-input is open, so it ends with the Snakemake that started it, however that ends; a job lives as long as
-the process that asked for it.
+input is open, so it ends with the Snakemake that started it, however that ends, and ends the jobs that
+are left; a job lives as long as the process that asked for it.
 """
 
 from __future__ import annotations
@@ -26,6 +26,8 @@ from importlib import import_module
 from pathlib import Path
 from types import FrameType
 from typing import NoReturn
+
+import psutil
 
 from riserstudy.jobs import TAKEN
 
@@ -70,6 +72,11 @@ def serve(listener: socket.socket, compiled: Path) -> None:
             if os.fork() == 0:
                 listener.close()
                 become_job(asker)
+    for (
+        job
+    ) in psutil.Process().children():  # of a Snakemake that was killed: the next run does them
+        with suppress(psutil.NoSuchProcess):
+            job.kill()
 
 
 def of_this_user(asker: socket.socket) -> bool:

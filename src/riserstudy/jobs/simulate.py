@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from riserstudy.errors import RiserStudyError
+from riserstudy.jobs.seals import seal
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
 
@@ -20,6 +21,7 @@ def simulate(paper: str, study: str, target: Path, tier: str, threads: int, expe
     planned = plan.study(paper, study)
     results, _ = results_of(planned, threads, print)
     write_dataset(dataset_of(planned, results), target)
+    seal(target)
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
 from riserstudy.scene.check import check
 from riserstudy.scene.load import SceneFile, read_yaml
 from riserstudy.solve.kernel_cache import kernel_cache
-from riserstudy.study.config import Config
+from riserstudy.study.config import RULES, Config
 from riserstudy.study.grid import Point
 from riserstudy.study.models import StudyFile, Tier
 from riserstudy.study.read import read_studies
@@ -36,6 +36,7 @@ from riserstudy.study.study import Study, scene_file, threads_worth
 COLLECT, DERIVE = "riserstudy.study.collect", "riserstudy.chapters.derive"
 GRADE = "riserstudy.grading.grade"
 REPORT = "riserstudy.report"
+DATABASE = "riserstudy.database.build"
 ALL_CORES = 64  # more than there are: Snakemake gives what it has
 
 
@@ -60,6 +61,7 @@ class Workplan:
         self.tier: Tier = self.settings.tier
         self.papers = self.settings.papers
         self.files: dict[str, StudyFile] = {p: read_studies(config, p) for p in self.papers}
+        self._refuse_equal_names()
         if only is None:
             self.published  # noqa: B018  what is printed is checked before any job, too
         for paper, name in self._studies if only is None else only:
@@ -76,12 +78,34 @@ class Workplan:
     def read(
         cls, config: Path, overrides: dict[str, Any], only: list[tuple[str, str]] | None = None
     ) -> Self:
-        """Read config.yaml, and let overrides win over what it says."""
+        """Read config.yaml, and let overrides win over what it says.
+
+        Raises
+        ------
+        InputError
+            When it cannot be read, or cannot be meant.
+        """
         path = config / "config.yaml"
         settings = read_yaml(path, keep=True)
         if not isinstance(settings, dict):
             raise InputError(path, "", "no mapping", "it starts with names such as 'papers:'")
         return cls(config, settings | overrides, only)
+
+    def _refuse_equal_names(self) -> None:
+        """Rules are named like papers, and like paper and figure: ``a`` and ``b_c`` is ``a_b`` and ``c``."""
+        taken: dict[str, str] = {paper: f"paper {paper}" for paper in self.papers}
+        for paper, name in self.figures():
+            rule, said = f"{paper}_{name}", f"figure {name} of {paper}"
+            if rule in RULES or rule in taken:
+                other = taken.get(rule, f"a rule named {rule}")
+                path = self.config / "studies" / f"{paper}.yaml"
+                raise InputError(
+                    path,
+                    f"figures.{name}",
+                    f"as a target {rule!r} it is {other}, too",
+                    "name one of them anew",
+                )
+            taken[rule] = said
 
     @cached_property
     def published(self) -> dict[str, PublishedFile]:
@@ -230,6 +254,16 @@ class Workplan:
         return digest(sources_behind(REPORT))
 
     @property
+    def database_digest(self) -> str:
+        """The code that builds the results database."""
+        return digest(sources_behind(DATABASE))
+
+    @property
+    def published_files(self) -> list[str]:
+        """Files of printed numbers and claims: the database tells what each rests on."""
+        return [str(published_path(self.config, paper)) for paper in self.published]
+
+    @property
     def study_files(self) -> list[str]:
         """Study files: the report tells captions, axes and what studies set."""
         return [str(self.config / "studies" / f"{paper}.yaml") for paper in self.papers]
@@ -237,7 +271,7 @@ class Workplan:
     @property
     def compiled(self) -> str:
         """Marker of the kernels compiled from the present sources."""
-        return str(kernel_cache() / "compiled")
+        return (kernel_cache() / "compiled").as_posix()
 
     def figures(self) -> list[tuple[str, str]]:
         """All figures as (paper, name), the schematics of a paper first."""
@@ -250,7 +284,9 @@ class Workplan:
     def figure_files(self, paper: str | None = None) -> list[str]:
         """Files of all figures, or of those of one paper."""
         figures = [(p, name) for p, name in self.figures() if paper in (None, p)]
-        return [f"results/{p}/{name}.{kind}" for p, name in figures for kind in ("png", "pdf")]
+        return [
+            f"results/{p}/{name}.{kind}" for p, name in figures for kind in ("png", "pdf", "csv")
+        ]
 
     def dataset_files(self, paper: str | None = None) -> list[str]:
         """Files of all datasets, simulated and derived, or of those of one paper."""
@@ -264,6 +300,12 @@ class Workplan:
     def graded_files(self, paper: str | None = None, kind: str = "reproduction") -> list[str]:
         """Tables of all papers that have numbers or claims, or of one of them."""
         return [f"results/{p}/{kind}.csv" for p in self.published if paper in (None, p)]
+
+    def outputs(self) -> list[str]:
+        """Everything that jobs write into the results folder."""
+        tables = [*self.graded_files(), *self.graded_files(kind="errata"), *self.joined_tables()]
+        pages = ["results/results.sqlite", "results/report.html"]
+        return [*self.dataset_files(), *self.figure_files(), *tables, *pages]
 
     def joined_tables(self) -> list[str]:
         """Tables over all papers, when there is anything to join."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Callable, Collection
 from importlib.metadata import version
 from pathlib import Path
@@ -12,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, quantities
+from riserstudy.dataset.complete import complete
+from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.digests import engine_digest
@@ -157,11 +159,11 @@ def _on_common_nodes(results: list[Result]) -> list[Result]:
     nodes = max(meshes.values(), key=len).round(NODE_DIGITS)
     if len({round(float(s[-1]), NODE_DIGITS) for s in meshes.values()}) > 1:
         nodes = np.unique(np.concatenate([s.round(NODE_DIGITS) for s in meshes.values()]))
-    return [_laid_on(result, nodes) for result in results]
+    return [laid_on(result, nodes) for result in results]
 
 
-def _laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
-    """A run's values over its nodes at other places, not a number above its top."""
+def laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
+    """A run's values over its nodes at other places (m, shape (n,)), not a number above its top."""
     own = result.arrays
     curve = curve_of(own)
     there = nodes <= own["s_node"][-1] + 10.0**-NODE_DIGITS
@@ -195,6 +197,7 @@ FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
     "largest_bending_moment": lambda f: f.get("largest_bending_moment", float("nan")),
     "largest_bending_moment_s": lambda f: f.get("largest_bending_moment_s", float("nan")),
     "warnings": lambda f: "\n".join(f["warnings"]),
+    "effects": lambda f: "\n".join(f["effects"]),
 }
 FACT_ATTRIBUTES = {
     "wall_seconds": {"units": "s", "long_name": "wall time of the simulation"},
@@ -209,12 +212,13 @@ FACT_ATTRIBUTES = {
         "units": "1",
         "long_name": "share of the energy exchanged left unexplained",
     },
-    "smallest_tension": {"units": "N", "long_name": "smallest effective tension"},
+    "smallest_tension": {"units": "N", "long_name": "smallest effective tension of the riser"},
     "largest_bending_moment": {
         "units": "N m",
         "long_name": "largest size of the bending moment, between nodes too",
     },
     "largest_bending_moment_s": {"units": "m", "long_name": "where it is, from the bottom"},
+    "effects": {"long_name": "effects that are on, a line each"},
 }
 
 
@@ -229,7 +233,7 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
         for path in samples[0]:
             values = [assumed[path] for assumed in samples]
             plain = [v if isinstance(v, int | float) else str(v) for v in values]
-            label = "assumed_" + path.replace(".", "_")
+            label = "assumed_" + re.sub(r"\W+", "_", path)  # riser[0].mass: riser_0_mass
             dataset[label] = xr.DataArray(plain, dims=name, attrs={"long_name": path})
 
 
@@ -247,10 +251,12 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "riserstudy": version("riserstudy"),
         "scene": json.dumps(study.base.tree),
         "scene_file": study.base.source,
+        "tables": json.dumps(study.tables),
         "origins": json.dumps({p: o.status for p, o in origins.items()}),
         "evidence": json.dumps({p: o.why for p, o in origins.items()}),
         "effects": json.dumps(effects),
         "errors_estimated": f"{told} of {len(results)} points, chosen by their keys",
+        "history": history(f"simulated study {study.name} of {study.paper}, tier {study.tier}"),
     }
 
 
@@ -263,14 +269,16 @@ def write_dataset(dataset: xr.Dataset, target: Path) -> None:
         When it cannot be written, as on a full disk.
     """
     partial = target.with_name(f".{target.name}.{os.getpid()}")
+    dataset = complete(dataset)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         dataset.to_netcdf(partial, engine="netcdf4", encoding=_compressed(dataset))
         partial.replace(target)
     except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
-        raise SimulationError(
-            f"{target} cannot be written: {error}; see whether the disk is full"
-        ) from None
+        remedy = "see whether the disk is full"
+        if "\\" in str(target.absolute()) and os.name == "posix":
+            remedy = "the netCDF library takes no folder with a backslash in its name"
+        raise SimulationError(f"{target} cannot be written: {error}; {remedy}") from None
     finally:
         partial.unlink(missing_ok=True)
 

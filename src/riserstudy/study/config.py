@@ -19,7 +19,7 @@ class TierModel(Strict):
 #: rules beside which each paper gets one of its own name
 RULES = {
     *("all", "compile", "shard", "simulate", "measure", "derive", "figure", "figures"),
-    *("grade", "reproduction", "report", "everything"),
+    *("grade", "reproduction", "database", "report", "everything"),
 }
 
 

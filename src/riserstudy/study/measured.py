@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 from riserstudy.scene.base import Positive, Strict
 
 Tiers = Literal["preview", "standard", "reference"]
+Pair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 Factors = Annotated[list[Positive], Field(min_length=1)]
 
 
@@ -25,11 +26,12 @@ class Case(Strict):
     ``expect``: ``accurate`` to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
     prescribe a bad step, mesh or scheme: refused, or with an estimate above 1 % where the error is.
     Absent set: the scene as it is. Absent preview: not part of that tier. ``budget``: of its
-    reference. Absent: that of the study.
+    reference. Absent: that of the study. ``family``: what it is hard by.
     """
 
     scene: str
     about: str
+    family: str
     budget: Positive | None = None
     expect: Literal["accurate", "unstable", "told"]
     because: str | None = None
@@ -111,10 +113,13 @@ class AccuracyStudy(EngineStudy):
     """Error against time, every method on every rung of a scene's ladder, and accuracy asked for.
 
     ``budget``: node-steps that a run may take; more are left out. ``patience``: seconds that a request for an
-    accuracy may take; one beyond it is a row that says so.
+    accuracy may take; one beyond it is a row that says so. ``peers``: by scene and other simulator, errors of
+    displacement and its time over that of our cheapest run of that error, as `make bench` found them last.
+    Absent: none.
     """
 
     patience: Positive
+    peers: dict[str, dict[str, list[Pair]]] = Field(default_factory=dict)
     repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
     budget: Positive
     asked: dict[Literal["preview", "standard", "reference"], list[float]]
@@ -151,7 +156,7 @@ class RandomStudy(EngineStudy):
 
     @property
     def share(self) -> float:
-        """The accuracy as a number."""
+        """The relative accuracy, 0.01 for 1 %."""
         return float(self.accuracy.removesuffix("%")) / 100.0
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from itertools import combinations
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from riserstudy.dataset.variables import DIMENSIONS, OF_RUNS, of_runs
+from riserstudy.dataset.variables import DIMENSIONS, OF_POINTS, OF_RUNS, of_runs
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import unwrap
@@ -41,7 +41,7 @@ class Steps(Strict):
 
     @property
     def values(self) -> list[float]:
-        """The values, free of rounding drift."""
+        """The values in the axis's unit, free of rounding drift."""
         count = math.floor((self.stop - self.start) / self.step + 1e-9)
         return [round(self.start + k * self.step, 12) for k in range(count + 1)]
 
@@ -70,7 +70,7 @@ class Numbers(Strict):
         return self
 
     def numbers(self, tier: Tier) -> list[float]:
-        """Values of a tier."""
+        """Values of a tier, in the axis's unit."""
         every = self.values.values if isinstance(self.values, Steps) else self.values
         return self.preview if tier == "preview" and self.preview else every
 
@@ -80,7 +80,7 @@ class Numbers(Strict):
         return [self.path] if isinstance(self.path, str) else self.path
 
     def overrides(self, number: float) -> dict[str, Any]:
-        """What a value sets."""
+        """What a value, in the axis's unit, sets: by path of the scene."""
         value = number if self.factor is None else number * self.factor
         value += self.offset or 0.0
         text = value if self.unit == "1" else f"{value!r} {self.unit}"
@@ -152,8 +152,12 @@ class StudyModel(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if Path(self.scene).is_absolute() or ".." in Path(self.scene).parts:
+        if PureWindowsPath(self.scene).anchor or ".." in PureWindowsPath(self.scene).parts:
             raise ValueError("scene: must lie below the folder of the configuration")
+        if "\\" in self.scene:
+            raise ValueError(
+                "scene: has a backslash; allowed is / between folders, on every system"
+            )
         for name in self.keep or []:
             if not of_runs(name):
                 allowed = "allowed are " + ", ".join(sorted(OF_RUNS)) + ", each with endings"
@@ -198,6 +202,9 @@ class RunInMotion(Strict):
 class StudyFile(Strict):
     """Studies of one paper, datasets derived from them, and the figures that read them.
 
+    ``title``, ``reference``, ``about``: the paper's short name, its full reference, and what it is, for the
+    report. ``finding``: the number or claim that the report names first. Absent: named by the file, no paper,
+    nothing said, none named.
     ``readings``: named ways to read the paper, by what each sets; studies share them as axes or samples.
     ``measured``: datasets about the engine itself; ``in_motion``: the run that the report shows moving;
     ``left_out``: printed figures that are not drawn, and what they show. Absent: none. Absent figures:
@@ -205,6 +212,10 @@ class StudyFile(Strict):
     """
 
     paper: str
+    title: str = ""
+    reference: str = ""
+    about: str = ""
+    finding: str = ""
     readings: dict[str, Labels] = Field(default_factory=dict)
     studies: dict[Name, StudyModel]
     derived: dict[Name, Reads] = Field(default_factory=dict)
@@ -245,6 +256,9 @@ class StudyFile(Strict):
         for name, figure in self.figures.items():
             for dataset in set(figure.reads).difference(self.datasets):
                 yield f"figures.{name}.reads: no dataset {dataset!r}; {_among(self.datasets)}"
+            for quantity in figure.of or [] if set(figure.reads) <= set(self.studies) else []:
+                if not (of_runs(quantity) or quantity in OF_POINTS):
+                    yield f"figures.{name}.of: studies have no {quantity!r}; {_among(OF_RUNS)}"
             for study in set(figure.reads).intersection(self.studies):
                 count, least = len(self.studies[study].axes), NEEDS.get(figure.plot or "lines", 0)
                 if figure.plot and count < least:

@@ -1,13 +1,15 @@
 """Do a task for many items in several processes: threads would wait for each other's Python.
 
-Processes are forks: they have what is loaded, and take no items but by number. They end with the one
-that started them, however that ends.
+Processes are forks where the system forks well: they have what is loaded, and take no items but by
+number. Elsewhere they begin from nothing and are sent the task and its items, which must be picklable. They
+end with the one that started them, however that ends.
 """
 
 from __future__ import annotations
 
 import os
 import signal
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -23,8 +25,17 @@ R = TypeVar("R")
 _work: tuple[Callable[[Any], Any], Sequence[Any]]
 
 
+def forks() -> bool:
+    """Whether processes are forks: where there are, but not on macOS, whose own libraries break in them."""
+    return hasattr(os, "fork") and sys.platform != "darwin"
+
+
 def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator[R]:
     """What a task returns for each item, in order.
+
+    Parameters
+    ----------
+    task : a function of a module, or a ``partial`` of one: not every system hands on a closure.
 
     Raises
     ------
@@ -35,7 +46,8 @@ def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator
     if count <= 1:
         yield from map(task, items)
         return
-    with ProcessPoolExecutor(count, get_context("fork"), _begin, (task, items)) as pool:
+    method = get_context("fork" if forks() else "spawn")
+    with ProcessPoolExecutor(count, method, _begin, (task, items)) as pool:
         try:
             yield from pool.map(_do, range(len(items)))
         except BrokenProcessPool:

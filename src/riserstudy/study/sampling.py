@@ -17,6 +17,11 @@ def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[s
     """Overrides of ``count`` scrambled Sobol points over all assumptions at once.
 
     A range is sampled evenly, options with equal chance.
+
+    Raises
+    ------
+    InputError
+        When nothing is open, or the ends of a range have different units.
     """
     if not assumptions:
         raise InputError(
@@ -32,7 +37,7 @@ def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[s
 
 
 def sobol(dimensions: int, count: int, seed: int) -> list[list[float]]:
-    """Scrambled Sobol points in the unit cube.
+    """Scrambled Sobol points in the unit cube, ``count`` of so many coordinates.
 
     They are kept in the cache: scipy.stats takes 0.6 s to start, more than planning.
     """
@@ -51,7 +56,13 @@ def sobol(dimensions: int, count: int, seed: int) -> list[list[float]]:
 
 
 def value_at(path: str, origin: Origin, x: float) -> Any:
-    """Value of an assumption at position 0 <= x < 1 of its range or options."""
+    """Value of an assumption, with its unit, at position 0 <= x < 1 of its range or options.
+
+    Raises
+    ------
+    InputError
+        When the ends of the range have different units.
+    """
     if origin.options:
         return origin.options[min(int(x * len(origin.options)), len(origin.options) - 1)]
     low, high = origin.range or (None, None)

@@ -5,7 +5,8 @@ What is made goes to the store and is let go, so memory does not grow with the n
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import partial
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
@@ -40,27 +41,49 @@ def fill(study: Study, points: Iterable[Point], processes: int) -> int:
     SimulationError
         When points cannot be completed: once per cause, with their number and the first one.
     """
-    each_once = {point.key: point for point in points}
-    missing = [p for key, p in each_once.items() if lacks(study, p, store.get(key, ()))]
-
-    def one(point: Point) -> SimulationError | None:
-        from riserstudy.simulation.refine import run
-
-        file = study.grid.file(point.index)
-        try:
-            result = run(file.scene(), estimated=tells_error(study, point))
-        except SimulationError as error:
-            return error
-        store.put(point.key, result, file)
-        return None
-
-    told = each(one, missing, processes)
-    failures = [(point, why) for point, why in zip(missing, told, strict=True) if why]
+    every = list(points)
+    done: list[int] = []
+    failures = attempt(study, every, processes, done.append)
+    made = len({point.key for point in every}) - done[0]
     if failures:
-        point, first = failures[0]
+        point = next(point for point in every if point.key in failures)
         place = dict(zip(study.axes, point.index, strict=True))
         raise SimulationError(
-            f"{study.where}: {len(failures)} of {len(missing)} points cannot be completed; "
-            f"the first, at index {place}: {first}"
+            f"{study.where}: {len(failures)} of {made} points cannot be completed; "
+            f"the first, at index {place}: {failures[point.key]}"
         )
-    return len(missing)
+    return made
+
+
+def attempt(
+    study: Study, points: Iterable[Point], processes: int, tell: Callable[[int], None]
+) -> dict[str, SimulationError]:
+    """Simulate what the store lacks of some points, and say why points cannot be completed, by their keys.
+
+    Parameters
+    ----------
+    tell : is told how many more of the points, each counted once, are done: first how many are stored.
+    """
+    each_once = {point.key: point for point in points}
+    missing = [p for key, p in each_once.items() if lacks(study, p, store.get(key, ()))]
+    tell(len(each_once) - len(missing))
+    failures = {}
+    told = each(partial(_simulate, study), missing, processes)
+    for point, why in zip(missing, told, strict=True):
+        tell(1)
+        if why:
+            failures[point.key] = why
+    return failures
+
+
+def _simulate(study: Study, point: Point) -> SimulationError | None:
+    """Simulate a point and store it, or say why it cannot be completed."""
+    from riserstudy.simulation.refine import run
+
+    file = study.grid.file(point.index)
+    try:
+        result = run(file.scene(), estimated=tells_error(study, point))
+    except SimulationError as error:
+        return error
+    store.put(point.key, result, file)
+    return None

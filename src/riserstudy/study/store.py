@@ -46,7 +46,7 @@ def canonical(value: Any) -> Any:
 _to_json = json.JSONEncoder(sort_keys=True).encode
 
 #: parts of a scene that a simulation depends on, as keys order them
-COUNTS = tuple(sorted(set(Scene.model_fields) - {"title", "note", "paper"}))
+COUNTS = tuple(sorted(set(Scene.model_fields) - {"title", "note", "paper", "limits"}))
 
 
 def text_of(part: Any) -> str:
@@ -140,8 +140,33 @@ def has(key: str) -> bool:
     return _file(key).exists()
 
 
+def about(key: str) -> dict[str, Any] | None:
+    """What a stored point says of itself: facts, scene, source, engine, origins; None when not whole."""
+    stored = _read(_file(key))
+    return None if stored is None else stored.about
+
+
 def about_points() -> Iterator[dict[str, Any]]:
     """What each stored point says of itself, with its key."""
     for path in sorted((cache_folder() / "points").glob(f"*/*{ENDING}")):
         if (stored := _read(path)) is not None:
             yield {"key": path.stem, **stored.about}
+
+
+class Held(NamedTuple):
+    """Something that takes space in the store; without a key where it is no point of today's format."""
+
+    key: str | None
+    bytes: int
+    path: Path
+
+
+def everything() -> Iterator[Held]:
+    """All that lies in the store, whole or not."""
+    for path in sorted((cache_folder() / "points").glob("*/*")):
+        yield Held(path.stem if path.suffix == ENDING else None, path.stat().st_size, path)
+
+
+def remove(held: Held) -> None:
+    """Take something out of the store."""
+    held.path.unlink(missing_ok=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from itertools import product
@@ -17,6 +16,7 @@ from riserstudy.errors import InputError
 from riserstudy.folders import remembered
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import Origin
+from riserstudy.scene.tables import names_of_tables, texts_of_tables
 from riserstudy.study.grid import Grid, Point
 from riserstudy.study.models import MOST_VALUES, Labels, Numbers, Samples, StudyModel, Tier
 from riserstudy.study.store import canonical
@@ -132,11 +132,18 @@ class Study:
         return [Point(index, key) for index, key in zip(every, keys, strict=True)]
 
     @property
+    def tables(self) -> dict[str, str]:
+        """Texts of the tables that its scenes refer to, by name."""
+        axes = [[sets for _, sets in steps] for steps in self.axes.values()]
+        return texts_of_tables([self.base.tree, axes], Path(self.base.source).parent)
+
+    @property
     def _behind_plan(self) -> str:
         """Digest of scene, axes, tables that they name, and the code that checks them."""
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
         folder = Path(self.base.source).parent
-        tables = {name: _content(folder / name) for name in sorted(_files([self.base.tree, axes]))}
+        names = sorted({*names_of_tables([self.base.tree, axes])})
+        tables = {name: _content(folder / name) for name in names}
         code = [engine_digest(), digest(sources_behind(Grid.__module__))]
         about = [code, canonical(self.base.tree), canonical(axes), tables]
         return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:32]
@@ -158,17 +165,6 @@ class Study:
         origins = {path: (o.status, o.why) for path, o in self.base.origins.items()}
         about += [self.tier, self.model.caption, canonical(self.base.tree), origins]
         return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]
-
-
-def _files(value: Any) -> Iterator[str]:
-    """Names of the tables that a tree refers to."""
-    if isinstance(value, dict):
-        if isinstance(name := value.get("file"), str):
-            yield name
-        value = list(value.values())
-    if isinstance(value, list):
-        for part in value:
-            yield from _files(part)
 
 
 def _content(path: Path) -> str:

@@ -1,0 +1,89 @@
+"""Demand against allowable: how much of each limit a run uses, where and when."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from riserstudy.scene.limits import UNITS, Limit, lacks
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+
+#: outputs whose sign is a convention
+SIGNED = ("bending_moment", "shear_force", "x", "y", "ufj_angle", "lfj_angle")
+WITHIN, EXCEEDED, UNKNOWN = "within", "exceeded", "not evaluated"
+
+
+class Checked(NamedTuple):
+    """One limit of a run, in SI units. None where there is none, or it is not evaluated."""
+
+    output: str
+    at: str
+    mode: str
+    side: str
+    allowable: float
+    demand: float | None
+    utilisation: float | None
+    s: float | None  # m
+    time: float | None  # s
+    verdict: str
+    missing: str
+    origin: str
+    unit: str
+
+
+def checked(file: SceneFile, scene: Scene, rows: list[dict[str, Any]]) -> list[Checked]:
+    """Every limit of a scene against the extremes of its run.
+
+    Parameters
+    ----------
+    rows : extremes of the run, a row an output and place.
+    """
+    plain = "published" if scene.paper else "given"
+    found = []
+    for k, limit in enumerate(scene.limits or []):
+        origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
+        found.append(_one(scene, limit, rows, origin.status if origin else plain))
+    return found
+
+
+def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) -> Checked:
+    about = (limit.output, limit.at or "", limit.mode, limit.side, limit.allowable)
+    unit = UNITS[limit.output]
+    missing = lacks(scene, limit)
+    names = [section.name for section in scene.riser]
+    places = [limit.at] if limit.at else ["", *names]
+    there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
+    told = [_demand(limit, row) for row in there]
+    if not told:
+        why = ", ".join(missing) or f"{limit.output} in this run"
+        return Checked(*about, None, None, None, None, UNKNOWN, why, origin, unit)
+    demand, s, time = max(told, key=lambda one: use(limit.side, one[0], limit.allowable))
+    share = use(limit.side, demand, limit.allowable)
+    verdict = EXCEEDED if share > 1.0 else UNKNOWN if missing else WITHIN
+    return Checked(*about, demand, share, s, time, verdict, ", ".join(missing), origin, unit)
+
+
+def _demand(limit: Limit, row: Mapping[str, Any]) -> tuple[float, float | None, float | None]:
+    """Value, place (m) and time (s) that a limit asks for of a row of extremes."""
+    sides = [limit.side]
+    if limit.side == "largest" and limit.output in SIGNED:
+        sides = ["largest", "smallest"]
+    side = max(sides, key=lambda one: abs(row[one])) if len(sides) > 1 else sides[0]
+    value = abs(row[side]) if limit.output in SIGNED else row[side]
+    return value, row.get(side + "_s"), row.get(side + "_time")
+
+
+def use(side: str, demand: float, allowable: float) -> float:
+    """Share of an allowable that a demand uses, above 1 where it is exceeded; both in one unit.
+
+    A floor above zero is used as far as it is from the demand: twice the floor is a use of a half.
+    """
+    if side == "smallest" and allowable >= 0.0:
+        if demand <= 0.0:
+            return 1.0 if demand == allowable else math.inf
+        return allowable / demand
+    if allowable < 0.0 and side == "largest":  # stays below a negative value
+        return math.inf if demand >= 0.0 else allowable / demand
+    return max(0.0, demand / allowable)

@@ -1,0 +1,186 @@
+"""Tables of a run: stack-up, extremes, time series, limits; each a heading and rows of plain values."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from riserstudy.dataset.variables import attributes
+from riserstudy.errors import InputError
+from riserstudy.scene.limits import UNITS
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Cell = str | float | int | None
+
+
+class Table(NamedTuple):
+    """Columns, their units ("" for none) and rows."""
+
+    columns: list[str]
+    units: list[str]
+    rows: list[list[Cell]]
+
+
+def stack_up(scene: Scene) -> Table:
+    """The riser from the top down: joints, diameters, weights dry and in water, uplift, sums from the top.
+
+    The uplift of a section is what its dry weight loses in water, contents apart.
+    """
+    columns = {
+        "section": "", "joints": "", "length": "m", "upper end": "m", "outer diameter": "m",
+        "inner diameter": "m", "mass": "kg/m", "dry weight": "kN", "wet weight": "kN", "uplift": "kN",
+        "contents": "kN", "wet weight from the top": "kN", "with contents from the top": "kN",
+    }  # fmt: skip
+    from_top, with_contents = 0.0, 0.0
+    gravity = scene.gravity
+    upper = _upper_end(scene)
+    rows: list[list[Cell]] = []
+    for section in reversed(scene.riser):
+        length = section.total_length
+        wet = None if section.submerged_weight is None else section.submerged_weight * length / 1e3
+        dry = section.mass * gravity * length / 1e3 if section.mass and gravity else None
+        inside = section.contents_mass * (gravity or 0.0) * length / 1e3
+        from_top += wet or 0.0
+        with_contents += (wet or 0.0) + inside
+        rows.append(
+            [
+                section.name,
+                section.joints.count if section.joints else None,
+                length,
+                upper,
+                section.outer_diameter,
+                section.inner_diameter,
+                section.mass,
+                dry,
+                wet,
+                None if dry is None or wet is None else dry - wet,
+                inside,
+                from_top,
+                with_contents,
+            ]
+        )
+        upper = None if upper is None else upper - length
+    return Table(list(columns), list(columns.values()), rows)
+
+
+def _upper_end(scene: Scene) -> float | None:
+    """Elevation of the riser's upper end before it stretches (m)."""
+    if scene.bottom.elevation is not None:
+        return scene.bottom.elevation + sum(s.total_length for s in scene.riser)
+    return scene.top.elevation
+
+
+def extremes(dataset: xr.Dataset) -> Table:
+    """Largest and smallest value of every output and place, with arclength and time, in SI units."""
+    keys = [
+        "largest",
+        "largest_s",
+        "largest_time",
+        "smallest",
+        "smallest_s",
+        "smallest_time",
+        "mean",
+    ]
+    rows: list[list[Cell]] = []
+    for row in json.loads(dataset.attrs.get("extremes", "[]")):
+        unit = attributes(row["output"])["units"]
+        rows.append([row["output"], row["where"], unit, *(row.get(key) for key in keys)])
+    units = ["", "", "", "", "m", "s", "", "m", "s", ""]
+    return Table(["output", "where", "unit", *keys], units, rows)
+
+
+def time_series(dataset: xr.Dataset) -> Table:
+    """All histories, a column each: those along the riser at their stations.
+
+    Raises
+    ------
+    InputError
+        When the run has no time.
+    """
+    if "time" not in dataset:
+        raise InputError("dataset", "time", "a run at rest", "time series need analysis.duration")
+    columns, units, values = ["time"], ["s"], [dataset["time"].values]
+    for name, history in dataset.data_vars.items():
+        if "time" not in history.dims:
+            continue
+        unit = str(history.attrs.get("units", ""))
+        across = [dim for dim in history.dims if dim != "time"]
+        for k in range(history.sizes[across[0]] if across else 1):
+            at = history.isel({across[0]: k}) if across else history
+            place = f" at {across[0]} = {float(dataset[across[0]][k]):g}" if across else ""
+            columns.append(f"{name}{place}")
+            units.append(unit)
+            values.append(at.values)
+    rows: list[list[Cell]] = [[float(v) for v in row] for row in zip(*values, strict=True)]
+    return Table(columns, units, rows)
+
+
+def limits(dataset: xr.Dataset) -> Table:
+    """Demand, allowable and use of every limit of the scene, with place, time and verdict, in SI units."""
+    rows = json.loads(dataset.attrs.get("limits", "[]"))
+    names = ["output", "at", "mode", "side", "unit", "demand", "allowable", "utilisation"]
+    names += ["s", "time", "verdict", "missing", "origin"]
+    units = ["m" if name == "s" else "s" if name == "time" else "" for name in names]
+    return Table(names, units, [[row[name] for name in names] for row in rows])
+
+
+#: how a limit is printed: factor and name of the unit
+READ_IN = {
+    "N": (1e-3, "kN"), "N*m": (1e-3, "kN m"), "N/m^2": (1e-6, "MPa"),
+    "rad": (57.29577951308232, "deg"), "m": (1.0, "m"),
+}  # fmt: skip
+
+
+def as_lines(rows: list[dict[str, Any]]) -> list[str]:
+    """Limits as one readable line each: demand, allowable, use, where and when, or what is missing."""
+    lines = []
+    for row in rows:
+        factor, unit = READ_IN[UNITS[row["output"]]]
+        place = f" at {row['at']}" if row["at"] else ""
+        what = f"{row['mode']}: {row['side']} {row['output']}{place}"
+        allowed = f"allowable {factor * row['allowable']:.5g} {unit} ({row['origin']})"
+        if row["demand"] is None:
+            lines.append(f"{what}: not evaluated: {row['missing']}; {allowed}")
+            continue
+        where = "" if row["s"] is None else f" at s = {row['s']:.5g} m"
+        when = "" if row["time"] is None else f" at t = {row['time']:.5g} s"
+        use = f"{100 * row['utilisation']:.4g} %" if row["utilisation"] < 1e3 else "beyond all"
+        told = f"{factor * row['demand']:.5g} {unit}{where}{when}, {allowed}, use {use}"
+        verdict = row["verdict"] + (
+            f", in part for want of {row['missing']}" if row["missing"] else ""
+        )
+        lines.append(f"{what}: {told}: {verdict}")
+    return lines
+
+
+def write_csv(table: Table, target: Path) -> None:
+    """Write a table as CSV: a line of names with their units, then the rows.
+
+    Raises
+    ------
+    InputError
+        When it cannot be written.
+    """
+    heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
+    partial = target.with_name(f".{target.name}.part")
+    try:
+        with partial.open("w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(heads)
+            writer.writerows(["" if cell is None else cell for cell in row] for row in table.rows)
+        partial.replace(target)
+    except OSError as error:
+        raise InputError(target, "", str(error), "allowed is a file that can be written") from None
+
+
+def table_of(kind: str, file: SceneFile, dataset: xr.Dataset | None) -> Table:
+    """A table by its name; stack-up needs no run."""
+    if kind == "stack-up" or dataset is None:
+        return stack_up(file.scene())
+    return {"extremes": extremes, "time-series": time_series, "limits": limits}[kind](dataset)

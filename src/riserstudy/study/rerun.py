@@ -1,0 +1,140 @@
+"""Run a point of a dataset anew from what the dataset says of itself, and compare."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from riserstudy.dataset.label import labelled
+from riserstudy.digests import engine_digest
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
+from riserstudy.study.collect import FACTS, laid_on
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: that change from run to run, or tell what was run
+LEFT_OUT = ("wall_seconds", "solve_seconds", "point_key", "warnings", "effects")
+
+
+@dataclass(frozen=True)
+class Rerun:
+    """A point that was run anew.
+
+    Attributes
+    ----------
+    place : where it is on the axes.
+    engines : digests of the engine that made the dataset, and of this one.
+    changes : largest change of each variable over its largest magnitude; infinite where one has no value.
+    """
+
+    place: dict[str, Any]
+    engines: tuple[str, str]
+    changes: dict[str, float]
+
+
+def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
+    """Run one point of a simulated dataset anew, or the one run of a dataset without axes.
+
+    Parameters
+    ----------
+    at : value by axis, as text; axes of one value need none.
+
+    Raises
+    ------
+    InputError
+        When the dataset was not simulated, or has no such point.
+    SimulationError
+        When it cannot be completed.
+    """
+    from riserstudy.simulation.refine import run
+
+    told = _provenance(dataset)
+    index = _index(dataset, at)
+    point = dataset.isel(index)
+    sets: dict[str, Any] = {}
+    for axis in index:
+        sets |= json.loads(dataset[axis].attrs["sets"])[str(point[axis].item())]
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in told["tables"].items():
+            table = Path(folder, name)
+            table.parent.mkdir(parents=True, exist_ok=True)
+            table.write_bytes(text.encode())
+        file = SceneFile(str(Path(folder) / "scene.yaml"), told["scene"]).with_values(sets, "axes")
+        scene = file.scene()
+    estimated = bool(np.isfinite(point.get("error_displacement", 0.0)))
+    result = run(scene, estimated=estimated)
+    if "s_node" in point.dims and not np.array_equal(point["s_node"], result.arrays["s_node"]):
+        result = laid_on(result, point["s_node"].values)
+    new = labelled(result)
+    facts = {name: tell(result.facts) for name, tell in FACTS.items() if name not in LEFT_OUT}
+    return Rerun(
+        {axis: point[axis].item() for axis in index},
+        (told["engine"], engine_digest()),
+        {
+            str(name): _change(old.values, np.asarray(facts.get(str(name), new.get(name, np.nan))))
+            for name, old in point.data_vars.items()
+            if name not in LEFT_OUT and not str(name).startswith("assumed_")
+        },
+    )
+
+
+def _provenance(dataset: xr.Dataset) -> dict[str, Any]:
+    """Scene, tables and engine behind a dataset of a study or of one run."""
+    said = dataset.attrs
+    if "provenance" in said:
+        return dict(json.loads(said["provenance"]))
+    if "scene" not in said or "tables" not in said:
+        found = "does not tell a scene and its tables"
+        allowed = "allowed is a dataset that was simulated, by this version or a later one"
+        raise InputError("rerun", "", found, allowed)
+    parts = {name: json.loads(said[name]) for name in ("scene", "tables")}
+    return parts | {"engine": said["engine"]}
+
+
+def _index(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
+    """Place of a point on the axes."""
+    axes = [str(axis) for axis in dataset["point_key"].dims] if "point_key" in dataset else []
+    if unknown := [axis for axis in at if axis not in axes]:
+        allowed = f"allowed are {', '.join(axes)}" if axes else "it has none"
+        raise InputError("--at", unknown[0], "no axis of the dataset", allowed)
+    index = {}
+    for axis in axes:
+        values = dataset[axis].values.tolist()
+        allowed = f"allowed are {', '.join(map(str, values))}"
+        if axis not in at and len(values) > 1:
+            raise InputError("--at", axis, "not given", allowed)
+        wanted = at.get(axis, str(values[0]))
+        matching = [k for k, value in enumerate(values) if _is(value, wanted)]
+        if not matching:
+            raise InputError("--at", axis, wanted, allowed)
+        index[axis] = matching[0]
+    return index
+
+
+def _is(value: Any, text: str) -> bool:
+    """Whether a text names a value of an axis."""
+    if isinstance(value, str):
+        return value == text
+    try:
+        return bool(value == float(text))
+    except ValueError:
+        return False
+
+
+def _change(old: Any, new: Any) -> float:
+    """Largest difference of two arrays over their largest magnitude."""
+    if old.shape != new.shape or not np.array_equal(np.isnan(old), np.isnan(new)):
+        return float("inf")
+    there = np.isfinite(old) & np.isfinite(new)
+    if not np.array_equal(old[~there], new[~there], equal_nan=True):
+        return float("inf")
+    a, b = old[there], new[there]
+    scale = max(np.abs(a).max(initial=0.0), np.abs(b).max(initial=0.0))
+    return float(np.abs(a - b).max() / scale) if scale else 0.0

@@ -1,0 +1,196 @@
+"""A scene over a grid in one call: the points, store and datasets of studies, from Python.
+
+A point that cannot be completed need not cost the others: it stands in the dataset without numbers, with its
+reason.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from riserstudy.dataset.result import Result
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.scene.check import check
+from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.study import store
+from riserstudy.study.collect import SHARED, dataset_of
+from riserstudy.study.models import StudyModel
+from riserstudy.study.simulate_points import attempt
+from riserstudy.study.study import Study
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    import xarray as xr
+
+Values = Sequence[float | int | str]
+Labelled = Mapping[str, Mapping[str, Any]]
+
+_QUANTITY = re.compile(r"\s*[-+]?[0-9][-+0-9.eE]*\s*([^\s].*)?")
+KEPT = frozenset(
+    (*SHARED, "mesh_corner")
+)  # arrays that say where and when, of points without numbers too
+
+
+@dataclass(frozen=True)
+class Sweep(Study):
+    """A study of a scene that is at hand, not of a file below a configuration."""
+
+    file: SceneFile = field(kw_only=True)
+
+    @property
+    def base(self) -> SceneFile:
+        """The scene."""
+        return self.file
+
+    @property
+    def where(self) -> str:
+        """How errors name it."""
+        return "sweep"
+
+
+def sweep(
+    scene: SceneFile | str | Path,
+    axes: Mapping[str, Values | Labelled],
+    keep: Iterable[str] | None = None,
+    *,
+    on_error: Literal["nan", "raise"] = "nan",
+    cores: int | None = None,
+    progress: bool = True,
+) -> xr.Dataset:
+    """Simulate a scene at all points of a grid, on all cores; what was simulated before comes from the store.
+
+    Parameters
+    ----------
+    scene : from :func:`riserstudy.load_scene`, or the path of its file.
+    axes : by path in the scene the values that it takes, as ``{"platform.surge.period": [8, 10, 12]}``.
+        Numbers count in the unit that the scene has there. The dimension is the path with ``_`` for dots.
+        Or by name of a dimension, labels and what each sets: ``{"law": {"stiff": {"top.x": "held"}, ...}}``.
+    keep : variables to keep, such as ``bending_moment``; absent: all. Those of a whole run, such as
+        ``largest_bending_moment`` (N m) and ``smallest_tension`` (N), are always there.
+    on_error : ``"nan"``: a point that cannot be completed has no numbers, and its reason in ``failure``;
+        ``"raise"``: the first such point is an error.
+    cores : processes at most; absent: as many as there are cores.
+    progress : show how many points are done.
+
+    Returns
+    -------
+    Dataset with the axes as dimensions, in their order, as datasets of studies are; ``failure`` is empty
+    where a point was completed.
+
+    Raises
+    ------
+    InputError
+        When an axis or any point cannot be meant, before anything is simulated.
+    SimulationError
+        When no point can be completed, or one cannot with ``on_error="raise"``.
+    """
+    if on_error not in ("nan", "raise"):
+        raise InputError("sweep", "on_error", repr(on_error), "allowed are 'nan' and 'raise'")
+    file = scene if isinstance(scene, SceneFile) else read_scene(scene)
+    study = _study(file, axes, None if keep is None else list(keep))
+    points = study.plan
+    with _shown(progress, len({point.key for point in points})) as done:
+        failures = attempt(study, points, cores or _cores(), done)
+    if failures and (on_error == "raise" or len(failures) == len({p.key for p in points})):
+        point = next(p for p in points if p.key in failures)
+        place = {
+            name: study.axes[name][k][0] for name, k in zip(study.axes, point.index, strict=True)
+        }
+        raise SimulationError(
+            f"sweep: {len(failures)} points cannot be completed; at {place}: {failures[point.key]}"
+        )
+    stored = {p.key: store.get(p.key) for p in points if p.key not in failures}
+    results = {key: result for key, result in stored.items() if result}
+    if len(results) < len(stored):
+        raise SimulationError("sweep: points vanished from the store; run it again")
+    empty = _without_numbers(next(iter(results.values())))
+    dataset = dataset_of(study, [results.get(p.key) or empty for p in points])
+    told = [str(failures.get(p.key, "")) for p in points]
+    shape = tuple(len(steps) for steps in study.axes.values())
+    about = {"long_name": "why the point could not be completed, empty where it was"}
+    dataset["failure"] = (tuple(study.axes), np.array(told, dtype=object).reshape(shape), about)
+    return dataset
+
+
+def _study(file: SceneFile, axes: Mapping[str, Values | Labelled], keep: list[str] | None) -> Sweep:
+    """The grid as a study."""
+    if not axes:
+        raise InputError("sweep", "axes", "none", "name at least one path with its values")
+    made = dict(_axis(file, path, values) for path, values in axes.items())
+    if len(made) < len(axes):
+        raise InputError(
+            "sweep", "axes", "two dimensions of one name", "name one of them by labels"
+        )
+    fields = {
+        "scene": "scene.yaml",
+        "caption": file.tree.get("title", ""),
+        "axes": made,
+        "keep": keep,
+    }
+    model = check(StudyModel, fields, "sweep")
+    return Sweep("sweep", "sweep", model, Path(), "standard", file=file)
+
+
+def _axis(file: SceneFile, path: str, values: Values | Labelled) -> tuple[str, Any]:
+    """Name of a dimension and its axis, as study files have it."""
+    if isinstance(values, Mapping):
+        return path, {label: dict(sets) for label, sets in values.items()}
+    listed = [v.item() if isinstance(v, np.generic) else v for v in values]
+    if not listed or len(set(listed)) < len(listed):
+        raise InputError("sweep", f"axes.{path}", str(listed), "allowed are values, each once")
+    name = re.sub(r"\W+", "_", path).strip("_")
+    if all(isinstance(v, int | float) and not isinstance(v, bool) for v in listed):
+        return name, {"path": path, "unit": _unit_at(file, path), "values": listed}
+    return name, {str(value): {path: value} for value in listed}
+
+
+def _unit_at(file: SceneFile, path: str) -> str:
+    """Unit of the scene's value at a path; "1" where it has none, or there is no value."""
+    value: Any = file.tree
+    for step in re.findall(r"[^.\[\]]+", path):
+        if isinstance(value, dict):
+            value = value.get(step)
+        elif isinstance(value, list) and step.isdigit() and int(step) < len(value):
+            value = value[int(step)]
+        else:
+            value = None
+    found = _QUANTITY.fullmatch(value) if isinstance(value, str) else None
+    return (found and found[1]) or "1"
+
+
+def _without_numbers(result: Result) -> Result:
+    """A result of the same form in which nothing is a number."""
+    arrays = {
+        name: values if name in KEPT or values.dtype.kind != "f" else np.full_like(values, np.nan)
+        for name, values in result.arrays.items()
+    }
+    gone = {"wall_seconds": np.nan, "elements": np.nan, "smallest_tension": np.nan}
+    return Result(arrays, gone | {"warnings": [], "effects": {}})
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@contextmanager
+def _shown(progress: bool, count: int) -> Iterator[Callable[[int], None]]:
+    """Something to tell how many more points are done, to a terminal or a notebook."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
+
+    console = Console(file=sys.stderr)
+    seen = progress and (console.is_terminal or console.is_jupyter)
+    columns = ("points", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, disable=not seen) as bar:
+        task = bar.add_task("points", total=count)
+        yield lambda more: bar.advance(task, more)

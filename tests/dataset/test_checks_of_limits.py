@@ -1,0 +1,150 @@
+"""Limits: what a run uses of them, and what is said where it cannot be known."""
+
+import csv
+import json
+
+import pytest
+
+from riserstudy import simulate
+from riserstudy.cli import main
+from riserstudy.dataset.limits import use
+from riserstudy.dataset.tables import as_lines
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
+
+#: a string of 1 kN/m and 500 m, under 1 MN at its top: 500 kN at its foot, in the middle 750 kN
+HUNG = {
+    "title": "hung",
+    "riser": [
+        {"name": name, "length": "250 m", "axial_stiffness": "5e9 N", "submerged_weight": "1 kN/m"}
+        for name in ("lower", "upper")
+    ],
+    "bottom": {"hold": "wellhead", "elevation": "0 m"},
+    "top": {"z": "free", "tension": "1 MN"},
+    "limits": [
+        {"output": "effective_tension", "smallest": "250 kN", "mode": "connected"},
+        {"output": "effective_tension", "at": "lower", "largest": "600 kN", "mode": "drilling"},
+        {"output": "effective_tension", "at": "upper end of lower", "mean": "1 MN", "mode": "drilling"},
+        {"output": "lower_end_tension", "largest": "1 MN", "mode": "drilling"},
+        {"output": "tensioner_stroke", "largest": "7 m", "mode": "connected"},
+        {"output": "von_mises_stress", "largest": "300 MPa", "mode": "connected"},
+    ],
+    "analysis": {},
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def rows():
+    return json.loads(simulate(SceneFile("hung.yaml", HUNG)).attrs["limits"])
+
+
+def test_use_is_demand_over_allowable_where_it_is(rows):
+    floor, ceiling, mean, *_ = rows
+    assert (floor["demand"], floor["s"]) == (pytest.approx(500e3, rel=1e-9), 0.0)
+    assert floor["utilisation"] == pytest.approx(0.5, rel=1e-9)
+    assert ceiling["utilisation"] == pytest.approx(750.0 / 600.0, rel=1e-9)
+    assert ceiling["s"] == pytest.approx(250.0)
+    assert mean["demand"] == pytest.approx(750e3, rel=1e-9)
+    assert [row["verdict"] for row in rows[:3]] == ["within", "exceeded", "within"]
+
+
+def test_an_allowable_says_where_it_is_from(rows):
+    origins = {row["origin"] for row in rows[:3]}
+    assert origins == {"given"}
+    limit = HUNG["limits"][3] | {"largest": {"assumed": "1 MN", "because": "a joint"}}
+    file = SceneFile("hung.yaml", HUNG).with_values({"limits": [limit]}, "test")
+    assert json.loads(simulate(file).attrs["limits"])[0]["origin"] == "assumed"
+
+
+def test_what_is_missing_is_named_and_never_passes(rows):
+    stroke, stress = rows[4:]
+    assert (stroke["verdict"], stroke["missing"]) == ("not evaluated", "top.tensioners")
+    assert stress["verdict"] == "not evaluated"
+    assert "outer_diameter of section 'lower'" in stress["missing"]
+    assert "not evaluated: top.tensioners" in as_lines(rows)[4]
+
+
+def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
+    scene = tmp_path / "hung.yaml"
+
+    def status(limits):
+        scene.write_text(json.dumps(HUNG | {"limits": limits}))
+        monkeypatch.setattr("sys.argv", ["riserstudy", "check", str(scene)])
+        try:
+            main()
+        except SystemExit as ended:
+            return ended.code
+        return 0
+
+    assert status(HUNG["limits"][:1]) == 0
+    assert "use 50 %" in capsys.readouterr().out
+    assert status(HUNG["limits"][:2]) == 1
+    assert status(HUNG["limits"][4:]) == 4
+    assert status([{"output": "colour", "largest": "1 m", "mode": "drilling"}]) == 2
+    assert "limits[0]" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "limit, said",
+    [
+        ({"output": "lfj_angle", "largest": "4 deg"}, "missing"),
+        ({"output": "lfj_angle", "largest": "4 m", "mode": "drilling"}, "another dimension"),
+        (
+            {"output": "lfj_angle", "at": "lower", "largest": "4 deg", "mode": "drilling"},
+            "one place",
+        ),
+        (
+            {"output": "x", "at": "middle", "largest": "4 m", "mode": "drilling"},
+            "no section 'middle'",
+        ),
+        (
+            {"output": "x", "largest": "4 m", "smallest": "0 m", "mode": "drilling"},
+            "one of largest",
+        ),
+        ({"output": "x", "largest": "0 m", "mode": "drilling"}, "use of 0"),
+    ],
+)
+def test_a_limit_that_cannot_be_meant_is_refused(limit, said):
+    with pytest.raises(InputError, match="limits") as error:
+        SceneFile("hung.yaml", HUNG | {"limits": [limit]}).scene()
+    assert said in str(error.value)
+
+
+@pytest.mark.parametrize(
+    "side, demand, allowable, share",
+    [
+        ("largest", 3.0, 4.0, 0.75),
+        ("largest", -3.0, 4.0, 0.0),
+        ("smallest", 8.0, 4.0, 0.5),
+        ("smallest", 2.0, 4.0, 2.0),
+        ("smallest", -1.0, 4.0, float("inf")),
+        ("smallest", 1.0, 0.0, 0.0),
+        ("smallest", -1.0, 0.0, float("inf")),
+        ("smallest", -3.0, -4.0, 0.75),
+        ("smallest", 3.0, -4.0, 0.0),
+    ],
+)
+def test_use_is_above_one_where_a_limit_is_exceeded(side, demand, allowable, share):
+    assert use(side, demand, allowable) == pytest.approx(share)
+
+
+def test_tables_are_csv_and_what_is_none_is_refused(tmp_path, monkeypatch, capsys):
+    scene, out = tmp_path / "hung.yaml", tmp_path / "out.csv"
+    scene.write_text(json.dumps(HUNG))
+
+    def table(*words):
+        monkeypatch.setattr("sys.argv", ["riserstudy", *words])
+        main()
+        return list(csv.reader(out.open()))
+
+    found = table("table", str(scene), "--kind", "stack-up", "-o", str(out))
+    assert [row[0] for row in found] == ["section", "upper", "lower"]
+    assert float(found[2][found[0].index("wet weight from the top (kN)")]) == pytest.approx(500.0)
+    found = table("table", str(scene), "-o", str(out))
+    assert ["effective_tension", "upper end of upper", "N"] in [row[:3] for row in found]
+    assert len(table("run", str(scene), "-o", str(out))) > 1
+    for name in ("out.xlsx", "out.txt"):
+        with pytest.raises(SystemExit) as ended:
+            table("run", str(scene), "-o", str(tmp_path / name))
+        assert ended.value.code == 2
+        assert not (tmp_path / name).exists()

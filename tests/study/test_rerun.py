@@ -1,0 +1,84 @@
+"""A point run anew from its dataset alone."""
+
+import shutil
+
+import numpy as np
+import pytest
+import xarray as xr
+from short_study import lay_out, simulated
+
+from riserstudy.errors import InputError
+from riserstudy.scene.load import read_scene
+from riserstudy.simulation.simulate import simulate
+from riserstudy.study.collect import write_dataset
+from riserstudy.study.rerun import rerun
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory):
+    """A dataset whose scene and tables are gone."""
+    folder = tmp_path_factory.mktemp("rerun") / "study"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("RISERSTUDY_CACHE", "")
+        lay_out(folder)
+        patch.chdir(folder)
+        write_dataset(simulated("heave"), folder.parent / "heave.nc")
+    shutil.rmtree(folder)
+    return xr.load_dataset(folder.parent / "heave.nc", decode_times=False)
+
+
+@pytest.mark.parametrize("amplitude", ["1", "2.0"])
+def test_the_same_numbers_come_from_the_dataset_alone(dataset, amplitude):
+    found = rerun(dataset, {"surge_amplitude": amplitude})
+    assert found.place == {"surge_amplitude": float(amplitude)}
+    assert found.engines[0] == found.engines[1]
+    assert {"x", "bending_moment", "effective_tension_max", "smallest_tension"} <= {*found.changes}
+    assert max(found.changes.values()) < 1e-9
+
+
+def test_another_scene_or_another_table_is_seen(dataset):
+    for name, old, new in (
+        ("scene", '"mass": "700 kg/m"', '"mass": "800 kg/m"'),
+        ("tables", "300, 1.1", "300, 1.2"),
+    ):
+        assert old in dataset.attrs[name]
+        other = dataset.assign_attrs({name: dataset.attrs[name].replace(old, new)})
+        found = rerun(other, {"surge_amplitude": "1"})
+        assert found.changes["x"] > 1e-3
+
+
+def test_a_value_that_was_changed_is_seen(dataset):
+    other = dataset.copy(deep=True)
+    other["x"].values[0, 10, 5] += 1e-6
+    assert 1e-9 < rerun(other, {"surge_amplitude": "1"}).changes["x"] < 1e-5
+    other["x"].values[0, 10, 5] = np.nan
+    assert rerun(other, {"surge_amplitude": "1"}).changes["x"] == np.inf
+
+
+def test_a_single_run_is_run_anew(tmp_path):
+    lay_out(tmp_path / "study")
+    scene = read_scene(tmp_path / "study/config/scenes/riser.yaml")
+    one = simulate(scene.with_values({"analysis.duration": "2 s"}, "test"))
+    shutil.rmtree(tmp_path / "study")
+    found = rerun(one, {})
+    assert found.place == {}
+    assert max(found.changes.values()) == 0.0
+
+
+@pytest.mark.parametrize(
+    "at, said",
+    [
+        ({}, "surge_amplitude: not given; allowed are 1.0, 2.0"),
+        ({"surge_amplitude": "3"}, "3; allowed are 1.0, 2.0"),
+        ({"surge_amplitude": "two"}, "two; allowed are 1.0, 2.0"),
+        ({"heave": "1"}, "no axis of the dataset; allowed are surge_amplitude"),
+    ],
+)
+def test_a_point_that_is_not_there_is_refused(dataset, at, said):
+    with pytest.raises(InputError, match=said):
+        rerun(dataset, at)
+
+
+def test_a_dataset_that_was_not_simulated_is_refused():
+    with pytest.raises(InputError, match="does not tell a scene"):
+        rerun(xr.Dataset({"x": 1.0}), {})

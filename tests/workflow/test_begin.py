@@ -1,0 +1,148 @@
+"""Before a run: what is damaged does not count as there, what a killed run left is out of the way."""
+
+import os
+import random
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from riserstudy.errors import InputError
+from riserstudy.jobs import begin, seals
+
+HOLDS_THE_LOCK = """
+from riserstudy.jobs import begin
+assert begin._is_alone()
+print("held", flush=True)
+input()
+"""
+
+
+@pytest.fixture
+def results(tmp_path, monkeypatch):
+    """Two results of a paper with their seals."""
+    monkeypatch.chdir(tmp_path)
+    files = [Path("results/paper/a.nc"), Path("results/paper/b.png"), Path("results/all.csv")]
+    for k, file in enumerate(files):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(random.Random(k).randbytes(3000))
+    seals.seal(*files)
+    monkeypatch.setattr(begin, "_held", begin.FileLock(".snakemake/riserstudy.lock"))
+    yield files
+    begin._held.release()
+
+
+def start(wanted, at_work=True, tier="preview"):
+    return begin.begin(["paper"], [str(file) for file in wanted], at_work, tier)
+
+
+def test_whole_results_count(results):
+    assert start(results) == ([], [])
+    assert all(file.exists() for file in results)
+
+
+def test_every_flipped_bit_and_every_cut_is_seen(results):
+    rng = random.Random(20261123)
+    whole = {file: file.read_bytes() for file in results}
+    for _ in range(300):
+        file = rng.choice(results)
+        content = bytearray(whole[file])
+        if rng.random() < 0.7:
+            content[rng.randrange(len(content))] ^= 1 << rng.randrange(8)
+        else:
+            del content[rng.randrange(len(content)) :]
+        file.write_bytes(content)
+        (found,), (line,) = start(results)
+        assert found == str(file)
+        assert line.startswith(f"{file} is not as written")
+        file.write_bytes(whole[file])
+        assert start(results) == ([], [])
+
+
+@pytest.mark.parametrize("damage", ["swap", "no seal", "empty seal"])
+def test_a_result_counts_by_its_own_seal_only(results, damage):
+    a, b, _ = results
+    seal = Path("results/.seals/paper/a.nc")
+    if damage == "swap":
+        a.write_bytes(b.read_bytes())
+    elif damage == "no seal":
+        seal.unlink()
+    else:
+        seal.write_bytes(b"")
+    assert start(results)[0] == [str(a)]
+
+
+def test_a_dry_run_tells_and_touches_nothing(results):
+    results[0].write_bytes(b"other")
+    half = Path("results/paper/.b.png.123")
+    half.write_bytes(b"half")
+    _, (line,) = start(results, at_work=False)
+    assert line.startswith("results/paper/a.nc is not as written")
+    assert results[0].read_bytes() == b"other"
+    assert half.exists()
+
+
+def test_what_killed_runs_left_is_removed(results):
+    half = Path("results/paper/.b.png.123")
+    half.write_bytes(b"half")
+    lock = Path(".snakemake/locks/0.input.lock")
+    lock.parent.mkdir(parents=True)
+    lock.touch()
+    assert start(results) == ([], [])
+    assert lock.parent.exists()
+    assert not half.exists()
+    assert not lock.exists()
+    assert seals.damaged(map(str, results)) == []
+
+
+def test_results_that_nobody_asks_for_go_and_what_users_made_stays(results):
+    mine = Path("results/paper/mine.png")
+    mine.write_bytes(b"mine")
+    _, dropped, _ = results
+    told = start([results[0], results[2]])
+    assert told == ([], [f"{dropped} is no longer asked for, and removed"])
+    assert not dropped.exists()
+    assert mine.exists()
+
+
+def test_a_run_at_work_is_left_alone_until_it_is_killed(results):
+    lock = Path(".snakemake/locks/0.input.lock")
+    lock.parent.mkdir(parents=True)
+    lock.touch()
+    results[0].write_bytes(b"other")
+    with subprocess.Popen(
+        [sys.executable, "-c", HOLDS_THE_LOCK], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as other:
+        assert other.stdout.readline() == b"held\n"
+        assert start(results) == ([], [])
+        assert lock.exists()
+        other.kill()
+    assert start(results)[0] == [str(results[0])]
+    assert not lock.exists()
+
+
+def test_it_is_said_that_another_tier_replaces_results(results):
+    assert start(results) == ([], [])
+    assert start(results, at_work=False, tier="standard") == ([], [])
+    told = ["results of tier preview are replaced by those of standard"]
+    assert start(results, tier="standard") == ([], told)
+    assert start(results, tier="standard") == ([], [])
+
+
+def test_many_are_told_in_short(results):
+    files = [Path(f"results/paper/{k}.nc") for k in range(20)]
+    for file in files:
+        file.write_bytes(b"no seal")
+    damaged, lines = start([*results, *files])
+    assert len(damaged) == 20
+    assert len(lines) == begin.FEW + 1
+    assert lines[-1].startswith("15 more files")
+
+
+@pytest.mark.skipif(os.name != "posix" or os.getuid() == 0, reason="root may write anywhere")
+def test_a_folder_that_cannot_be_written_is_told(results):
+    results[0].parent.chmod(0o500)
+    with pytest.raises(InputError, match="can be written"):
+        start(results[1:])
+    results[0].parent.chmod(0o700)

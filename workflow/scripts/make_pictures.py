@@ -1,0 +1,93 @@
+"""Make the pictures of README and docs: from scenes, from the results of `make study`, and drawn.
+
+Small files, since a repository keeps every one of them.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import xarray as xr
+from matplotlib import rcParams
+from matplotlib.figure import Figure
+from PIL import Image
+
+from riserstudy import load_scene
+from riserstudy.figures.style import COLOURS, GREY
+from riserstudy.schematic import COLUMNS, FLOOR, HEIGHT, WIDTH, schematic
+from theory_drawings import drawings
+
+ROOT = Path(__file__).resolve().parents[2]
+IMAGES = ROOT / "docs/images"
+THUMBNAIL = 520  # pixels wide: twice as wide as shown, for fine screens
+SHOWN = ("ref_0", (10, 20, 30, 40, 50, 60))  # a run of Liu et al. (2017), and times (s)
+
+
+def main() -> None:
+    """Write all of them."""
+    save(overview(), IMAGES / "overview.png", dpi=110)
+    rcParams["svg.hashsalt"] = "riserstudy"  # the same drawing is the same file
+    for name, figure in drawings().items():
+        figure.savefig(IMAGES / f"{name}.svg", metadata={"Date": None}, transparent=False)
+    for name in gallery():
+        target = IMAGES / "gallery" / f"{name.replace('/', '_')}.png"
+        target.parent.mkdir(exist_ok=True)
+        with Image.open(ROOT / f"results/{name}.png") as picture:
+            height = round(picture.height * THUMBNAIL / picture.width)
+            few_colours(picture.resize((THUMBNAIL, height), Image.Resampling.LANCZOS), target)
+
+
+def gallery() -> list[str]:
+    """Figures that the gallery names, as `paper/figure`."""
+    page = (ROOT / "docs/gallery.md").read_text("utf-8")
+    return [
+        name
+        for part in re.findall(r"<!-- made: gallery(.*?)-->", page, re.S)
+        for name in part.split()
+    ]
+
+
+def overview() -> Figure:
+    """A riser as its scene has it, and what a drive-off makes of it."""
+    run, times = SHOWN
+    figure = schematic(load_scene(ROOT / f"config/scenes/liu2017/{run}.yaml").scene())
+    whole, *ends = figure.axes
+    for part in (*ends, *figure.texts, *figure.legends):
+        part.remove()
+    whole.set_title("(a) the scene, to scale", loc="left", fontsize="medium")
+    left, width = COLUMNS[1] / WIDTH, (WIDTH - COLUMNS[1] - 0.3) / WIDTH
+    ax = figure.add_axes((left, FLOOR / HEIGHT, width, 6.0 / HEIGHT))
+    with xr.open_dataset(ROOT / f"results/liu2017/{run}.nc") as data:
+        rest = data.isel(time=0)
+        ax.plot(rest["x"], rest["z"], "--", color=GREY, label="at rest")
+        for colour, time in zip(COLOURS, times, strict=False):
+            shape = data.sel(time=time)
+            ax.plot(shape["x"], shape["z"], color=colour, label=f"{time} s")
+        gone = float(data["x"].sel(time=times[-1])[-1] - rest["x"][-1])
+    ax.set_title(
+        f"(b) {gone:.0f} m away, {times[-1]} s after a drive-off began",
+        loc="left",
+        fontsize="medium",
+    )
+    ax.set(xlabel="x (m)", ylabel="elevation above the wellhead (m)")
+    ax.grid(True, color="0.9", linewidth=0.6)
+    ax.legend(title="shape of the riser", loc="lower right")
+    return figure
+
+
+def save(figure: Figure, target: Path, dpi: int) -> None:
+    """Write a figure as a small PNG."""
+    figure.savefig(target, dpi=dpi)
+    with Image.open(target) as picture:
+        few_colours(picture, target)
+
+
+def few_colours(picture: Image.Image, target: Path) -> None:
+    """Write a picture with a palette: a third of the size, and no eye sees it in a drawing."""
+    reduced = picture.convert("RGB").quantize(64, dither=Image.Dither.NONE)
+    reduced.save(target, optimize=True)
+
+
+if __name__ == "__main__":
+    main()
