@@ -4,20 +4,36 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-__all__ = ["__version__", "load_scene", "open_results", "simulate"]
+__all__ = [
+    "__version__",
+    "dataset_of",
+    "load_scene",
+    "open_point",
+    "open_results",
+    "query",
+    "simulate",
+    "sweep",
+]
 
 _HOMES = {
     "load_scene": "riserstudy.scene.load",
     "simulate": "riserstudy.simulation.simulate",
     "open_results": "riserstudy.dataset.open",
+    "query": "riserstudy.database.ask",
+    "open_point": "riserstudy.database.open_points",
+    "dataset_of": "riserstudy.database.open_points",
+    "sweep": "riserstudy.study.sweep",
 }
 
 if TYPE_CHECKING:
     __version__: str
 
+    from riserstudy.database.ask import query
+    from riserstudy.database.open_points import dataset_of, open_point
     from riserstudy.dataset.open import open_results
     from riserstudy.scene.load import load_scene
     from riserstudy.simulation.simulate import simulate
+    from riserstudy.study.sweep import sweep
 
 
 def __getattr__(name: str) -> Any:

@@ -1,9 +1,11 @@
-"""The commands of ``riserstudy``: new, run, cost, effects, advise, modes, draw, schema, results, diff."""
+"""The commands of ``riserstudy``, thin: each calls what it is named for."""
 
 from __future__ import annotations
 
 import json
+import re
 import sys
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -20,6 +22,8 @@ app = typer.Typer(
 )
 
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
+SAME_AS_STORED = 1e-9  # relative, of what is stored to ten digits
+
 SetOption = Annotated[
     list[str] | None,
     typer.Option("--set", help="set a value: platform.heave.amplitude='3 m'", metavar="PATH=VALUE"),
@@ -64,6 +68,13 @@ def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) 
     return file
 
 
+def _compile_once() -> None:
+    """What every command does that simulates."""
+    from riserstudy.simulation.compile import compile_once
+
+    compile_once(lambda said: print(f"riserstudy: {said}", file=sys.stderr))
+
+
 def _check_writable(output: Path, scene: Path) -> None:
     """Refuse what would not be made, or would take the place of a device, a link or the scene."""
     import os
@@ -96,14 +107,99 @@ def run(
     """Simulate a scene and write its dataset."""
     file = _scene(scene, settings, accuracy)
     _check_writable(output, scene)
+    _compile_once()
     from riserstudy.simulation.simulate import simulate
     from riserstudy.study.collect import write_dataset
 
+    if output.suffix not in (".nc", ".csv"):
+        allowed = "allowed are .nc (netCDF) and .csv (time series, or the state at rest's extremes)"
+        raise InputError("--output", str(output), f"no dataset {output.suffix!r}", allowed)
     dataset = simulate(file)
-    write_dataset(dataset, output)
+    if output.suffix == ".csv":
+        from riserstudy.dataset import tables
+
+        kind = "time-series" if "time" in dataset else "extremes"
+        tables.write_csv(tables.table_of(kind, file, dataset), output)
+    else:
+        write_dataset(dataset, output)
+    _say_warnings(dataset)
+    print(_summary(dataset))
+    for line in _limits(dataset):
+        print(line)
+
+
+def _say_warnings(dataset: Any) -> None:
     for warning in json.loads(dataset.attrs["warnings"]):
         print(f"riserstudy: warning: {warning}", file=sys.stderr)
-    print(_summary(dataset))
+
+
+def _limits(dataset: Any) -> list[str]:
+    """A line a limit of the scene."""
+    from riserstudy.dataset.tables import as_lines
+
+    return as_lines(json.loads(dataset.attrs.get("limits", "[]")))
+
+
+@app.command()
+def check(
+    scene: SceneArgument,
+    settings: SetOption = None,
+    accuracy: Annotated[
+        str | None,
+        typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT"),
+    ] = None,
+) -> None:
+    """Hold a scene against its limits: demand, allowable, use, where and when.
+
+    Exit status 1 where one is exceeded, else 4 where one could not be evaluated.
+    """
+    file = _scene(scene, settings, accuracy)
+    if "limits" not in file.tree:
+        allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
+        raise InputError(file.source, "limits", "missing", allowed)
+    from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
+    from riserstudy.simulation.simulate import simulate
+
+    dataset = simulate(file)
+    _say_warnings(dataset)
+    for line in _limits(dataset):
+        print(line)
+    verdicts = {row["verdict"] for row in json.loads(dataset.attrs["limits"])}
+    if verdicts & {EXCEEDED, UNKNOWN}:
+        raise typer.Exit(1 if EXCEEDED in verdicts else 4)
+
+
+class TableKind(StrEnum):
+    """Tables of a run."""
+
+    STACK_UP = "stack-up"
+    EXTREMES = "extremes"
+    TIME_SERIES = "time-series"
+    LIMITS = "limits"
+
+
+@app.command()
+def table(
+    scene: SceneArgument,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="table to write", metavar="OUT.csv")
+    ],
+    kind: Annotated[TableKind, typer.Option(help="which table")] = TableKind.EXTREMES,
+    settings: SetOption = None,
+) -> None:
+    """Write a table as CSV: stack-up, extremes, time series, or limits with their use."""
+    file = _scene(scene, settings)
+    _check_writable(output, scene)
+    if output.suffix != ".csv":
+        found = f"no table {output.suffix!r}"
+        raise InputError("--output", str(output), found, "allowed is .csv")
+    from riserstudy.dataset import tables
+    from riserstudy.simulation.simulate import simulate
+
+    dataset = None if kind is TableKind.STACK_UP else simulate(file)
+    if dataset is not None:
+        _say_warnings(dataset)
+    tables.write_csv(tables.table_of(kind.value, file, dataset), output)
 
 
 def _summary(dataset: Any) -> str:
@@ -114,6 +210,39 @@ def _summary(dataset: Any) -> str:
         f"{dataset.attrs['elements']} segments{step}; estimated error: {errors or 'none given'}; "
         f"{dataset.attrs['wall_seconds']:.3g} s"
     )
+
+
+@app.command()
+def rerun(
+    dataset: Annotated[Path, typer.Argument(help="dataset of a study or a run", metavar="FILE.nc")],
+    at: Annotated[
+        list[str] | None,
+        typer.Option("--at", help="which point: heave_amplitude=5", metavar="AXIS=VALUE"),
+    ] = None,
+) -> None:
+    """Run a point of a dataset anew, from what the dataset says of itself alone, and compare.
+
+    Exit status 1 where a variable changed by more than 1e-9 of its largest magnitude; ten digits are stored.
+    """
+    from riserstudy.dataset.diff import opened
+
+    with_values = [one.partition("=") for one in at or []]
+    if bad := [name for name, equals, _ in with_values if not equals]:
+        raise InputError("--at", bad[0], "no AXIS=VALUE", "allowed is heave_amplitude=5")
+    old = opened(dataset)
+    _compile_once()
+    from riserstudy.study.rerun import rerun as run_anew
+
+    found = run_anew(old, {name.strip(): value.strip() for name, _, value in with_values})
+    for name, change in sorted(found.changes.items(), key=lambda item: -item[1]):
+        print(f"{change:9.2g}  {name}")
+    changed = sum(change > SAME_AS_STORED for change in found.changes.values())
+    place = ", ".join(f"{axis}={value}" for axis, value in found.place.items())
+    print(f"{changed} of {len(found.changes)} variables changed{' at ' if place else ''}{place}")
+    if found.engines[0] != found.engines[1]:
+        print(f"made by engine {found.engines[0]}, run anew by {found.engines[1]}")
+    if changed:
+        raise typer.Exit(1)
 
 
 @app.command()
@@ -128,6 +257,7 @@ def cost(
     file = _scene(scene, settings)
     if plot is not None:
         _check_writable(plot, scene)
+    _compile_once()
     from riserstudy.numerics import accuracy_cost as requests
 
     found: list[requests.Price] = []
@@ -153,6 +283,7 @@ def effects(scene: SceneArgument, settings: SetOption = None) -> None:
 
     file = _scene(scene, settings)
     rows = ledger(file.scene())
+    _compile_once()
     price = priced(file)
     table = Table("effect", "", "because of", "time", title=str(file.tree["title"]))
     for row in rows:
@@ -160,7 +291,7 @@ def effects(scene: SceneArgument, settings: SetOption = None) -> None:
         spent = f"{100 * share:.1f} %" if share is not None else ""
         style = None if row.on else "dim"
         table.add_row(row.name, "on" if row.on else "off", row.because, spent, style=style)
-    console = Console()
+    console = Console(markup=False)
     console.print(table)
     for line in price.said:
         console.print(line, highlight=False)
@@ -175,12 +306,13 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     from riserstudy.numerics.advice import advice
 
     file = _scene(scene, settings)
+    _compile_once()
     found = advice(file)
     columns = ("displacement", "moment", "tension", "run time")
     table = Table("change", *columns, "verdict", title=str(file.tree["title"]))
     for row in found.rows:
         table.add_row(row.label, *row.changes, row.verdict, style=None if row.counts else "dim")
-    console = Console()
+    console = Console(markup=False)
     console.print(table)
     for line in found.said:
         console.print(line, highlight=False)
@@ -204,13 +336,14 @@ def modes(
     file = _scene(scene, settings)
     if output is not None:
         _check_writable(output, scene)
+    _compile_once()
     dataset = modes_of(file.scene(), count)
     table = Table("mode", "period (s)", "frequency (Hz)", "motion")
     for k in range(dataset.sizes["mode"]):
         frequency = float(dataset["frequency"][k])
         period = f"{1 / frequency:.5g}" if frequency > 0 else "unstable"
         table.add_row(str(k + 1), period, f"{frequency:.6g}", str(dataset["motion"].values[k]))
-    Console().print(table)
+    Console(markup=False).print(table)
     if output is not None:
         from riserstudy.study.collect import write_dataset
 
@@ -258,25 +391,148 @@ def schema(
     print(json.dumps(known[kind], indent=2))
 
 
+ResultsOption = Annotated[Path, typer.Option("--results", help="results folder", metavar="FOLDER")]
+CsvOption = Annotated[
+    Path | None, typer.Option("--csv", help="write it to a file instead", metavar="FILE.csv")
+]
+JsonOption = Annotated[bool, typer.Option("--json", help="print JSON")]
+IN_RESULTS = Path("results")
+
+
 @app.command()
 def results(
-    filters: Annotated[
+    names: Annotated[
         list[str] | None,
-        typer.Argument(help="words that a point must contain", metavar="[FILTER]..."),
+        typer.Argument(
+            help="a study, or words that points must contain", metavar="[STUDY | FILTER...]"
+        ),
     ] = None,
+    where: Annotated[
+        str | None, typer.Option(help="which points: 'heave_amplitude > 3'", metavar="CONDITION")
+    ] = None,
+    columns: Annotated[
+        str | None, typer.Option(help="what to show of them", metavar="A,B,...")
+    ] = None,
+    sort: Annotated[
+        str | None, typer.Option(help="by which columns; -A from the largest", metavar="A,B,...")
+    ] = None,
+    csv: CsvOption = None,
+    as_json: JsonOption = False,
+    folder: ResultsOption = IN_RESULTS,
 ) -> None:
-    """List stored points: key, source, engine, time, effects, parameters."""
-    from riserstudy.study.store import about_points
+    """List studies; the points of one, with what they found; or points by words.
 
-    for about in about_points():
-        facts = about["facts"]
-        line = (
-            f"{about['key']}  {about['source']}  engine {about['engine']}  "
-            f"{facts['wall_seconds']:.3g} s  {', '.join(facts['effects'])}"
-        )
-        text = line + json.dumps(about["scene"])
-        if all(word in text for word in filters or []):
+    By words: key, study, place on its axes, scene, engine, time and effects of every point that has them all.
+    """
+    from riserstudy.database import listing
+    from riserstudy.database.ask import NAME, opened
+
+    words = names or []
+    with opened(folder / NAME) as db:
+        table = listing.table_of(db, words[0]) if len(words) == 1 else None
+        if table is None and (where or columns or sort):
+            found = f"no study {' '.join(words)!r}" if words else "no study"
+            raise InputError("results", "", found, "allowed is one that `riserstudy results` lists")
+        if table is not None:
+            parts = [re.split(r"\s*,\s*", part.strip()) if part else [] for part in (columns, sort)]
+            answer = listing.cells(db, table, parts[0] or None, where, parts[1])
+            units = listing.units(db, table)
+        else:
+            answer = listing.points(db, words) if words else listing.studies(db)
+            units = {}
+    _show(answer, csv, as_json, units)
+
+
+@app.command()
+def sql(
+    statement: Annotated[str, typer.Argument(help="one select", metavar="STATEMENT")],
+    csv: CsvOption = None,
+    as_json: JsonOption = False,
+    folder: ResultsOption = IN_RESULTS,
+) -> None:
+    """Ask the results database; nothing can be changed by it."""
+    from riserstudy.database.ask import NAME, ask, opened
+
+    with opened(folder / NAME) as db:
+        answer = ask(db, statement)
+    _show(answer, csv, as_json)
+
+
+def _show(
+    answer: Any, csv: Path | None, as_json: bool, units: dict[str, str] | None = None
+) -> None:
+    import os
+
+    from riserstudy.database import show
+
+    if csv is not None:
+        show.write_csv(answer, csv)
+        return
+    lines = [show.as_json(answer)] if as_json else show.as_table(answer, units)
+    try:
+        for line in lines:
             print(line)
+        sys.stdout.flush()
+    except BrokenPipeError:  # whoever reads has enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+@app.command()
+def verify(folder: ResultsOption = IN_RESULTS) -> None:
+    """Compare every dataset, figure, table and stored point with the digest it had.
+
+    Exit status 1 where something differs.
+    """
+    from riserstudy.database.ask import NAME
+    from riserstudy.database.verify import verify as verified
+
+    found = verified(folder / NAME)
+    for line in found.wrong:
+        print(line)
+    print(f"{len(found.wrong)} faults in {found.files} files and {found.points} points")
+    if found.gone:
+        print(f"{found.gone} points are not in this store; their datasets do without them")
+    if found.wrong:
+        raise typer.Exit(1)
+
+
+@app.command()
+def prune(
+    every: Annotated[
+        bool,
+        typer.Option("--all", help="also points of this engine that no study here refers to"),
+    ] = False,
+    yes: Annotated[bool, typer.Option("--yes", help="do not ask")] = False,
+    config: Annotated[
+        Path, typer.Option(help="folder of the configuration", metavar="FOLDER")
+    ] = Path("config"),
+    folder: ResultsOption = IN_RESULTS,
+) -> None:
+    """Remove stored points that nothing needs, once their size was told and it was agreed to.
+
+    Those of other engines, of former formats, or damaged. Where studies of several folders share a store,
+    ``--all`` takes what only the others need.
+    """
+    from riserstudy.database.ask import NAME
+    from riserstudy.database.prune import unneeded
+    from riserstudy.study import store
+
+    found = unneeded(folder / NAME, config)
+    size = {name: sum(h.bytes for h in getattr(found, name)) / 1e6 for name in ("old", "strange")}
+    print(f"needed: {found.needed} points")
+    print(f"of other engines or formats, or damaged: {len(found.old)} files, {size['old']:.1f} MB")
+    print(
+        f"of this engine, but of no study here: {len(found.strange)} files, {size['strange']:.1f} MB"
+    )
+    going = [*found.old, *(found.strange if every else [])]
+    if not going:
+        print("nothing to remove")
+        return
+    if not yes and not typer.confirm(f"remove {len(going)} files?"):
+        raise typer.Exit(1)
+    for held in going:
+        store.remove(held)
+    print(f"{len(going)} files removed, {sum(held.bytes for held in going) / 1e6:.1f} MB")
 
 
 @app.command()
@@ -294,7 +550,7 @@ def diff(
     from riserstudy.dataset.diff import changes
 
     found = changes(old, new)
-    console = Console()
+    console = Console(markup=False)
     if not console.is_terminal:
         console.width = 160  # a file has no width to wrap at
     if found.graded:
