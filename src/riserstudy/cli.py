@@ -29,6 +29,11 @@ SetOption = Annotated[
     typer.Option("--set", help="set a value: platform.heave.amplitude='3 m'", metavar="PATH=VALUE"),
 ]
 
+AtOption = Annotated[
+    list[str] | None,
+    typer.Option("--at", help="which point: heave_amplitude=5", metavar="AXIS=VALUE"),
+]
+
 
 def main() -> None:
     """Run the command line; errors go to stderr in one line, with their exit code."""
@@ -169,6 +174,49 @@ def check(
         raise typer.Exit(1 if EXCEEDED in verdicts else 4)
 
 
+def _place(at: list[str] | None) -> dict[str, str]:
+    """Values by axis, as text."""
+    given = [one.partition("=") for one in at or []]
+    if bad := [name for name, equals, _ in given if not equals]:
+        raise InputError("--at", bad[0], "no AXIS=VALUE", "allowed is heave_amplitude=5")
+    return {name.strip(): value.strip() for name, _, value in given}
+
+
+class PlotKind(StrEnum):
+    """Plots of a run."""
+
+    RANGE = "range"
+    TIME_SERIES = "time-series"
+    SHAPE = "shape"
+
+
+@app.command()
+def plot(
+    dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png")
+    ],
+    kind: Annotated[PlotKind, typer.Option(help="which plot")] = PlotKind.RANGE,
+    of: Annotated[
+        list[str] | None,
+        typer.Option(help="quantity to show: bending_moment; again for more", metavar="NAME"),
+    ] = None,
+    at: AtOption = None,
+) -> None:
+    """Draw one run: ranges along the riser with its limits, time series, or its shape."""
+    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.place import place
+    from riserstudy.figures import save
+    from riserstudy.figures.run import draw
+
+    found = opened(dataset)
+    _check_writable(output, dataset)
+    if output.suffix not in (".png", ".pdf", ".svg"):
+        allowed = "allowed are .png, .pdf and .svg"
+        raise InputError("--output", str(output), f"no figure {output.suffix!r}", allowed)
+    save(draw(kind.value, found.isel(place(found, _place(at))), of), output)
+
+
 class TableKind(StrEnum):
     """Tables of a run."""
 
@@ -215,10 +263,7 @@ def _summary(dataset: Any) -> str:
 @app.command()
 def rerun(
     dataset: Annotated[Path, typer.Argument(help="dataset of a study or a run", metavar="FILE.nc")],
-    at: Annotated[
-        list[str] | None,
-        typer.Option("--at", help="which point: heave_amplitude=5", metavar="AXIS=VALUE"),
-    ] = None,
+    at: AtOption = None,
 ) -> None:
     """Run a point of a dataset anew, from what the dataset says of itself alone, and compare.
 
@@ -226,19 +271,17 @@ def rerun(
     """
     from riserstudy.dataset.diff import opened
 
-    with_values = [one.partition("=") for one in at or []]
-    if bad := [name for name, equals, _ in with_values if not equals]:
-        raise InputError("--at", bad[0], "no AXIS=VALUE", "allowed is heave_amplitude=5")
+    place = _place(at)
     old = opened(dataset)
     _compile_once()
     from riserstudy.study.rerun import rerun as run_anew
 
-    found = run_anew(old, {name.strip(): value.strip() for name, _, value in with_values})
+    found = run_anew(old, place)
     for name, change in sorted(found.changes.items(), key=lambda item: -item[1]):
         print(f"{change:9.2g}  {name}")
     changed = sum(change > SAME_AS_STORED for change in found.changes.values())
-    place = ", ".join(f"{axis}={value}" for axis, value in found.place.items())
-    print(f"{changed} of {len(found.changes)} variables changed{' at ' if place else ''}{place}")
+    where = ", ".join(f"{axis}={value}" for axis, value in found.place.items())
+    print(f"{changed} of {len(found.changes)} variables changed{' at ' if where else ''}{where}")
     if found.engines[0] != found.engines[1]:
         print(f"made by engine {found.engines[0]}, run anew by {found.engines[1]}")
     if changed:

@@ -11,6 +11,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.figures.style import key_below, panels
@@ -19,8 +20,6 @@ WITHIN_A_RUN = ("time", "s", "s_node", "cylinder")  # dimensions that are no axe
 MOST = 7  # curves or panels that a figure shows apart
 ENDINGS = ("_max", "_min")
 SIZE = "_absmax"  # the largest, whatever its sign
-#: quantities whose sign is a convention: what matters is how large they are
-SIGNED = ("bending_moment", "x", "y", "ufj_angle", "lfj_angle")
 CHARACTERS = 14.0  # of a legend, in an inch
 WRAPPED = 36  # characters, beyond which a label goes on below
 LINE = 0.2  # inches, of a legend

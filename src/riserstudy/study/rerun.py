@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.dataset.label import labelled
+from riserstudy.dataset.place import place
 from riserstudy.digests import engine_digest
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
@@ -56,7 +57,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     from riserstudy.simulation.refine import run
 
     told = _provenance(dataset)
-    index = _index(dataset, at)
+    index = place(dataset, at)
     point = dataset.isel(index)
     sets: dict[str, Any] = {}
     for axis in index:
@@ -96,36 +97,6 @@ def _provenance(dataset: xr.Dataset) -> dict[str, Any]:
         raise InputError("rerun", "", found, allowed)
     parts = {name: json.loads(said[name]) for name in ("scene", "tables")}
     return parts | {"engine": said["engine"]}
-
-
-def _index(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
-    """Place of a point on the axes."""
-    axes = [str(axis) for axis in dataset["point_key"].dims] if "point_key" in dataset else []
-    if unknown := [axis for axis in at if axis not in axes]:
-        allowed = f"allowed are {', '.join(axes)}" if axes else "it has none"
-        raise InputError("--at", unknown[0], "no axis of the dataset", allowed)
-    index = {}
-    for axis in axes:
-        values = dataset[axis].values.tolist()
-        allowed = f"allowed are {', '.join(map(str, values))}"
-        if axis not in at and len(values) > 1:
-            raise InputError("--at", axis, "not given", allowed)
-        wanted = at.get(axis, str(values[0]))
-        matching = [k for k, value in enumerate(values) if _is(value, wanted)]
-        if not matching:
-            raise InputError("--at", axis, wanted, allowed)
-        index[axis] = matching[0]
-    return index
-
-
-def _is(value: Any, text: str) -> bool:
-    """Whether a text names a value of an axis."""
-    if isinstance(value, str):
-        return value == text
-    try:
-        return bool(value == float(text))
-    except ValueError:
-        return False
 
 
 def _change(old: Any, new: Any) -> float:

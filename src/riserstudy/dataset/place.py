@@ -1,0 +1,50 @@
+"""One point of a dataset that has axes, by what a user types of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
+    """Index of a point on each axis; none for a dataset without axes.
+
+    Parameters
+    ----------
+    at : value by axis, as text; axes of one value need none.
+
+    Raises
+    ------
+    InputError
+        When the dataset has no such axis or value, or an axis is left open.
+    """
+    axes = [str(axis) for axis in dataset["point_key"].dims] if "point_key" in dataset else []
+    if unknown := [axis for axis in at if axis not in axes]:
+        allowed = f"allowed are {', '.join(axes)}" if axes else "it has none"
+        raise InputError("--at", unknown[0], "no axis of the dataset", allowed)
+    index = {}
+    for axis in axes:
+        values = dataset[axis].values.tolist()
+        allowed = f"allowed are {', '.join(map(str, values))}"
+        if axis not in at and len(values) > 1:
+            raise InputError("--at", axis, "not given", allowed)
+        wanted = at.get(axis, str(values[0]))
+        matching = [k for k, value in enumerate(values) if _is(value, wanted)]
+        if not matching:
+            raise InputError("--at", axis, wanted, allowed)
+        index[axis] = matching[0]
+    return index
+
+
+def _is(value: Any, text: str) -> bool:
+    """Whether a text names a value of an axis."""
+    if isinstance(value, str):
+        return value == text
+    try:
+        return bool(value == float(text))
+    except ValueError:
+        return False

@@ -1,0 +1,101 @@
+"""Ranges along the riser in one run, about the state at rest, with the limits that hold there."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.dataset.limits import SIGNED
+from riserstudy.dataset.variables import attributes
+from riserstudy.figures.grid import ENDINGS, READ_IN, key, label, present, read
+from riserstudy.figures.style import COLOURS, headline, panels
+
+QUANTITIES = ("effective_tension", "bending_moment", "von_mises_stress", "x", "y")
+PANELS = 4
+RED = "#c00000"
+
+
+def range_graph(run: xr.Dataset, title: str, of: list[str] | None = None) -> Figure:
+    """One panel a quantity over arclength: largest and smallest value over time, and at rest.
+
+    Raises
+    ------
+    InputError
+        When the run has none of the quantities along the riser.
+    """
+    names = present(run, of or QUANTITIES)[:PANELS]
+    figure, axes = panels(1, len(names), 4.6, sharey=True)
+    for ax, name in zip(axes, names, strict=True):
+        _panel(ax, run, name)
+    axes[0].set_ylabel(label(xr.DataArray(0.0, name="s")))
+    moving = any(name + end in run for name in names for end in ENDINGS)
+    headline(figure, f"{title}: {'ranges over time' if moving else 'at rest'}, along the riser")
+    _key(figure, axes)
+    return figure
+
+
+def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
+    static = run.get(name + "_static", run.get(name) if "time" not in run else None)
+    sides = [run[name + end] for end in ENDINGS if name + end in run]
+    if len(sides) == 2:
+        high, low = (_shown(side) for side in sides)
+        s = high[high.dims[-1]]
+        ax.fill_betweenx(s, low, high, color=COLOURS[0], alpha=0.2, linewidth=0.0)
+        ax.plot(high, s, color=COLOURS[0], label="largest and smallest over time")
+        ax.plot(low, s, color=COLOURS[0])
+    if static is not None:
+        rest = _shown(static)
+        ax.plot(rest, rest[rest.dims[-1]], color="black", linewidth=0.9, label="at rest")
+    for allowable in _limits(run, name):
+        ax.axvline(allowable, color=RED, linestyle="--", linewidth=1.0, label="limit")
+    ax.set_xlabel(label(xr.DataArray(0.0, name=name)))
+    ax.set_title(_largest(sides or [static], name), fontsize="small")
+
+
+def _shown(values: xr.DataArray) -> xr.DataArray:
+    return read(values.dropna(values.dims[-1]))
+
+
+def _largest(sides: list[Any], name: str) -> str:
+    """The largest value and its place; of signed quantities the largest size."""
+    values = max((_shown(side) for side in sides), key=lambda v: float(_size(v, name).max()))
+    k = int(_size(values, name).argmax())
+    unit = attributes(name).get("units", "")
+    unit = READ_IN.get(unit, (1.0, unit))[1]
+    place = float(values[values.dims[-1]][k])
+    return f"largest {float(values[k]):.4g} {unit}, s = {place:.4g} m"
+
+
+def _size(values: xr.DataArray, name: str) -> Any:
+    return np.abs(values.values) if name in SIGNED else values.values
+
+
+def _limits(run: xr.Dataset, name: str) -> Iterator[float]:
+    """Allowables all along the riser, in the unit that one reads."""
+    factor, _ = READ_IN.get(attributes(name).get("units", ""), (1.0, ""))
+    for row in json.loads(run.attrs.get("limits", "[]")):
+        if row["output"] == name and not row["at"]:
+            yield factor * row["allowable"]
+            if name in SIGNED:
+                yield -factor * row["allowable"]
+
+
+def _key(figure: Figure, axes: list[Axes]) -> None:
+    """One legend for what any panel shows, each word once."""
+    known: set[str] = set()
+    for ax in axes:
+        for line in ax.get_lines():
+            word = str(line.get_label())
+            if word in known:
+                line.set_label("_")
+            elif ax is not axes[0] and not word.startswith("_"):
+                axes[0].plot([], [], color=line.get_color(), ls=line.get_linestyle(), label=word)
+                line.set_label("_")
+            known.add(word)
+    key(figure, axes[0])

@@ -1,0 +1,39 @@
+"""Plots of one run: ranges along the riser, histories, shape."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.errors import InputError
+from riserstudy.figures.range_graph import range_graph
+from riserstudy.figures.shape import shape
+from riserstudy.figures.style import as_written, headline
+from riserstudy.figures.time_series import time_series
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+
+def draw(kind: str, run: xr.Dataset, of: list[str] | None = None) -> Figure:
+    """One plot of a run, by its kind: ``range``, ``time-series`` or ``shape``.
+
+    Raises
+    ------
+    InputError
+        When the run has nothing to show of what is asked for.
+    """
+    title = str(run.attrs.get("title", "")) or "a run"
+    if kind == "shape" and of:
+        raise InputError("--of", of[0], "a shape shows positions alone", "leave it out")
+    if kind == "time-series" and "time" not in run:
+        found = "a run at rest has no time series"
+        raise InputError(title, "analysis.duration", found, "allowed are range and shape")
+    with as_written():
+        if kind == "range":
+            return range_graph(run, title, of)
+        if kind == "shape":
+            return shape(run, title)
+        figure = time_series(run, of)
+        headline(figure, f"{title}: over time, where each varies most")
+    return figure

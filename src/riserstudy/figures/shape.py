@@ -1,0 +1,57 @@
+"""The riser seen from the side in one run: at rest, on its way, and where it is furthest to either side."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.errors import InputError
+from riserstudy.figures.grid import key, label
+from riserstudy.figures.style import COLOURS, GREY, headline, panels
+
+SNAPSHOTS = 24
+SIDES = "largest", "smallest"
+
+
+def shape(run: xr.Dataset, title: str) -> Figure:
+    """Elevation over position, a panel for each horizontal direction of the run.
+
+    Raises
+    ------
+    InputError
+        When the riser moves along itself alone.
+    """
+    names = [name for name in "xy" if {name, f"{name}_static"} & set(run)]
+    if not names:
+        found = "no position across: the riser moves along itself alone"
+        raise InputError(title, "x", found, "allowed are range and time-series")
+    figure, axes = panels(1, len(names), 5.0, sharey=True)
+    for ax, name in zip(axes, names, strict=True):
+        _panel(ax, run, name)
+        ax.set_xlabel(label(_named(run, name)))
+    axes[0].set_ylabel(label(_named(run, "z")))
+    moving = " and in motion" if "time" in run else ""
+    headline(figure, f"{title}: shape at rest{moving}, stretched sideways")
+    key(figure, axes[0])
+    return figure
+
+
+def _named(run: xr.Dataset, name: str) -> xr.DataArray:
+    values: xr.DataArray = run[name] if name in run else run[f"{name}_static"].rename(name)
+    return values
+
+
+def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
+    if "time" in run and {name, "z"} <= set(run):
+        across, up, time = run[name].values, run["z"].values, run["time"].values
+        for k in np.unique(np.linspace(0, len(time) - 1, SNAPSHOTS).round().astype(int)):
+            ax.plot(across[k], up[k], color=GREY, linewidth=0.4, alpha=0.7)
+        most = int(np.nanargmax(np.nanmax(across, axis=0) - np.nanmin(across, axis=0)))
+        there = across[:, most]
+        for colour, word, k in zip(COLOURS, SIDES, (there.argmax(), there.argmin()), strict=False):
+            said = f"{time[k]:.5g} s: {name} {word} at s = {float(run['s'][most]):.5g} m"
+            ax.plot(across[k], up[k], color=colour, label=said)
+    if f"{name}_static" in run and "z_static" in run:
+        ax.plot(run[f"{name}_static"], run["z_static"], color="black", label="at rest")

@@ -1,0 +1,125 @@
+"""Plots of one run: what they show of a run with known numbers, and what they refuse."""
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from riserstudy.cli import main
+from riserstudy.errors import InputError
+from riserstudy.figures.drawn import headline
+from riserstudy.figures.run import draw
+
+TIME, S = np.linspace(0.0, 10.0, 41), np.linspace(0.0, 100.0, 11)
+WAVE = np.sin(0.5 * np.pi * TIME)[:, None] * np.sin(np.pi * S / 100.0)
+LIMITS = [
+    {"output": "bending_moment", "at": "", "allowable": 6e3},
+    {"output": "bending_moment", "at": "pup", "allowable": 1e3},
+]
+
+
+def run(moving=True):
+    """A riser whose moment swings about -3 kN m by 2 kN m in its middle, and its x by 2 m."""
+    rest = -3e3 * np.sin(np.pi * S / 100.0)
+    moment, x = rest + 2e3 * WAVE, 2.0 * WAVE
+    data = {
+        "bending_moment_static": ("s_node", rest),
+        "x_static": ("s_node", 0.0 * S),
+        "z_static": ("s_node", S - 50.0),
+    }
+    if not moving:
+        data["bending_moment"] = ("s", rest)
+        return xr.Dataset(data, {"s": S, "s_node": S}, {"title": "swing"})
+    for name, values in (("bending_moment", moment), ("x", x)):
+        data[name] = (("time", "s"), values)
+        data[f"{name}_max"] = ("s_node", values.max(axis=0))
+        data[f"{name}_min"] = ("s_node", values.min(axis=0))
+    data["z"] = (("time", "s"), np.broadcast_to(S - 50.0, x.shape))
+    said = {"title": "swing", "limits": json.dumps(LIMITS)}
+    return xr.Dataset(data, {"time": TIME, "s": S, "s_node": S}, said)
+
+
+def lines(ax):
+    return {line.get_label(): line for line in ax.lines}
+
+
+def test_a_range_graph_has_extremes_rest_limits_and_the_largest_size():
+    figure = draw("range", run(), ["bending_moment"])
+    (ax,) = figure.axes
+    high, low = (line.get_xdata() for line in ax.lines[:2])
+    middle = 5
+    assert (high[middle], low[middle]) == (pytest.approx(-1.0), pytest.approx(-5.0))  # kN m
+    assert lines(ax)["at rest"].get_xdata()[middle] == pytest.approx(-3.0)
+    allowables = [line.get_xdata()[0] for line in ax.lines if line.get_linestyle() == "--"]
+    assert allowables == [6.0, -6.0]  # either sign, and none of one section alone
+    assert ax.get_title() == "largest -5 kN m, s = 50 m"
+    assert ax.get_xlabel() == "bending moment (kN m)"
+    assert headline(figure) == "swing: ranges over time, along the riser"
+
+
+def test_a_run_at_rest_is_one_line():
+    (ax,) = draw("range", run(moving=False), ["bending_moment"]).axes
+    assert len(ax.lines) == 1
+    assert ax.lines[0].get_xdata().min() == pytest.approx(-3.0)
+    assert len(draw("shape", run(moving=False)).axes[0].lines) == 1
+
+
+def test_a_shape_is_drawn_where_it_is_furthest_to_either_side():
+    (ax,) = draw("shape", run()).axes
+    furthest = [line for label, line in lines(ax).items() if "at s = 50 m" in label]
+    assert [line.get_xdata()[5] for line in furthest] == [pytest.approx(2.0), pytest.approx(-2.0)]
+    assert lines(ax)["at rest"].get_ydata()[0] == -50.0
+
+
+@pytest.mark.parametrize("kind", ["range", "time-series", "shape"])
+def test_nothing_is_clipped(kind):
+    figure = draw(kind, run())
+    FigureCanvasAgg(figure).draw()
+    inside = figure.get_tightbbox(figure.canvas.get_renderer())
+    width, height = figure.get_size_inches()
+    assert -0.01 <= inside.x0 <= inside.x1 <= width + 0.01
+    assert -0.01 <= inside.y0 <= inside.y1 <= height + 0.01
+
+
+@pytest.mark.parametrize(
+    "kind, moving, of, said",
+    [
+        ("time-series", False, None, "analysis.duration"),
+        ("shape", True, ["bending_moment"], "positions alone"),
+        ("range", True, ["colour"], "no 'colour'"),
+    ],
+)
+def test_what_cannot_be_shown_is_said(kind, moving, of, said):
+    with pytest.raises(InputError, match=said):
+        draw(kind, run(moving), of)
+
+
+def test_a_riser_that_moves_along_itself_has_no_shape():
+    with pytest.raises(InputError, match="along itself"):
+        draw("shape", run().drop_vars(["x", "x_max", "x_min", "x_static"]))
+
+
+def test_the_command_draws_a_point_of_a_study(tmp_path, monkeypatch, capsys):
+    points = [run(), run()]
+    points[1]["bending_moment"] = 2.0 * points[1]["bending_moment"]
+    grid = xr.concat(points, xr.DataArray([1.0, 5.0], dims="heave", name="heave"))
+    grid["point_key"] = ("heave", ["a", "b"])
+    grid.to_netcdf(tmp_path / "grid.nc")
+
+    def status(*words):
+        monkeypatch.setattr("sys.argv", ["riserstudy", "plot", str(tmp_path / "grid.nc"), *words])
+        try:
+            main()
+        except SystemExit as ended:
+            return ended.code
+        return 0
+
+    out = str(tmp_path / "out.png")
+    assert status("-o", out, "--at", "heave=5", "--kind", "time-series") == 0
+    assert (tmp_path / "out.png").read_bytes().startswith(b"\x89PNG")
+    assert status("-o", out) == 2
+    assert "allowed are 1.0, 5.0" in capsys.readouterr().err
+    assert status("-o", str(tmp_path / "out.doc"), "--at", "heave=5") == 2
+    assert not (tmp_path / "out.doc").exists()
