@@ -124,7 +124,7 @@ def run(
         from riserstudy.dataset import tables
 
         kind = "time-series" if "time" in dataset else "extremes"
-        tables.write_csv(tables.table_of(kind, file, dataset), output)
+        tables.write_csv(tables.table_of(kind, None, dataset), output)
     else:
         write_dataset(dataset, output)
     _say_warnings(dataset)
@@ -228,26 +228,54 @@ class TableKind(StrEnum):
 
 @app.command()
 def table(
-    scene: SceneArgument,
+    source: Annotated[
+        Path, typer.Argument(help="scene (YAML), or the dataset of its run", metavar="SCENE.yaml")
+    ],
     output: Annotated[
         Path, typer.Option("-o", "--output", help="table to write", metavar="OUT.csv")
     ],
     kind: Annotated[TableKind, typer.Option(help="which table")] = TableKind.EXTREMES,
     settings: SetOption = None,
 ) -> None:
-    """Write a table as CSV: stack-up, extremes, time series, or limits with their use."""
-    file = _scene(scene, settings)
-    _check_writable(output, scene)
+    """Write a table as CSV: stack-up, extremes, time series, or limits with their use.
+
+    A scene is simulated for all but the stack-up; a dataset (OUT.nc) is read.
+    """
+    from riserstudy.dataset import tables
+
+    stored = source.suffix == ".nc"
+    if stored and settings:
+        raise InputError("--set", settings[0], "a dataset was simulated", "allowed with a scene")
+    file = None if stored else _scene(source, settings)
+    _check_writable(output, source)
     if output.suffix != ".csv":
         found = f"no table {output.suffix!r}"
         raise InputError("--output", str(output), found, "allowed is .csv")
-    from riserstudy.dataset import tables
-    from riserstudy.simulation.simulate import simulate
+    if file is None:
+        made = _table_of_run(kind.value, source)
+    elif kind is TableKind.STACK_UP:
+        made = tables.table_of(kind.value, file.scene(), None)
+    else:
+        from riserstudy.simulation.simulate import simulate
 
-    dataset = None if kind is TableKind.STACK_UP else simulate(file)
-    if dataset is not None:
+        _compile_once()
+        dataset = simulate(file)
         _say_warnings(dataset)
-    tables.write_csv(tables.table_of(kind.value, file, dataset), output)
+        made = tables.table_of(kind.value, None, dataset)
+    tables.write_csv(made, output)
+
+
+def _table_of_run(kind: str, source: Path) -> Any:
+    """A table from the dataset of one run."""
+    from riserstudy.dataset import tables
+    from riserstudy.dataset.behind import scene_behind
+    from riserstudy.dataset.diff import opened
+
+    dataset = opened(source)
+    if "point_key" in dataset:
+        allowed = "allowed is the dataset of one run; `riserstudy results` lists points of studies"
+        raise InputError(source, "", "a study", allowed)
+    return tables.table_of(kind, scene_behind(dataset, {}), dataset)
 
 
 def _summary(dataset: Any) -> str:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
+from riserstudy.scene.ends import Body
 from riserstudy.scene.limits import UNITS
-from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 
 if TYPE_CHECKING:
@@ -30,42 +30,42 @@ class Table(NamedTuple):
 def stack_up(scene: Scene) -> Table:
     """The riser from the top down: joints, diameters, weights dry and in water, uplift, sums from the top.
 
-    The uplift of a section is what its dry weight loses in water, contents apart.
+    The uplift of a section or body is what its dry weight loses in water, contents apart. A telescopic
+    joint above the ring hangs on the deck and is left out.
     """
     columns = {
         "section": "", "joints": "", "length": "m", "upper end": "m", "outer diameter": "m",
         "inner diameter": "m", "mass": "kg/m", "dry weight": "kN", "wet weight": "kN", "uplift": "kN",
         "contents": "kN", "wet weight from the top": "kN", "with contents from the top": "kN",
     }  # fmt: skip
-    from_top, with_contents = 0.0, 0.0
     gravity = scene.gravity
+    sums = [0.0, 0.0]
     upper = _upper_end(scene)
     rows: list[list[Cell]] = []
+
+    def add(about: list[Cell], dry: float | None, wet: float | None, inside: float) -> None:
+        sums[0] += wet or 0.0
+        sums[1] += (wet or 0.0) + inside
+        uplift = None if dry is None or wet is None else dry - wet
+        rows.append([*about, dry, wet, uplift, inside, *sums])
+
+    def add_body(body: Body | None, at: float | None) -> None:
+        if body:
+            dry = body.mass * gravity / 1e3 if gravity else None
+            wet = body.weight(gravity or 0.0, scene.water.density if scene.water else 0.0) / 1e3
+            add([body.name, None, None, at, None, None, None], dry, wet, 0.0)
+
+    add_body(scene.top.body, upper)
     for section in reversed(scene.riser):
-        length = section.total_length
-        wet = None if section.submerged_weight is None else section.submerged_weight * length / 1e3
+        length, each = section.total_length, section.submerged_weight
+        joints = section.joints.count if section.joints else None
+        diameters = [section.outer_diameter, section.inner_diameter]
         dry = section.mass * gravity * length / 1e3 if section.mass and gravity else None
+        wet = None if each is None else each * length / 1e3
         inside = section.contents_mass * (gravity or 0.0) * length / 1e3
-        from_top += wet or 0.0
-        with_contents += (wet or 0.0) + inside
-        rows.append(
-            [
-                section.name,
-                section.joints.count if section.joints else None,
-                length,
-                upper,
-                section.outer_diameter,
-                section.inner_diameter,
-                section.mass,
-                dry,
-                wet,
-                None if dry is None or wet is None else dry - wet,
-                inside,
-                from_top,
-                with_contents,
-            ]
-        )
+        add([section.name, joints, length, upper, *diameters, section.mass], dry, wet, inside)
         upper = None if upper is None else upper - length
+    add_body(scene.bottom.body, upper)
     return Table(list(columns), list(columns.values()), rows)
 
 
@@ -173,14 +173,30 @@ def write_csv(table: Table, target: Path) -> None:
         with partial.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)
             writer.writerow(heads)
-            writer.writerows(["" if cell is None else cell for cell in row] for row in table.rows)
+            writer.writerows([_text(cell) for cell in row] for row in table.rows)
         partial.replace(target)
     except OSError as error:
         raise InputError(target, "", str(error), "allowed is a file that can be written") from None
 
 
-def table_of(kind: str, file: SceneFile, dataset: xr.Dataset | None) -> Table:
-    """A table by its name; stack-up needs no run."""
-    if kind == "stack-up" or dataset is None:
-        return stack_up(file.scene())
-    return {"extremes": extremes, "time-series": time_series, "limits": limits}[kind](dataset)
+def _text(cell: Cell) -> str | int:
+    """To ten digits, as datasets are stored."""
+    if isinstance(cell, float):
+        return f"{cell:.10g}"
+    return "" if cell is None else cell
+
+
+def table_of(kind: str, scene: Scene | None, dataset: xr.Dataset | None) -> Table:
+    """A table by its name: stack-up is that of the scene, the others of its run.
+
+    Raises
+    ------
+    InputError
+        When what the table is made of is not there.
+    """
+    if kind == "stack-up" and scene is not None:
+        return stack_up(scene)
+    made = {"extremes": extremes, "time-series": time_series, "limits": limits}.get(kind)
+    if made is None or dataset is None:
+        raise InputError("table", kind, "nothing to make it from", "allowed is a scene or its run")
+    return made(dataset)

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import json
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from riserstudy.dataset.behind import provenance, scene_behind
 from riserstudy.dataset.label import labelled
 from riserstudy.dataset.place import place
 from riserstudy.digests import engine_digest
-from riserstudy.errors import InputError
-from riserstudy.scene.load import SceneFile
 from riserstudy.study.collect import FACTS, laid_on
 
 if TYPE_CHECKING:
@@ -56,19 +52,10 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     """
     from riserstudy.simulation.refine import run
 
-    told = _provenance(dataset)
+    engine = provenance(dataset)["engine"]
     index = place(dataset, at)
     point = dataset.isel(index)
-    sets: dict[str, Any] = {}
-    for axis in index:
-        sets |= json.loads(dataset[axis].attrs["sets"])[str(point[axis].item())]
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in told["tables"].items():
-            table = Path(folder, name)
-            table.parent.mkdir(parents=True, exist_ok=True)
-            table.write_bytes(text.encode())
-        file = SceneFile(str(Path(folder) / "scene.yaml"), told["scene"]).with_values(sets, "axes")
-        scene = file.scene()
+    scene = scene_behind(dataset, index)
     estimated = bool(np.isfinite(point.get("error_displacement", 0.0)))
     result = run(scene, estimated=estimated)
     if "s_node" in point.dims and not np.array_equal(point["s_node"], result.arrays["s_node"]):
@@ -77,26 +64,13 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     facts = {name: tell(result.facts) for name, tell in FACTS.items() if name not in LEFT_OUT}
     return Rerun(
         {axis: point[axis].item() for axis in index},
-        (told["engine"], engine_digest()),
+        (engine, engine_digest()),
         {
             str(name): _change(old.values, np.asarray(facts.get(str(name), new.get(name, np.nan))))
             for name, old in point.data_vars.items()
             if name not in LEFT_OUT and not str(name).startswith("assumed_")
         },
     )
-
-
-def _provenance(dataset: xr.Dataset) -> dict[str, Any]:
-    """Scene, tables and engine behind a dataset of a study or of one run."""
-    said = dataset.attrs
-    if "provenance" in said:
-        return dict(json.loads(said["provenance"]))
-    if "scene" not in said or "tables" not in said:
-        found = "does not tell a scene and its tables"
-        allowed = "allowed is a dataset that was simulated, by this version or a later one"
-        raise InputError("rerun", "", found, allowed)
-    parts = {name: json.loads(said[name]) for name in ("scene", "tables")}
-    return parts | {"engine": said["engine"]}
 
 
 def _change(old: Any, new: Any) -> float:

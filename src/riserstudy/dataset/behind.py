@@ -1,0 +1,60 @@
+"""The scene behind a dataset, from what the dataset says of itself alone."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def provenance(dataset: xr.Dataset) -> dict[str, Any]:
+    """Scene, tables and engine behind a dataset of a study or of one run.
+
+    Raises
+    ------
+    InputError
+        When the dataset was not simulated.
+    """
+    said = dataset.attrs
+    if "provenance" in said:
+        return dict(json.loads(said["provenance"]))
+    if "scene" not in said or "tables" not in said:
+        found = "does not tell a scene and its tables"
+        allowed = "allowed is a dataset that was simulated, by this version or a later one"
+        raise InputError("dataset", "", found, allowed)
+    parts = {name: json.loads(said[name]) for name in ("scene", "tables")}
+    return parts | {"engine": said["engine"]}
+
+
+def scene_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:
+    """The scene of one point.
+
+    Parameters
+    ----------
+    index : of the point on each axis; empty for a dataset without axes.
+
+    Raises
+    ------
+    InputError
+        When the dataset was not simulated.
+    """
+    told = provenance(dataset)
+    sets: dict[str, Any] = {}
+    for axis, k in index.items():
+        sets |= json.loads(dataset[axis].attrs["sets"])[str(dataset[axis][k].item())]
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in told["tables"].items():
+            table = Path(folder, name)
+            table.parent.mkdir(parents=True, exist_ok=True)
+            table.write_bytes(text.encode())
+        source = str(Path(folder) / "scene.yaml")
+        return SceneFile(source, told["scene"]).with_values(sets, "axes").scene()

@@ -1,0 +1,75 @@
+"""Tables of a run: the stack-up against the engine, and the same from a scene as from its dataset."""
+
+import csv
+import json
+
+import pytest
+
+from riserstudy import simulate
+from riserstudy.cli import main
+from riserstudy.dataset.tables import stack_up
+from riserstudy.scene.load import SceneFile
+
+#: two sections with mud, a ring above and a stack below, pulled by 3 MN
+PULLED = {
+    "title": "pulled",
+    "gravity": "9.81 m/s^2",
+    "water": {"density": "1025 kg/m^3"},
+    "riser": [
+        {
+            "name": name, "joints": {"count": count, "length": "20 m"}, "axial_stiffness": "5e9 N",
+            "mass": "700 kg/m", "submerged_weight": weight, "inner_diameter": "19 in",
+            "outer_diameter": "21 in", "contents": {"density": "1300 kg/m^3"},
+        }
+        for name, count, weight in (("slick", 5, "2.9 kN/m"), ("buoyed", 20, "-0.8 kN/m"))
+    ],
+    "bottom": {"hold": "wellhead", "elevation": "-500 m"},
+    "top": {
+        "z": "free", "tension": "3 MN",
+        "body": {"name": "ring", "mass": "20000 kg", "density": "7850 kg/m^3"},
+    },
+    "analysis": {},
+}  # fmt: skip
+
+
+def rows_of(path):
+    with path.open() as file:
+        return list(csv.DictReader(file))
+
+
+def test_the_stack_up_adds_up_to_the_tension_that_is_lost_on_the_way_down():
+    file = SceneFile("pulled.yaml", PULLED)
+    table = stack_up(file.scene())
+    total = dict(zip(table.columns, table.rows[-1], strict=True))["with contents from the top"]
+    dataset = simulate(file)
+    assert [row[0] for row in table.rows] == ["ring", "buoyed", "slick"]
+    lost = 3e6 - float(dataset["lower_end_tension"])
+    assert 1e3 * total == pytest.approx(lost, rel=1e-9)
+
+
+def test_uplift_is_the_water_that_a_body_displaces():
+    table = stack_up(SceneFile("pulled.yaml", PULLED).scene())
+    ring = dict(zip(table.columns, table.rows[0], strict=True))
+    assert ring["uplift"] == pytest.approx(20.0 / 7.850 * 1.025 * 9.81, rel=1e-9)  # kN
+    assert ring["upper end"] == 0.0
+
+
+def test_a_dataset_gives_the_tables_of_its_scene_without_a_run(tmp_path, monkeypatch, capsys):
+    scene, run, out = tmp_path / "pulled.yaml", tmp_path / "run.nc", tmp_path / "out.csv"
+    scene.write_text(json.dumps(PULLED))
+
+    def command(*words):
+        monkeypatch.setattr("sys.argv", ["riserstudy", *map(str, words)])
+        main()
+        return out.exists() and rows_of(out)
+
+    command("run", scene, "-o", run)
+    for kind in ("stack-up", "extremes", "limits"):
+        assert command("table", run, "-o", out, "--kind", kind) == command(
+            "table", scene, "-o", out, "--kind", kind
+        )
+    for words in (["--kind", "time-series"], ["--set", "top.tension=4 MN"]):
+        with pytest.raises(SystemExit) as ended:
+            command("table", run, "-o", out, *words)
+        assert ended.value.code == 2
+    assert "analysis.duration" in capsys.readouterr().err
