@@ -278,6 +278,54 @@ def _table_of_run(kind: str, source: Path) -> Any:
     return tables.table_of(kind, scene_behind(dataset, {}), dataset)
 
 
+@app.command()
+def statistics(
+    dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="table to write", metavar="OUT.csv")
+    ],
+    start: Annotated[
+        str, typer.Option(help="leave out what is before: 200 s", metavar="TIME")
+    ] = "0 s",
+    exposure: Annotated[
+        str | None,
+        typer.Option(help="time for which extremes are told: 3 h; absent: the record's"),
+    ] = None,
+    over: Annotated[
+        str | None, typer.Option(help="axis of seeds: extremes by Gumbel", metavar="AXIS")
+    ] = None,
+    at: AtOption = None,
+) -> None:
+    """Statistics in an irregular sea as CSV: mean, deviation, most probable extremes; Gumbel over seeds."""
+    from riserstudy.dataset import statistics_tables, tables
+    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.place import place
+    from riserstudy.scene.units import to_si
+
+    found = opened(dataset)
+    _check_writable(output, dataset)
+    if output.suffix != ".csv":
+        raise InputError("--output", str(output), f"no table {output.suffix!r}", "allowed is .csv")
+    if over and exposure:
+        allowed = "over seeds extremes are those of the duration: leave it out"
+        raise InputError("--exposure", exposure, "given with --over", allowed)
+    times = {}
+    for option, text in (("--start", start), ("--exposure", exposure)):
+        try:
+            times[option] = None if text is None else to_si(text, "s")
+        except ValueError as fault:
+            raise InputError(option, str(text), str(fault), "allowed is such as 3 h") from None
+    begin = times["--start"] or 0.0
+    if over:
+        apart = found.isel({over: [0]}) if over in found.dims else found
+        index = {axis: k for axis, k in place(apart, _place(at)).items() if axis != over}
+        made = statistics_tables.over_seeds(found.isel(index), over, begin)
+    else:
+        run = found.isel(place(found, _place(at)))
+        made = statistics_tables.of_a_run(run, begin, times["--exposure"])
+    tables.write_csv(made, output)
+
+
 def _summary(dataset: Any) -> str:
     estimate = json.loads(dataset.attrs.get("error_estimate", "{}"))
     errors = ", ".join(f"{name} {100 * value:.2g} %" for name, value in estimate.items())

@@ -8,7 +8,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Strict
 
 MOST_OUTPUTS = 1_000_000
 MOST_STEPS = 1_000_000_000
@@ -28,7 +28,7 @@ class Mesh(Strict):
     With ``layers`` about so many, the finer the closer to an end that has one.
     """
 
-    elements: Annotated[int, Field(ge=1, le=20000)]
+    elements: Annotated[int, Field(ge=1, le=20000), WHOLE]
     layers: Layers | None = None
 
 

@@ -9,7 +9,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Coefficient, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient, Strict
 
 RIGID = 1e3  # bending stiffness of what does not bend, over that beside it
 
@@ -86,7 +86,7 @@ class Contents(Strict):
 class Joints(Strict):
     """Number and length of equal joints."""
 
-    count: Annotated[int, Field(ge=1)]
+    count: Annotated[int, Field(ge=1), WHOLE]
     length: Annotated[u.Length, POSITIVE]
 
 

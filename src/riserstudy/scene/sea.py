@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
-from riserstudy.scene.base import POSITIVE, Positive, Strict
+from riserstudy.scene.base import POSITIVE, WHOLE, Positive, Strict
 
 
 class Wave(Strict):
@@ -56,8 +56,8 @@ class Storm(Strict):
     significant_height: Annotated[u.Length, POSITIVE]
     peak_period: Annotated[u.Time, POSITIVE]
     peak_enhancement: Annotated[float, Field(ge=1, le=20)]
-    components: Annotated[int, Field(ge=2, le=10000)]
-    seed: Annotated[int, Field(ge=0)]
+    components: Annotated[int, Field(ge=2, le=10000), WHOLE]
+    seed: Annotated[int, Field(ge=0), WHOLE]
 
     @property
     def shortest_period(self) -> float:

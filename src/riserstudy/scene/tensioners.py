@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Strict
 from riserstudy.scene.carried import Carried, DampingRatio
 
 
@@ -141,7 +141,7 @@ class Tensioners(Strict):
     Absent arrangement: they stay upright. ``failed`` cylinders, counted from 0, pull nothing.
     """
 
-    count: Annotated[int, Field(ge=1, le=1000)]
+    count: Annotated[int, Field(ge=1, le=1000), WHOLE]
     mid_stroke: Literal["riser unstretched", "riser in equilibrium"]
     gas: Gas | None = None
     two_chamber_gas: TwoChamberGas | None = None

@@ -1,0 +1,101 @@
+"""Statistics of responses to irregular seas: of one record, and of the extremes of several seeds."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+FloatArray = NDArray[np.float64]
+FEWEST_PEAKS = 10  # of a record, from which a distribution is fitted
+FEWEST_SEEDS = 5
+NOT_EXCEEDED = 0.9  # share of seas whose extreme stays within the fractile that is told
+
+
+class Statistics(NamedTuple):
+    """Of one record, in its own unit; not a number where it has too few peaks."""
+
+    mean: float
+    deviation: float
+    period: float  # mean time between upcrossings of the mean (s)
+    largest: float
+    most_probable_largest: float  # in the time of exposure
+    smallest: float
+    most_probable_smallest: float
+
+
+class Gumbel(NamedTuple):
+    """The Gumbel distribution of largest values, one a seed."""
+
+    mode: float  # the most probable largest value
+    scale: float
+    fractile: float  # that nine seas in ten do not exceed
+    mode_error: float  # standard error of the mode
+
+
+def record_statistics(time: FloatArray, values: FloatArray, exposure: float) -> Statistics:
+    """Statistics of a record, and the most probable extremes in a time of exposure.
+
+    Peaks, one between each upcrossing of the mean and the next, follow a Weibull distribution of which shape
+    and scale are fitted; of a narrow-banded Gaussian process that is Rayleigh's, of shape 2. Among N peaks
+    the most probable largest is mean + scale (ln N)^(1 / shape).
+
+    Parameters
+    ----------
+    time, values : of the record, (n,); time in s, evenly spaced.
+    exposure : time (s) for which extremes are told.
+
+    References
+    ----------
+    Ochi 1998, Ocean Waves: The Stochastic Approach, chapters 3 and 6.
+    """
+    mean, deviation = float(values.mean()), float(values.std())
+    upward = peaks(values - mean)
+    period = float((time[-1] - time[0]) / len(upward)) if len(upward) else math.nan
+    downward = peaks(mean - values)
+    return Statistics(
+        mean,
+        deviation,
+        period,
+        float(values.max()),
+        mean + _most_probable(upward, exposure / period),
+        float(values.min()),
+        mean - _most_probable(downward, exposure / period),
+    )
+
+
+def peaks(values: FloatArray) -> FloatArray:
+    """Largest of some values, (n,), between each upcrossing of zero and the next, (peaks,), in their unit."""
+    starts = np.flatnonzero((values[:-1] < 0.0) & (values[1:] >= 0.0)) + 1
+    if len(starts) < 2:
+        return np.empty(0)
+    return np.asarray(np.maximum.reduceat(values[: starts[-1]], starts[:-1]))
+
+
+def _most_probable(found: FloatArray, count: float) -> float:
+    """Most probable largest of so many peaks of the distribution that some peaks have."""
+    if len(found) < FEWEST_PEAKS or not count > 1.0:
+        return math.nan
+    from scipy.stats import weibull_min
+
+    shape, _, scale = weibull_min.fit(found, floc=0.0)
+    return float(scale * math.log(count) ** (1.0 / shape))
+
+
+def gumbel(largest: ArrayLike) -> Gumbel:
+    """The Gumbel distribution that largest values, one a seed, are most likely from.
+
+    References
+    ----------
+    Gumbel 1958, Statistics of Extremes; the mode's standard error is that of maximum likelihood,
+    1.053 scale / sqrt(n).
+    """
+    from scipy.stats import gumbel_r
+
+    values: Any = np.asarray(largest, float)
+    mode, scale = gumbel_r.fit(values)
+    fractile = gumbel_r.ppf(NOT_EXCEEDED, mode, scale)
+    error = math.sqrt(1.0 + 6.0 * (1.0 - np.euler_gamma) ** 2 / math.pi**2) * scale
+    return Gumbel(float(mode), float(scale), float(fractile), float(error / math.sqrt(len(values))))

@@ -1,0 +1,110 @@
+"""Statistics of a run in an irregular sea, and of the same in several seeds, as tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from riserstudy.dataset.statistics import (
+    FEWEST_SEEDS,
+    NOT_EXCEEDED,
+    gumbel,
+    record_statistics,
+)
+from riserstudy.dataset.tables import Cell, Table
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+EVEN = 1e-6  # share of an interval by which output times are apart evenly
+OF_A_RECORD = {
+    "mean": "", "standard deviation": "", "mean upcrossing period": "s", "largest": "",
+    "most probable largest": "", "smallest": "", "most probable smallest": "",
+}  # fmt: skip
+WITHIN = f"{100 * NOT_EXCEEDED:g} % of seas"
+OF_SEEDS = {
+    "seeds": "", "mean": "", "standard deviation": "", "largest": "",
+    "most probable largest": "", "its standard error": "", "Gumbel scale of largest": "",
+    f"not exceeded in {WITHIN}": "", "smallest": "", "most probable smallest": "",
+    "its standard error ": "", "Gumbel scale of smallest": "", f"not undercut in {WITHIN}": "",
+}  # fmt: skip
+
+
+def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:
+    """Statistics of every history of a run, a row each and for each place along the riser.
+
+    Parameters
+    ----------
+    start : time (s) before which the sea grows, and that is left out.
+    exposure : time (s) for which the most probable extremes are told; None: that of the record.
+
+    Raises
+    ------
+    InputError
+        When nothing varies with time after the start, or at uneven intervals.
+    """
+    rows: list[list[Cell]] = []
+    for name, s, unit, history in _histories(run, start):
+        time = history["time"].values
+        told = record_statistics(time, history.values, exposure or float(time[-1] - time[0]))
+        rows.append([name, s, unit, *told])
+    return Table(["output", "s", "unit", *OF_A_RECORD], ["", "m", "", *OF_A_RECORD.values()], rows)
+
+
+def over_seeds(grid: xr.Dataset, axis: str, start: float) -> Table:
+    """Statistics over an axis of seeds, with the Gumbel distribution of largest and smallest values.
+
+    What is before ``start`` (s) is left out.
+
+    Raises
+    ------
+    InputError
+        When there is no such axis, or too few seeds on it.
+    """
+    if axis not in grid.dims or axis in ("time", "s"):
+        allowed = f"allowed are {', '.join(map(str, grid['point_key'].dims))}"
+        raise InputError("--over", axis, "no axis of the dataset", allowed)
+    if (count := grid.sizes[axis]) < FEWEST_SEEDS:
+        raise InputError("--over", axis, f"{count} seeds", f"allowed are {FEWEST_SEEDS} or more")
+    rows: list[list[Cell]] = []
+    for name, s, unit, history in _histories(grid, start):
+        values = history.transpose(axis, "time").values
+        high, low = gumbel(values.max(axis=1)), gumbel(-values.min(axis=1))
+        rows.append(
+            [
+                name, s, unit, count,
+                float(values.mean()), math.sqrt(float(values.var(axis=1).mean())),
+                float(values.max()), high.mode, high.mode_error, high.scale, high.fractile,
+                float(values.min()), -low.mode, low.mode_error, low.scale, -low.fractile,
+            ]
+        )  # fmt: skip
+    return Table(["output", "s", "unit", *OF_SEEDS], ["", "m", "", *OF_SEEDS.values()], rows)
+
+
+def _histories(
+    run: xr.Dataset, start: float
+) -> Iterator[tuple[str, float | None, str, xr.DataArray]]:
+    """Name, arclength (m), unit and history from a time (s) on, of all that varies with time."""
+    if "time" not in run:
+        raise InputError("dataset", "time", "a run at rest", "statistics need analysis.duration")
+    time = run["time"].values
+    steps = np.diff(time[time >= start])
+    if not len(steps):
+        allowed = f"allowed is before {time[-1]:g} s"
+        raise InputError("--start", f"{start:g} s", "nothing is left", allowed)
+    if np.ptp(steps) > EVEN * steps[0]:
+        raise InputError("dataset", "time", "uneven intervals", "statistics need even ones")
+    later = run.isel(time=time >= start)
+    for name, history in later.data_vars.items():
+        if "time" not in history.dims or history.dtype.kind != "f":
+            continue
+        unit = str(history.attrs.get("units", ""))
+        across = next((dim for dim in ("s", "cylinder") if dim in history.dims), None)
+        for k in range(history.sizes[across] if across else 1):
+            place = float(history[across][k]) if across == "s" else None
+            called = f"{name} {k}" if across == "cylinder" else str(name)
+            yield called, place, unit, history.isel({across: k}) if across else history

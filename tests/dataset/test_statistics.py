@@ -1,0 +1,174 @@
+"""Statistics of irregular seas against closed forms: Rayleigh's peaks, Gumbel's maxima, a followed sea."""
+
+import csv
+import json
+import math
+
+import numpy as np
+import pytest
+import xarray as xr
+from scipy.stats import gumbel_r
+
+from riserstudy import sweep
+from riserstudy.cli import main
+from riserstudy.dataset.statistics import gumbel, peaks, record_statistics
+
+TIME = np.arange(0.0, 200_000.0, 0.5)
+PERIOD, DEVIATION, MEAN = 10.0, 2.0, 5.0
+
+
+@pytest.fixture(scope="module")
+def narrow():
+    """A narrow-banded Gaussian process: 200 components within 5 % of one frequency.
+
+    Its envelope forgets itself in 1 / 0.01 Hz: 2000 peaks are independent, which leaves 1 % to chance in the
+    deviation and 2 % in extremes.
+    """
+    random = np.random.default_rng(7)
+    count = 200
+    w = 2.0 * math.pi / PERIOD * random.uniform(0.95, 1.05, count)
+    phase = random.uniform(0.0, 2.0 * math.pi, count)
+    waves = sum(np.cos(a * TIME + b) for a, b in zip(w, phase, strict=True))
+    return MEAN + DEVIATION * math.sqrt(2.0 / count) * waves
+
+
+def test_peaks_of_a_narrow_band_are_rayleigh_distributed(narrow):
+    found = peaks(narrow - MEAN)
+    assert found.mean() == pytest.approx(DEVIATION * math.sqrt(math.pi / 2.0), rel=0.03)
+    assert (found**2).mean() == pytest.approx(2.0 * DEVIATION**2, rel=0.06)
+    assert len(found) == pytest.approx(TIME[-1] / PERIOD, rel=0.01)
+
+
+@pytest.mark.parametrize("hours", [1.0, 3.0, 10.0])
+def test_the_most_probable_maximum_of_a_narrow_band_is_rayleighs(narrow, hours):
+    told = record_statistics(TIME, narrow, hours * 3600.0)
+    count = hours * 3600.0 / PERIOD
+    expected = DEVIATION * math.sqrt(2.0 * math.log(count))
+    assert told.mean == pytest.approx(MEAN, abs=0.02)
+    assert told.deviation == pytest.approx(DEVIATION, rel=0.03)  # three errors
+    assert told.period == pytest.approx(PERIOD, rel=0.01)
+    assert told.most_probable_largest - MEAN == pytest.approx(expected, rel=0.06)
+    assert MEAN - told.most_probable_smallest == pytest.approx(expected, rel=0.06)
+
+
+def test_a_record_without_peaks_enough_tells_no_extreme(narrow):
+    few = record_statistics(TIME[:200], narrow[:200], 3600.0)
+    assert math.isnan(few.most_probable_largest)
+    assert few.largest == narrow[:200].max()
+    still = record_statistics(TIME[:200], np.ones(200), 3600.0)
+    assert (still.mean, still.deviation) == (1.0, 0.0)
+    assert math.isnan(still.period)
+
+
+@pytest.mark.parametrize("count", [10, 1000])
+def test_gumbel_finds_the_distribution_that_samples_are_from(count):
+    found = [gumbel(gumbel_r.rvs(30.0, 2.0, count, random_state=k)) for k in range(40)]
+    modes = np.array([one.mode for one in found])
+    # the mean of 40 has an error of a sixth of one's; maximum likelihood is biased by 1/n
+    assert modes.mean() == pytest.approx(30.0, abs=4.0 * found[0].mode_error / math.sqrt(40.0))
+    told = np.mean([one.mode_error for one in found])
+    assert modes.std() == pytest.approx(told, rel=0.35)  # four errors of a deviation of 40
+    fractile = np.mean([one.fractile for one in found])
+    # F(x) = exp(-exp(-(x - mode) / scale))
+    assert fractile == pytest.approx(30.0 - 2.0 * math.log(-math.log(0.9)), rel=0.03)
+
+
+def test_gumbel_solves_the_equations_of_maximum_likelihood():
+    values = np.array([21.0, 23.5, 22.2, 25.1, 20.4, 22.9])
+    found = gumbel(values)
+    weights = np.exp(-values / found.scale)
+    assert found.scale == pytest.approx(values.mean() - np.average(values, weights=weights))
+    assert found.mode == pytest.approx(-found.scale * math.log(weights.mean()))
+
+
+HEIGHT, PEAK = 6.0, 12.0
+#: a top that hangs on a constant tension, under a platform that follows the sea: stroke is the sea's surface
+FOLLOWED = {
+    "title": "followed",
+    "riser": [
+        {"name": "string", "length": "100 m", "axial_stiffness": "1e12 N", "mass": "100 kg/m",
+         "structural_damping": {"ratio": 0.05, "at_period": "1 s"}}
+    ],
+    "bottom": {"hold": "wellhead", "elevation": "0 m"},
+    "top": {"z": "free", "tension": "1 MN"},
+    "platform": {
+        "response": {
+            "operators": [
+                {"period": f"{period} s", "heave": "1 m/m", "heave_phase": "0 deg"}
+                for period in (1.0, 40.0)
+            ],
+            "phases": "lead",
+            "wave": {
+                "significant_height": f"{HEIGHT} m", "peak_period": f"{PEAK} s",
+                "peak_enhancement": 3.3, "components": 300, "seed": 1,
+            },
+        }
+    },
+    "analysis": {
+        "duration": "3600 s", "output": {"interval": "0.5 s"}, "mesh": {"elements": 1},
+        "step": "0.5 s",
+    },
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def seeds(tmp_path_factory):
+    """The followed sea in eight seeds."""
+    scene = tmp_path_factory.mktemp("sea") / "followed.yaml"
+    scene.write_text(json.dumps(FOLLOWED))
+    axis = {"platform.response.wave.seed": list(range(1, 9))}
+    found = sweep(scene, axis, keep=["stroke"], progress=False, cores=1)
+    found = found.rename(platform_response_wave_seed="seed")
+    found.to_netcdf(scene.with_suffix(".nc"))
+    return scene.with_suffix(".nc")
+
+
+def table(monkeypatch, *words):
+    monkeypatch.setattr("sys.argv", ["riserstudy", "statistics", *map(str, words)])
+    try:
+        main()
+    except SystemExit as ended:
+        return ended.code
+    with words[words.index("-o") + 1].open() as file:
+        return list(csv.DictReader(file))
+
+
+def test_a_riser_that_follows_a_sea_has_its_statistics(seeds, tmp_path, monkeypatch):
+    out = tmp_path / "out.csv"
+    (one,) = table(monkeypatch, seeds, "-o", out, "--at", "seed=3", "--exposure", "3 h")
+    # Hs is four standard deviations, up to what an hour of 300 waves leaves to chance
+    assert float(one["standard deviation"]) == pytest.approx(HEIGHT / 4.0, rel=0.06)
+    count = 3.0 * 3600.0 / float(one["mean upcrossing period (s)"])
+    expected = HEIGHT / 4.0 * math.sqrt(2.0 * math.log(count))
+    assert float(one["most probable largest"]) == pytest.approx(expected, rel=0.15)
+    assert 0.6 * PEAK < float(one["mean upcrossing period (s)"]) < PEAK
+
+
+def test_extremes_over_seeds_are_gumbels(seeds, tmp_path, monkeypatch):
+    out = tmp_path / "out.csv"
+    (row,) = table(monkeypatch, seeds, "-o", out, "--over", "seed")
+    with xr.open_dataset(seeds, decode_times=False) as found:
+        largest = found["stroke"].max("time").values
+    assert float(row["most probable largest"]) == pytest.approx(gumbel(largest).mode, rel=1e-9)
+    assert (row["seeds"], float(row["largest"])) == ("8", pytest.approx(largest.max()))
+    # a Gaussian sea's: the mode of an hour, give or take three of its errors
+    count = 3600.0 / (0.78 * PEAK)
+    expected = HEIGHT / 4.0 * math.sqrt(2.0 * math.log(count))
+    allowed = 3.0 * float(row["its standard error"])
+    assert float(row["most probable largest"]) == pytest.approx(expected, abs=allowed)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--over", "height"],
+        ["--over", "seed", "--exposure", "3 h"],
+        ["--at", "seed=3", "--exposure", "3 m"],
+        ["--at", "seed=3", "--start", "2 h"],
+        [],
+    ],
+    ids=" ".join,
+)
+def test_what_cannot_be_told_is_refused(seeds, tmp_path, monkeypatch, words):
+    assert table(monkeypatch, seeds, *words, "-o", tmp_path / "out.csv") == 2
+    assert not (tmp_path / "out.csv").exists()
