@@ -18,6 +18,7 @@ from riserstudy.chapters.draw import draw
 from riserstudy.figures import save
 from riserstudy.grading.grade import ErratumRow, Row, errata, grade, table
 from riserstudy.grading.models import read_published
+from riserstudy.grading.printed import with_printed
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
@@ -82,15 +83,16 @@ def datasets_of(paper):
         made[name] = dataset_of(study, results)
     for name, how in file.derived.items():
         sources = {source: made[source] for source in how.reads}
-        made[name] = derive(paper, name, sources, how.settings)
+        made[name] = derive(paper, name, sources, with_printed(how.settings, CONFIG, paper))
     return made
 
 
 @cache
 def drawn(paper, name):
     """A figure."""
-    reads = read_studies(CONFIG, paper).figures[name].reads
-    return draw(paper, name, {source: datasets_of(paper)[source] for source in reads})
+    model = read_studies(CONFIG, paper).figures[name]
+    sources = {source: datasets_of(paper)[source] for source in model.reads}
+    return draw(paper, name, sources, with_printed(model.settings, CONFIG, paper))
 
 
 @pytest.fixture(scope="module")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from riserstudy.chapters import function_of
 
@@ -11,7 +11,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def draw(paper: str, name: str, datasets: dict[str, xr.Dataset]) -> Figure:
-    """Figure ``name`` of a paper, by the function of that name in its chapter's figures."""
-    figure: Figure = function_of(paper, "figures", name)(**datasets)
+def draw(
+    paper: str, name: str, datasets: dict[str, xr.Dataset], settings: dict[str, Any] | None = None
+) -> Figure:
+    """Figure ``name`` of a paper, by the function of that name in its chapter's figures.
+
+    ``settings`` are what the study file tells it besides the datasets.
+    """
+    figure: Figure = function_of(paper, "figures", name)(**datasets, **(settings or {}))
     return figure

@@ -14,7 +14,14 @@ from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml
 
-Option = str | float | list[float] | list[str]
+
+class PrintedNumber(Strict):
+    """Stands for a printed number of the paper, by its ID."""
+
+    printed: str
+
+
+Option = str | float | list[float] | list[str] | PrintedNumber
 
 
 class Checked(Strict):
@@ -130,6 +137,27 @@ class PublishedFile(Strict):
         if twice:
             raise ValueError(f"id {twice[0]!r} stands twice")
         return self
+
+    @model_validator(mode="after")
+    def _options_name_numbers(self) -> Self:
+        for entry in (*self.items, *self.errata):
+            for name, option in entry.options.items():
+                if isinstance(option, PrintedNumber):
+                    entry.options[name] = self.number(option.printed)
+        return self
+
+    def number(self, of: str) -> float:
+        """The printed number of an ID.
+
+        Raises
+        ------
+        ValueError
+            When there is none.
+        """
+        numbers = {item.id: item.published for item in self.items if item.published is not None}
+        if of not in numbers:
+            raise ValueError(f"printed: no number {of!r}; allowed are {', '.join(numbers)}")
+        return numbers[of]
 
     @property
     def datasets(self) -> list[str]:

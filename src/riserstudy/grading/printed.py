@@ -1,4 +1,7 @@
-"""Which values of a scene its paper prints: a plain value says that it does, and must be on the list."""
+"""What a paper prints: values of scenes, and numbers for figures and derived datasets.
+
+A plain value of a scene says that it is printed, and must be on the list of its paper.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from riserstudy.errors import InputError
 from riserstudy.grading.models import PrintedInput, PublishedFile, published_path
 from riserstudy.scene.check import check
 from riserstudy.scene.load import SceneFile, read_yaml
@@ -21,10 +25,48 @@ def printed_inputs(config: Path, paper: str) -> list[PrintedInput]:
     InputError
         When the file cannot be meant.
     """
+    return printed_of(config, paper).inputs if published_path(config, paper).exists() else []
+
+
+def printed_of(config: Path, paper: str) -> PublishedFile:
+    """All that a paper printed.
+
+    Raises
+    ------
+    InputError
+        When its file cannot be meant.
+    """
     path = published_path(config, paper)
-    if not path.exists():
-        return []
-    return check(PublishedFile, read_yaml(path, keep=True), path).inputs
+    return check(PublishedFile, read_yaml(path, keep=True), path)
+
+
+def with_printed(
+    settings: dict[str, Any], config: Path, paper: str, file: PublishedFile | None = None
+) -> dict[str, Any]:
+    """Settings of a figure or a derived dataset, ``{printed: N1}`` replaced by that number of the paper.
+
+    ``file`` is what the paper printed, where it has been read.
+
+    Raises
+    ------
+    InputError
+        When the paper has no such number.
+    """
+    if not any(_names_a_number(value) for value in settings.values()):
+        return settings
+    file = file or printed_of(config, paper)
+    try:
+        return {
+            name: file.number(value["printed"]) if _names_a_number(value) else value
+            for name, value in settings.items()
+        }
+    except ValueError as error:
+        found, _, allowed = str(error).partition("; ")
+        raise InputError(config / "studies" / f"{paper}.yaml", "with", found, allowed) from None
+
+
+def _names_a_number(value: Any) -> bool:
+    return isinstance(value, dict) and list(value) == ["printed"]
 
 
 def printed_as(inputs: Iterable[PrintedInput], path: str, value: Any) -> PrintedInput | None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from riserstudy.chapters.draw import draw
 from riserstudy.errors import RiserStudyError
 from riserstudy.figures import draw_plot, save
+from riserstudy.grading.printed import with_printed
 from riserstudy.jobs.seals import seal
 from riserstudy.study.read import read_studies
 
@@ -29,8 +30,11 @@ def from_datasets(paper: str, name: str, sources: list[Path]) -> Figure:
     import xarray as xr
 
     datasets = {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
-    model = read_studies(Path("config"), paper).figures[name]
-    return draw_plot(model, datasets[model.reads[0]]) if model.plot else draw(paper, name, datasets)
+    config = Path("config")
+    model = read_studies(config, paper).figures[name]
+    if model.plot:
+        return draw_plot(model, datasets[model.reads[0]])
+    return draw(paper, name, datasets, with_printed(model.settings, config, paper))
 
 
 def from_scene(paper: str, name: str) -> Figure:

@@ -20,6 +20,7 @@ from riserstudy.errors import InputError
 from riserstudy.figures import module_of_plot
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.models import PublishedFile, published_path, read_published
+from riserstudy.grading.printed import with_printed
 from riserstudy.numerics.measure import module_of
 from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
 from riserstudy.scene.check import check
@@ -69,7 +70,6 @@ class Workplan:
             scene_file(config / study.model.scene).scene()
             study.plan  # noqa: B018  every point is checked before any job
         if only is None:
-            self.published  # noqa: B018  and so is what was printed
             for paper, file in self.files.items():
                 for name in file.schematics:
                     self.schematic(paper, name).scene()
@@ -176,8 +176,11 @@ class Workplan:
         return [f"results/{paper}/{source}.nc" for source in self.files[paper].derived[name].reads]
 
     def derived_settings(self, paper: str, name: str) -> str:
-        """What it is told besides, as JSON."""
-        return json.dumps(self.files[paper].derived[name].settings)
+        """What it is told besides, as JSON, printed numbers of the paper among it."""
+        return json.dumps(self._with_printed(paper, self.files[paper].derived[name].settings))
+
+    def _with_printed(self, paper: str, settings: dict[str, Any]) -> dict[str, Any]:
+        return with_printed(settings, self.config, paper, self.published.get(paper))
 
     def derived_code(self, paper: str, name: str) -> Set[Path]:
         """Sources of the function that derives a dataset."""
@@ -227,9 +230,12 @@ class Workplan:
     def figure_digest(self, paper: str, name: str) -> str:
         """The code that draws, and what a plot for any grid, or a schematic, is to show."""
         figure = self.files[paper].figures.get(name)
-        shown = "" if figure is None else " ".join((figure.plot or "", *(figure.of or [])))
         if figure is None:
             shown = json.dumps(canonical(self.schematic(paper, name).scene()))
+        else:
+            shown = " ".join((figure.plot or "", *(figure.of or [])))
+            if figure.settings:
+                shown += json.dumps(self._with_printed(paper, figure.settings))
         return f"{_hash(shown)}-{digest(self.figure_code(paper, name))}"
 
     # grading and report

@@ -1,8 +1,8 @@
-"""Figures that a study file asks for: drawn by a function of ours, or by a plot that fits any grid."""
+"""Figures that a study file asks for: drawn by a function of the chapter, or by a plot that fits any grid."""
 
 from __future__ import annotations
 
-from typing import Literal, Self
+from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -17,14 +17,16 @@ class FigureModel(Strict):
     """A figure: its caption, the datasets it reads, and what draws it.
 
     ``plot``: one that fits any grid: lines over an axis, a heat map over two axes, an envelope along the
-    riser, time series. Absent: the function of the figure's name in riserstudy/figures/<paper>.py.
+    riser, time series. Absent: the function of the figure's name in its chapter's figures.
     ``of``: the quantities to plot. Absent: those that matter most among what there is.
+    ``with``: what the function is told besides, ``{printed: N1}`` for a printed number of the paper.
     """
 
     caption: str
     reads: list[str] = Field(min_length=1)
     plot: Plot | None = None
     of: list[str] | None = Field(default=None, min_length=1)
+    settings: dict[str, Any] = Field(default_factory=dict, alias="with")
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -32,4 +34,6 @@ class FigureModel(Strict):
             raise ValueError("plot: reads one dataset")
         if self.of and not self.plot:
             raise ValueError("of: needs a plot to show them in")
+        if self.settings and self.plot:
+            raise ValueError("with: a plot that fits any grid is told nothing")
         return self

@@ -108,7 +108,8 @@ class Samples(Strict):
 class Derived(Strict):
     """A dataset derived from studies: those that it reads, and what its function is told besides.
 
-    What it is told may say where it comes from, as values of scenes do: ``assumed`` with a range and why.
+    What it is told may say where it comes from, as values of scenes do: ``assumed`` with a range and why, or
+    ``{printed: N1}`` for a printed number of the paper.
     """
 
     reads: list[str]

@@ -29,6 +29,7 @@ from riserstudy.chapters.mao_hangoff.towed import at_top, displacement
 from riserstudy.errors import InputError
 from riserstudy.grading.grade import ErratumRow, errata, grade, table
 from riserstudy.grading.models import read_published
+from riserstudy.grading.printed import with_printed
 from riserstudy.scene.load import read_scene
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import Derived, Numbers, StudyModel
@@ -417,14 +418,20 @@ def datasets():
         made[name] = dataset_of(study, results_of(study, 1, lambda text: None)[0])
     for name, how in FILE.derived.items():
         sources = {source: made[source] for source in how.reads}
-        made[name] = derive(PAPER, name, sources, how.settings)
+        made[name] = derive(PAPER, name, sources, with_printed(how.settings, CONFIG, PAPER))
     return made
+
+
+def drawn(datasets, name):
+    model = FILE.figures[name]
+    settings = with_printed(model.settings, CONFIG, PAPER)
+    return draw(PAPER, name, {key: datasets[key] for key in model.reads}, settings)
 
 
 def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
     colours = []
     for name in ("readings", "open_choices"):
-        figure = draw(PAPER, name, {key: datasets[key] for key in FILE.figures[name].reads})
+        figure = drawn(datasets, name)
         lines = figure.axes[0].get_lines()
         colours.append({n.get_label(): n.get_color() for n in lines if n.get_label() in WEIGHTS})
     both = colours[0].keys() & colours[1].keys()
@@ -433,7 +440,7 @@ def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
 
 
 def test_dashed_lines_of_tracks_are_in_the_key(datasets):
-    figure = draw(PAPER, "fig13", {key: datasets[key] for key in FILE.figures["fig13"].reads})
+    figure = drawn(datasets, "fig13")
     dashed = [
         line.get_label() for line in figure.axes[0].get_lines() if line.get_linestyle() == "--"
     ]
@@ -443,7 +450,7 @@ def test_dashed_lines_of_tracks_are_in_the_key(datasets):
 
 @pytest.mark.parametrize("name", FILE.figures)
 def test_every_figure_is_drawn_whole_with_units(datasets, name):
-    figure = draw(PAPER, name, {key: datasets[key] for key in FILE.figures[name].reads})
+    figure = drawn(datasets, name)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     inside = figure.get_tightbbox(canvas.get_renderer())

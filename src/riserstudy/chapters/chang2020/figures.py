@@ -24,8 +24,6 @@ READINGS = {
 }
 FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
 NAMED = (3.0, 10.0)  # of them, those that the text names
-#: reductions that the text gives for Fig 8; config/published/chang2020.yaml, A1 and A2
-REDUCED = {"tension": 0.30, "heave": 0.50}
 LEAST = "least squares over -8 to 8 m"
 STARTS = {"unstretched": "unstretched at rest", "equilibrium": "in equilibrium"}
 PISTON = "piston displacement X = x − a (m)"
@@ -107,8 +105,14 @@ def _per_cylinder(ax: Axes, label: str) -> None:
 # the response
 
 
-def fig08(from_rest: xr.Dataset, steady: xr.Dataset, rigid: xr.Dataset) -> Figure:
-    """Riser tension and heave with and without tensioner, H = 5 m read in two ways."""
+def fig08(
+    from_rest: xr.Dataset, steady: xr.Dataset, rigid: xr.Dataset, tension: float, heave: float
+) -> Figure:
+    """Riser tension and heave with and without tensioner, H = 5 m read in two ways.
+
+    ``tension``, ``heave``: the printed reductions (-).
+    """
+    reduced = {"tension": tension, "heave": heave}
     figure, axes = panels(2, 2, 3.0, sharex=True)
     for column, (amplitude, meant) in enumerate(
         ((5.0, "H = 5 m is the amplitude"), (2.5, "H = 5 m is twice the amplitude"))
@@ -139,7 +143,7 @@ def fig08(from_rest: xr.Dataset, steady: xr.Dataset, rigid: xr.Dataset) -> Figur
                 f"{name[16:]} {100.0 * (1.0 - part / bare):.0f} %" for name, part in swing.items()
             ]
             ax.annotate(
-                f"swing less by: {', '.join(told)}; printed about {100.0 * REDUCED[quantity]:.0f} %",
+                f"swing less by: {', '.join(told)}; printed about {100.0 * reduced[quantity]:.0f} %",
                 (0.5, 0.97),
                 xycoords="axes fraction",
                 ha="center",
@@ -148,7 +152,7 @@ def fig08(from_rest: xr.Dataset, steady: xr.Dataset, rigid: xr.Dataset) -> Figur
                 bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
             )
             ax.margins(y=0.18)
-            left = 0.5 * (1.0 - REDUCED[quantity]) * bare
+            left = 0.5 * (1.0 - reduced[quantity]) * bare
             middle = 0.5 * float(
                 runs["without tensioner"][0][quantity].max()
                 + runs["without tensioner"][0][quantity].min()
@@ -393,8 +397,9 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
 # beside the paper
 
 
-def percentages(reductions: xr.Dataset) -> Figure:
-    """Every reading of the two percentages."""
+def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
+    """Every reading of the two percentages; ``tension``, ``heave``: the printed reductions (-)."""
+    reduced = {"tension": tension, "heave": heave}
     figure, (ax,) = panels(height=4.0)
     table = 100.0 * reductions["reduction"].sel(quantity="heave")
     places: list[float] = []
@@ -411,7 +416,7 @@ def percentages(reductions: xr.Dataset) -> Figure:
                 written[0].set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
             places.append(at)
             names.append(words[measure])
-    for name, value in REDUCED.items():
+    for name, value in reduced.items():
         ax.axhline(100.0 * value, zorder=0.5, **PRINTED)
         ax.annotate(
             f"printed: {name}",

@@ -34,7 +34,6 @@ ALONE = "_no_riser"
 WELLHEAD, LOW = 73.0, 218.0  # m above the conductor's foot: the wellhead, a tenth up the riser
 OF_THE_PLATFORM = ("platform_surge", "platform_speed_x", "thrust_x", "environment_force_x")
 OF_THE_RISER = ("riser_reaction_x", "ufj_angle", "lfj_angle", "stroke")
-DEADLINE = 50.0  # s, the printed number
 
 
 # drive-offs
@@ -118,13 +117,13 @@ def riser_stress(run: xr.Dataset) -> xr.DataArray:
     return stress.max("s")
 
 
-def calibration(fits: xr.Dataset) -> xr.Dataset:
-    """Upper flex joint at the printed time, and when it reaches its limit, over what can be fitted."""
+def calibration(fits: xr.Dataset, deadline: float) -> xr.Dataset:
+    """Upper flex joint at the printed time (s), and when it reaches its limit, over what can be fitted."""
     angle = abs(fits["ufj_angle"])
     found = xr.Dataset(
         {
-            "ufj_angle": angle.interp(time=DEADLINE).drop_vars("time"),
-            "largest_ufj_angle": angle.sel(time=slice(0.0, DEADLINE)).max("time"),
+            "ufj_angle": angle.interp(time=deadline).drop_vars("time"),
+            "largest_ufj_angle": angle.sel(time=slice(0.0, deadline)).max("time"),
             "ufj_limit_time": first_crossing(angle, LIMITS["upper flex joint"].most),
         }
     )

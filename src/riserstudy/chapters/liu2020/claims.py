@@ -28,7 +28,6 @@ GRIDS = {
 INCH, DEGREES = 0.0254, 180.0 / np.pi  # m, a radian
 LENGTH = 533.0  # m of riser
 WET = 220.0 / 15.24  # kg/m in water, of a joint of Table 1
-PRINTED = {0.2: 337.0, 0.6: 3166.0, 1.0: 8765.0}  # N at a surface speed (m/s)
 
 # Table 2 and the constant tension
 
@@ -228,16 +227,22 @@ def tensions(readings: xr.Dataset) -> dict[str, Any]:
     }
 
 
-def forces(force: xr.Dataset, calibrated: xr.Dataset) -> dict[str, Any]:
-    """Horizontal forces (N) in the calibrated currents, and drag coefficients that profiles would need."""
+def forces(
+    force: xr.Dataset, calibrated: xr.Dataset, slow: float, middle: float, fast: float
+) -> dict[str, Any]:
+    """Horizontal forces (N) in the calibrated currents, and drag coefficients that profiles would need.
+
+    ``slow``, ``middle``, ``fast``: those printed for 0.2, 0.6 and 1 m/s (N).
+    """
     both = calibrated["horizontal_force"]
     tuned, other = (
         both.sel(calibration=f"8765 N by {counted}")
         for counted in ("all cylinders", "one cylinder")
     )
     found = force["horizontal_force"].sel(surface_speed=1.0)
-    apart = [printed / float(tuned.sel(surface_speed=u)) for u, printed in PRINTED.items()]
-    needed = PRINTED[1.0] / found  # of a drag coefficient of 1, to which the force is proportional
+    printed = {0.2: slow, 0.6: middle, 1.0: fast}
+    apart = [each / float(tuned.sel(surface_speed=u)) for u, each in printed.items()]
+    needed = fast / found  # of a drag coefficient of 1, to which the force is proportional
     return {
         "slow": float(tuned.sel(surface_speed=0.2)),
         "middle": float(tuned.sel(surface_speed=0.6)),

@@ -17,7 +17,6 @@ BASELINES = {
     "232 t carried to the upper flex joint": "232 t carried to the flex joint",
     WITHOUT: WITHOUT,
 }
-MOMENT = 32.8  # kN m that the text gives for 4 deg in 10 s; config/published/liu2020.yaml, N3
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 DISPLACEMENT = "lateral displacement (m)"
 UNITS = {"small": "-", "medium": "--", "large": ":"}
@@ -133,8 +132,8 @@ def baselines(statics_readings: xr.Dataset, surge_readings: xr.Dataset) -> Figur
 # roll
 
 
-def fig19(roll_case: xr.Dataset) -> Figure:
-    """Bending moment over depth and time under roll."""
+def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
+    """Bending moment over depth and time under roll, ``largest`` the printed one (kN m)."""
     figure, axes = panels(1, 3, 3.8, sharey=True)
     run = roll_case.sel(tensioner_model="gas law")
     moment = _by_depth(run["bending_moment"]).sel(depth=slice(0.0, None)) / 1e3
@@ -149,7 +148,7 @@ def fig19(roll_case: xr.Dataset) -> Figure:
         ax.set_title(name, loc="right", fontsize="small")
     settled = abs(moment.sel(time=slice(end - 20.0, None))).max("time")
     axes[2].plot(settled, settled["depth"], color=COLOURS[0], label="settled")
-    axes[2].axvline(MOMENT, label="printed, calibrated to", **PRINTED)
+    axes[2].axvline(largest, label="printed, calibrated to", **PRINTED)
     axes[2].set_xlabel("largest bending moment (kN m)")
     axes[2].legend(fontsize="x-small", loc="lower right")
     axes[0].set_ylabel(DEPTH)
@@ -162,13 +161,13 @@ def fig19(roll_case: xr.Dataset) -> Figure:
     return figure
 
 
-def fig20(roll: xr.Dataset) -> Figure:
-    """Largest bending moment over roll amplitude and period."""
+def fig20(roll: xr.Dataset, largest: float) -> Figure:
+    """Largest bending moment over roll amplitude and period; ``largest``: printed for 4 deg, 10 s (kN m)."""
     figure, (ax,) = panels(height=3.8)
     for colour, amplitude in zip(COLOURS, roll["roll_amplitude"].values, strict=False):
         curve = roll["max_bending_moment"].sel(roll_amplitude=amplitude) / 1e3
         ax.plot(curve["roll_period"], curve, color=colour, label=f"{amplitude:g} deg")
-    ax.plot([10.0], [MOMENT], "kx", markersize=8, label="printed (4 deg), calibrated to")
+    ax.plot([10.0], [largest], "kx", markersize=8, label="printed (4 deg), calibrated to")
     ax.set_xlabel("roll period of the platform (s)")
     ax.set_ylabel("largest bending moment (kN m)")
     ax.legend(fontsize="small")

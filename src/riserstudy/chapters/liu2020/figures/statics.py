@@ -28,7 +28,6 @@ CALIBRATIONS = {
     "8765 N by one cylinder": "calibrated: 200 m exponential, drag coefficient 1.112",
 }
 #: N that the text gives at these speeds; config/published/liu2020.yaml, N2a to N2c
-PUSHED = (337.0, 3166.0, 8765.0)
 NEAR = 120.0  # m below the ring
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 
@@ -108,11 +107,19 @@ def fig10(codes: xr.Dataset) -> Figure:
 # statics of the system
 
 
-def fig11(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
-    """Displacement in currents, on the tensioners and on a constant tension."""
-    figure = _at_rest(
-        statics_calibrated, statics_tuned, "x_static", 1.0, "lateral displacement (m)"
-    )
+def fig11(
+    statics_calibrated: xr.Dataset,
+    statics_tuned: xr.Dataset,
+    slow: float,
+    middle: float,
+    fast: float,
+) -> Figure:
+    """Displacement in currents, on the tensioners and on a constant tension.
+
+    ``slow``, ``middle``, ``fast``: printed forces of the tensioners by surface speed (N).
+    """
+    forces, label = (slow, middle, fast), "lateral displacement (m)"
+    figure = _at_rest(statics_calibrated, statics_tuned, "x_static", 1.0, label, forces)
     ratio = _ratios(statics_tuned, "largest_displacement")
     headline(
         figure,
@@ -123,10 +130,18 @@ def fig11(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
     return figure
 
 
-def fig12(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
-    """Bending moment in currents, on the tensioners and on a constant tension."""
-    label = "bending moment (kN m)"
-    figure = _at_rest(statics_calibrated, statics_tuned, "bending_moment_static", 1e-3, label)
+def fig12(
+    statics_calibrated: xr.Dataset,
+    statics_tuned: xr.Dataset,
+    slow: float,
+    middle: float,
+    fast: float,
+) -> Figure:
+    """Bending moment in currents, on the tensioners and on a constant tension; forces as in fig11."""
+    forces, label = (slow, middle, fast), "bending moment (kN m)"
+    figure = _at_rest(
+        statics_calibrated, statics_tuned, "bending_moment_static", 1e-3, label, forces
+    )
     ratio = _ratios(statics_tuned, "moment_near_ring")
     for ax, calibration in zip(figure.axes[1::2], CALIBRATIONS, strict=True):
         _near_the_ring(ax, statics_tuned.sel(calibration=calibration, surface_speed=1.0))
@@ -164,7 +179,14 @@ def _ratios(tuned: xr.Dataset, name: str) -> dict[str, float]:
     return {model: law / float(at.sel(tensioner_model=model)) for model in WITHOUT}
 
 
-def _at_rest(runs: xr.Dataset, tuned: xr.Dataset, name: str, scale: float, label: str) -> Figure:
+def _at_rest(
+    runs: xr.Dataset,
+    tuned: xr.Dataset,
+    name: str,
+    scale: float,
+    label: str,
+    forces: tuple[float, ...],
+) -> Figure:
     """A row for each calibrated current: the paper's comparison, and every reading of it at 1 m/s."""
     figure, axes = panels(2, 2, 4.2)
     for row, calibration in zip((axes[:2], axes[2:]), CALIBRATIONS, strict=True):
@@ -181,7 +203,7 @@ def _at_rest(runs: xr.Dataset, tuned: xr.Dataset, name: str, scale: float, label
         force = tuned["horizontal_force"].sel(calibration=calibration, counted=cylinders)
         told = [
             f"{speed:g} m/s: {float(force.sel(surface_speed=speed)):.0f} N ({printed:.0f} N)"
-            for speed, printed in zip(SPEEDS, PUSHED, strict=True)
+            for speed, printed in zip(SPEEDS, forces, strict=True)
         ]
         row[0].annotate(
             "pushed back by " + cylinders + " (printed):\n" + "\n".join(told),
@@ -210,12 +232,19 @@ def _by_depth(
     ax.set_ylim(560.0, -20.0)
 
 
-def dat_force(dat_force: xr.Dataset, dat_force_calibrated: xr.Dataset) -> Figure:
-    """Horizontal force of the tensioners over surface speed, as multiples of the printed."""
+def dat_force(
+    dat_force: xr.Dataset,
+    dat_force_calibrated: xr.Dataset,
+    slow: float,
+    middle: float,
+    fast: float,
+) -> Figure:
+    """Horizontal force of the tensioners over surface speed, as multiples of the printed (N)."""
+    forces = (slow, middle, fast)
     figure, axes = panels(1, 2, 3.8)
     wide = axes[0]
     printed = xr.DataArray(
-        list(PUSHED), dims="surface_speed", coords={"surface_speed": list(SPEEDS)}
+        list(forces), dims="surface_speed", coords={"surface_speed": list(SPEEDS)}
     )
     for colour, shape in zip(COLOURS, dat_force["current_profile"].values, strict=False):
         for line, counted in (("-", "all cylinders"), (":", "one cylinder")):
@@ -239,16 +268,16 @@ def dat_force(dat_force: xr.Dataset, dat_force_calibrated: xr.Dataset) -> Figure
     for ax, title in zip(
         axes, ("solid: all cylinders; dotted: one", "calibrated alone"), strict=True
     ):
-        ax.axhline(1.0, label="printed: 337, 3166, 8765 N", **PRINTED)
+        ax.axhline(1.0, label=f"printed: {slow:g}, {middle:g}, {fast:g} N", **PRINTED)
         ax.set_xlabel("surface speed of the current (m/s)")
         ax.set_title(title, loc="right", fontsize="small")
     wide.set_yscale("log")
     wide.set_ylabel("horizontal force over the printed (-)")
-    slow = dat_force_calibrated["horizontal_force"].sel(surface_speed=0.2).isel(calibration=0)
+    found = dat_force_calibrated["horizontal_force"].sel(surface_speed=0.2).isel(calibration=0)
     headline(
         figure,
         "Printed forces do not grow with the square of the speed: fitted at 1 m/s, "
-        f"that at 0.2 m/s comes out {100.0 * (float(slow) / PUSHED[0] - 1.0):.1f} % too large",
+        f"that at 0.2 m/s comes out {100.0 * (float(found) / slow - 1.0):.1f} % too large",
     )
     key_below(figure, wide, 3)
     return figure

@@ -12,7 +12,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.chapters.mao_hangoff.runs import as_drawn
+from riserstudy.chapters.mao_hangoff.runs import STATED, as_drawn
 from riserstudy.chapters.mao_hangoff.towed import displacement
 from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
 
@@ -20,17 +20,13 @@ ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
 MOMENT = "bending moment at 130 s (kN m)"
 RISE = "rise of the LMRP (m)"
 TIME = "time (s)"
-STATED = 130.0  # s, the time of Fig 9
 TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
 START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
 DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
-#: printed values; config/published/mao_hangoff.yaml, N1 to N3
-X_HEAVY, X_LIGHT, LARGEST = 58.2, 62.7, 52.0
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 SIGNED = "bending moment at 130 s, signed (kN m)"
 CLOSE_UP = 20.0  # s, at the end of records
 LEAST_SPAN = 0.2  # of the values, that an axis of trends shows at least
-MARKS = ("o", "s", "^", "D", "v", "P")
 
 
 # printed figures
@@ -97,19 +93,23 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
     return figure
 
 
-def fig09(base: xr.Dataset, base_runs: xr.Dataset, variants: xr.Dataset) -> Figure:
-    """The evacuation of Table 2: shape, moment, shapes in time, axial motion; the paper's own setting."""
+def fig09(
+    base: xr.Dataset, base_runs: xr.Dataset, variants: xr.Dataset, heavy: float, moment: float
+) -> Figure:
+    """The evacuation of Table 2: shape, moment, shapes in time, axial motion; the paper's own setting.
+
+    ``heavy``: printed distance (m); ``moment``: printed largest moment (kN m).
+    """
     figure, axes = panels(2, 2, 3.6)
     depth = float(base["s"][-1]) - base["s"]
     axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=COLOURS[0])
-    axes[0].axvline(X_HEAVY, label="printed at the LMRP: 58.2 m", **PRINTED)
-    moment = base_runs["bending_moment"].sel(time=STATED) / 1e3
-    moment = _largest_to_the_right(moment)
-    at_joint = float(moment.isel(s=-1))
-    axes[1].plot(moment, depth, color=COLOURS[0])
+    axes[0].axvline(heavy, label=f"printed at the LMRP: {heavy:g} m", **PRINTED)
+    ours = _largest_to_the_right(base_runs["bending_moment"].sel(time=STATED) / 1e3)
+    at_joint = float(ours.isel(s=-1))
+    axes[1].plot(ours, depth, color=COLOURS[0])
     style: dict[str, Any] = {"color": COLOURS[0], "ms": 4, "clip_on": False}
     axes[1].plot(at_joint, 0.0, "o", label=f"at the joint: {at_joint:.1f} kN m", **style)
-    axes[1].axvline(LARGEST, label="printed largest: 52 kN m", **PRINTED)
+    axes[1].axvline(moment, label=f"printed largest: {moment:g} kN m", **PRINTED)
     own = variants.sel(variant="mesh and step of the paper")
     shape = -displacement(own).sel(time=STATED).dropna("s")
     theirs = own["bending_moment"].sel(time=STATED).dropna("s") / 1e3
@@ -149,14 +149,17 @@ def _largest_to_the_right(moment: xr.DataArray) -> xr.DataArray:
     return moment if largest > 0.0 else -moment
 
 
-def fig10(lmrp_mass: xr.Dataset) -> Figure:
-    """Shape, moment and axial motion for three LMRP masses."""
+def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
+    """Shape, moment and axial motion for three LMRP masses.
+
+    ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
+    """
     figure = _three(lmrp_mass, "lmrp_mass", (140.0, 130.0, 120.0), "LMRP {:g} t")
-    for value, colour in ((X_HEAVY, COLOURS[0]), (X_LIGHT, COLOURS[2])):
+    for value, colour in ((heavy, COLOURS[0]), (light, COLOURS[2])):
         figure.axes[0].axvline(value, **(PRINTED | {"color": colour}))
-    figure.axes[0].set_xlim(right=1.05 * X_LIGHT)
+    figure.axes[0].set_xlim(right=1.05 * light)
     figure.axes[0].set_title("dashed: printed", loc="right", fontsize="small")
-    figure.axes[1].axvline(LARGEST, **(PRINTED | {"color": COLOURS[0]}))
+    figure.axes[1].axvline(moment, **(PRINTED | {"color": COLOURS[0]}))
     headline(
         figure,
         "The lighter the LMRP, the farther it trails, the larger the moment, the higher it rises",
@@ -338,83 +341,3 @@ def _no_smaller_than(ax: Axes, share: float) -> None:
     middle = 0.5 * (low + high)
     half = 0.5 * max(high - low, share * abs(middle))
     ax.set_ylim(middle - half, middle + half)
-
-
-def readings(readings: xr.Dataset) -> Figure:
-    """Every reading of riser weight, flow and profile beside the printed numbers."""
-    found = _numbers(readings)
-    figure, axes = _beside_print()
-    flows = list(found["flow"].values)
-    for weight, colour in _coloured(found["riser_weight"]).items():
-        for mark, flow in zip(MARKS, flows, strict=False):
-            one = found.sel(riser_weight=weight, flow=flow)
-            style: dict[str, Any] = {"color": colour, "marker": mark, "ls": "none", "ms": 4}
-            axes[0].plot(one["x"], one["moment"], **style)
-            axes[1].plot(one["x"], one["ratio"], **style)
-        axes[0].plot([], [], "o", color=colour, ms=4, label=str(weight))
-    for mark, flow in zip(MARKS, flows, strict=False):
-        axes[0].plot([], [], ls="none", marker=mark, color=GREY, ms=4, label=str(flow))
-    key_below(figure, axes[0], 3)
-    headline(
-        figure,
-        "Readings of weight, flow and profile, all assumed, beside the printed numbers (dashed)",
-    )
-    return figure
-
-
-def open_choices(open_lmrp_mass: xr.Dataset) -> Figure:
-    """Samples of all that is open beside the printed numbers."""
-    found = _numbers(open_lmrp_mass)
-    figure, axes = _beside_print()
-    weights = open_lmrp_mass["assumed_riser_weight"]
-    for weight, colour in _coloured(weights).items():
-        one = found.sel(sample=weights == weight)
-        axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=3, label=str(weight))
-        axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
-    _around_print(axes, found)
-    key_below(figure, axes[0], 2)
-    headline(figure, "Samples of all that is open, beside the printed numbers (dashed)")
-    return figure
-
-
-def _around_print(axes: list[Axes], found: xr.Dataset) -> None:
-    """Show what is near the printed numbers; samples beyond are counted."""
-    bounds = ((axes[0], "moment", 4.0 * LARGEST), (axes[1], "ratio", 1.5))
-    for ax, name, top in bounds:
-        ax.set_xlim(0.0, 4.0 * X_HEAVY)
-        ax.set_ylim(0.0 if name == "moment" else 0.9, top)
-        beyond = int(((found["x"] > 4.0 * X_HEAVY) | (found[name] > top)).sum())
-        ax.set_title(
-            f"{beyond} of {found.sizes['sample']} beyond the frame", loc="right", fontsize="small"
-        )
-
-
-def _coloured(readings: xr.DataArray) -> dict[str, str]:
-    """One colour a reading, the same in every figure that has the same readings."""
-    return dict(zip(sorted(set(map(str, readings.values))), COLOURS, strict=False))
-
-
-def _beside_print() -> tuple[Figure, list[Axes]]:
-    figure, axes = panels(1, 2, 4.2, sharex=True)
-    axes[0].axhline(LARGEST, label="printed", **PRINTED)
-    axes[1].axhline(X_LIGHT / X_HEAVY, **PRINTED)
-    labels = ("largest moment at 130 s (kN m)", "displacement, 120 t over 140 t (-)")
-    for ax, label in zip(axes, labels, strict=True):
-        ax.axvline(X_HEAVY, **PRINTED)
-        ax.set_xlabel("LMRP astern at 130 s, 140 t (m)")
-        ax.set_ylabel(label)
-    return figure, axes
-
-
-def _numbers(runs: xr.Dataset) -> xr.Dataset:
-    """Distance x (m) and M (kN m) with 140 t, and x with 120 t over that."""
-    x = abs(displacement(runs).sel(time=STATED, drop=True).isel(s=0, drop=True))
-    moment = abs(runs["bending_moment"].sel(time=STATED, drop=True)).max("s") / 1e3
-    heavy = x.sel(lmrp_mass=140.0, drop=True)
-    return xr.Dataset(
-        {
-            "x": heavy,
-            "moment": moment.sel(lmrp_mass=140.0, drop=True),
-            "ratio": x.sel(lmrp_mass=120.0, drop=True) / heavy,
-        }
-    )
