@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from riserstudy.errors import InputError
-from riserstudy.model.rao import harmonics, operator
+from riserstudy.model.rao import harmonics, operator, slips
 from riserstudy.model.sea import components_of
 from riserstudy.scene.rao import Operator, Response
 from riserstudy.scene.sea import RegularWave, Storm, Swell
@@ -177,14 +177,16 @@ def test_a_heading_that_the_operators_do_not_reach_is_refused():
 
 def test_waves_beyond_the_operators_are_refused():
     wave = Swell.model_validate({"amplitude": "1 m", "period": "25 s"})
-    with pytest.raises(InputError, match="from 5 s to 20 s"):
+    with pytest.raises(InputError, match=r"1 of 1 wave components \(25 s.*from 5 s to 20 s"):
         harmonics(made(), wave)
 
 
 @pytest.mark.parametrize(
     "changes, reason",
     [
-        ({"operators": ROWS[::-1]}, "periods must rise"),
+        ({"operators": [*ROWS, ROWS[0]]}, "a period stands twice"),
+        ({"symmetry": "sides"}, "about headings"),
+        ({"beyond": "guess"}, "hold"),
         ({"operators": [ROWS[0], {"period": "9 s"}]}, "same motions"),
         ({"operators": [{"period": "5 s", "heave": "1 m/m"}, ROWS[1]]}, "go together"),
         ({"operators": [{"period": "5 s", "pitch": "1 m/m", "pitch_phase": "0 deg"}, ROWS[1]]}, "rad/m"),
@@ -203,6 +205,98 @@ def test_waves_beyond_the_operators_are_refused():
 def test_operators_that_cannot_be_meant_are_refused(changes, reason):
     with pytest.raises(ValueError, match=reason):
         made(**changes)
+
+
+def test_lines_may_stand_in_any_order():
+    frequency = 2.0 * math.pi / np.array([6.0, 10.0, 17.0])
+    shuffled = [HEADED[k] for k in np.random.default_rng(5).permutation(len(HEADED))]
+    one, other = (made(operators=rows, headings="towards") for rows in (HEADED, shuffled))
+    for heading in np.radians([0.0, 30.0, 200.0]):
+        expected = operator(one, "heave", frequency, heading)
+        np.testing.assert_array_equal(operator(other, "heave", frequency, heading), expected)
+
+
+def six(heading, size):
+    """All six motions in waves of one heading (deg), two periods, phases of their own."""
+    shifts = {name: f"{size + k} m/m" for k, name in enumerate(("surge", "sway", "heave"))}
+    turns = {name: f"{size + k} deg/m" for k, name in enumerate(("roll", "pitch", "yaw"))}
+    phases = {f"{name}_phase": f"{7 * k} deg" for k, name in enumerate(shifts | turns)}
+    row = {"heading": f"{heading} deg"} | shifts | turns | phases
+    return [row | {"period": f"{period} s"} for period in (5, 20)]
+
+
+#: signs of motions under mirrors, as displacements (polar) and rotations (axial vectors) have them
+ACROSS_Y = {"surge": 1, "sway": -1, "heave": 1, "roll": -1, "pitch": 1, "yaw": -1}
+ACROSS_X = {"surge": -1, "sway": 1, "heave": 1, "roll": 1, "pitch": -1, "yaw": -1}
+
+
+@pytest.mark.parametrize("headings", ["towards", "from"])
+@pytest.mark.parametrize("motion", ACROSS_Y)
+def test_symmetry_gives_the_headings_that_are_not_there(motion, headings):
+    rows = [*six(0, 1.0), *six(30, 2.0), *six(90, 3.0)]
+    found = made(operators=rows, headings=headings, symmetry="sides and ends")
+    frequency = np.array([2.0 * math.pi / 10.0])
+    turn = math.pi if headings == "from" else 0.0
+
+    def r(degrees):
+        return operator(found, motion, frequency, math.radians(degrees) + turn)
+
+    across_y, across_x = ACROSS_Y[motion], ACROSS_X[motion]
+    np.testing.assert_allclose(r(-30), across_y * r(30))
+    np.testing.assert_allclose(r(150), across_x * r(30))
+    np.testing.assert_allclose(r(210), across_x * across_y * r(30))
+
+
+def test_what_stands_in_the_table_is_not_mirrored():
+    rows = [*towards(0, 1.0), *towards(90, 2.0), *towards(-90, 5.0), *towards(180, 1.0)]
+    found = made(operators=rows, headings="towards", symmetry="sides")
+    frequency = np.array([2.0 * math.pi / 10.0])
+    right, left = (operator(found, "heave", frequency, h) for h in (-0.5 * math.pi, 0.5 * math.pi))
+    assert right == pytest.approx(2.5 * left)
+
+
+def sea(**changes):
+    storm = {
+        "significant_height": "4 m", "peak_period": "8 s", "peak_enhancement": 1.0,
+        "components": 100, "seed": 3,
+    }  # fmt: skip
+    return Storm.model_validate(storm | changes)
+
+
+def test_components_beyond_the_operators_hold_or_have_no_motion():
+    storm = sea()
+    periods = 2.0 * math.pi / components_of(storm)[1]
+    inside = (periods >= 5.0) & (periods <= 20.0)
+    assert 0 < inside.sum() < 100
+    with pytest.raises(InputError, match=f"{(~inside).sum()} of 100 wave components"):
+        harmonics(made(beyond="refuse"), storm)
+    zero, hold = (harmonics(made(beyond=rule), storm) for rule in ("zero", "hold"))
+    assert not zero.amplitude[~inside].any()
+    np.testing.assert_array_equal(zero.amplitude[inside], hold.amplitude[inside])
+    short = periods < 5.0
+    each = 4.0 / math.sqrt(8.0 * 100)  # Hs = 4 sqrt(sum a^2 / 2)
+    np.testing.assert_allclose(hold.amplitude[short], 0.2 * each)
+
+
+PITCHED = [
+    {"period": f"{p} s", "pitch": f"{a} {{unit}}/m", "pitch_phase": f"{e} {{unit}}"}
+    for p, a, e in ((6, 0.4, 80.0), (10, 1.2, 95.0), (18, 0.6, 91.0))
+]
+
+
+@pytest.mark.parametrize("unit, count", [("deg", 0), ("rad", 2)])
+def test_degrees_under_a_heading_of_radians_are_told_by_their_size(unit, count):
+    rows = [{key: text.format(unit=unit) for key, text in row.items()} for row in PITCHED]
+    told = slips(made(operators=rows), 9.81)
+    assert len(told) == count
+    assert all("radians" in line for line in told)
+
+
+def test_radians_under_a_heading_of_degrees_are_told_by_their_phases():
+    rows = [
+        row | {"heave_phase": f"{x} deg"} for row, x in zip(ROWS, (3.0, -2.9, 1.5), strict=True)
+    ]
+    assert "radians, under" in slips(made(operators=rows), 9.81)[0]
 
 
 def test_an_operator_knows_its_motions():

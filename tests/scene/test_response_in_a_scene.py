@@ -1,5 +1,6 @@
 """A platform's response as a scene says it: by a table, in its own waves or those of the scene."""
 
+import json
 import math
 from pathlib import Path
 
@@ -72,7 +73,7 @@ FREQUENCY = HEADING.replace("period (s)", "frequency (Hz)")
         ([HEADING, "5,1", "9,1,0"], "line 2", "allowed are 3"),
         ([HEADING, "5,much,0", "9,1,0"], "line 2", "numbers"),
         (["period (s),heave (m/m)", "5,1", "9,1"], "table.csv: line 2", "go together"),
-        ([HEADING, "9,1,0", "5,1,0"], "platform.response", "rise"),
+        ([HEADING, "9,1,0", "5,1,0", "9,1,0"], "platform.response", "a period stands twice"),
         ([HEADING, "5,-1,0", "9,1,0"], "table.csv: line 2: heave", "greater"),
         ([HEADING, "5,1,0", "0,1,0"], "table.csv: line 3: period", "greater"),
         (
@@ -91,7 +92,7 @@ FREQUENCY = HEADING.replace("period (s)", "frequency (Hz)")
             "dimension",
         ),
         ([FREQUENCY.replace("Hz", "1/s"), "5,1,0", "9,1,0"], "table.csv: line 2: frequency", "rad"),
-        ([FREQUENCY, "0.2,1,0", "0.1,1,0"], "platform.response", "frequencies must rise"),
+        ([FREQUENCY, "0.2,1,0", "0.2,1,0"], "platform.response", "a frequency stands twice"),
         (
             [FREQUENCY + ",period (s)", "0.1,1,0,10", "0.2,1,0,5"],
             "line 1",
@@ -160,3 +161,15 @@ def test_a_response_without_wave_is_refused():
 def test_a_wave_beyond_the_table_is_refused():
     with pytest.raises(InputError, match="outside the operators"):
         simulate(loaded(wave={"height": "1 m", "period": "80 s"}))
+
+
+def test_a_sea_beyond_the_table_is_told_once():
+    storm = {
+        "significant_height": "1 m", "peak_period": "6 s", "peak_enhancement": 1.0,
+        "components": 40, "seed": 1,
+    }  # fmt: skip
+    found = simulate(loaded(wave=storm, beyond="zero"))
+    told = [line for line in json.loads(found.attrs["warnings"]) if "operators" in line]
+    assert len(told) == 1
+    assert "of 40 wave components" in told[0]
+    assert "have no motion" in told[0]

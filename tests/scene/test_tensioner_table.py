@@ -105,6 +105,34 @@ def test_a_table_that_is_no_law_is_refused(table, stroke, said):
     assert said in str(refused.value)
 
 
+def test_a_linear_table_is_straight_between_its_rows_and_beyond():
+    table = [
+        TableRow.model_construct(reach=x, force=f)
+        for x, f in ((-4.0, 1e5), (0.0, 2e5), (1.0, 5e5), (5.0, 6e5))
+    ]
+    law = table_law(table, "linear")
+    np.testing.assert_allclose(
+        law([-4.0, -2.0, 0.0, 0.5, 3.0, 5.0, 6.0, -5.0]),
+        [1e5, 1.5e5, 2e5, 3.5e5, 5.5e5, 6e5, 6.25e5, 0.75e5],
+        rtol=1e-9,
+    )
+    assert not np.allclose(table_law(table)(0.25), law(0.25), rtol=1e-3)
+
+
+def test_a_linear_table_of_one_slope_moves_like_a_linear_tensioner():
+    line = {"tension": "300 kN", "stiffness": "20 kN/m"}
+    rows = [{"reach": f"{x} m", "force": f"{300 + 20 * x} kN"} for x in (-8, -1, 8)]
+    linear = {f"{TENSIONERS}.gas": None, f"{TENSIONERS}.linear": line, **MOVING}
+    one = simulate(load_scene(HEAVE, **linear))
+    other = simulate(tabulated(rows, MOVING | {f"{TENSIONERS}.interpolation": "linear"}))
+    np.testing.assert_allclose(other["tensioner_force"], one["tensioner_force"], rtol=1e-9)
+
+
+def test_interpolation_without_a_table_is_refused():
+    with pytest.raises(InputError, match="needs table"):
+        load_scene(HEAVE, **{f"{TENSIONERS}.interpolation": "linear"})
+
+
 steps = st.lists(
     st.tuples(st.floats(0.1, 5.0), st.one_of(st.just(0.0), st.floats(0.0, 1e6))),
     min_size=2,

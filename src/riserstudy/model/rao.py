@@ -17,11 +17,15 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.model.sea import components_of
-from riserstudy.scene.rao import Operator, Response
+from riserstudy.scene.models import Scene
+from riserstudy.scene.rao import TILTS, Operator, Response
 from riserstudy.scene.sea import Storm, Swell, Wave
 
 FloatArray = NDArray[np.float64]
 
+GRAVITY = 9.80665  # m/s2, for judging sizes where the scene gives none
+STEEP = 5.0  # slopes of the waves, above which no platform turns on the median: degrees are 57
+TURNS = 4.0 * math.pi  # rad, more than phases need
 CLOSE = 1e-9  # headings that are one (rad)
 WIDEST = 0.5 * math.pi  # gap between headings that is filled (rad)
 
@@ -86,6 +90,76 @@ def _over_frequency(
     return np.asarray(real + 1j * imaginary)
 
 
+def doubts(scene: Scene) -> list[str]:
+    """What there is to tell of a response: components beyond its operators, sizes that look like slips."""
+    response = scene.platform and scene.platform.response
+    wave = response and (response.wave or scene.wave)
+    if not response or not wave:
+        return []
+    amplitude, frequency, _ = components_of(wave)
+    told = slips(response, scene.gravity or GRAVITY)
+    if _beyond(response, frequency).any():
+        held = "have no motion" if response.beyond == "zero" else "have that at their ends"
+        told.append(f"{_uncovered(response, amplitude, frequency)}; they {held}")
+    return told
+
+
+def slips(response: Response, gravity: float) -> list[str]:
+    """Angles that look like degrees under a heading of radians, or the other way round.
+
+    Long waves turn a platform by their slope, w^2 amplitude / g (gravity in m/s2), shorter ones by less;
+    only near resonance by several times it. The median of a table is judged.
+    """
+    told = []
+    rows = response.operators
+    slope = np.array([row.circular**2 / gravity for row in rows])
+    for name in set(TILTS) & set(response.moving) - {"yaw"}:
+        ratio = float(np.median([getattr(row, name) for row in rows] / slope))
+        if ratio > STEEP:
+            told.append(
+                f"platform.response.operators: {name} is {ratio:.3g} times the slope of the waves, by its "
+                "median: are the numbers degrees, under a heading that says radians?"
+            )
+    phases = np.abs([getattr(row, f"{name}_phase") for row in rows for name in response.moving])
+    largest = float(phases.max())
+    if largest > TURNS:
+        told.append(
+            f"platform.response.operators: phases reach {largest:.4g} rad: are the numbers degrees, under a "
+            "heading that says radians?"
+        )
+    elif 0.0 < largest <= math.radians(math.pi) and len(set(phases.tolist())) > 2:
+        told.append(
+            f"platform.response.operators: no phase is above {math.degrees(largest):.3g} deg: are the "
+            "numbers radians, under a heading that says degrees?"
+        )
+    return told
+
+
+def _beyond(response: Response, frequency: FloatArray) -> NDArray[np.bool_]:
+    """Which frequencies (rad/s) lie outside the operators."""
+    low, high = _range(response)
+    return np.asarray((frequency < low * (1.0 - 1e-9)) | (frequency > high * (1.0 + 1e-9)))
+
+
+def _range(response: Response) -> tuple[float, float]:
+    known = next(iter(response.by_heading.values()))
+    return known[0].circular, known[-1].circular
+
+
+def _uncovered(response: Response, amplitude: FloatArray, frequency: FloatArray) -> str:
+    """How much of a sea the operators do not cover."""
+    beyond = _beyond(response, frequency)
+    periods = 2.0 * math.pi / frequency[beyond]
+    low, high = _range(response)
+    energy = float((amplitude[beyond] ** 2).sum() / (amplitude**2).sum())
+    span = f"{periods.min():.4g} s" if len(set(periods)) == 1 else ""
+    span = span or f"{periods.min():.4g} to {periods.max():.4g} s"
+    return (
+        f"{beyond.sum()} of {len(frequency)} wave components ({span}, {100.0 * energy:.3g} % of the energy) "
+        f"lie outside the operators, from {2.0 * math.pi / high:g} s to {2.0 * math.pi / low:g} s"
+    )
+
+
 def harmonics(response: Response, wave: Swell | Storm) -> Harmonics:
     """Harmonic motions that a wave or sea gives the platform.
 
@@ -95,19 +169,16 @@ def harmonics(response: Response, wave: Swell | Storm) -> Harmonics:
         When the operators do not reach a period or the heading of the wave.
     """
     amplitude, frequency, phase = components_of(wave)
-    known = next(iter(response.by_heading.values()))
-    low, high = 2.0 * math.pi / known[-1].circular, 2.0 * math.pi / known[0].circular
-    periods = 2.0 * math.pi / frequency
-    beyond = periods[(periods < low * (1.0 - 1e-9)) | (periods > high * (1.0 + 1e-9))]
-    if beyond.size:
-        raise InputError(
-            "scene",
-            "platform.response.operators",
-            f"a wave of {beyond[0]:.4g} s lies outside the operators",
-            f"allowed is from {low:g} s to {high:g} s",
+    beyond = _beyond(response, frequency)
+    if beyond.any() and response.beyond in (None, "refuse"):
+        allowed = (
+            "extend the operators, or say what holds there by 'beyond: hold' or 'beyond: zero'"
         )
+        outside = _uncovered(response, amplitude, frequency)
+        raise InputError("scene", "platform.response.operators", outside, allowed)
     heading = (wave.heading if isinstance(wave, Wave) else response.heading) or 0.0
-    found = {name: operator(response, name, frequency, heading) for name in response.moving}
+    share = np.where(beyond & (response.beyond == "zero"), 0.0, 1.0)
+    found = {name: share * operator(response, name, frequency, heading) for name in response.moving}
     # cos(w t - e + phi) as a sine
     return Harmonics(
         [name for name in found for _ in frequency],

@@ -24,10 +24,18 @@ def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray) -> FloatArray:
     return force - gas.outside_force
 
 
-def table_law(table: list[TableRow]) -> PPoly:
-    """Force of one cylinder (N) over its reach (m): the table joined, and straight pieces at its ends."""
+def table_law(table: list[TableRow], interpolation: str | None = None) -> PPoly:
+    """Force of one cylinder (N) over its reach (m): the table joined, and straight pieces at its ends.
+
+    ``interpolation``: ``linear``, else the monotone cubic.
+    """
     reach = np.array([row.reach for row in table])
-    inner = PchipInterpolator(reach, [row.force for row in table])
+    force = np.array([row.force for row in table])
+    if interpolation == "linear":
+        steps = np.diff(force) / np.diff(reach)
+        inner = PPoly(np.vstack([0.0 * steps, 0.0 * steps, steps, force[:-1]]), reach)
+    else:
+        inner = PchipInterpolator(reach, force)
     slope = inner.derivative()(reach[[0, -1]])
     room = reach[-1] - reach[0]
     straight = np.zeros((4, 2))
@@ -97,7 +105,7 @@ def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:
 def tension_at_mid_stroke(rig: Tensioners, gravity: float = 0.0) -> float:
     """Pull of one cylinder at mid-stroke (N)."""
     if rig.table:
-        return float(table_law(rig.table)(0.0))
+        return float(table_law(rig.table, rig.interpolation)(0.0))
     if rig.any_gas and not rig.linearised:
         return float(gas_force(rig.any_gas, np.zeros(1))[0]) - rig.piston_mass * gravity
     return linear_law(rig, gravity)[0]

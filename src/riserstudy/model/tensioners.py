@@ -70,7 +70,7 @@ def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
         yield Effect(name, record, why)
         yield from outside(both.outside_force * each, name, why)
     elif rig.table:
-        law = table_law(rig.table)
+        law = table_law(rig.table, rig.interpolation)
         work = law.antiderivative()
         work.c[-1] -= float(work(0.0))
         record = TabulatedLaw(law.x, law.c, work.c, each)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
@@ -62,18 +62,49 @@ class Operator(Strict):
         return {name for name in MOTIONS if getattr(self, name) is not None}
 
 
+class Mirror(NamedTuple):
+    """A plane of symmetry: the heading of waves that is another's image is ``turn`` less it."""
+
+    turn: float  # rad
+    reversed: tuple[str, ...]  # motions that change their sign
+
+    def image(self, heading: float) -> float:
+        """Heading of the mirrored waves (rad)."""
+        return math.remainder(self.turn - heading, 2.0 * math.pi)
+
+    def mirrored(self, row: Operator) -> Operator:
+        """The operator of the mirrored waves: motions that change their sign are half a turn later."""
+        phases = {f"{name}_phase": getattr(row, f"{name}_phase") for name in self.reversed}
+        turned = {name: phase + math.pi for name, phase in phases.items() if phase is not None}
+        return row.model_copy(update=turned)
+
+
+SIDES = Mirror(0.0, ("sway", "roll", "yaw"))
+ENDS = Mirror(math.pi, ("surge", "pitch", "yaw"))
+MIRRORS = {None: 0, "sides": 1, "sides and ends": 2}
+
+
+def _same(one: float, other: float) -> bool:
+    return abs(math.remainder(one - other, 2.0 * math.pi)) < 1e-9
+
+
 class Response(Strict):
     """Platform motion from response amplitude operators, as points or a CSV table ``{file: name.csv}``.
 
     Phases lead or lag the crest of the wave at the platform, whose surface is amplitude cos(w t - phase)
     there. Headings of operators tell where waves go to (towards) or come from; between them operators
-    are linear. Absent wave: that of the scene; motions: all of the table; ramp: all at once; heading,
-    where the response's own wave goes: along x.
+    are linear. Their lines may stand in any order. ``symmetry``: headings that are not there follow from
+    those mirrored about the plane of x and z (sides), or of y and z as well (sides and ends).
+    ``beyond`` the periods of the operators those at their ends hold, or there is no motion, or the wave is
+    refused (so where absent); a warning says how much of a sea that is. Absent wave: that of the scene;
+    motions: all of the table; ramp: all at once; heading, where the response's own wave goes: along x.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]
     phases: Literal["lead", "lag"]
     headings: Literal["towards", "from"] | None = None
+    symmetry: Literal["sides", "sides and ends"] | None = None
+    beyond: Literal["hold", "zero", "refuse"] | None = None
     motions: Annotated[list[Motion], Field(min_length=1)] | None = None
     wave: Swell | Storm | None = None
     heading: u.Angle | None = None
@@ -85,9 +116,9 @@ class Response(Strict):
         kinds = {row.period is None for row in self.operators}
         if len(kinds) > 1:
             raise ValueError("operators: period in every line, or frequency in every line")
-        if any(a.circular >= b.circular for rows in tables for a, b in pairwise(rows)):
-            kind = "frequencies" if kinds == {True} else "periods"
-            raise ValueError(f"operators: {kind} must rise from line to line")
+        if any(a.circular == b.circular for rows in tables for a, b in pairwise(rows)):
+            kind = "frequency" if kinds == {True} else "period"
+            raise ValueError(f"operators: a {kind} stands twice; allowed is once a heading")
         if len(tables[0]) < 2 or any(_frequencies(t) != _frequencies(tables[0]) for t in tables):
             raise ValueError("operators: every heading must have the same periods, at least two")
         if len(tables) > 1 and None in self.by_heading:
@@ -96,6 +127,8 @@ class Response(Strict):
             raise ValueError(
                 "headings: 'towards' or 'from' goes with a heading in every line of the operators"
             )
+        if self.symmetry and self.headings is None:
+            raise ValueError("symmetry: is about headings, which the operators do not have")
         if self.heading is not None and self.wave is None:
             raise ValueError("heading: the wave of the scene has its own")
         if any(a.motions != b.motions for a, b in pairwise(self.operators)):
@@ -110,10 +143,16 @@ class Response(Strict):
         """Operators by where waves go (rad), None where they hold for all; frequencies rise."""
         turn = math.pi if self.headings == "from" else 0.0
         tables: dict[float | None, list[Operator]] = {}
-        for row in self.operators:
+        for row in sorted(self.operators, key=lambda row: row.circular):
             towards = None if row.heading is None else row.heading + turn
             tables.setdefault(towards, []).append(row)
-        return {h: rows if rows[0].frequency else rows[::-1] for h, rows in tables.items()}
+        for plane in (SIDES, ENDS)[: MIRRORS[self.symmetry]]:
+            there = [heading for heading in tables if heading is not None]
+            for heading in there:
+                image, rows = plane.image(heading), tables[heading]
+                if not any(known is not None and _same(known, image) for known in tables):
+                    tables[image] = [plane.mirrored(row) for row in rows]
+        return tables
 
     @property
     def moving(self) -> list[str]:

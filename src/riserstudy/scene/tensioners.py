@@ -135,8 +135,8 @@ class Arrangement(Strict):
 class Tensioners(Strict):
     """Equal cylinders between ring and deck. Absent damping or stroke: none, no stops.
 
-    ``table``: any other law, pull over reach of one cylinder, joined smoothly and monotonically; beyond
-    its ends it goes on straight, with a warning.
+    ``table``: any other law, pull over reach of one cylinder, joined smoothly and monotonically, or by
+    straight lines with ``interpolation: linear``; beyond its ends it goes on straight, with a warning.
 
     Absent arrangement: they stay upright. ``failed`` cylinders, counted from 0, pull nothing.
     """
@@ -148,6 +148,7 @@ class Tensioners(Strict):
     linearised: Linearised | None = None
     linear: Linear | None = None
     table: Annotated[list[TableRow], Field(min_length=2)] | None = None
+    interpolation: Literal["cubic", "linear"] | None = None
     carried: Carried | None = None
     damping: Annotated[u.Damping, NOT_NEGATIVE] | DampingRatio | None = None
     stroke: Stroke | None = None
@@ -166,6 +167,8 @@ class Tensioners(Strict):
             raise ValueError("damping.ratio needs carried; give N*s/m for other laws")
         if self.table:
             self._serves(self.table)
+        elif self.interpolation:
+            raise ValueError("interpolation: is that of a table; needs table")
         if self.linearised and self.any_gas is None:
             raise ValueError("linearised needs gas or two_chamber_gas")
         for what, limit in (("stroke", self.stroke), ("linearised", self.linearised)):

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
+from riserstudy.model import rao
 from riserstudy.model.build import build
 from riserstudy.model.hydrodynamics import wave_of
 from riserstudy.model.layout import flexibility_of, stiffness
@@ -89,7 +90,7 @@ def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
         "effects": effects_of(scene),
         "elements": len(mesh.l0),
         "directions": 2,
-        "warnings": [*doubts(scene), *without_inertia(scene)],
+        "warnings": [*doubts(scene), *without_inertia(scene), *rao.doubts(scene)],
         "smallest_tension": float(tension[lowest]),
         "smallest_tension_s": float(mesh.s[lowest]),
     }

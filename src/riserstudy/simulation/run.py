@@ -10,6 +10,7 @@ from typing import Any
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, StepFailed
+from riserstudy.model import rao
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.scene.analysis import Output
@@ -65,7 +66,7 @@ def single(scene: Scene, mesh: Mesh, step: float | None, everywhere: bool = Fals
         "elements": len(mesh.l0),
         "directions": len(model.s.dim),
         "statics_iterations": equilibrium.iterations,
-        "warnings": [*doubts(scene), *without_inertia(scene)],
+        "warnings": [*doubts(scene), *without_inertia(scene), *rao.doubts(scene)],
     }
     if scene.vessel:
         facts["coupling"] = {"scheme": "as one"}
