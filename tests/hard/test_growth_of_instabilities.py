@@ -14,7 +14,8 @@ from riserstudy import simulate
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import even
 from riserstudy.simulation.hermite_run import beam_of
-from riserstudy.solve.hermite import HermiteError, dynamics, frequencies
+from riserstudy.solve.hermite import dynamics, frequencies
+from riserstudy.solve.hermite_beam import HermiteError, Stepping
 
 ELEMENTS = 200
 CALM = {"current": None, "wave": None, "bottom__rotation": "free", "top__rotation": "free"}
@@ -58,7 +59,7 @@ def squares(ratio):
 
 def history(found, duration, step, **method):
     times = np.linspace(0.0, duration, 301)
-    return times, dynamics(found, times, step, start="straight", **method).displacement
+    return times, dynamics(found, times, step, Stepping(**method), start="straight").displacement
 
 
 def test_the_lowest_eigenvalue_changes_sign_between_tension_ratios():
@@ -123,9 +124,8 @@ def test_an_unstable_newmark_method_blows_up_at_the_rate_of_its_amplification(be
     # long enough for the fastest growth to rule
     count = steps if grown > 1.5 else 3000
     times = step * np.arange(count + 1)
-    x = dynamics(
-        found, times, step, beta=beta, gamma=gamma, start="straight", tolerance=1e300
-    ).displacement
+    stepping = Stepping(beta, gamma, tolerance=1e300)
+    x = dynamics(found, times, step, stepping, start="straight").displacement
     size = np.abs(x).max(axis=1)
     late = slice(count // 2, count)
     assert np.exp(

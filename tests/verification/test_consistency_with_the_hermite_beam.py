@@ -12,7 +12,8 @@ from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
-from riserstudy.solve.hermite import Beam, End, dynamics, statics
+from riserstudy.solve.hermite import dynamics, statics
+from riserstudy.solve.hermite_beam import Beam, End, Stepping
 
 RISER = ref.Riser()
 #: a pipe that does not stretch, as the beam
@@ -117,7 +118,7 @@ def test_structural_damping_agrees_with_damping_in_proportion_to_bending_stiffne
         drag=zero,
     )
     tau = ratio * period / np.pi
-    exact = dynamics(beam, 0.1 * np.arange(121), 0.0025, rayleigh=(0.0, tau))
+    exact = dynamics(beam, 0.1 * np.arange(121), 0.0025, Stepping(rayleigh=(0.0, tau)))
     assert off(found["x"], exact.displacement) < 1e-3
     assert off(found["bending_moment"], exact.moment) < 2e-3
 

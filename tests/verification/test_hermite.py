@@ -11,7 +11,8 @@ from riserstudy.effects.catalogue import catalogue
 from riserstudy.errors import SimulationError
 from riserstudy.simulation.hermite_run import LARGE_ANGLES, SUPPORTED, effects_of
 from riserstudy.simulation.warm_up import scenes
-from riserstudy.solve.hermite import Beam, End, HermiteError, dynamics, frequencies, statics
+from riserstudy.solve.hermite import dynamics, frequencies, statics
+from riserstudy.solve.hermite_beam import Beam, End, HermiteError, Stepping
 
 RISER = ref.Riser()
 T = RISER.top_force
@@ -177,7 +178,7 @@ def test_newmark_converges_with_the_declared_order_under_drag(drag, expected):
     steps = 1.0 / np.array([40, 57, 80, 113])
     errors = []
     for step in steps:
-        found = dynamics(model, times, step, drag=drag)
+        found = dynamics(model, times, step, Stepping(drag=drag))
         errors.append(
             (np.abs(found.displacement - fine.displacement).max() / 2.0,
              np.abs(found.moment - fine.moment).max() / np.abs(fine.moment).max())
@@ -191,11 +192,11 @@ def test_newmark_converges_with_the_declared_order_under_drag(drag, expected):
 def test_surge_converges_with_fourth_order_in_the_element_length():
     # damping proportional to the stiffness, as modes that no step resolves would hide the order
     times, sizes = np.arange(0.0, 20.5, 0.5), np.array([41, 82, 164])
-    settings = {"step": 0.00625, "rayleigh": (0.0, 0.01)}
-    fine = dynamics(riser(656), times, **settings)
+    damped = 0.00625, Stepping(rayleigh=(0.0, 0.01))
+    fine = dynamics(riser(656), times, *damped)
     errors = []
     for n in sizes:
-        found, every = dynamics(riser(int(n)), times, **settings), 656 // int(n)
+        found, every = dynamics(riser(int(n)), times, *damped), 656 // int(n)
         errors.append(
             (np.abs(found.displacement - fine.displacement[:, ::every]).max() / 2.0,
              np.abs(found.moment - fine.moment[:, ::every]).max() / np.abs(fine.moment).max())
@@ -209,7 +210,7 @@ def test_surge_converges_with_fourth_order_in_the_element_length():
 
 def test_newton_and_picard_find_the_same_motion():
     times = np.arange(0.0, 31.0, 0.5)
-    a, b = (dynamics(riser(50), times, 0.1, drag=drag) for drag in ("newton", "picard"))
+    a, b = (dynamics(riser(50), times, 0.1, Stepping(drag=drag)) for drag in ("newton", "picard"))
     np.testing.assert_allclose(a.displacement, b.displacement, atol=1e-8)
     assert a.iterations < b.iterations
 
@@ -272,12 +273,12 @@ def test_a_beam_that_cannot_be_solved_is_refused_with_the_reason(changes, messag
 
 def test_an_unstable_choice_of_newmark_s_parameters_ends_in_an_error():
     with pytest.raises(HermiteError, match="reduce the step"):
-        dynamics(riser(50), np.arange(301.0), 0.1, beta=0.0)
+        dynamics(riser(50), np.arange(301.0), 0.1, Stepping(beta=0.0))
 
 
 def test_too_few_iterations_are_an_error_that_names_the_time():
     with pytest.raises(HermiteError, match="t = "):
-        dynamics(riser(50), np.arange(31.0), 0.1, drag="picard", iterations=2)
+        dynamics(riser(50), np.arange(31.0), 0.1, Stepping(drag="picard", iterations=2))
 
 
 def test_still_water_and_still_ends_leave_the_beam_exactly_at_rest():

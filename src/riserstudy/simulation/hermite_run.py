@@ -27,16 +27,8 @@ from riserstudy.scene.forcing import Translation
 from riserstudy.scene.models import Scene
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
-from riserstudy.solve.hermite import (
-    Beam,
-    End,
-    HermiteError,
-    Motion,
-    Response,
-    Waves,
-    dynamics,
-    statics,
-)
+from riserstudy.solve.hermite import dynamics, statics
+from riserstudy.solve.hermite_beam import Beam, End, HermiteError, Motion, Response, Stepping, Waves
 
 FloatArray = NDArray[np.float64]
 STIFFENING = 0.01  # change of the top tension, left out by a beam of constant tension, that is told
@@ -347,9 +339,6 @@ def _moving(scene: Scene, beam: Beam, step: float) -> Response:
         beam,
         np.asarray(a.output.interval * np.arange(count + 1), np.float64),
         step,
-        beta=method.beta,
-        gamma=method.gamma,
-        drag="picard",
-        tolerance=CORRECTION,
+        Stepping(method.beta, method.gamma, drag="picard", tolerance=CORRECTION),
         start="straight" if a.start == "undeflected" else "equilibrium",
     )

@@ -14,72 +14,26 @@ Convention: M = EI u''; Q = -M' is the shear force and Q + T u' the lateral forc
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from riserstudy.solve.hermite_kernels import Mesh, Sea, factorise, flow, march, pin, substitute
-
-Array = NDArray[np.float64]
-Motion = Callable[[Array], tuple[Array, Array, Array]]
+from riserstudy.solve.hermite_beam import Array, Beam, HermiteError, Response, Stepping, Waves
+from riserstudy.solve.hermite_kernels import (
+    Mesh,
+    Prescribed,
+    Sea,
+    Steps,
+    factorise,
+    flow,
+    march,
+    pin,
+    substitute,
+)
 
 POINT, WEIGHT = np.polynomial.legendre.leggauss(4)  # exact for every product of this file but drag
 POINT, WEIGHT = (POINT + 1.0) / 2.0, WEIGHT / 2.0
-
-
-class HermiteError(RuntimeError):
-    """A beam that cannot be solved; the message says where and what to do."""
-
-
-class End(NamedTuple):
-    """Support of one end; ``End()`` is a pin, ``End(rotation_stiffness=np.inf)`` a clamp."""
-
-    held: bool = True  # lateral motion prescribed; otherwise the end is free
-    rotation_stiffness: float = 0.0  # (N m/rad) against the vertical
-    mass: float = 0.0  # (kg) point mass; this and the force act when the end is free
-    force: float = 0.0  # (N) lateral, constant
-    motion: Motion | None = None  # times (s) -> displacement, velocity, acceleration; None: at rest
-
-
-class Beam(NamedTuple):
-    """The beam; (n, 2) arrays hold an element's lower and upper value and are linear between."""
-
-    s: Array  # (n + 1,) m, nodes from the bottom up
-    bending_stiffness: Array  # (n, 2) N m2
-    tension: Array  # (n, 2) N, effective
-    mass: Array  # (n,) kg/m
-    added_mass: Array  # (n,) kg/m
-    drag: Array  # (n,) N s2/m3, c = rho D Cd / 2
-    load: Array  # (n, 2) N/m, lateral
-    current: Callable[[Array], Array] | None = None  # s (m) -> U (m/s)
-    bottom: End = End()
-    top: End = End()
-    waves: Waves | None = None
-
-
-class Waves(NamedTuple):
-    """Components of speed cos(k x - w t + phase) along and rise sin(k x - w t + phase) up."""
-
-    flow: Callable[[Array], tuple[Array, Array]]  # s (m), any shape -> speed, rise, (c, ...) m/s
-    inertia: Array  # (n,) kg/m, (1 + C_a) rho A
-    frequency: Array  # (c,) rad/s
-    number: Array  # (c,) rad/m, negative for waves against x
-    phase: Array  # (c,) rad
-    ramp: float = 0.0  # (s)
-
-
-class Response(NamedTuple):
-    """Nodal results; statics leaves out the time axis, and ``time`` is empty."""
-
-    time: Array  # (time,) s
-    displacement: Array  # (time, n + 1) m
-    rotation: Array  # (time, n + 1) rad
-    moment: Array  # (time, n + 1) N m
-    shear: Array  # (time, n + 1) N
-    iterations: int  # most in one step
 
 
 def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilibrium") -> Response:
@@ -118,7 +72,7 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
     substitute(mesh.stiffness_band, force)
     u += force
     moment, shear = _section_forces(
-        beam, mesh, calm, u[None], still[None], still[None], (0.0, 0.0), recovery
+        beam, mesh, calm, (u[None], still[None], still[None]), (0.0, 0.0), recovery
     )
     return Response(np.empty(0), u[::2], u[1::2], moment[0], shear[0], 1)
 
@@ -158,13 +112,8 @@ def dynamics(
     beam: Beam,
     times: Array,
     step: float,
+    stepping: Stepping = Stepping(),  # noqa: B008  a record that nobody can change
     *,
-    beta: float = 0.25,
-    gamma: float = 0.5,
-    drag: Literal["newton", "picard", "lagged"] = "newton",
-    rayleigh: tuple[float, float] = (0.0, 0.0),
-    tolerance: float = 1e-10,
-    iterations: int = 50,
     start: Literal["equilibrium", "straight"] = "equilibrium",
     recovery: Literal["equilibrium", "curvature"] = "equilibrium",
 ) -> Response:
@@ -177,17 +126,7 @@ def dynamics(
         Output times, s, equally spaced from zero.
     step : float
         Largest time step, s; an output interval is divided into equal steps no longer than this.
-    beta, gamma : float
-        Newmark's parameters; 1/4 and 1/2 (average acceleration) neither damp nor limit the step.
-    drag : {"newton", "picard", "lagged"}
-        ``newton``: exact tangent. ``picard``: |U - u.| of the last iterate, repeated until it
-        agrees. ``lagged``: |U - u.| of the last step, one solve; first order in the step.
-    rayleigh : tuple of float
-        C = rayleigh[0] M (1/s) + rayleigh[1] K (s), added mass and tension included.
-    tolerance : float
-        Largest correction of the displacement that ends the iteration, relative to 1 m.
-    iterations : int
-        Limit per step.
+    stepping : Stepping
     start : {"equilibrium", "straight"}
         Shape at time zero; a straight one feels current and waves at once.
     recovery : {"equilibrium", "curvature"}
@@ -212,8 +151,8 @@ def dynamics(
     if not step > 0.0:
         raise HermiteError(f"step {step} s must be positive")
     methods = ("lagged", "picard", "newton")
-    if drag not in methods:
-        raise HermiteError(f"drag {drag!r} must be one of {', '.join(methods)}")
+    if stepping.drag not in methods:
+        raise HermiteError(f"drag {stepping.drag!r} must be one of {', '.join(methods)}")
     mesh = _mesh(beam)
     first = np.zeros(2 * len(beam.s))
     if start == "equilibrium":
@@ -221,22 +160,20 @@ def dynamics(
         first = np.column_stack([rest.displacement, rest.rotation]).ravel()
     each = int(np.ceil(gaps[0] / step * (1.0 - 1e-12)))
     grid = np.arange(each * (times.size - 1) + 1) * (gaps[0] / each)
-    fixed, forced = _prescribed(beam, grid)
-    damping = rayleigh[0] * mesh.mass_band + rayleigh[1] * mesh.stiffness_band
+    by_mass, by_stiffness = stepping.rayleigh
+    damping = by_mass * mesh.mass_band + by_stiffness * mesh.stiffness_band
     sea = _sea(beam, mesh)
-    (u, v, a), most, failed = march(
-        mesh, sea, damping, first, fixed, forced,
-        grid[1], each, beta, gamma, methods.index(drag), tolerance, iterations,
-    )  # fmt: skip
+    drag, most = methods.index(stepping.drag), stepping.iterations
+    steps = Steps(grid[1], each, stepping.beta, stepping.gamma, drag, stepping.tolerance, most)
+    (u, v, a), taken, failed = march(mesh, sea, damping, first, _prescribed(beam, grid), steps)
     if failed >= 0:
         raise HermiteError(
-            f"t = {grid[failed]:.6g} s: not converged in {iterations} iterations or not finite;"
+            f"t = {grid[failed]:.6g} s: not converged in {most} iterations or not finite;"
             " reduce the step, or use drag='newton', beta 1/4, gamma 1/2"
         )
-    moment, shear = _section_forces(
-        beam, mesh, _flows(mesh, sea, times, u), u, v, a, rayleigh, recovery
-    )
-    return Response(times, u[:, ::2], u[:, 1::2], moment, shear, most)
+    flows = _flows(mesh, sea, times, u)
+    moment, shear = _section_forces(beam, mesh, flows, (u, v, a), stepping.rayleigh, recovery)
+    return Response(times, u[:, ::2], u[:, 1::2], moment, shear, taken)
 
 
 def _mesh(beam: Beam) -> Mesh:
@@ -276,7 +213,7 @@ def _mesh(beam: Beam) -> Mesh:
     )  # fmt: skip
 
 
-def _prescribed(beam: Beam, times: Array) -> tuple[NDArray[np.int64], Array]:
+def _prescribed(beam: Beam, times: Array) -> Prescribed:
     """Prescribed degrees of freedom and their displacement, velocity, acceleration (3, dof, time)."""
     dofs, motions = [], []
     for end, dof in ((beam.bottom, 0), (beam.top, 2 * len(beam.s) - 2)):
@@ -290,7 +227,7 @@ def _prescribed(beam: Beam, times: Array) -> tuple[NDArray[np.int64], Array]:
     forced = np.array(motions).reshape(len(dofs), 3, len(times)).swapaxes(0, 1)
     if not np.isfinite(forced).all():
         raise HermiteError("the prescribed motion of an end is not finite")
-    return np.array(dofs, dtype=np.int64), forced
+    return Prescribed(np.array(dofs, dtype=np.int64), forced)
 
 
 def _shapes(beam: Beam, d: int, xi: Array) -> Array:
@@ -369,10 +306,15 @@ def _dense(band: Array) -> Array:
 
 
 def _section_forces(
-    beam: Beam, mesh: Mesh, flows: tuple[Array, Array], u: Array, v: Array, a: Array,
-    rayleigh: tuple[float, float], recovery: str,
-) -> tuple[Array, Array]:  # fmt: skip
-    """Moment and shear at the nodes, each (time, n + 1)."""
+    beam: Beam,
+    mesh: Mesh,
+    flows: tuple[Array, Array],
+    motion: tuple[Array, Array, Array],
+    rayleigh: tuple[float, float],
+    recovery: str,
+) -> tuple[Array, Array]:
+    """Moment and shear at the nodes, each (time, n + 1), of displacements, velocities, accelerations."""
+    u, v, a = motion
     if recovery not in ("equilibrium", "curvature"):
         raise HermiteError(f"recovery {recovery!r} must be equilibrium or curvature")
     ends, local = np.array([0.0, 1.0]), _gather(u)

@@ -43,6 +43,25 @@ class Sea(NamedTuple):
     ramp: float  # (s) half a cosine; 0 for none
 
 
+class Steps(NamedTuple):
+    """Newmark's method as it is stepped."""
+
+    h: float  # s
+    each: int  # steps between those that are stored
+    beta: float
+    gamma: float
+    drag: int  # 0 lags |U - u.|, 1 repeats with the last iterate's, 2 is Newton
+    tolerance: float  # m, the correction that ends an iteration
+    iterations: int  # at most, a step
+
+
+class Prescribed(NamedTuple):
+    """Unknowns whose motion is given."""
+
+    unknowns: NDArray[np.int64]  # (fixed,)
+    motion: Array  # (3, fixed, steps) displacement, velocity, acceleration
+
+
 @njit(cache=True, nogil=True)
 def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) -> None:
     """Velocity of the water across the beam (m/s) and force of its acceleration (N) at the Gauss points.
@@ -159,17 +178,17 @@ def add_water(
 
 @njit(cache=True, nogil=True)
 def march(
-    mesh: Mesh, sea: Sea, damping: Array, start: Array, fixed: NDArray[np.int64], forced: Array, h: float,
-    each: int, beta: float, gamma: float, method: int, tolerance: float, iterations: int,
-) -> tuple[Array, int, int]:  # fmt: skip
-    """Newmark's method; method 0 lags |U - u.|, 1 repeats with the last iterate's, 2 is Newton.
+    mesh: Mesh, sea: Sea, damping: Array, start: Array, prescribed: Prescribed, steps: Steps
+) -> tuple[Array, int, int]:
+    """Newmark's method from the displacements ``start``, (2n + 2,), with ``damping``, a band (2n + 2, 4).
 
-    Returns u, v, a at the stored steps, (3, steps, 2n + 2), the most iterations and the failed step or -1.
-    Step 0 only finds the initial acceleration, linear in the unknowns. ``h`` is the step (s), ``forced`` the
-    motion of the ``fixed`` unknowns, (3, fixed, steps), ``damping`` a band (2n + 2, 4).
+    Returns u, v, a at the stored steps, (3, stored, 2n + 2), the most iterations and the failed step or -1.
+    Step 0 only finds the initial acceleration, linear in the unknowns.
     """
+    fixed, forced = prescribed.unknowns, prescribed.motion
+    h, beta, gamma = steps.h, steps.beta, steps.gamma
     mass, stiffness = mesh.mass_band, mesh.stiffness_band
-    history = np.zeros((3, (forced.shape[2] - 1) // each + 1, len(start)))
+    history = np.zeros((3, (forced.shape[2] - 1) // steps.each + 1, len(start)))
     u, v, a = start.copy(), np.zeros_like(start), np.zeros_like(start)
     steady = mass + gamma * h * damping + beta * h * h * stiffness
     water, push = np.zeros_like(sea.current), np.zeros_like(sea.current)
@@ -182,15 +201,15 @@ def march(
         for k in range(len(fixed)):
             u[fixed[k]], v[fixed[k]], a[fixed[k]] = forced[:, k, step]
         flow(mesh, sea, step * h, u, water, push)  # where it is predicted to be
-        for iteration in range(iterations):
+        for iteration in range(steps.iterations):
             band = steady.copy() if step > 0 else mass.copy()
             residual = -mesh.force
             multiply(mass, a, residual)
             multiply(damping, v, residual)
             multiply(stiffness, u, residual)
-            if method == 2 or iteration > 0 or step == 0:
+            if steps.drag == 2 or iteration > 0 or step == 0:
                 lag[:] = v
-            factor = moving * gamma * h * (2.0 if method == 2 else 1.0)
+            factor = moving * gamma * h * (2.0 if steps.drag == 2 else 1.0)
             add_water(residual, band, mesh, water, push, v, lag, factor)
             for dof in fixed:
                 pin(band, residual, dof)
@@ -202,10 +221,11 @@ def march(
             u -= moving * beta * h * h * residual
             most = max(most, iteration + 1)
             size = np.sqrt(np.sum(residual**2)) * h * h
-            if size < tolerance or (size < np.inf and (step == 0 or method == 0)):
+            if size < steps.tolerance or (size < np.inf and (step == 0 or steps.drag == 0)):
                 break
-            if iteration == iterations - 1 or not size < np.inf:
+            if iteration == steps.iterations - 1 or not size < np.inf:
                 return history, most, step
-        if step % each == 0:
-            history[0, step // each], history[1, step // each], history[2, step // each] = u, v, a
+        if step % steps.each == 0:
+            stored = step // steps.each
+            history[0, stored], history[1, stored], history[2, stored] = u, v, a
     return history, most, -1

@@ -65,7 +65,8 @@ def beamlike(scene: Scene) -> Beamlike:
 def by_hermite_elements(beam: Beamlike, at: FloatArray) -> FloatArray:
     """Displacement (m) at arclengths by cubic finite elements."""
     # Brings compiled kernels with it, for which other derived datasets need not wait.
-    from riserstudy.solve.hermite import Beam, End, statics
+    from riserstudy.solve.hermite import statics
+    from riserstudy.solve.hermite_beam import Beam, End
 
     s = np.linspace(0.0, beam.length, ELEMENTS + 1)
     pull = beam.pull(s)
