@@ -104,6 +104,11 @@ def test_numbers_and_claims_and_errata_are_those_of_the_tables(db):
     assert db.execute("select paper, id, simulation from errata").fetchall() == [
         ("plain", "E1", workspace.INJECTION)
     ]
+    asked = "select margin, margin_low, margin_high from numbers_and_claims where id = 'A1'"
+    assert db.execute(asked).fetchall() == [(-0.3, -0.5, 0.25)]
+    assert dict(db.execute("select place, margin from margins where id = 'A1'")) == {
+        "sample=0": 0.25, "sample=1; speed=2.0": -0.5, "sample=2": None
+    }  # fmt: skip
 
 
 def test_figures_and_derived_datasets_say_what_they_read(db):

@@ -132,8 +132,16 @@ def graded():
         "verdict": "depends",
         "depends_on": "period; met in 2 of 8 samples",
         "note": "True in 2 of 8 samples.",
+        "margin": "-0.3",
+        "margin_low": "-0.5",
+        "margin_high": "0.25",
     }
     _write("reproduction", [row, row | {"id": "A2", "published": "", "error": ""}])
+    places = {"sample=0": "0.25", "sample=1; speed=2.0": "-0.5", "sample=2": "nan"}
+    _write(
+        "margins",
+        [{"paper": "plain", "id": "A1", "place": p, "margin": m} for p, m in places.items()],
+    )
     known = {"paper": "plain", "id": "E1", "where": "p. 3", "printed": "a", "reading": "b"}
     _write("errata", [known | {"simulation": INJECTION}])
 

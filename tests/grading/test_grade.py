@@ -28,7 +28,10 @@ from riserstudy.grading.verdict import error, met, verdict_of_claim, verdict_of_
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
-COLUMNS = "paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,note"
+COLUMNS = (
+    "paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,"
+    "margin,margin_low,margin_high,note"
+)
 
 
 def published(paper="chang2020"):

@@ -127,6 +127,19 @@ REFUSED = {
         LIU, "top.tensioners.linearised", {"by": "least squares", "shortest": "-10 m", "longest": "8 m"},
         "top.tensioners", "linearised.shortest -10 m closes the low-pressure volume",
     ),
+    "a tangent where the gas volume is closed": (
+        CHANG, "top.tensioners.linearised", {"by": "tangent", "at": "19 m"}, "top.tensioners",
+        "linearised.at 19 m closes the gas volume, which is empty at 18.4",
+    ),
+    "a chord of one end": (
+        CHANG, "top.tensioners.linearised", {"by": "chord", "longest": "8 m"},
+        "top.tensioners.linearised", "a chord need shortest and longest",
+    ),
+    "a place on a chord": (
+        CHANG, "top.tensioners.linearised",
+        {"by": "chord", "shortest": "-8 m", "longest": "8 m", "at": "1 m"},
+        "top.tensioners.linearised", "at goes with a tangent",
+    ),
     "a piston without gravity": (LIU, "gravity", None, "", "pistons need gravity"),
     "two laws of a tensioner": (
         CHANG, "top.tensioners.linear", {"tension": "1 MN", "stiffness": "1 kN/m"}, "top.tensioners",

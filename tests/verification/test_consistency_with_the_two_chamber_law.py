@@ -70,6 +70,20 @@ def test_the_tangent_has_the_slope_at_mid_stroke():
     assert tension == pytest.approx(printed(0.0), rel=1e-6)
 
 
+def test_a_tangent_elsewhere_touches_the_law_there():
+    # the reach is longer where the platform is higher: printed() counts the other way
+    slope, tension = line(by="tangent", at="2 m")
+    h = 1e-4
+    assert slope == pytest.approx((printed(-2.0 - h) - printed(-2.0 + h)) / (2.0 * h), rel=1e-6)
+    assert tension + 2.0 * slope == pytest.approx(printed(-2.0), rel=1e-6)
+
+
+def test_a_chord_meets_the_law_at_both_ends():
+    slope, tension = line(by="chord", shortest="-3 m", longest="6 m")
+    assert tension - 3.0 * slope == pytest.approx(printed(3.0), rel=1e-6)
+    assert tension + 6.0 * slope == pytest.approx(printed(-6.0), rel=1e-6)
+
+
 def test_the_least_squares_line_is_that_of_the_continuous_law():
     slope, tension = line(by="least squares", shortest="-6 m", longest="6 m")
     mean = quad(printed, -6.0, 6.0, epsrel=1e-12)[0] / 12.0

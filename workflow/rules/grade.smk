@@ -7,6 +7,7 @@ rule grade:
     output:
         table="results/{paper}/reproduction.csv",
         errata="results/{paper}/errata.csv",
+        margins="results/{paper}/margins.csv",
     log:
         "logs/{paper}/grade.log",
     params:
@@ -15,16 +16,18 @@ rule grade:
         "grade {wildcards.paper}"
     shell:
         "python -m riserstudy.jobs grade {wildcards.paper} {output.table:q} {output.errata:q}"
-        " {input:q} > {log:q} 2>&1"
+        " {output.margins:q} {input:q} > {log:q} 2>&1"
 
 
 rule reproduction:
     input:
         tables=PLAN.graded_files(),
         errata=PLAN.graded_files(kind="errata"),
+        margins=PLAN.graded_files(kind="margins"),
     output:
         table="results/reproduction.csv",
         errata="results/errata.csv",
+        margins="results/margins.csv",
     log:
         "logs/reproduction.log",
     message:
@@ -32,3 +35,4 @@ rule reproduction:
     shell:
         "python -m riserstudy.jobs join_tables {output.table:q} {input.tables:q} > {log:q} 2>&1"
         " && python -m riserstudy.jobs join_tables {output.errata:q} {input.errata:q} >> {log:q} 2>&1"
+        " && python -m riserstudy.jobs join_tables {output.margins:q} {input.margins:q} >> {log:q} 2>&1"

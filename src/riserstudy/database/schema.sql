@@ -140,9 +140,20 @@ create table numbers_and_claims (
     met integer,
     samples integer,
     decided_by text not null,
+    margin real,                  -- signed distance from where it would turn, -1 to 1
+    margin_low real,              -- between these in nine of ten samples
+    margin_high real,
     note text not null,
     primary key (paper, id)
 );
+
+create table margins (            -- of each case that a number or claim is judged by
+    paper text not null references papers,
+    id text not null,
+    place text not null,          -- sample and cell of the axes
+    margin real,
+    primary key (paper, id, place)
+) without rowid;
 
 create table rests_on (           -- datasets that a number or claim, or the simulation of an erratum, is checked with
     paper text not null references papers,

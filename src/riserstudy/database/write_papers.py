@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,7 +15,7 @@ from riserstudy.grading.models import published_path, read_published
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
 
-TABLES = ("figure_reads", "figures", "rests_on", "numbers_and_claims", "errata", "reads")
+TABLES = ("figure_reads", "figures", "rests_on", "numbers_and_claims", "margins", "errata", "reads")
 
 
 def studies_of(sources: Sources) -> dict[str, StudyFile]:
@@ -53,6 +54,8 @@ def write_papers(
     for path in sources.files:
         if path.name == "reproduction.csv":
             _insert(db, "numbers_and_claims", map(_graded, _rows(path)))
+        if path.name == "margins.csv":
+            _insert(db, "margins", map(_margin, _rows(path)))
         if path.name == "errata.csv":
             _insert(db, "errata", (tuple(row.values()) for row in _rows(path)))
 
@@ -104,13 +107,25 @@ def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
     met, every = samples or (None, None)
     return (
         *(row[name] for name in ("paper", "id", "figure", "kind", "statement")),
-        *(float(row[name]) if row[name] else None for name in ("published", "simulated")),
+        *(_number(row[name]) for name in ("published", "simulated")),
         row["unit"],
-        float(row["error"]) if row["error"] else None,
+        _number(row["error"]),
         row["verdict"],
         *(met / every if met is not None and every else None, met, every),
-        *(row["depends_on"].partition(";")[0], row["note"]),
+        row["depends_on"].partition(";")[0],
+        *(_number(row.get(name, "")) for name in ("margin", "margin_low", "margin_high")),
+        row["note"],
     )
+
+
+def _margin(row: dict[str, str]) -> tuple[str | float | None, ...]:
+    """A row of margins.csv."""
+    margin = float(row["margin"])
+    return row["paper"], row["id"], row["place"], margin if math.isfinite(margin) else None
+
+
+def _number(text: str) -> float | None:
+    return float(text) if text and math.isfinite(float(text)) else None
 
 
 def _insert(db: sqlite3.Connection, table: str, rows: object) -> None:

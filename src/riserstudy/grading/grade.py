@@ -8,34 +8,46 @@ import json
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from functools import partial
 from typing import Any, NamedTuple
 
+import numpy as np
 import xarray as xr
 from scipy.stats import binomtest
 
 from riserstudy.errors import SimulationError
+from riserstudy.grading.margin import below
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
 from riserstudy.grading.names import input_name, option_name
 from riserstudy.grading.sensitivity import deciding, listed, shares_by_option
 from riserstudy.grading.sequential import settled
-from riserstudy.grading.verdict import Verdict, error, met, verdict_of_claim, verdict_of_number
+from riserstudy.grading.verdict import (
+    Verdict,
+    error,
+    met,
+    tolerance,
+    verdict_of_claim,
+    verdict_of_number,
+)
 
 Datasets = Mapping[str, xr.Dataset]
 Checks = Callable[[str], Callable[..., Any]]  # by their names
 MANY = 100  # samples from which a band is told
+ENDS = (0.05, 0.95)  # shares of the samples between which margins are told
 
 
 class Found(NamedTuple):
     """What a check finds: a quantity, and for a claim whether it is true; over the same cells.
 
     ``given``: where what the claim takes for granted is so, over samples; others are not judged. Absent: all.
+    ``margin``: how far the claim is from where it would turn, as `riserstudy.grading.margin` has it.
     """
 
     value: xr.DataArray
     true: xr.DataArray | None = None
     given: xr.DataArray | None = None
+    margin: xr.DataArray | None = None
 
     def at(self, cell: Mapping[str, Any]) -> Found:
         """One cell of it."""
@@ -46,6 +58,11 @@ class Found(NamedTuple):
         if self.given is None or "sample" not in self.given.dims:
             return self
         return self.at({"sample": self.given["sample"][self.given.values]})
+
+
+def judged(value: xr.DataArray, margin: xr.DataArray, given: xr.DataArray | None = None) -> Found:
+    """A claim that is true where its margin is above zero."""
+    return Found(value, margin > 0.0, given, margin)
 
 
 @dataclass(frozen=True)
@@ -63,7 +80,30 @@ class Row:
     error: float | None
     verdict: Verdict
     depends_on: str
+    margin: float | None
+    margin_low: float | None
+    margin_high: float | None
     note: str
+
+
+@dataclass(frozen=True)
+class Margin:
+    """One line of margins.csv: how far one case of a number or claim is from where it would turn.
+
+    ``place`` names the case: sample and cell of the axes that are judged, nothing where there is one case.
+    """
+
+    paper: str
+    id: str
+    place: str
+    margin: float
+
+
+class Weighed(NamedTuple):
+    """The row of a number or claim, and the margin of each case that it is judged by."""
+
+    row: Row
+    margins: list[Margin]
 
 
 @dataclass(frozen=True)
@@ -79,18 +119,28 @@ class ErratumRow:
 
 
 def grade(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Row]:
-    """A row for every number and claim of a paper, by its checks.
+    """A row for every number and claim of a paper, by its checks; as ``weigh``."""
+    return [item.row for item in weigh(file, datasets, checks)]
+
+
+def weigh(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Weighed]:
+    """Every number and claim of a paper, by its checks.
 
     Raises
     ------
     SimulationError
         When a check finds no finite value.
     """
-    return [graded(file.paper, item, checks, datasets) for item in file.items]
+    return [weighed(file.paper, item, checks, datasets) for item in file.items]
 
 
 def graded(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Row:
-    """The row of one number or claim.
+    """The row of one number or claim; as ``weighed``."""
+    return weighed(paper, item, checks, datasets).row
+
+
+def weighed(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Weighed:
+    """The row of one number or claim, with the margins of all its cases.
 
     Raises
     ------
@@ -98,7 +148,8 @@ def graded(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Row:
         When a check finds no finite number.
     """
     if item.impossible:
-        return _row(paper, item, None, None, "not reproducible", "", [item.impossible, item.note])
+        row = _row(paper, item, None, None, "not reproducible", "", [item.impossible, item.note])
+        return Weighed(row, [])
     look = partial(_look, item, checks=checks, datasets=datasets)
     found = look(item.reads)
     base = found.at(item.base) if item.base else found
@@ -131,7 +182,32 @@ def graded(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Row:
         cases.append(_case(item, name, _at_base(item, look(reads)), about))
     sure = settled(hits.values) if hits.dims == ("sample",) and hits.size >= MANY else ""
     notes = [said, left_out, sure, *cases, item.note]
-    return _row(paper, item, simulated, off, verdict, depends_on, notes)
+    row = _row(paper, item, simulated, off, verdict, depends_on, notes)
+    margin, at_base = _margin(item, space), _margin(item, base)
+    if margin is None or at_base is None:
+        return Weighed(row, [])
+    if margin.ndim:
+        low, high = (float(margin.quantile(share)) for share in ENDS)
+        row = replace(row, margin_low=low, margin_high=high)
+    # a base case that is compared in several ways has several
+    row = replace(row, margin=None if at_base.ndim else float(at_base))
+    return Weighed(row, list(_margins(paper, item, margin)))
+
+
+def _margin(item: Item, found: Found) -> xr.DataArray | None:
+    """How far a number is from the end of its tolerance, a claim from where it would turn; -1 to 1."""
+    if item.published is None or item.rounding is None:
+        return None if found.margin is None else found.margin.clip(-1.0, 1.0)
+    off = abs(found.value - item.published)
+    return below(off, tolerance(item.published, item.rounding)).clip(-1.0, 1.0)
+
+
+def _margins(paper: str, item: Item, margin: xr.DataArray) -> Iterator[Margin]:
+    """The margin of each case, by name."""
+    for index, value in np.ndenumerate(margin.values):
+        at = zip(margin.dims, index, strict=True)
+        names = [f"{dim}={margin[dim].values[k]}" for dim, k in at]
+        yield Margin(paper, item.id, "; ".join(names), float(value))
 
 
 def _hits(item: Item, found: Found) -> xr.DataArray:
@@ -274,6 +350,9 @@ def _row(
         off,
         verdict,
         depends_on,
+        None,
+        None,
+        None,
         note,
     )
 

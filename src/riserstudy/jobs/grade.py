@@ -11,19 +11,22 @@ import xarray as xr
 from riserstudy.chapters import checks_of
 from riserstudy.errors import RiserStudyError
 from riserstudy.folders import write_whole
-from riserstudy.grading.grade import ErratumRow, Row, errata, grade, table
+from riserstudy.grading.grade import ErratumRow, Margin, Row, errata, table, weigh
 from riserstudy.grading.models import read_published
 from riserstudy.jobs.seals import seal
 
 
-def main(paper: str, graded: Path, errors: Path, sources: list[Path]) -> None:
-    """Read the sources, write both tables."""
+def main(paper: str, graded: Path, errors: Path, margins: Path, sources: list[Path]) -> None:
+    """Read the sources, write the tables."""
     datasets = {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
     file = read_published(Path("config"), paper, datasets)
-    rows = grade(file, datasets, checks_of(paper))
+    found = weigh(file, datasets, checks_of(paper))
+    rows = [item.row for item in found]
     write_whole(graded, table(rows, Row).encode())
+    each = (margin for item in found for margin in item.margins)
+    write_whole(margins, table(each, Margin).encode())
     write_whole(errors, table(errata(file, datasets, checks_of(paper)), ErratumRow).encode())
-    seal(graded, errors)
+    seal(graded, errors, margins)
     for row in rows:
         print(f"{paper}/{row.id}: {row.verdict}")
 
@@ -33,6 +36,7 @@ if __name__ == "__main__":
     parser.add_argument("paper")
     parser.add_argument("graded", type=Path)
     parser.add_argument("errors", type=Path)
+    parser.add_argument("margins", type=Path)
     parser.add_argument("sources", type=Path, nargs="+")
     try:
         main(**vars(parser.parse_args()))

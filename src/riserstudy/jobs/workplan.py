@@ -36,6 +36,7 @@ from riserstudy.study.study import Study, scene_file, threads_worth
 #: what joins points, derives, grades and reports
 COLLECT, DERIVE = "riserstudy.study.collect", "riserstudy.chapters.derive"
 GRADE = "riserstudy.grading.grade"
+GRADED = ("reproduction", "errata", "margins")  # tables, of each paper and of all
 REPORT = "riserstudy.report"
 DATABASE = "riserstudy.database.build"
 ALL_CORES = 64  # more than there are: Snakemake gives what it has
@@ -309,13 +310,14 @@ class Workplan:
 
     def outputs(self) -> list[str]:
         """Everything that jobs write into the results folder."""
-        tables = [*self.graded_files(), *self.graded_files(kind="errata"), *self.joined_tables()]
+        graded = [file for kind in GRADED for file in self.graded_files(kind=kind)]
+        tables = [*graded, *self.joined_tables()]
         pages = ["results/results.sqlite", "results/report.html"]
         return [*self.dataset_files(), *self.figure_files(), *tables, *pages]
 
     def joined_tables(self) -> list[str]:
         """Tables over all papers, when there is anything to join."""
-        return ["results/reproduction.csv", "results/errata.csv"] if self.published else []
+        return [f"results/{kind}.csv" for kind in GRADED] if self.published else []
 
     @property
     def study_pattern(self) -> str:

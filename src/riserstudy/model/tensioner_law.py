@@ -93,8 +93,15 @@ def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:
     if gas is None or made is None:
         raise TypeError("no law to make linear")
     weight = rig.piston_mass * gravity
-    if made.by == "tangent" or made.shortest is None or made.longest is None:
-        return float(gas_force(gas, np.zeros(1))[0]) - weight, _stiffness(gas)
+    if made.shortest is None or made.longest is None:
+        at = made.at or 0.0
+        steepness = _stiffness(gas, at)
+        return float(gas_force(gas, np.array([at]))[0]) - weight - steepness * at, steepness
+    if made.by == "chord":
+        ends = np.array([made.shortest, made.longest])
+        low, high = gas_force(gas, ends) - weight
+        steepness = float((high - low) / (made.longest - made.shortest))
+        return float(low) - steepness * made.shortest, steepness
     node, share = np.polynomial.legendre.leggauss(64)
     middle, half = 0.5 * (made.longest + made.shortest), 0.5 * (made.longest - made.shortest)
     force = gas_force(gas, middle + half * node) - weight
@@ -111,7 +118,13 @@ def tension_at_mid_stroke(rig: Tensioners, gravity: float = 0.0) -> float:
     return linear_law(rig, gravity)[0]
 
 
-def _stiffness(gas: Gas | TwoChamberGas) -> float:
-    """Slope of the law at mid-stroke (N/m)."""
-    chambers = (gas.high, gas.low) if isinstance(gas, TwoChamberGas) else (gas,)
-    return sum(gas.exponent * c.area**2 * c.pressure / c.volume for c in chambers)
+def _stiffness(gas: Gas | TwoChamberGas, reach: float) -> float:
+    """Slope of the law (N/m) at a reach from mid-stroke (m)."""
+    chambers = (
+        ((gas.high, 1.0), (gas.low, -1.0)) if isinstance(gas, TwoChamberGas) else ((gas, 1.0),)
+    )
+    slope = 0.0
+    for c, sign in chambers:
+        ratio = c.volume / (c.volume - sign * c.area * reach)
+        slope += gas.exponent * c.area**2 * c.pressure / c.volume * ratio ** (gas.exponent + 1.0)
+    return slope

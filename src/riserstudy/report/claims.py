@@ -105,6 +105,8 @@ def claim_of(row: dict[str, str]) -> Claim:
     sentences = _SENTENCES.split(row["note"]) if row["note"] else []
     options = [_by_option(m) for text in sentences if (m := _BY_OPTION.match(text))]
     plain = [s for s in sentences if not _BY_OPTION.match(s) and not _SAMPLES.fullmatch(s)]
+    if row.get("margin"):
+        plain.append(_margin_told(row["margin"], row["margin_low"], row["margin_high"]))
     return Claim(
         paper=row["paper"],
         id=row["id"],
@@ -123,6 +125,14 @@ def claim_of(row: dict[str, str]) -> Claim:
         said=plain,
         options=options,
     )
+
+
+def _margin_told(margin: str, low: str, high: str) -> str:
+    """How far the verdict is from turning; a difference over the larger of the two that are compared."""
+    told = f"Margin to the threshold {100 * float(margin):+.0f} %"
+    if not low:
+        return f"{told}."
+    return f"{told}, in nine of ten cases {100 * float(low):+.0f} to {100 * float(high):+.0f} %."
 
 
 def _by_option(found: re.Match[str]) -> ByOption:

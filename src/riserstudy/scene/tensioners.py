@@ -82,17 +82,26 @@ class TableRow(Strict):
 
 
 class Linearised(Strict):
-    """The gas law replaced by a straight line: its tangent, or least squares over a stroke range."""
+    """The gas law replaced by a straight line: a tangent, a chord, or least squares over a stroke range.
 
-    by: Literal["tangent", "least squares"]
+    ``at``: reach where the tangent touches; absent: mid-stroke. ``shortest`` and ``longest``: ends of the
+    others' range.
+    """
+
+    by: Literal["tangent", "chord", "least squares"]
+    at: u.Length | None = None
     shortest: u.Length | None = None
     longest: u.Length | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        fitted = self.by == "least squares"
-        if fitted != (self.shortest is not None) or fitted != (self.longest is not None):
-            raise ValueError("least squares needs shortest and longest, a tangent neither")
+        ranged = self.by != "tangent"
+        if ranged != (self.shortest is not None) or ranged != (self.longest is not None):
+            raise ValueError(
+                "least squares and a chord need shortest and longest, a tangent neither"
+            )
+        if ranged and self.at is not None:
+            raise ValueError("at goes with a tangent")
         if self.shortest is not None and self.longest is not None and self.shortest >= self.longest:
             raise ValueError("shortest must be below longest")
         return self
@@ -171,9 +180,9 @@ class Tensioners(Strict):
             raise ValueError("interpolation: is that of a table; needs table")
         if self.linearised and self.any_gas is None:
             raise ValueError("linearised needs gas or two_chamber_gas")
-        for what, limit in (("stroke", self.stroke), ("linearised", self.linearised)):
-            if limit is not None:
-                self._stays_open(what, limit.shortest, limit.longest)
+        for what in ("stroke", "linearised"):
+            for end in ("shortest", "longest", "at"):
+                self._stays_open(f"{what}.{end}", getattr(getattr(self, what), end, None))
         return self
 
     def _serves(self, table: list[TableRow]) -> None:
@@ -202,20 +211,20 @@ class Tensioners(Strict):
                 f"table: from {first:g} m to {last:g} m; must have mid-stroke, 0 m, within it"
             )
 
-    def _stays_open(self, what: str, shortest: float | None, longest: float | None) -> None:
-        """Refuse a range of reach in which a gas volume closes."""
+    def _stays_open(self, what: str, reach: float | None) -> None:
+        """Refuse a reach at which a gas volume is closed."""
         both = self.two_chamber_gas
         pulling, pushing = (both.high, both.low) if both else (self.gas, None)
-        if pulling is None:
+        if pulling is None or reach is None:
             return
         room = pulling.volume / pulling.area
-        if longest is not None and longest >= room:
+        if reach >= room:
             raise ValueError(
-                f"{what}.longest {longest:g} m closes the gas volume, which is empty at {room:g} m"
+                f"{what} {reach:g} m closes the gas volume, which is empty at {room:g} m"
             )
-        if pushing and shortest is not None and shortest <= -pushing.volume / pushing.area:
+        if pushing and reach <= -pushing.volume / pushing.area:
             raise ValueError(
-                f"{what}.shortest {shortest:g} m closes the low-pressure volume, "
+                f"{what} {reach:g} m closes the low-pressure volume, "
                 f"which is empty at {-pushing.volume / pushing.area:g} m"
             )
 

@@ -13,7 +13,8 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from riserstudy.grading.grade import Found
+from riserstudy.grading.grade import Found, judged
+from riserstudy.grading.margin import above, below, everywhere, least, rising
 
 FloatArray = NDArray[np.float64]
 
@@ -32,10 +33,12 @@ def reduction(reductions: xr.Dataset, quantity: str) -> Found:
 def falls_convex(law: xr.Dataset) -> Found:
     """Force falls and its slope rises everywhere; value: steepest over flattest slope."""
 
-    def slopes(x: FloatArray, f: FloatArray) -> tuple[float, bool]:
+    def slopes(x: FloatArray, f: FloatArray) -> tuple[float, float]:
         slope = np.diff(f) / np.diff(x)
         steepness = slope.min() / slope.max()
-        return float(steepness), bool((slope < 0).all() and (np.diff(slope) > 0).all())
+        falling = -slope.max() / abs(slope).max()
+        convex = float(above(slope[1:], slope[:-1]).min())
+        return float(steepness), min(float(falling), convex)
 
     return _of_curves(slopes, law, "gas law")
 
@@ -43,11 +46,11 @@ def falls_convex(law: xr.Dataset) -> Found:
 def secant_falls(law: xr.Dataset) -> Found:
     """Secant stiffness of Eq. 5 falls with X; value: that at X = -8 m over that at 8 m."""
 
-    def secants(x: FloatArray, f: FloatArray) -> tuple[float, bool]:
+    def secants(x: FloatArray, f: FloatArray) -> tuple[float, float]:
         curve = CubicSpline(x, f)
         at = np.append(np.linspace(-8, -0.1, 80), np.linspace(0.1, 8, 80))
         secant = np.abs((curve(at) - curve(0.0)) / at)
-        return float(secant[0] / secant[-1]), bool((np.diff(secant) < 0).all())
+        return float(secant[0] / secant[-1]), float(below(secant[1:], secant[:-1]).min())
 
     return _of_curves(secants, law, "gas law")
 
@@ -70,20 +73,20 @@ def line_differs(law: xr.Dataset, at_least: float) -> Found:
         for model in ("gas law", "linear")
     )
     gap = abs(line - gas).isel(X=slice(None, -1)).max("X") / gas.isel(X=-1)
-    return Found(gap, gap >= at_least)
+    return judged(gap, above(gap, at_least))
 
 
 def _of_curves(
-    judge: Callable[[FloatArray, FloatArray], tuple[float, bool]], law: xr.Dataset, model: str
+    judge: Callable[[FloatArray, FloatArray], tuple[float, float]], law: xr.Dataset, model: str
 ) -> Found:
-    value, true = xr.apply_ufunc(
+    value, margin = xr.apply_ufunc(
         judge,
         *_curves(law, model),
         input_core_dims=[["heave_position"], ["heave_position"]],
         output_core_dims=[[], []],
         vectorize=True,
     )
-    return Found(value, true)
+    return judged(value, margin)
 
 
 def _curves(law: xr.Dataset, model: str) -> tuple[xr.DataArray, xr.DataArray]:
@@ -100,7 +103,7 @@ def _curves(law: xr.Dataset, model: str) -> tuple[xr.DataArray, xr.DataArray]:
 def agree(gas: xr.Dataset, linear: xr.Dataset, amplitude: float, at_most: float) -> Found:
     """Heave with both models agrees within a share of its swing; value: largest difference over it."""
     apart = _apart(gas, linear, amplitude)
-    return Found(apart.min("compared"), apart <= at_most)
+    return judged(apart.min("compared"), below(apart, at_most))
 
 
 def differ(
@@ -110,25 +113,23 @@ def differ(
     apart = _apart(gas, linear, amplitude)
     up, down = _sides(_model(gas, "gas law"))
     index = (up / down).sel(heave_amplitude=amplitude, drop=True)
-    return Found(apart.min("compared"), (apart >= at_least) & (index >= asymmetry))
+    margin = least(above(apart, at_least), above(index, asymmetry))
+    return judged(apart.min("compared"), margin)
 
 
 def asymmetry_grows(runs: xr.Dataset, amplitudes: list[float] | None = None) -> Found:
     """S rises from each amplitude to the next; value: S at the largest."""
     up, down = _sides(_model(runs, "gas law"), amplitudes)
     index = up / down
-    return Found(
-        index.isel(heave_amplitude=-1, drop=True),
-        (index.diff("heave_amplitude") > 0).all("heave_amplitude"),
-    )
+    return judged(index.isel(heave_amplitude=-1, drop=True), rising(index, "heave_amplitude"))
 
 
 def upper_side_larger(runs: xr.Dataset) -> Found:
     """x_p > x_n at all amplitudes, and both grow with it; value: x_p - x_n at the largest (m)."""
     up, down = _sides(_model(runs, "gas law"))
-    growing = [(side.diff("heave_amplitude") > 0).all("heave_amplitude") for side in (up, down)]
-    larger = (up > down).all("heave_amplitude")
-    return Found((up - down).isel(heave_amplitude=-1, drop=True), larger & growing[0] & growing[1])
+    growing = [rising(side, "heave_amplitude") for side in (up, down)]
+    larger = everywhere(above(up, down), "heave_amplitude")
+    return judged((up - down).isel(heave_amplitude=-1, drop=True), least(larger, *growing))
 
 
 def pushed_in_harder(runs: xr.Dataset, amplitudes: list[float]) -> Found:
@@ -149,11 +150,11 @@ def pushed_in_harder(runs: xr.Dataset, amplitudes: list[float]) -> Found:
     for away in ways.values():
         inward, outward = (_when(force, away, sign) for sign in (-1.0, 1.0))
         ratios.append(inward / abs(outward))
-        smaller = -away.min("time") < away.max("time")
-        found.append((smaller & (inward > abs(outward))).all("heave_amplitude"))
+        smaller = above(away.max("time"), -away.min("time"))
+        found.append(everywhere(least(smaller, above(inward, abs(outward))), "heave_amplitude"))
     names = xr.DataArray(list(ways), dims="displacement", name="displacement")
     ratio = xr.concat(ratios, names).isel(heave_amplitude=-1, drop=True)
-    return Found(ratio, xr.concat(found, names))
+    return judged(ratio, xr.concat(found, names))
 
 
 def _when(force: xr.DataArray, away: xr.DataArray, sign: float) -> xr.DataArray:
@@ -171,7 +172,7 @@ def keeps_more_tension(gas: xr.Dataset, linear: xr.Dataset, amplitude: float) ->
         for model, runs in (("gas law", gas), ("linear", linear))
     ]
     more = (smallest[0] - smallest[1]) / 1e6
-    return Found(more, more > 0)
+    return judged(more, above(*smallest))
 
 
 def caused_by_the_law(
@@ -180,8 +181,8 @@ def caused_by_the_law(
     """The gas law's response is asymmetric and a line's is not; value: S of the gas law over the line's."""
     sides = [_sides(_model(runs, m)) for m, runs in (("gas law", gas), ("linear", linear))]
     curved, straight = ((up / down).sel(heave_amplitude=amplitude, drop=True) for up, down in sides)
-    true = (curved >= asymmetry) & (abs(straight - 1.0) <= at_most)
-    return Found(curved / straight, true)
+    margin = least(above(curved, asymmetry), below(abs(straight - 1.0), at_most))
+    return judged(curved / straight, margin)
 
 
 def apart_at_large_amplitudes(
@@ -189,15 +190,15 @@ def apart_at_large_amplitudes(
 ) -> Found:
     """Both models differ more, over the swing, at the larger amplitude; value: ratio of the differences."""
     small, large = (_apart(gas, linear, amplitude).min("compared") for amplitude in amplitudes)
-    return Found(large / small, large > small)
+    return judged(large / small, above(large, small))
 
 
 def grows_with_the_bend(volumes: xr.Dataset) -> Found:
     """S rises as the gas volume falls, which bends the law; value: S of the least over the most."""
     top = volumes.isel(s_node=-1, drop=True).sortby("gas_volume", ascending=False)
     index = (top["z_max"] - top["z_static"]) / (top["z_static"] - top["z_min"])
-    found = (index.diff("gas_volume") > 0).all("gas_volume")
-    return Found(index.isel(gas_volume=-1, drop=True) / index.isel(gas_volume=0, drop=True), found)
+    ratio = index.isel(gas_volume=-1, drop=True) / index.isel(gas_volume=0, drop=True)
+    return judged(ratio, rising(index, "gas_volume"))
 
 
 def _apart(gas: xr.Dataset, linear: xr.Dataset, amplitude: float) -> xr.DataArray:

@@ -12,7 +12,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from riserstudy.grading.grade import Found
+from riserstudy.grading.grade import Found, judged
+from riserstudy.grading.margin import above, below, least, rising
 
 FloatArray = NDArray[np.float64]
 LUMPED, BEAM = "lumped masses", "Hermite beam"
@@ -31,14 +32,14 @@ def fades_with_depth(water: xr.Dataset, share: float, within: float) -> Found:
     places = []
     for name in ("wave_velocity", "wave_acceleration"):
         size = abs(water[name]).max("time")
-        below = (
+        faded = (
             size["below_surface"]
             .where(size <= share * size.isel(below_surface=0))
             .min("below_surface")
         )
-        places.append(below / water["below_surface"].max())
+        places.append(faded / water["below_surface"].max())
     deepest = xr.concat(places, "of").max("of")
-    return Found(deepest, deepest <= within)
+    return judged(deepest, below(deepest, within))
 
 
 # Fig 4: three phases
@@ -51,7 +52,7 @@ def fast_at_first(motion: xr.Dataset, at_least: float) -> Found:
         name: (at(x, end) - at(x, start)) / (end - start) for name, (start, end) in PHASES.items()
     }
     ratio = abs(rates["first"]) / abs(rates["second"])
-    return Found(ratio, ratio >= at_least)
+    return judged(ratio, above(ratio, at_least))
 
 
 def reciprocates(motion: xr.Dataset, at_least: float) -> Found:
@@ -62,13 +63,13 @@ def reciprocates(motion: xr.Dataset, at_least: float) -> Found:
     highest = np.maximum.accumulate(within.values, axis=within.get_axis_num("time"))
     back = (within.copy(data=highest) - within).max("time")
     share = back / abs(slow.isel(time=-1))
-    return Found(share, share >= at_least)
+    return judged(share, above(share, at_least))
 
 
 def periodic_at_last(motion: xr.Dataset, within: float) -> Found:
     """Settled by the last phase; value: the settling time (s)."""
     time = settling_time(motion, within)
-    return Found(time, time <= PHASES["last"][0] + 1.0)
+    return judged(time, below(time, PHASES["last"][0] + 1.0))
 
 
 def settling_time(motion: xr.Dataset, within: float) -> xr.DataArray:
@@ -109,14 +110,14 @@ def at(x: xr.DataArray, time: float) -> xr.DataArray:
 def deflects_at_mid_length(trends: xr.Dataset, within: float) -> Found:
     """The largest deflection lies near mid-length; value: its place."""
     found = base(trends, "deflection_place")
-    return Found(found, abs(found - 0.5) <= within)
+    return judged(found, below(abs(found - 0.5), within))
 
 
 def bends_near_the_ends(trends: xr.Dataset, within: float) -> Found:
     """Stress and angle of each half are largest near its end; value: the farthest from an end."""
     names = ("stress_from_bottom", "stress_from_top", "angle_from_bottom", "angle_from_top")
     farthest = xr.concat([base(trends, name) for name in names], "of").max("of")
-    return Found(farthest, farthest <= within)
+    return judged(farthest, below(farthest, within))
 
 
 def base(trends: xr.Dataset, name: str) -> xr.DataArray:
@@ -133,15 +134,10 @@ def base(trends: xr.Dataset, name: str) -> xr.DataArray:
 def trend(trends: xr.Dataset, measures: list[str], axis: str, grows: float) -> Found:
     """All measures grow (1) or fall (-1) at each step of an axis; value: last over first, of the first."""
     dims = {"length": "length", "ratio": "tension_ratio", "factor": "buoyant_factor"}
-    dim, true, value = dims[axis], xr.DataArray(True), None
-    for name in measures:
-        along = solved(trends[f"{name}_by_{axis}"])
-        true = true & (grows * along.diff(dim) > 0).all(dim)
-        if value is None:
-            value = along.isel({dim: -1}, drop=True) / along.isel({dim: 0}, drop=True)
-    if value is None:
-        raise TypeError("a trend of nothing")
-    return Found(value, true)
+    dim = dims[axis]
+    along = [solved(trends[f"{name}_by_{axis}"]) for name in measures]
+    value = along[0].isel({dim: -1}, drop=True) / along[0].isel({dim: 0}, drop=True)
+    return judged(value, least(*(rising(measure, dim, grows) for measure in along)))
 
 
 def solved(values: xr.DataArray) -> xr.DataArray:
@@ -154,22 +150,28 @@ def all_settled(trends: xr.Dataset, within: float) -> Found:
     over = {"length": "length", "ratio": "tension_ratio", "factor": "buoyant_factor"}
     drifts = [solved(trends[f"drift_by_{axis}"]).max(dim) for axis, dim in over.items()]
     most = xr.concat(drifts, "of").max("of")
-    return Found(most, most <= within)
+    return judged(most, below(most, within))
 
 
 def together(trends: xr.Dataset, mid: float, near: float) -> Found:
     """Claims B5 to B10 at once; value: how many of the six are true."""
-    each = claims(trends, mid, near)
-    return Found(each.sum("claim").astype(float), each.all("claim"))
+    margin = margins(trends, mid, near)
+    return judged((margin > 0.0).sum("claim").astype(float), margin.min("claim"))
 
 
 def claims(trends: xr.Dataset, mid: float = 0.1, near: float = 0.1) -> xr.DataArray:
     """Truth of B5 to B10 over ``claim`` and whatever the measures are over."""
+    true: xr.DataArray = margins(trends, mid, near) > 0.0
+    return true
+
+
+def margins(trends: xr.Dataset, mid: float, near: float) -> xr.DataArray:
+    """How far each of them is from where it would turn."""
     found = [deflects_at_mid_length(trends, mid), bends_near_the_ends(trends, near)]
     for name, grows in (("vibration", -1.0), ("stress", -1.0), ("deflection", 1.0), ("angle", 1.0)):
         found.append(trend(trends, [name], "length", grows))
-    true = [f.true for f in found if f.true is not None]
-    return xr.concat(true, xr.DataArray(list(TOGETHER), dims="claim", name="claim"))
+    each = [f.margin for f in found if f.margin is not None]
+    return xr.concat(each, xr.DataArray(list(TOGETHER), dims="claim", name="claim"))
 
 
 # the numerical settings
@@ -184,7 +186,7 @@ def grid_suffices(grid: xr.Dataset, element: str, step: float, at_most: float) -
         error = grid_error(grid).sel(element=element, time_step=step, drop=True)
     else:
         error = xr.concat([grid["error_displacement"], grid["error_moment"]], "of").max("of")
-    return Found(error, error <= at_most)
+    return judged(error, below(error, at_most))
 
 
 def grid_error(grid: xr.Dataset) -> xr.DataArray:

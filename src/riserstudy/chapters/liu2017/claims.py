@@ -12,7 +12,8 @@ import xarray as xr
 
 from riserstudy.chapters.liu2017.crossing import first_crossing
 from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, at_time, reached, shares, starts
-from riserstudy.grading.grade import Found
+from riserstudy.grading.grade import Found, judged
+from riserstudy.grading.margin import above, below, everywhere, least
 
 TARGET = 100.0  # m, the false position
 TENSION, STRENGTH = 3.02e6, 386e6  # N, Pa, both printed; the latter read as the riser's, too
@@ -34,13 +35,14 @@ def faster_along(runs: xr.Dataset, until: float) -> Found:
     """Speed along exceeds speed against; value: smallest difference after the first second (m/s)."""
     speed = runs["platform_speed_x"].sel(time=slice(1.0, until))
     ahead = _along(speed) - _against(speed)
-    return Found(ahead.min("time"), (ahead > 0.0).all("time"))
+    margin = everywhere(above(_along(speed), _against(speed)), "time")
+    return judged(ahead.min("time"), margin)
 
 
 def arrives_earlier_along(runs: xr.Dataset) -> Found:
     """The false position is reached along, and later or never against; value: time along (s)."""
     time = _arrival(runs)
-    return Found(_finite(_along(time), runs), _along(time) < _against(time))
+    return judged(_finite(_along(time), runs), below(_along(time), _against(time)))
 
 
 def smaller_with_riser(runs: xr.Dataset, heading: str, at_least: float) -> Found:
@@ -48,7 +50,8 @@ def smaller_with_riser(runs: xr.Dataset, heading: str, at_least: float) -> Found
     run = runs.sel(heading=heading, drop=True).sel(time=slice(50.0, 100.0))
     less = run["surge_alone"] - run["platform_surge"]
     share = (less / run["surge_alone"]).isel(time=0, drop=True)
-    return Found(share, (less > 0.0).all("time") & (share >= at_least))
+    always = everywhere(above(less, 0.0, over=run["surge_alone"]), "time")
+    return judged(share, least(always, above(share, at_least)))
 
 
 # Fig 6
@@ -58,15 +61,17 @@ def drives_then_inhibits(runs: xr.Dataset, after: float) -> Found:
     """Along, the force drives at first and inhibits after some time until arrival; value: at first (kN)."""
     force = _along(runs["riser_force_x"])
     until = _by_arrival(runs, "along")
-    first = force.isel(time=0, drop=True)
-    inhibits = (force < 0.0) | (force["time"] <= after) | ~until
-    return Found(first / 1e3, (first > 0.0) & inhibits.all("time"))
+    first, size = force.isel(time=0, drop=True), abs(force).max("time")
+    inhibits = below(force, 0.0, over=size).where((force["time"] > after) & until, 1.0)
+    margin = least(above(first, 0.0, over=size), everywhere(inhibits, "time"))
+    return judged(first / 1e3, margin)
 
 
 def always_inhibits(runs: xr.Dataset) -> Found:
     """Against, the force inhibits until arrival; value: its largest value (kN)."""
     force = _against(runs["riser_force_x"]).where(_by_arrival(runs, "against"))
-    return Found(force.max("time") / 1e3, force.max("time") < 0.0)
+    most = force.max("time")
+    return judged(most / 1e3, below(most, 0.0, over=abs(force).max("time")))
 
 
 def larger_against(runs: xr.Dataset) -> Found:
@@ -74,14 +79,15 @@ def larger_against(runs: xr.Dataset) -> Found:
     size = abs(runs["riser_force_x"]).where(_by_arrival(runs, "along"))
     size = size.isel(time=slice(1, None))  # at rest both are mirror images
     ahead = (_against(size) - _along(size)).min("time")
-    return Found(ahead / 1e3, ahead > 0.0)
+    return judged(ahead / 1e3, above(_against(size), _along(size)).min("time"))
 
 
 def inhibits_overall(runs: xr.Dataset) -> Found:
     """Impulse of the force along until arrival is against the drive-off; value: in MN s."""
     force = _along(runs["riser_force_x"]).where(_by_arrival(runs, "along"), 0.0)
     impulse = force.integrate("time") / 1e6
-    return Found(impulse, impulse < 0.0)
+    size = abs(force).integrate("time") / 1e6
+    return judged(impulse, below(impulse, 0.0, over=size))
 
 
 # Fig 7
@@ -94,7 +100,7 @@ def ufj_first(runs: xr.Dataset) -> Found:
     others = times.sel(limit=[name for name in LIMITS if name != "upper flex joint"])
     first = times.sel(limit="upper flex joint", drop=True)
     used = at_time(shares(run), first).sel(limit=others["limit"]).max("limit")
-    return Found(used, first < others.min("limit"), first < np.inf)
+    return judged(used, below(first, others.min("limit")), first < np.inf)
 
 
 def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
@@ -103,7 +109,7 @@ def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
     ratio = used.sel(limit="upper flex joint", drop=True) / used.sel(
         limit=[name for name in LIMITS if name != "upper flex joint"]
     ).max("limit")
-    return Found(ratio, ratio > 1.0)
+    return judged(ratio, above(ratio, 1.0))
 
 
 def slow_below(runs: xr.Dataset, later: float) -> Found:
@@ -112,14 +118,14 @@ def slow_below(runs: xr.Dataset, later: float) -> Found:
     delay = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(
         limit="upper flex joint", drop=True
     )
-    return Found(_finite(delay, runs), delay >= later)
+    return judged(_finite(delay, runs), above(delay, later))
 
 
 def bottom_moves_later(runs: xr.Dataset, later: float) -> Found:
     """A tenth up from its foot the riser moves later than its top; value: by how much (s)."""
     run = _along(runs)
     top, low = (first_crossing(abs(run[n]), MOVED) for n in ("platform_surge", "low_displacement"))
-    return Found(_finite(low - top, runs), low - top >= later)
+    return judged(_finite(low - top, runs), above(low - top, later))
 
 
 def inertia_explains_the_lag(runs: xr.Dataset) -> Found:
@@ -132,8 +138,8 @@ def inertia_explains_the_lag(runs: xr.Dataset) -> Found:
         riser_inertia="without", riser_drag="without"
     )
     adds = lag.sel(riser_inertia="with") - lag.sel(riser_inertia="without")
-    share = adds.mean("riser_drag") / whole
-    return Found(share.reset_coords(drop=True), (share > 0.5).reset_coords(drop=True))
+    share = (adds.mean("riser_drag") / whole).reset_coords(drop=True)
+    return judged(share, above(share, 0.5))
 
 
 def stroke_responds_fast(runs: xr.Dataset, times: float) -> Found:
@@ -142,7 +148,7 @@ def stroke_responds_fast(runs: xr.Dataset, times: float) -> Found:
     ratio = used.sel(limit="telescopic joint", drop=True) / used.sel(limit=list(BOTTOM)).max(
         "limit"
     )
-    return Found(ratio, ratio >= times)
+    return judged(ratio, above(ratio, times))
 
 
 def stroke_begins_with_the_ufj(runs: xr.Dataset) -> Found:
@@ -151,7 +157,7 @@ def stroke_begins_with_the_ufj(runs: xr.Dataset) -> Found:
     first = begins.sel(limit="upper flex joint", drop=True)
     stroke = begins.sel(limit="telescopic joint", drop=True)
     slow = begins.sel(limit=list(BOTTOM)).min("limit")
-    return Found(_finite(stroke - first, runs), stroke - first < slow - stroke)
+    return judged(_finite(stroke - first, runs), below(stroke - first, slow - stroke))
 
 
 # the environment
@@ -160,9 +166,10 @@ def stroke_begins_with_the_ufj(runs: xr.Dataset) -> Found:
 def environment_helps_or_opposes(runs: xr.Dataset) -> Found:
     """At the start thrust and environment agree along and oppose against; value: environment (MN)."""
     start = runs.isel(time=1, drop=True)
-    work = start["thrust_x"] * start["environment_force_x"]
-    value = _against(start["environment_force_x"]) / 1e6
-    return Found(value, (_along(work) > 0.0) & (_against(work) < 0.0))
+    thrust, force = start["thrust_x"], start["environment_force_x"]
+    larger = abs(thrust).where(abs(thrust) > abs(force), abs(force))
+    agree = above(thrust * force, 0.0, over=larger**2)
+    return judged(_against(force) / 1e6, least(_along(agree), -_against(agree)))
 
 
 def _along(runs: Any) -> Any:

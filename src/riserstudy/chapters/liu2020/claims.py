@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riserstudy.grading.grade import Found
+from riserstudy.grading.grade import Found, judged
+from riserstudy.grading.margin import above, below, everywhere, least, rising
 from riserstudy.grading.verdict import ALMOST_ALWAYS
 
 #: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
@@ -43,7 +44,7 @@ def constant_tension(readings: xr.Dataset) -> Found:
 def codes_agree(codes: xr.Dataset, at_most: float) -> Found:
     """Three methods give nearly the same displacement; value: largest difference over the largest."""
     apart = codes["codes_apart"]
-    return Found(apart, apart <= at_most)
+    return judged(apart, below(apart, at_most))
 
 
 # Figs 11 and 12: statics
@@ -57,29 +58,29 @@ def pushed_back(force: xr.Dataset, speed: float) -> Found:
 def opposes(readings: xr.Dataset) -> Found:
     """The tensioners push against the current at every speed; value: least force at 1 m/s (N)."""
     force = readings["horizontal_force"].sel(counted="all cylinders", drop=True)
-    return Found(force.sel(surface_speed=1.0, drop=True), (force > 0).all("surface_speed"))
+    margin = above(force, 0.0, over=abs(force).max("surface_speed"))
+    return judged(force.sel(surface_speed=1.0, drop=True), everywhere(margin, "surface_speed"))
 
 
 def moves_less(readings: xr.Dataset) -> Found:
     """With tensioners the riser moves less in every current; value: ratio to the other at 1 m/s."""
-    moved = readings["largest_displacement"]
-    ratio = moved.sel(tensioner_model="gas law", drop=True) / moved.sel(tensioner_model=WITHOUT)
-    return Found(ratio.sel(surface_speed=1.0, drop=True), (ratio < 1.0).all("surface_speed"))
+    return _less_on_tensioners(readings["largest_displacement"])
 
 
 def bends_less_near_the_top(readings: xr.Dataset) -> Found:
     """Within 60 m below the ring the riser bends less on the tensioners; value: ratio at 1 m/s."""
-    return _bends_less(readings["moment_near_ring"])
+    return _less_on_tensioners(readings["moment_near_ring"])
 
 
 def bends_less(readings: xr.Dataset) -> Found:
     """The largest moment is smaller on the tensioners; value: ratio at 1 m/s."""
-    return _bends_less(readings["largest_moment"])
+    return _less_on_tensioners(readings["largest_moment"])
 
 
-def _bends_less(moment: xr.DataArray) -> Found:
-    ratio = moment.sel(tensioner_model="gas law", drop=True) / moment.sel(tensioner_model=WITHOUT)
-    return Found(ratio.sel(surface_speed=1.0, drop=True), (ratio < 1.0).all("surface_speed"))
+def _less_on_tensioners(values: xr.DataArray) -> Found:
+    ratio = values.sel(tensioner_model="gas law", drop=True) / values.sel(tensioner_model=WITHOUT)
+    margin = everywhere(below(ratio, 1.0), "surface_speed")
+    return judged(ratio.sel(surface_speed=1.0, drop=True), margin)
 
 
 # Figs 13 to 15: heave
@@ -95,22 +96,23 @@ def uniform(
     run = heave.sel(heave_amplitude=amplitude, heave_period=period, drop=True)
     apart = abs(run["axial_force_amplitude_top"] / run["axial_force_amplitude"] - 1.0)
     worst = apart.where(apart > run["settling"], run["settling"])
-    return Found(worst, (worst <= at_most) & (abs(run["axial_force_lag"]) <= np.deg2rad(lag)))
+    together = below(abs(run["axial_force_lag"]), np.deg2rad(lag))
+    return judged(worst, least(below(worst, at_most), together))
 
 
 def amplitude_not_period(heave: xr.Dataset, at_most: float) -> Found:
     """Force grows with every step of heave, and changes little with period; value: largest spread."""
     force = heave["axial_force_amplitude"]
     spread = (force.max("heave_period") / force.min("heave_period") - 1.0).max("heave_amplitude")
-    grows = (force.diff("heave_amplitude") > 0).all(["heave_amplitude", "heave_period"])
-    return Found(spread, grows & (spread <= at_most))
+    grows = everywhere(rising(force, "heave_amplitude"), "heave_period")
+    return judged(spread, least(grows, below(spread, at_most)))
 
 
 def not_negligible(heave: xr.Dataset, amplitude: float, period: float, at_least: float) -> Found:
     """The axial force varies by a share of the tension; value: the share."""
     share = heave["axial_force_share"]
     share = share.sel(heave_amplitude=amplitude, heave_period=period, drop=True)
-    return Found(share, share >= at_least)
+    return judged(share, above(share, at_least))
 
 
 # Figs 16 to 18: surge
@@ -120,28 +122,28 @@ def travels_down(motion: xr.Dataset) -> Found:
     """Motion begins at each depth after the one above; value: time from 100 m to 400 m (s)."""
     arrival = motion["arrival"].sortby("depth")
     passed = arrival.isel(depth=-1, drop=True) - arrival.isel(depth=0, drop=True)
-    return Found(passed, (arrival.diff("depth") > 0).all("depth"))
+    return judged(passed, rising(arrival, "depth"))
 
 
 def seems_the_same(surge: xr.Dataset, at_most: float) -> Found:
     """Displacement is nearly that without tensioners; value: their difference over it, root mean square."""
     apart = surge["displacement_apart"].sel(tensioner_model=WITHOUT)
-    return Found(apart, apart <= at_most)
+    return judged(apart, below(apart, at_most))
 
 
 def surges_less(surge: xr.Dataset) -> Found:
     """With tensioners every depth moves less; value: largest ratio to the other model."""
     moved = surge["displacement_amplitude"]
     ratio = moved.sel(tensioner_model="gas law", drop=True) / moved.sel(tensioner_model=WITHOUT)
-    return Found(ratio.max("depth"), (ratio < 1.0).all("depth"))
+    return judged(ratio.max("depth"), everywhere(below(ratio, 1.0), "depth"))
 
 
 def lags(surge: xr.Dataset) -> Found:
     """With tensioners every depth comes later; value: least lag behind the other model (degrees)."""
     lag = surge["displacement_lag"]
     behind = lag.sel(tensioner_model="gas law", drop=True) - lag.sel(tensioner_model=WITHOUT)
-    least = ((behind + np.pi) % (2.0 * np.pi) - np.pi).min("depth")
-    return Found(least * DEGREES, least > 0)
+    smallest = ((behind + np.pi) % (2.0 * np.pi) - np.pi).min("depth")
+    return judged(smallest * DEGREES, above(smallest, 0.0, over=np.pi))
 
 
 # Figs 19 and 20: roll
@@ -166,8 +168,8 @@ def grows_with_amplitude(roll: xr.Dataset) -> Found:
     """Moment rises with roll amplitude at every period; value: least ratio of neighbours."""
     moment = roll["max_bending_moment"]
     ratio = moment / moment.shift(roll_amplitude=1)
-    least = ratio.min(["roll_amplitude", "roll_period"])
-    return Found(least, least > 1.0)
+    smallest = ratio.min(["roll_amplitude", "roll_period"])
+    return judged(smallest, above(smallest, 1.0))
 
 
 def falls_with_period(roll: xr.Dataset) -> Found:
@@ -183,7 +185,7 @@ def falls_with_period(roll: xr.Dataset) -> Found:
         ratio = chosen / chosen.shift(roll_period=1)
         steps.append(ratio.max(["roll_amplitude", "roll_period"]))
     most = xr.concat(steps, xr.DataArray(there, dims="grid", name="grid"))
-    return Found(most, most < 1.0)
+    return judged(most, below(most, 1.0))
 
 
 # Figs 23 and 24: response in waves
@@ -198,9 +200,10 @@ def surge_largest(rao: xr.Dataset, at_least: float) -> Found:
     # periods stand closer where lateral modes answer
     share = rao["stress_share"].integrate("wave_period") / float(period.max() - period.min())
     surge, others = {"motion": "surge"}, {"motion": ["heave", "pitch"]}
-    largest = [(x.sel(others) < x.sel(surge, drop=True)).all("motion") for x in (peak, share)]
-    felt = (share.sel(others) >= at_least).all("motion")
-    return Found(share.sel(surge, drop=True), largest[0] & largest[1] & felt)
+    largest = [below(x.sel(others), x.sel(surge, drop=True)) for x in (peak, share)]
+    felt = above(share.sel(others), at_least)
+    margin = everywhere(least(*largest, felt), "motion")
+    return judged(share.sel(surge, drop=True), margin)
 
 
 # errata

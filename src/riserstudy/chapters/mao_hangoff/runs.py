@@ -37,11 +37,6 @@ def with_printed_lmrp(values: xr.DataArray) -> xr.DataArray:
     return values.sel(lmrp_mass=140.0, drop=True) if "lmrp_mass" in values.dims else values
 
 
-def follows(values: xr.DataArray, axis: str, sign: float) -> xr.DataArray:
-    """Whether values rise (sign 1) or fall (-1) from point to point of an axis."""
-    return (sign * values.diff(axis) > 0).all(axis)
-
-
 def last_over_first(values: xr.DataArray, axis: str) -> xr.DataArray:
     """Ratio of the values at the ends of an axis."""
     return values.isel({axis: -1}, drop=True) / values.isel({axis: 0}, drop=True)

@@ -14,13 +14,14 @@ import xarray as xr
 
 from riserstudy.chapters.mao_hangoff.runs import (
     at_angle,
-    follows,
     last_over_first,
     with_printed_lmrp,
 )
-from riserstudy.grading.grade import Found
+from riserstudy.grading.grade import Found, judged
+from riserstudy.grading.margin import above, below, everywhere, least, rising
 
 SETTLED = 70.0  # s, by then every ramp of the heave has ended
+STEADY = 0.9  # of the motion at the heave's period, which counts as one frequency
 SMALL = 0.05  # change that counts as small
 FIRST = 40.0  # s, end of the first phase, the second time of Fig 9c
 
@@ -28,57 +29,58 @@ FIRST = 40.0  # s, end of the first phase, the second time of Fig 9c
 def one_frequency(heave: xr.Dataset, depths: list[float]) -> Found:
     """The heave's period explains 90 % of the motion at all depths; value: the smallest share."""
     share = harmonic(with_printed_lmrp(_z_at(heave, depths)), heave)["share"].min("depth")
-    return Found(share, share >= 0.9)
+    return judged(share, above(share, STEADY))
 
 
 def amplitude_grows_with_depth(heave: xr.Dataset, depths: list[float]) -> Found:
     """Amplitude a grows from depth to depth; value: deepest over first."""
     a = harmonic(with_printed_lmrp(_z_at(heave, depths)), heave)["amplitude"]
     ratio = a.isel(depth=-1, drop=True) / a.isel(depth=0, drop=True)
-    return Found(ratio, (a.diff("depth") > 0).all("depth"))
+    return judged(ratio, rising(a, "depth"))
 
 
 def level_rises(heave: xr.Dataset, depth: float) -> Found:
     """The mean level at a depth rises while the riser trails off; value: m a minute."""
-    rate = 60.0 * harmonic(with_printed_lmrp(_z_at(heave, [depth])), heave)["drift"].isel(
-        depth=0, drop=True
-    )
-    return Found(rate, rate > 0.0)
+    fit = harmonic(with_printed_lmrp(_z_at(heave, [depth])), heave).isel(depth=0, drop=True)
+    rate = 60.0 * fit["drift"]
+    return judged(rate, above(rate, 0.0, over=fit["amplitude"]))
 
 
 def amplitude_follows(heave: xr.Dataset, axis: str, sign: float) -> Found:
     """Amplitude a of the LMRP rises or falls along an axis, at one frequency; value: last over first."""
     fit = lmrp_motion(heave)
-    steady = (fit["share"] >= 0.9).all(axis)
+    steady = everywhere(above(fit["share"], STEADY), axis)
     a = fit["amplitude"]
-    return Found(last_over_first(a, axis), follows(a, axis, sign) & steady)
+    return judged(last_over_first(a, axis), least(rising(a, axis, sign), steady))
 
 
 def amplitude_hardly_changes(heave: xr.Dataset, axis: str) -> Found:
     """Amplitude a of the LMRP changes little along an axis; value: last over first."""
-    ratio = last_over_first(lmrp_motion(heave)["amplitude"], axis)
-    return Found(ratio, abs(ratio - 1.0) <= SMALL)
+    return _hardly_changes(lmrp_motion(heave)["amplitude"], axis)
 
 
 def rise_follows(heave: xr.Dataset, axis: str, sign: float) -> Found:
     """The LMRP's largest rise grows or falls along an axis; value: last over first."""
     rise = largest_rise(heave["z"].isel(s=0, drop=True))
-    return Found(last_over_first(rise, axis), follows(rise, axis, sign))
+    return judged(last_over_first(rise, axis), rising(rise, axis, sign))
 
 
 def rise_hardly_changes(heave: xr.Dataset, axis: str) -> Found:
     """The LMRP's largest rise changes little along an axis; value: last over first."""
-    ratio = last_over_first(largest_rise(heave["z"].isel(s=0, drop=True)), axis)
-    return Found(ratio, abs(ratio - 1.0) <= SMALL)
+    return _hardly_changes(largest_rise(heave["z"].isel(s=0, drop=True)), axis)
+
+
+def _hardly_changes(values: xr.DataArray, axis: str) -> Found:
+    ratio = last_over_first(values, axis)
+    return judged(ratio, below(abs(ratio - 1.0), SMALL))
 
 
 def lows_deeper_at_first(heave: xr.Dataset, depths: list[float]) -> Found:
     """In the first phase depths reach lower below rest than the top does; value: the least over the top's."""
     z = with_printed_lmrp(_z_at(heave, [0.0, *depths]))
     fallen = (z.isel(time=0) - z.sel(time=slice(0.0, FIRST))).max("time")
-    below = fallen.sel(depth=depths) / fallen.sel(depth=0.0, drop=True)
-    least = below.min("depth")
-    return Found(least, least > 1.0)
+    shallowest = (fallen.sel(depth=depths) / fallen.sel(depth=0.0, drop=True)).min("depth")
+    return judged(shallowest, above(shallowest, 1.0))
 
 
 def amplitude_largest_at_0_degrees(heave: xr.Dataset, considerably: float) -> Found:
@@ -93,7 +95,8 @@ def rise_largest_at_0_degrees(heave: xr.Dataset, considerably: float) -> Found:
 
 def _largest_at_0_degrees(values: xr.DataArray, considerably: float) -> Found:
     at0, at45, at90 = (at_angle(values, angle) for angle in (0, 45, 90))
-    return Found(at90 / at0, (at0 >= considerably * at45) & (at0 >= considerably * at90))
+    margin = least(above(at0, considerably * at45), above(at0, considerably * at90))
+    return judged(at90 / at0, margin)
 
 
 def largest_rise(z: xr.DataArray) -> xr.DataArray:

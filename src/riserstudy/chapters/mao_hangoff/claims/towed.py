@@ -15,7 +15,6 @@ from riserstudy.chapters.mao_hangoff.runs import (
     STATED,
     at_angle,
     distance,
-    follows,
     largest,
     last_over_first,
     misses_of_print,
@@ -23,7 +22,8 @@ from riserstudy.chapters.mao_hangoff.runs import (
     with_printed_lmrp,
 )
 from riserstudy.chapters.mao_hangoff.towed import displacement
-from riserstudy.grading.grade import Found
+from riserstudy.grading.grade import Found, judged
+from riserstudy.grading.margin import above, below, everywhere, least, rising
 
 SURFACE_ZONE = 150.0  # m below the joint, where C_D is large
 TIMES = [10.0, 40.0, 70.0, 100.0, 130.0]  # s, of Fig 9c
@@ -50,7 +50,7 @@ def all_numbers(
     """Whether one reading meets the three numbers within a share; value: its worst miss."""
     found = misses_of_print(runs, heavy, light, moment)
     worst = xr.concat([found[name] for name in PRINTED], "number").max("number")
-    return Found(worst, worst <= within)
+    return judged(worst, below(worst, within))
 
 
 # Fig 9: the base case
@@ -60,7 +60,8 @@ def grows_with_depth(runs: xr.Dataset) -> Found:
     """Distance grows from node to node at 130 s; value: x over the largest distance."""
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
     value = away.isel(s=0, drop=True) / away.max("s")
-    return Found(value, (away.diff("s") <= 1e-9).all("s"))
+    falls = below(away.diff("s"), 1e-9, over=away.max("s"))
+    return judged(value, everywhere(falls, "s"))
 
 
 def upright_at_the_lmrp(runs: xr.Dataset, at_most: float) -> Found:
@@ -68,29 +69,29 @@ def upright_at_the_lmrp(runs: xr.Dataset, at_most: float) -> Found:
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
     lowest = (away.isel(s=0, drop=True) - away.interp(s=50.0).drop_vars("s")) / 50.0
     mean = away.isel(s=0, drop=True) / (float(away["s"][-1]) - float(away["s"][0]))
-    return Found(lowest / mean, lowest <= at_most * mean)
+    return judged(lowest / mean, below(lowest, at_most * mean))
 
 
 def moment_at_the_top(runs: xr.Dataset) -> Found:
     """M lies in the surface zone; value: its depth below the joint (m)."""
     moment = with_printed_lmrp(moments(runs))
     depth = float(moment["s"][-1]) - moment.idxmax("s")
-    return Found(depth, depth <= SURFACE_ZONE)
+    return judged(depth, below(depth, SURFACE_ZONE))
 
 
 def small_below(runs: xr.Dataset, depth: float, at_most: float) -> Found:
     """Moments below a depth (m) are small; value: the largest there over M."""
     moment = with_printed_lmrp(moments(runs))
-    below = moment.where(moment["s"] < float(moment["s"][-1]) - depth).max("s")
-    share = below / moment.max("s")
-    return Found(share, share <= at_most)
+    deeper = moment.where(moment["s"] < float(moment["s"][-1]) - depth).max("s")
+    share = deeper / moment.max("s")
+    return judged(share, below(share, at_most))
 
 
 def grows_in_time(runs: xr.Dataset, at_most: float) -> Found:
     """Distance x grows from time to time of Fig 9c and is small at first; value: first over last."""
     x = abs(with_printed_lmrp(displacement(runs))).sel(time=TIMES).isel(s=0, drop=True)
     first = x.isel(time=0, drop=True) / x.isel(time=-1, drop=True)
-    return Found(first, (x.diff("time") > 0).all("time") & (first <= at_most))
+    return judged(first, least(rising(x, "time"), below(first, at_most)))
 
 
 def lower_half_moves_more(runs: xr.Dataset) -> Found:
@@ -98,10 +99,10 @@ def lower_half_moves_more(runs: xr.Dataset) -> Found:
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=TIMES)
     middle = 0.5 * (float(away["s"][0]) + float(away["s"][-1]))
     lower, upper = away.where(away["s"] <= middle), away.where(away["s"] >= middle)
-    farthest = away.isel(s=0, drop=True) >= NEARLY * away.max("s")
+    farthest = above(away.isel(s=0, drop=True), NEARLY * away.max("s"))
     ratio = lower.mean("s") / upper.mean("s")
-    true = (farthest & (ratio > 1.0)).all("time")
-    return Found(ratio.isel(time=-1, drop=True), true)
+    margin = everywhere(least(farthest, above(ratio, 1.0)), "time")
+    return judged(ratio.isel(time=-1, drop=True), margin)
 
 
 # Figs 10 to 14: what changes with what
@@ -110,19 +111,19 @@ def lower_half_moves_more(runs: xr.Dataset) -> Found:
 def distance_and_moment_follow(runs: xr.Dataset, axis: str, sign: float) -> Found:
     """Both x and M rise (sign 1) or fall (-1) along an axis; value: last x over first."""
     x, m = distance(runs), largest(runs)
-    return Found(last_over_first(x, axis), follows(x, axis, sign) & follows(m, axis, sign))
+    return judged(last_over_first(x, axis), least(rising(x, axis, sign), rising(m, axis, sign)))
 
 
 def distance_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
     """Distance x rises or falls along an axis; value: last over first."""
     x = distance(runs)
-    return Found(last_over_first(x, axis), follows(x, axis, sign))
+    return judged(last_over_first(x, axis), rising(x, axis, sign))
 
 
 def moment_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
     """M rises or falls along an axis; value: last over first."""
     m = largest(runs)
-    return Found(last_over_first(m, axis), follows(m, axis, sign))
+    return judged(last_over_first(m, axis), rising(m, axis, sign))
 
 
 def top_moment_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
@@ -130,13 +131,14 @@ def top_moment_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
     over_s = moments(runs)
     m = over_s.max("s")
     depth = float(over_s["s"][-1]) - over_s.isel({axis: 0}, drop=True).idxmax("s")
-    return Found(last_over_first(m, axis), follows(m, axis, sign) & (depth <= SURFACE_ZONE))
+    margin = least(rising(m, axis, sign), below(depth, SURFACE_ZONE))
+    return judged(last_over_first(m, axis), margin)
 
 
 def joint_angle_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
     """The angle of the flex joint at 130 s rises or falls along an axis; value: last over first."""
     angle = abs(runs["ufj_angle"].sel(time=STATED, drop=True))
-    return Found(last_over_first(angle, axis), follows(angle, axis, sign))
+    return judged(last_over_first(angle, axis), rising(angle, axis, sign))
 
 
 def change_near_the_lmrp(runs: xr.Dataset) -> Found:
@@ -151,8 +153,12 @@ def change_near_the_lmrp(runs: xr.Dataset) -> Found:
     lower, upper = even.isel(s=slice(0, PLACES // 2)), even.isel(s=slice(PLACES // 2, None))
     ratio = lower.mean("s") / upper.mean("s")
     at_lmrp = change.isel(s=0, drop=True)
-    true = (at_lmrp >= NEARLY * change.max("s")) & (at_lmrp > 0.0) & (ratio > 1.0)
-    return Found(ratio, true)
+    margin = least(
+        above(at_lmrp, NEARLY * change.max("s")),
+        above(at_lmrp, 0.0, over=abs(change).max("s")),
+        above(ratio, 1.0),
+    )
+    return judged(ratio, margin)
 
 
 def change_arises_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
@@ -162,7 +168,7 @@ def change_arises_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
     quarter = 0.25 * float(change["s"][-1])
     low = change.isel(s=0, drop=True)
     share = (low - change.interp(s=quarter).drop_vars("s")) / low
-    return Found(share, share >= at_least)
+    return judged(share, above(share, at_least))
 
 
 def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float) -> Found:
@@ -177,33 +183,35 @@ def all_rise_with(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float) -
 
 def _all_follow(runs: xr.Dataset, axial: xr.DataArray, axis: str, sign: float) -> Found:
     x, m = distance(runs), largest(runs)
-    true = follows(x, axis, sign) & follows(m, axis, sign) & follows(axial, axis, sign)
-    return Found(last_over_first(x, axis), true)
+    margin = least(*(rising(values, axis, sign) for values in (x, m, axial)))
+    return judged(last_over_first(x, axis), margin)
 
 
 def loads_small_at_the_lmrp(loads: xr.Dataset, at_most: float) -> Found:
     """The load on the riser at the LMRP is a share of that at the joint at most; value: their ratio."""
     ratio = abs(loads["load_at_lmrp"] / loads["load_at_joint"])
     ratio = with_printed_lmrp(ratio)
-    return Found(ratio, ratio <= at_most)
+    return judged(ratio, below(ratio, at_most))
 
 
 def other_way_at_90_degrees(runs: xr.Dataset) -> Found:
     """At 90 deg the LMRP is on another side than at 0 and 45 deg; value: place at 90 over that at 0 deg."""
     place = displacement(runs).sel(time=STATED, drop=True).isel(s=0, drop=True)
     at0, at45, at90 = (at_angle(place, angle) for angle in (0, 45, 90))
-    return Found(at90 / at0, (at0 * at45 > 0) & (at0 * at90 < 0))
+    same = above(at45 / at0, 0.0, over=1.0)
+    return judged(at90 / at0, least(same, below(at90 / at0, 0.0, over=1.0)))
 
 
 def falls_with_angle(runs: xr.Dataset, considerably: float) -> Found:
     """Distance x falls from 0 over 45 to 90 deg, 0 deg considerably largest; value: x at 90 over 0 deg."""
     x = distance(runs)
     at0, at45, at90 = (at_angle(x, angle) for angle in (0, 45, 90))
-    return Found(at90 / at0, (at0 >= considerably * at45) & (at45 > at90))
+    margin = least(above(at0, considerably * at45), above(at45, at90))
+    return judged(at90 / at0, margin)
 
 
 def grows_beyond_90_degrees(runs: xr.Dataset) -> Found:
     """Distance x grows from 90 over 135 to 180 deg; value: x at 180 over 90 deg."""
     x = distance(runs)
     at90, at135, at180 = (at_angle(x, angle) for angle in (90, 135, 180))
-    return Found(at180 / at90, (at135 > at90) & (at180 > at135))
+    return judged(at180 / at90, least(above(at135, at90), above(at180, at135)))

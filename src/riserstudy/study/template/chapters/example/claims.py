@@ -2,7 +2,8 @@
 
 import xarray as xr
 
-from riserstudy.grading.grade import Found
+from riserstudy.grading.grade import Found, judged
+from riserstudy.grading.margin import above
 
 
 def grows_faster_than(swings: xr.Dataset) -> Found:
@@ -11,4 +12,4 @@ def grows_faster_than(swings: xr.Dataset) -> Found:
     amplitude = swing["heave_amplitude"]
     growth = (swing[-1] / swing[0]) / (amplitude[-1] / amplitude[0])
     growth = growth.reset_coords(drop=True)
-    return Found(growth, growth > 1.0)
+    return judged(growth, above(growth, 1.0))

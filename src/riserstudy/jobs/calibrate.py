@@ -1,0 +1,201 @@
+"""Fit the calibrated values of a study to printed numbers, by a continuous search within their ranges.
+
+``python -m riserstudy.jobs.calibrate mao_hangoff/nearest N1 N2 N3`` prints the values at which the worst
+relative miss of the numbers is least. Free are the values that the study sets as ``calibrated`` with a range;
+nothing is written, what is found goes into the study file by hand. No rule runs this: a search takes hundreds
+of runs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from scipy.optimize import minimize
+
+from riserstudy.chapters import checks_of
+from riserstudy.chapters.derive import derive
+from riserstudy.errors import InputError, RiserStudyError, SimulationError
+from riserstudy.grading.models import Item, read_published
+from riserstudy.simulation.refine import run
+from riserstudy.study.collect import dataset_of
+from riserstudy.study.read import read_studies
+from riserstudy.study.study import Study
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.study.models import Derived
+
+CONFIG = Path("config")
+MOST = 400  # evaluations a start
+STARTS = 3  # a simplex shrinks onto the edges of a worst miss, and begins anew there
+FIRST_STEP = 0.1  # of a range
+NO_RUN = 1e3  # a miss where a run cannot be completed
+
+
+class Free(NamedTuple):
+    """A calibrated value of a study: path in the scene, where the search begins, its range and unit."""
+
+    path: str
+    start: float
+    low: float
+    high: float
+    unit: str
+
+    def text(self, share: float) -> str:
+        """The value at a share of the range, as study files write it."""
+        return f"{self.low + share * (self.high - self.low):.4g} {self.unit}".strip()
+
+
+class Fit(NamedTuple):
+    """What a search found: shares of the ranges, the worst miss there, and how often it looked."""
+
+    shares: list[float]
+    miss: float
+    looks: int
+
+
+def free_values(study: Study) -> list[Free]:
+    """The calibrated values that a study sets and gives a range.
+
+    Raises
+    ------
+    InputError
+        When there are none.
+    """
+    found = []
+    for path, value in study.model.set.items():
+        if isinstance(value, dict) and "calibrated" in value and "range" in value:
+            low, high = (float(str(end).split()[0]) for end in value["range"])
+            number, _, unit = str(value["calibrated"]).partition(" ")
+            found.append(Free(path, float(number), low, high, unit))
+    if not found:
+        raise InputError(study.where, "set", "no calibrated values with a range", "add range")
+    return found
+
+
+def with_values(study: Study, free: Sequence[Free], shares: Sequence[float]) -> Study:
+    """The study with its free values at shares of their ranges."""
+    sets = dict(study.model.set)
+    for one, share in zip(free, shares, strict=True):
+        sets[one.path] = sets[one.path] | {"calibrated": one.text(share)}
+    return replace(study, model=study.model.model_copy(update={"set": sets}))
+
+
+def values_of(study: Study, items: Sequence[Item], derived: dict[str, Derived]) -> dict[str, float]:
+    """What simulations of a study give for printed numbers that are checked with it alone."""
+    results = [run(study.grid.file(point.index).scene(), estimated=False) for point in study.plan]
+    runs = dataset_of(study, results)
+    found = {}
+    for item in items:
+        reads = {name: _read(study, of, derived, runs) for name, of in item.reads.items()}
+        value = checks_of(study.paper)(item.check or "")(**reads, **item.options).value
+        at = {dim: cell for dim, cell in item.base.items() if dim in value.dims}
+        found[item.id] = float(value.sel(at))
+    return found
+
+
+def _read(study: Study, name: str, derived: dict[str, Derived], runs: xr.Dataset) -> xr.Dataset:
+    """A dataset that a check reads: derived from the study alone, or the study in place of its own."""
+    if name in derived and derived[name].reads == [study.name]:
+        return derive(study.paper, name, {study.name: runs}, derived[name].settings)
+    return runs
+
+
+def worst_miss(found: dict[str, float], items: Sequence[Item]) -> float:
+    """The largest relative miss of printed numbers."""
+    return max(abs(found[item.id] / (item.published or 0.0) - 1.0) for item in items)
+
+
+def search(
+    miss: Callable[[Sequence[float]], float], start: Sequence[float], most: int = MOST
+) -> Fit:
+    """The point of the unit cube at which a miss is least.
+
+    References
+    ----------
+    Nelder and Mead (1965), whose simplex begins anew where it has shrunk.
+    """
+    best, looks = Fit([*start], miss(start), 1), 1
+    for _ in range(STARTS):
+        corner = np.array(best.shares)
+        away = np.where(corner < 0.5, FIRST_STEP, -FIRST_STEP)
+        simplex = np.vstack([corner, corner + np.diag(away)])
+        found = minimize(
+            miss,
+            corner,
+            method="Nelder-Mead",
+            bounds=[(0.0, 1.0)] * len(corner),
+            options={"maxfev": most, "initial_simplex": simplex, "xatol": 1e-3, "fatol": 1e-5},
+        )
+        looks += int(found.nfev)
+        if found.fun >= best.miss:
+            break
+        best = Fit([float(x) for x in found.x], float(found.fun), looks)
+    return best._replace(looks=looks)
+
+
+def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], most: int) -> Fit:
+    """Fit a study's free values to printed numbers.
+
+    Raises
+    ------
+    InputError
+        When there is nothing to fit, or nothing to fit it to.
+    """
+    free = free_values(study)
+    if not items or any(item.published is None for item in items):
+        raise InputError(study.where, "", "no printed numbers to fit to", "name some by ID")
+
+    def miss(shares: Sequence[float]) -> float:
+        try:
+            return worst_miss(values_of(with_values(study, free, shares), items, derived), items)
+        except SimulationError:
+            return NO_RUN
+
+    fit = search(miss, [(one.start - one.low) / (one.high - one.low) for one in free], most)
+    for one, share in zip(free, fit.shares, strict=True):
+        print(f"{one.path}: {one.text(share)}")
+    found = values_of(with_values(study, free, fit.shares), items, derived)
+    for item in items:
+        print(f"{item.id}: {found[item.id]:.4g} {item.unit}, printed {item.published:g}")
+    print(f"worst miss {100.0 * fit.miss:.2f} % after {fit.looks} looks")
+    return fit
+
+
+def main(study: str, ids: list[str], tier: str, most: int) -> None:
+    """Read a study and printed numbers of its paper, search, print.
+
+    Raises
+    ------
+    InputError
+        When there is no such study.
+    """
+    paper, _, name = study.partition("/")
+    file = read_studies(CONFIG, paper)
+    if name not in file.studies:
+        raise InputError(CONFIG / "studies" / f"{paper}.yaml", "studies", f"no study {name!r}", "")
+    published = read_published(CONFIG, paper, set(file.datasets))
+    items = [item for item in published.items if item.id in ids]
+    made = Study(paper, name, file.studies[name], CONFIG, tier, None, file.readings)  # type: ignore[arg-type]
+    calibrate(made, items, dict(file.derived), most)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
+    parser.add_argument("study", help="paper/study")
+    parser.add_argument("ids", nargs="+", help="of printed numbers")
+    parser.add_argument("--tier", default="standard")
+    parser.add_argument("--most", type=int, default=MOST, help="evaluations a start")
+    try:
+        main(**vars(parser.parse_args()))
+    except RiserStudyError as error:
+        sys.exit(f"riserstudy: {error}")
