@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from plain import across, axes, spread
 from surroundings import SEGMENTS, Case
 
@@ -19,3 +20,6 @@ CASES = {
 PLAIN = {
     AddedMass: [("string_inertia", added_mass)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"added mass": lambda n: AddedMass(np.zeros(n), np.zeros(n), 0)}

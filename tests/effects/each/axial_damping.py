@@ -22,3 +22,6 @@ CASES = {
 PLAIN = {
     AxialDamping: [("string", axial_damping)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"axial damping": lambda n: AxialDamping(np.zeros(n))}

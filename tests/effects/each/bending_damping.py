@@ -30,3 +30,8 @@ CASES = {
 PLAIN = {
     BendingDamping: [("turn", bending_damping)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {
+    "bending damping": lambda n: BendingDamping(0.0, np.zeros((1, n + 1)), np.zeros((1, n + 1)))
+}

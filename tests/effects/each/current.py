@@ -23,3 +23,10 @@ CASES = {
 PLAIN = {
     Current: [("drive", current)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {
+    "current": lambda n: Current(
+        np.array([0.0, 533.0]), np.zeros(2), np.array([1.0]), np.zeros(n + 1, np.int64), 0.0
+    )
+}

@@ -21,3 +21,6 @@ CASES = {
 PLAIN = {
     DeadLoad: [("device", pull)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"lateral force": lambda n: DeadLoad(n, np.zeros(2))}

@@ -23,3 +23,6 @@ CASES = {
 PLAIN = {
     Drag: [("string", drag)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"drag": lambda n: Drag(np.zeros(n), np.zeros(n), np.zeros((2, n + 1)), 0)}

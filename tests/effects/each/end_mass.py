@@ -33,3 +33,6 @@ CASES = {
 PLAIN = {
     EndMass: [("device", end_mass), ("device_inertia", end_mass_inertia)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"end mass": lambda n: EndMass(n, 0.0, np.zeros(2), np.zeros(2))}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from plain import spread
 from surroundings import SEGMENTS, Case
 
@@ -19,3 +20,6 @@ CASES = {
 PLAIN = {
     Inertia: [("string_inertia", inertia)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"inertia": lambda n: Inertia(np.zeros(n), np.zeros(n))}

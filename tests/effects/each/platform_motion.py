@@ -62,3 +62,6 @@ MOTIONS = {
     Cruise: cruise,
     Series: series,
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"platform position": lambda n: Position(np.zeros(6))}

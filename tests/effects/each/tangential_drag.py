@@ -28,3 +28,6 @@ CASES = {
 PLAIN = {
     TangentialDrag: [("string", tangential_drag)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"tangential drag": lambda n: TangentialDrag(np.zeros(n))}

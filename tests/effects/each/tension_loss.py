@@ -22,3 +22,6 @@ CASES = {
 PLAIN = {
     TensionLoss: [("device", tension_loss)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"tension loss": lambda n: TensionLoss(n, np.zeros(2), 1.0, 1.0)}

@@ -23,3 +23,6 @@ CASES = {
 PLAIN = {
     WaveForce: [("string", wave_force)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"wave force": lambda n: WaveForce(np.zeros(n), np.zeros((2, n + 1)))}

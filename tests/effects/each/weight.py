@@ -21,3 +21,6 @@ CASES = {
 PLAIN = {
     Weight: [("string", weight)],
 }
+
+# without a load, in a plane on n segments
+UNLOADED = {"weight": lambda n: Weight(1, np.zeros(n + 1))}

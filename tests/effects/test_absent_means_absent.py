@@ -4,21 +4,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from rig import FILES
 
 import riserstudy.simulation.equilibrium
-from riserstudy.effects.added_mass import AddedMass
-from riserstudy.effects.axial_damping import AxialDamping
-from riserstudy.effects.bending_damping import BendingDamping
-from riserstudy.effects.current import Current
-from riserstudy.effects.dead_load import DeadLoad
-from riserstudy.effects.drag import Drag
-from riserstudy.effects.end_mass import EndMass
-from riserstudy.effects.inertia import Inertia
-from riserstudy.effects.platform_motion import Position
-from riserstudy.effects.tangential_drag import TangentialDrag
-from riserstudy.effects.tension_loss import TensionLoss
-from riserstudy.effects.wave_force import WaveForce
-from riserstudy.effects.weight import Weight
 from riserstudy.model.active_effects import ledger
 from riserstudy.model.build import build
 from riserstudy.model.mesh import even
@@ -30,24 +18,7 @@ SURGE = read_scene(Path(__file__).parents[2] / "config/scenes/hard/surge.yaml").
     {"analysis.mesh.elements": 20, "analysis.step": "0.1 s", "analysis.duration": "20 s"}, "test"
 )
 N = 20
-LINE, NODES, FIELD = np.zeros(N), np.zeros(N + 1), np.zeros((2, N + 1))
-ZERO_LOAD = {
-    "drag": lambda: Drag(LINE.copy(), LINE.copy(), FIELD.copy(), 0),
-    "tangential drag": lambda: TangentialDrag(LINE.copy()),
-    "added mass": lambda: AddedMass(LINE.copy(), LINE.copy(), 0),
-    "inertia": lambda: Inertia(LINE.copy(), LINE.copy()),
-    "wave force": lambda: WaveForce(LINE.copy(), FIELD.copy()),
-    "weight": lambda: Weight(1, NODES.copy()),
-    "axial damping": lambda: AxialDamping(LINE.copy()),
-    "bending damping": lambda: BendingDamping(0.0, NODES[None].copy(), NODES[None].copy()),
-    "lateral force": lambda: DeadLoad(N, np.zeros(2)),
-    "tension loss": lambda: TensionLoss(N, np.zeros(2), 1.0, 1.0),
-    "end mass": lambda: EndMass(N, 0.0, np.zeros(2), np.zeros(2)),
-    "current": lambda: Current(
-        np.array([0.0, 533.0]), np.zeros(2), np.array([1.0]), np.zeros(N + 1, np.int64), 0.0
-    ),
-    "platform position": lambda: Position(np.zeros(6)),
-}
+UNLOADED = {name: make for file in FILES for name, make in getattr(file, "UNLOADED", {}).items()}
 
 
 def history(monkeypatch, *extra):
@@ -56,7 +27,7 @@ def history(monkeypatch, *extra):
     def with_extra(scene, mesh, elevation=None, d=None):
         model = build(scene, mesh, elevation, d)
         # Under a name of their own: statics goes to its tolerance another way where there is a current.
-        more = [Effect(f"no {name}", ZERO_LOAD[name](), "test") for name in extra]
+        more = [Effect(f"no {name}", UNLOADED[name](N), "test") for name in extra]
         pairs = [tuple(pair) for pair in model.fixed]
         built = type(model)(model.unknowns, [*more, *model.effects], pairs)
         built.s.r[:] = model.s.r
@@ -67,7 +38,7 @@ def history(monkeypatch, *extra):
     return single(scene, even(scene, N), scene.analysis.step, True).arrays
 
 
-@pytest.mark.parametrize("effect", ZERO_LOAD)
+@pytest.mark.parametrize("effect", UNLOADED)
 def test_an_effect_of_no_load_changes_nothing(effect, monkeypatch):
     without, full = history(monkeypatch), history(monkeypatch, effect)
     for name in ("x", "z", "effective_tension", "bending_moment"):
