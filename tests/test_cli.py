@@ -4,6 +4,7 @@ import json
 import resource
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -156,6 +157,23 @@ def test_cost_tells_what_accuracy_takes(command, tmp_path):
     segments = [int(line.split()[4]) for line in lines[1:]]
     assert segments == sorted(segments)
     assert picture.stat().st_size > 1000
+
+
+def test_a_long_run_is_priced_and_announced_within_seconds(command, tmp_path, monkeypatch):
+    long = ["--set", "analysis.duration=3 h", "--set", "analysis.output.interval=10 s"]
+    begun = time.perf_counter()
+    code, said, complaint = command("cost", SURGE, *long)
+    assert code == 0, complaint
+    taken = time.perf_counter() - begun
+    seconds = [float(line.split()[-2]) for line in said.splitlines()[1:]]
+    assert taken < sum(seconds)  # it is not run to be priced
+    assert seconds == sorted(seconds)
+    monkeypatch.setattr("riserstudy.cli.WORTH_TELLING", 0.0)
+    monkeypatch.setattr("riserstudy.simulation.refine.LONG", 0.0)
+    code, _, told = command("run", SURGE, "-o", tmp_path / "out.nc", *long, "--accuracy", "5%")
+    assert code == 0
+    assert told.startswith("riserstudy: takes about ")
+    assert "segments, step" in told
 
 
 def test_effects_tells_what_is_on_and_why(command):

@@ -22,6 +22,7 @@ app = typer.Typer(
 )
 
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
+WORTH_TELLING = 10.0  # seconds of a run, from which on it is announced
 SAME_AS_STORED = 1e-9  # relative, of what is stored to ten digits
 
 SetOption = Annotated[
@@ -119,7 +120,8 @@ def run(
     if output.suffix not in (".nc", ".csv"):
         allowed = "allowed are .nc (netCDF) and .csv (time series, or the state at rest's extremes)"
         raise InputError("--output", str(output), f"no dataset {output.suffix!r}", allowed)
-    dataset = simulate(file)
+    _forecast(file)
+    dataset = simulate(file, tell=_tell)
     if output.suffix == ".csv":
         from riserstudy.dataset import tables
 
@@ -131,6 +133,23 @@ def run(
     print(_summary(dataset))
     for line in _limits(dataset):
         print(line)
+
+
+def _tell(said: str) -> None:
+    print(f"riserstudy: {said}", file=sys.stderr, flush=True)
+
+
+def _forecast(file: Any) -> None:
+    """Say before a long run what it will take."""
+    from riserstudy.simulation.forecast import forecast
+
+    found = forecast(file.scene())
+    if found and found.seconds > WORTH_TELLING:
+        minutes = f"{found.seconds / 60.0:.2g} min" if found.seconds > 90.0 else ""
+        _tell(
+            f"takes about {minutes or f'{found.seconds:.2g} s'}: by its first {found.piece:.4g} s, "
+            f"{found.elements} segments and a step of {found.step:.3g} s will do"
+        )
 
 
 def _say_warnings(dataset: Any) -> None:
@@ -162,10 +181,12 @@ def check(
     if "limits" not in file.tree:
         allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
         raise InputError(file.source, "limits", "missing", allowed)
+    _compile_once()
     from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
     from riserstudy.simulation.simulate import simulate
 
-    dataset = simulate(file)
+    _forecast(file)
+    dataset = simulate(file, tell=_tell)
     _say_warnings(dataset)
     for line in _limits(dataset):
         print(line)

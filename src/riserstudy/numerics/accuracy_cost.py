@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from riserstudy.numerics.attempt import deciding
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.forecast import forecast
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.simulate import at_accuracy
 
@@ -23,20 +24,26 @@ class Price(NamedTuple):
     estimated: float  # largest of moment, or of tension and displacement
     elements: int
     step: float | None  # (s)
-    seconds: float  # of all refinements, kernels compiled
+    seconds: float  # of all refinements, kernels compiled; of a long run as forecast
 
 
 def prices(file: SceneFile) -> Iterator[Price]:
     """Run a scene at ever finer requests; the first run, which may compile, is not timed.
+
+    Of a scene that lasts long its first periods are run, and their time is multiplied.
 
     Raises
     ------
     SimulationError
         When a run cannot be completed.
     """
-    run(at_accuracy(file, f"{100 * REQUESTS[0]!r} %").scene())
+    if forecast(at_accuracy(file, f"{100 * REQUESTS[0]!r} %").scene()) is None:
+        run(at_accuracy(file, f"{100 * REQUESTS[0]!r} %").scene())
     for share in REQUESTS:
         scene = at_accuracy(file, f"{100 * share!r} %").scene()
+        if told := forecast(scene):
+            yield Price(share, deciding(told.error), told.elements, told.step, told.seconds)
+            continue
         started = clock.perf_counter()
         facts = run(scene).facts
         seconds = clock.perf_counter() - started

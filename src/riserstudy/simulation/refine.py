@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time as clock
+from collections.abc import Callable
 from typing import Any
 
 from riserstudy.dataset.result import Result
@@ -25,10 +26,16 @@ STALE = 3  # halvings of the other, after which what one of mesh and step was se
 MATTERS = 0.25  # of what is asked for: an error that is
 PATIENT = 6  # refinements that must halve the error, or a string under compression is given up
 STEPS_A_PERIOD = 24  # of the coarsest step
+LONG = 5.0  # seconds, from which on a run says how far it is
 SPENT = ("elements", "step", "newton_iterations", "solve_seconds")  # what a run cost
 
 
-def run(scene: Scene, patience: float = math.inf, estimated: bool = True) -> Result:
+def run(
+    scene: Scene,
+    patience: float = math.inf,
+    estimated: bool = True,
+    tell: Callable[[str], None] | None = None,
+) -> Result:
     """Simulate a scene.
 
     With mesh and step in the scene they are used, and runs on half and a quarter of the segments, with
@@ -40,6 +47,7 @@ def run(scene: Scene, patience: float = math.inf, estimated: bool = True) -> Res
     patience : time (s) that refinement may take.
     estimated : whether a run with mesh and step in the scene tells its error, which takes about two thirds
         more.
+    tell : is told after each refinement how far a run is that takes long.
 
     Raises
     ------
@@ -52,7 +60,7 @@ def run(scene: Scene, patience: float = math.inf, estimated: bool = True) -> Res
     """
     started = clock.perf_counter()
     result = (
-        Refinement(scene, patience).result()
+        Refinement(scene, patience, tell).result()
         if scene.analysis.mesh is None
         else _as_asked(scene, estimated)
     )
@@ -104,8 +112,14 @@ class Refinement:
     round; so an error that was seen long before the end is not believed.
     """
 
-    def __init__(self, scene: Scene, patience: float) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        patience: float = math.inf,
+        tell: Callable[[str], None] | None = None,
+    ) -> None:
         a = scene.analysis
+        self.tell = tell
         self.scene, self.patience = scene, patience
         self.target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
         self.target["tension"] = self.target["moment"]
@@ -137,6 +151,7 @@ class Refinement:
             finer = self._attempt(left)
             if finer is not None:
                 self._compare(finer)
+                self._tell(finer)
                 way = self._next_way()
                 if way is None or left == 0 or self._too_fine(way):
                     break
@@ -212,6 +227,16 @@ class Refinement:
         if len(self.ways) > 1 and not self.helps:  # an error that stays may be the other's
             return self.ways[1 - self.ways.index(self.way)]
         return max(self.ways, key=lambda way: self._excess(self.seen[way].error))
+
+    def _tell(self, finer: Result) -> None:
+        """Say how far a long run is."""
+        seconds = _spent(self.spent)
+        if self.tell and seconds > LONG:
+            step = f", step {self.step:.3g} s" if self.step else ""
+            by_now = (
+                f"{_worst(self.error)} estimated" if self.seen else "nothing to compare with yet"
+            )
+            self.tell(f"{finer.facts['elements']} segments{step}: {by_now}, after {seconds:.3g} s")
 
     def _ask_patience(self, finer: Result) -> None:
         if _spent(self.spent) + 2.0 * finer.facts["solve_seconds"] > self.patience:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,11 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr.Dataset:
+def simulate(
+    scene: SceneFile | str | Path,
+    accuracy: float | None = None,
+    tell: Callable[[str], None] | None = None,
+) -> xr.Dataset:
     """Simulate a scene.
 
     Parameters
@@ -21,6 +26,7 @@ def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr
     scene : a scene from :func:`riserstudy.load_scene`, or the path of its file.
     accuracy : relative accuracy of displacement and moment asked for, in place of the scene's mesh,
         step or accuracy.
+    tell : is told after each refinement how far a run is that takes long.
 
     Returns
     -------
@@ -42,7 +48,7 @@ def simulate(scene: SceneFile | str | Path, accuracy: float | None = None) -> xr
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     if accuracy is not None:
         file = at_accuracy(file, f"{100 * accuracy!r} %")
-    result = run(file.scene())
+    result = run(file.scene(), tell=tell)
     return to_dataset(result, file, absent(set(result.facts["effects"])))
 
 

@@ -1,0 +1,74 @@
+"""What a long run will take, from its first periods run to the same accuracy."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from riserstudy.model.mesh import prescribed
+from riserstudy.scene.models import Scene
+from riserstudy.simulation.refine import Refinement
+from riserstudy.simulation.run import single
+from riserstudy.simulation.starting_mesh import period
+
+PERIODS = 12.0  # of a scene after its ramps, which are run first
+LONG = 20.0  # times these, from which on a run is worth it
+ESTIMATED = 5.0 / 3.0  # times a run on a mesh of the scene: with the two that tell its error
+
+
+class Forecast(NamedTuple):
+    """What the whole run will come to."""
+
+    seconds: float
+    elements: int
+    step: float  # s
+    piece: float  # the time that was run (s)
+    error: dict[str, float]  # estimated for that
+
+
+def forecast(scene: Scene) -> Forecast | None:
+    """Time that a scene will take, from a piece of it; None where it is short, or lets go of the wellhead.
+
+    Raises
+    ------
+    SimulationError
+        When the piece cannot be completed.
+    """
+    a = scene.analysis
+    piece = _longest_ramp(scene) + PERIODS * period(scene)
+    if a.duration is None or a.output is None or scene.disconnect or a.duration < LONG * piece:
+        return None
+    if scene.vessel or scene.top.tension_loss:
+        return None  # what happens later is another motion than that of the first periods
+    output = a.output.model_copy(update={"start": None, "interval": min(a.output.interval, piece)})
+    first = a.model_copy(update={"duration": piece, "output": output})
+    facts = _facts(scene.model_copy(update={"analysis": first}))
+    times = a.duration / piece * (1.0 if a.mesh is None else ESTIMATED)
+    return Forecast(
+        times * facts["solve_seconds"],
+        facts["elements"],
+        facts["step"],
+        piece,
+        facts.get("error_estimate", {}),
+    )
+
+
+def _longest_ramp(scene: Scene) -> float:
+    platform = scene.platform
+    growing: list[Any] = [
+        scene.wave,
+        *(motion for _, motion in (platform.harmonics if platform else [])),
+    ]
+    growing += [platform.response, platform.cruise] if platform else []
+    return max(((one.ramp or 0.0) for one in growing if one), default=0.0)
+
+
+def _facts(scene: Scene) -> dict[str, Any]:
+    """Facts of a run of which the first attempt, which loads kernels, does not count."""
+    a = scene.analysis
+    if a.mesh is not None:
+        mesh = prescribed(scene, a.mesh.elements)
+        single(scene, mesh, a.step)
+        return single(scene, mesh, a.step).facts
+    refinement = Refinement(scene)
+    single(scene, refinement.mesh, refinement.step, True)
+    return refinement.result().facts
