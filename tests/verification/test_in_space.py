@@ -33,6 +33,27 @@ def test_planar_motion_in_space_is_that_of_the_plane(name):
     np.testing.assert_allclose(space["ufj_angle"], np.abs(flat["ufj_angle"]), atol=1e-9)
 
 
+@pytest.mark.parametrize("step", [0.1, 2.0], ids=["short steps", "moments turn within a step"])
+def test_envelopes_in_space_are_those_of_the_plane(step):
+    """Of sizes, which in space is all that there is; long steps see a moment on both sides of zero."""
+    flat = ran("s2c", 40, step, **TIGHT).arrays
+    space = ran("s2c", 40, step, platform__sway=STILL, **TIGHT).arrays
+    assert (flat["bending_moment_min"] < 0.0).any()
+    assert (flat["bending_moment_max"] > 0.0).any()
+    for name in (
+        "x_max",
+        "x_min",
+        "z_max",
+        "z_min",
+        "effective_tension_max",
+        "effective_tension_min",
+    ):
+        assert off(space[name], flat[name]) < 1e-9, name
+    assert off(space["bending_moment_absmax"], flat["bending_moment_absmax"]) < 1e-9
+    between = np.abs([flat["mesh_moment_max"], flat["mesh_moment_min"]]).max(axis=0)
+    assert off(space["mesh_moment_max"], between) < 1e-9
+
+
 def test_a_scene_turned_about_the_vertical_gives_the_turned_result():
     flat = ran("s2", 28, 0.1, **TIGHT).arrays
     surge = {"period": "15 s", "ramp": "15 s"}

@@ -19,7 +19,7 @@ class Record(NamedTuple):
     """Outputs; q quantities a node: position, effective tension, bending moment (in space its size).
 
     Where risers bend the last of them stands for the middle of the segment above each node. Histories in
-    space have the moment's components, too.
+    space have the moment's components, too, and so has the scratch: in v rows, q without components.
     """
 
     time: np.ndarray  # (k,) output times (s)
@@ -33,8 +33,8 @@ class Record(NamedTuple):
     top: np.ndarray  # (k, d) position of the top
     platform: np.ndarray  # (k, 6)
     probe: np.ndarray  # (k, probes)
-    values: np.ndarray  # (q, n+1) scratch
-    past: np.ndarray  # (2, q, n+1) scratch: the two steps before
+    values: np.ndarray  # (v, n+1) scratch
+    past: np.ndarray  # (2, v, n+1) scratch: the two steps before
     seen: np.ndarray  # (1,) steps that the envelopes have seen
     written: np.ndarray  # (1,) outputs written down
 
@@ -43,6 +43,7 @@ def new_record(time, station, s, middle=None) -> Frozen:
     """Empty record for the sizes of a state, as compiled code takes it; no ``middle``: none is told."""
     d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
     q, k = d + 1 + 2 * min(m, 1), len(time)
+    v = q + 6 * (m == 3)
     record = Record(
         time=np.array(time, float),
         station=np.array(station, np.int64),
@@ -54,8 +55,8 @@ def new_record(time, station, s, middle=None) -> Frozen:
         top=np.zeros((k, d)),
         platform=np.zeros((k, 6)),
         probe=np.zeros((k, len(s.probe))),
-        values=np.zeros((q, n + 1)),
-        past=np.zeros((2, q, n + 1)),
+        values=np.zeros((v, n + 1)),
+        past=np.zeros((2, v, n + 1)),
         seen=np.zeros(1, np.int64),
         written=np.zeros(1, np.int64),
     )
@@ -91,32 +92,38 @@ def tabulate(s, record):
         values[d, n] -= (s.ends[0, 1, c] + s.ends[1, 1, c]) * s.tangent[c, n - 1]
     m = len(s.dof) - d
     if m > 0:
-        for i in range(n + 1):
-            values[d + 1, i] = size(s, i)
-        for e in range(n):
-            values[d + 2, e] = size_between(s, record.middle, e)
-        values[d + 2, n] = values[d + 2, n - 1]
+        for u in range(m):
+            row = d + 1 if m == 1 else d + 3 + u
+            for i in range(n + 1):
+                values[row, i] = s.moment[u, i]
+            row += m
+            for e in range(n):
+                values[row, e] = between_nodes(s, record.middle, u, e)
+            values[row, n] = values[row, n - 1]
+    if m == 3:
+        for c in range(2):
+            for i in range(n + 1):
+                values[d + 1 + c, i] = sqrt(product(values, values, d + 3 + 3 * c, i))
 
 
 @inner
-def size(s, i):
-    """Moment at a node; in space its size."""
-    if len(s.dof) - len(s.dim) == 1:
-        return s.moment[0, i]
-    return sqrt(s.moment[0, i] ** 2 + s.moment[1, i] ** 2 + s.moment[2, i] ** 2)
-
-
-@inner
-def size_between(s, middle, e):
-    """Moment at the middle of a segment; in space its size."""
+def between_nodes(s, middle, u, e):
+    """A component of the moment at the middle of a segment."""
     last = s.l0.shape[0]
-    square, value = 0.0, 0.0
-    for u in range(s.moment.shape[0]):
-        value = 0.0
-        for k in range(4):
-            value += middle[e, k] * s.moment[u, min(max(e - 1 + k, 0), last)]
-        square += value * value
-    return value if len(s.dof) - len(s.dim) == 1 else sqrt(square)
+    value = 0.0
+    for k in range(4):
+        value += middle[e, k] * s.moment[u, min(max(e - 1 + k, 0), last)]
+    return value
+
+
+@inner
+def product(one, other, row, i):
+    """Product of two moments whose components stand from a row on."""
+    return (
+        one[row, i] * other[row, i]
+        + one[row + 1, i] * other[row + 1, i]
+        + one[row + 2, i] * other[row + 2, i]
+    )
 
 
 @inner
@@ -124,24 +131,35 @@ def widen(record):
     """Take the tabulated values into the envelopes.
 
     Between steps a parabola through the last three tells the extremum, so that envelopes lose no more to
-    long steps than histories do.
+    long steps than histories do. A size that points the other way than the middle one counts as negative
+    there: what swings through zero has the peaks that it has in a plane.
     """
     values, largest, smallest = record.values, record.largest, record.smallest
     two_ago, last = record.past[0], record.past[1]
     turning = record.seen[0] >= 2
-    for c in range(values.shape[0]):
+    q = largest.shape[0]
+    sized = values.shape[0] > q  # the last two rows are sizes
+    for c in range(q):
         for i in range(values.shape[1]):
-            here = values[c, i]
+            here, middle, before = values[c, i], last[c, i], two_ago[c, i]
             largest[c, i] = max(largest[c, i], here)
             smallest[c, i] = min(smallest[c, i], here)
-            middle = last[c, i]
-            rise, fall = middle - two_ago[c, i], middle - here
-            if turning and rise * fall > 0.0:
-                peak = middle + (rise - fall) ** 2 / (8.0 * (rise + fall))
-                largest[c, i] = max(largest[c, i], peak)
-                smallest[c, i] = min(smallest[c, i], peak)
-            two_ago[c, i] = middle
-            last[c, i] = here
+            if turning:
+                is_size = sized and c >= q - 2
+                if is_size:
+                    row = q + 3 * (c - q + 2)
+                    before = -before if product(two_ago, last, row, i) < 0.0 else before
+                    here = -here if product(values, last, row, i) < 0.0 else here
+                rise, fall = middle - before, middle - here
+                if rise * fall > 0.0:
+                    peak = middle + (rise - fall) ** 2 / (8.0 * (rise + fall))
+                    peak = abs(peak) if is_size else peak
+                    largest[c, i] = max(largest[c, i], peak)
+                    smallest[c, i] = min(smallest[c, i], peak)
+    for c in range(values.shape[0]):
+        for i in range(values.shape[1]):
+            two_ago[c, i] = last[c, i]
+            last[c, i] = values[c, i]
     record.seen[0] += 1
 
 
