@@ -220,7 +220,7 @@ def test_the_heave_dataset_is_as_promised():
 
 
 def test_the_roll_dataset_is_as_promised():
-    found = datasets_of("liu2020")["roll"]["max_bending_moment"]
+    found = datasets_of("liu2020")["roll"]["largest_bending_moment"]
     assert found.dims == ("roll_amplitude", "roll_period")
     assert found.attrs["units"] == "N m"
     # the number that the centre of rotation is tuned to, at the accuracy of a preview

@@ -106,7 +106,7 @@ def test_energy_and_shape_pass_through_the_release(tmp_path, joint):
     assert audit["unexplained_share"] < 1e-3
     assert (found.attrs["taken_by_the_release"] == 0.0) == (joint == "free")
     assert "unexplained" not in found.attrs["warnings"]
-    assert found.attrs["largest_lift"] > 0.1
+    assert found.attrs["lift_max"] > 0.1
     near = found["x"].sel(time=[2.0, 2.25])
     assert float(abs(near.diff("time")).max()) < 0.2  # nothing leaps
 

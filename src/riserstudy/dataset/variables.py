@@ -15,8 +15,6 @@ ENDINGS = {
     "_static": "static ",
 }
 OVER_TIME = {
-    "_largest": "largest ",
-    "_smallest": "smallest ",
     "_deviation": "standard deviation of ",
     "_spectrum": "spectral density of ",
 }

@@ -136,7 +136,7 @@ def row(
     peak = largest(best, "bending_moment")
     return found | {
         "elements": facts["elements"],
-        "wall_seconds": facts.get("wall_minimum", tried.seconds),
+        "wall_seconds": facts.get("wall_seconds_min", tried.seconds),
         "cpu_seconds": facts.get("cpu_seconds", math.nan),
         "error_moment": by_run(best).errors(tried.result)["moment"],
         "error_peak": abs(largest(tried.result, "bending_moment") / peak - 1.0),

@@ -80,11 +80,11 @@ def told(scene: Scene, arrays: outputs.Arrays, facts: dict[str, Any]) -> None:
     if not len(lift):
         return
     time = arrays["time"][after]
-    facts["largest_lift"] = float(lift.max())
-    facts["largest_lift_rate"] = float(arrays["lift_rate"][after].max())
+    facts["lift_max"] = float(lift.max())
+    facts["lift_rate_max"] = float(arrays["lift_rate"][after].max())
     falls = np.flatnonzero(np.diff(lift) < 0.0)
     if len(falls):
-        facts["smallest_clearance"] = float(lift[falls[0] :].min())
+        facts["clearance_min"] = float(lift[falls[0] :].min())
     below = np.flatnonzero(lift < -TOUCHING)
     if len(below):
         facts["recontact_time"] = float(time[below[0]])

@@ -212,12 +212,6 @@ FACT_ATTRIBUTES = {
         "units": "1",
         "long_name": "share of the energy exchanged left unexplained",
     },
-    "smallest_tension": {"units": "N", "long_name": "smallest effective tension of the riser"},
-    "largest_bending_moment": {
-        "units": "N m",
-        "long_name": "largest size of the bending moment, between nodes too",
-    },
-    "largest_bending_moment_s": {"units": "m", "long_name": "where it is, from the bottom"},
     "effects": {"long_name": "effects that are on, a line each"},
 }
 

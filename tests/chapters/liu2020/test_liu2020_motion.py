@@ -143,12 +143,12 @@ def test_a_moment_that_falls_over_one_grid_of_periods_may_rise_within_it():
     moment = xr.DataArray(
         [[9.0, 9.5, 8.0, 6.0, 7.0, 1.0]], {"roll_amplitude": [4.0], "roll_period": periods}
     )
-    found = claims.falls_with_period(moment.to_dataset(name="max_bending_moment"))
+    found = claims.falls_with_period(moment.to_dataset(name="largest_bending_moment"))
     shares = dict(zip(found.true["grid"].values, found.true.values, strict=True))
     assert shares == {"5, 10, 20 s": True, "6, 12, 20 s": True, "5, 8, 12, 20 s": True}
     assert float(found.value.sel(grid="5, 8, 12, 20 s")) == pytest.approx(8.0 / 9.0)
     rising = moment.assign_coords(roll_period=periods[::-1]).sortby("roll_period")
-    found = claims.falls_with_period(rising.to_dataset(name="max_bending_moment"))
+    found = claims.falls_with_period(rising.to_dataset(name="largest_bending_moment"))
     assert not bool(found.true.any())
 
 

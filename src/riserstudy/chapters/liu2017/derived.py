@@ -123,7 +123,7 @@ def calibration(fits: xr.Dataset, deadline: float) -> xr.Dataset:
     found = xr.Dataset(
         {
             "ufj_angle": angle.interp(time=deadline).drop_vars("time"),
-            "largest_ufj_angle": angle.sel(time=slice(0.0, deadline)).max("time"),
+            "ufj_angle_absmax": angle.sel(time=slice(0.0, deadline)).max("time"),
             "ufj_limit_time": first_crossing(angle, LIMITS["upper flex joint"].most),
         }
     )

@@ -265,7 +265,7 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     handles = []
     for colour, weight in zip(COLOURS, calibration["riser_weight"].values, strict=False):
         run = calibration.sel(riser_weight=weight).transpose("hull_drag", "gain") * DEGREES
-        largest = run["largest_ufj_angle"]
+        largest = run["ufj_angle_absmax"]
         now = run["ufj_angle"].values
         style: dict[str, Any] = {"levels": [UFJ_LIMIT], "colors": [colour]}
         where = run["gain"], run["hull_drag"]

@@ -69,12 +69,12 @@ def moves_less(readings: xr.Dataset) -> Found:
 
 def bends_less_near_the_top(readings: xr.Dataset) -> Found:
     """Within 60 m below the ring the riser bends less on the tensioners; value: ratio at 1 m/s."""
-    return _less_on_tensioners(readings["moment_near_ring"])
+    return _less_on_tensioners(readings["largest_bending_moment_near_ring"])
 
 
 def bends_less(readings: xr.Dataset) -> Found:
     """The largest moment is smaller on the tensioners; value: ratio at 1 m/s."""
-    return _less_on_tensioners(readings["largest_moment"])
+    return _less_on_tensioners(readings["largest_bending_moment"])
 
 
 def _less_on_tensioners(values: xr.DataArray) -> Found:
@@ -151,7 +151,9 @@ def lags(surge: xr.Dataset) -> Found:
 
 def largest_moment(roll: xr.Dataset, amplitude: float, period: float) -> Found:
     """Largest bending moment (kN m)."""
-    moment = roll["max_bending_moment"].sel(roll_amplitude=amplitude, roll_period=period, drop=True)
+    moment = roll["largest_bending_moment"].sel(
+        roll_amplitude=amplitude, roll_period=period, drop=True
+    )
     return Found(moment / 1e3)
 
 
@@ -166,7 +168,7 @@ def bending_stress(roll: xr.Dataset, amplitude: float, period: float) -> Found:
 
 def grows_with_amplitude(roll: xr.Dataset) -> Found:
     """Moment rises with roll amplitude at every period; value: least ratio of neighbours."""
-    moment = roll["max_bending_moment"]
+    moment = roll["largest_bending_moment"]
     ratio = moment / moment.shift(roll_amplitude=1)
     smallest = ratio.min(["roll_amplitude", "roll_period"])
     return judged(smallest, above(smallest, 1.0))
@@ -177,7 +179,7 @@ def falls_with_period(roll: xr.Dataset) -> Found:
 
     Judged over each of the grids that Fig 20 may have, as far as its periods are there.
     """
-    moment = roll["max_bending_moment"]
+    moment = roll["largest_bending_moment"]
     there = [name for name, grid in GRIDS.items() if set(grid) <= set(moment["roll_period"].values)]
     steps = []
     for name in there:
@@ -263,7 +265,7 @@ def forces(
 
 def varied(variants: xr.Dataset) -> dict[str, Any]:
     """Moment of variants over that of the scene (-, at 5 and 10 s), and with another length (kN m)."""
-    moment = variants["max_bending_moment"]
+    moment = variants["largest_bending_moment"]
     base = moment.sel(variant="as it is")
     heavy = moment.sel(variant="damping ratio 1") / base - 1.0
     turning = moment.sel(variant="damping by Eq. 16") / base - 1.0
@@ -340,7 +342,7 @@ def stresses(roll: xr.Dataset) -> dict[str, Any]:
 
 def peaks(roll: xr.Dataset) -> dict[str, Any]:
     """Periods (s) at which the largest moment peaks, 4 degrees of roll."""
-    moment = roll["max_bending_moment"].sel(roll_amplitude=4.0)
+    moment = roll["largest_bending_moment"].sel(roll_amplitude=4.0)
     values, period = moment.values, moment["roll_period"].values
     inside = (values[1:-1] > values[:-2]) & (values[1:-1] > values[2:])
     return {"peaks": ", ".join(f"{x:g} s" for x in period[1:-1][inside]) or "none"}

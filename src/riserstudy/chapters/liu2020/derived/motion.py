@@ -143,7 +143,9 @@ def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
     high = runs["bending_moment_max"].max("s_node")
     low = runs["bending_moment_min"].min("s_node")
     largest = runs["largest_bending_moment"]
-    found = xr.Dataset({"max_bending_moment": largest, "settling": abs(high + low) / (high - low)})
+    found = xr.Dataset(
+        {"largest_bending_moment": largest, "settling": abs(high + low) / (high - low)}
+    )
     made = described(found.assign(sampled(runs)), PAPER, title)
     made["settling"].attrs["long_name"] = (
         "difference of largest and smallest moment over their sum, by size"
@@ -242,8 +244,8 @@ def storm(sea: xr.Dataset) -> xr.Dataset:
         values = run[name]
         found |= {
             name: values,
-            f"{name}_largest": values.max("time"),
-            f"{name}_smallest": values.min("time"),
+            f"{name}_max": values.max("time"),
+            f"{name}_min": values.min("time"),
             f"{name}_deviation": values.std("time"),
         }
         frequency, density = welch(

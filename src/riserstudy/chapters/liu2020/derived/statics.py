@@ -74,8 +74,8 @@ def _at_rest(runs: xr.Dataset) -> xr.Dataset:
         {
             "largest_displacement": abs(on_riser(runs["x_static"], ring, "s_node")).max("s_node"),
             # the joint above the ring bends less than the ring
-            "largest_moment": runs["largest_bending_moment"],
-            "moment_near_ring": near.max("s_node"),
+            "largest_bending_moment": runs["largest_bending_moment"],
+            "largest_bending_moment_near_ring": near.max("s_node"),
             "horizontal_force": force.squeeze("tensioner_model", drop=True),
         }
     )

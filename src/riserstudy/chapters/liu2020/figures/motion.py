@@ -165,7 +165,7 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     """Largest bending moment over roll amplitude and period; ``largest``: printed for 4 deg, 10 s (kN m)."""
     figure, (ax,) = panels(height=3.8)
     for colour, amplitude in zip(COLOURS, roll["roll_amplitude"].values, strict=False):
-        curve = roll["max_bending_moment"].sel(roll_amplitude=amplitude) / 1e3
+        curve = roll["largest_bending_moment"].sel(roll_amplitude=amplitude) / 1e3
         ax.plot(curve["roll_period"], curve, color=colour, label=f"{amplitude:g} deg")
     ax.plot([10.0], [largest], "kx", markersize=8, label="printed (4 deg), calibrated to")
     ax.set_xlabel("roll period of the platform (s)")

@@ -142,7 +142,7 @@ def fig12(
     figure = _at_rest(
         statics_calibrated, statics_tuned, "bending_moment_static", 1e-3, label, forces
     )
-    ratio = _ratios(statics_tuned, "moment_near_ring")
+    ratio = _ratios(statics_tuned, "largest_bending_moment_near_ring")
     for ax, calibration in zip(figure.axes[1::2], CALIBRATIONS, strict=True):
         _near_the_ring(ax, statics_tuned.sel(calibration=calibration, surface_speed=1.0))
     headline(
@@ -162,7 +162,7 @@ def _near_the_ring(ax: Axes, tuned: xr.Dataset) -> None:
     room = 0.08 * (high - low)
     ax.set_xlim(low - room, high + room)
     ax.set_ylim(NEAR, 0.0)
-    off = float(tuned["moment_near_ring"].sel(tensioner_model=VERTICAL)) / 1e3
+    off = float(tuned["largest_bending_moment_near_ring"].sel(tensioner_model=VERTICAL)) / 1e3
     ax.annotate(
         f"under the vertical force {off:.0f} kN m at the ring",
         (0.04, 0.04),

@@ -117,7 +117,7 @@ def tension_limits(hang_off: xr.Dataset) -> xr.Dataset:
     made = xr.Dataset(
         {
             "tension_range": at_top(high, "s_node") - at_top(low, "s_node"),
-            "tension_lowest": lowest,
+            "smallest_tension": lowest,
             "heave_that_loses_tension": lost,
         }
     )

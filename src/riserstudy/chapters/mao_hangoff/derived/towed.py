@@ -108,7 +108,7 @@ def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
     """Shape, moment and axial motion of runs, over their axes.
 
     ``lmrp_displacement``, ``lmrp_displacement_cross`` and ``lmrp_rise`` over time,
-    ``displacement_along`` over time and s, ``max_bending_moment`` at 130 s over s. s counts from the LMRP;
+    ``displacement_along`` over time and s, ``bending_moment_size`` at 130 s over s. s counts from the LMRP;
     there is nothing above a top.
     """
     along = displacement(runs)
@@ -117,7 +117,7 @@ def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
             "displacement_along": along,
             "lmrp_displacement": along.isel(s=0, drop=True),
             "lmrp_displacement_cross": _across(runs),
-            "max_bending_moment": abs(runs["bending_moment"].sel(time=STATED, drop=True)),
+            "bending_moment_size": abs(runs["bending_moment"].sel(time=STATED, drop=True)),
             "lmrp_rise": rise(runs, 0.0),
             "ufj_angle": runs["ufj_angle"],
         }
@@ -125,7 +125,7 @@ def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
     made = described(
         made, PAPER, f"{name}, displacements along the track from the upper flex joint"
     )
-    made["max_bending_moment"].attrs["long_name"] += f" at {STATED:g} s"
+    made["bending_moment_size"].attrs["long_name"] += f" at {STATED:g} s"
     return made
 
 

@@ -65,7 +65,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
     norm = LogNorm(float(spread.min()), float(spread.max()))
     for ax, mode in zip(axes, ("soft", "hard"), strict=False):
         at = of_paper.sel(mode=mode)
-        slack = at["tension_lowest"].transpose("heave_amplitude", "heave_period") < 0.0
+        slack = at["smallest_tension"].transpose("heave_amplitude", "heave_period") < 0.0
         _cells(ax, spread.sel(mode=mode), norm, slack)
         riser = f"{float(of_paper['riser_length']):g} m, {float(of_paper['lmrp_mass']):g} t"
         ax.set_title(f"{mode}, {riser}: range of top tension (MN)", fontsize="small", loc="right")

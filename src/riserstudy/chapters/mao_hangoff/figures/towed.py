@@ -190,7 +190,7 @@ def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label:
     for colour, value in zip(COLOURS, values, strict=False):
         run = other.sel({axis: value}, method="nearest")
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
-        moment = run["max_bending_moment"].dropna("s") / 1e3
+        moment = run["bending_moment_size"].dropna("s") / 1e3
         for ax, curve in zip(axes, (-shape, moment), strict=False):
             ax.plot(curve, float(curve["s"][-1]) - curve["s"], ":", color=colour, lw=1.2)
     axes[0].plot([], [], color=GREY, label=f"current: {names[0]} (assumed)")
@@ -215,7 +215,7 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
         shape = apart["displacement_along"].sel(time=STATED)
         own = float(shape["s"][-1]) - shape["s"]
         axes[0].plot(-shape, own, "--", color=colour, lw=0.8)
-        axes[1].plot(apart["max_bending_moment"] / 1e3, own, "--", color=colour, lw=0.8)
+        axes[1].plot(apart["bending_moment_size"] / 1e3, own, "--", color=colour, lw=0.8)
     axes[0].plot([], [], color=GREY, label="both speeds in one profile")
     axes[0].plot([], [], "--", color=GREY, lw=0.8, label="water and platform apart")
     axes[0].axvline(0.0, color=GREY, lw=0.6)
@@ -250,7 +250,7 @@ def _three(
     for colour, value in zip(COLOURS, values, strict=False):
         run = runs.sel({axis: value}, method="nearest")
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
-        moment = run["max_bending_moment"].dropna("s")
+        moment = run["bending_moment_size"].dropna("s")
         name = label.format(value)
         top = float(shape["s"][-1])
         axes[0].plot(-shape, top - shape["s"], color=colour, label=name)
@@ -313,7 +313,7 @@ def trends(
         at = runs.sel(time=STATED)
         curves: tuple[xr.DataArray, ...] = (
             -at["lmrp_displacement"],
-            runs["max_bending_moment"].max("s") / 1e3,
+            runs["bending_moment_size"].max("s") / 1e3,
             180.0 / np.pi * abs(at["ufj_angle"]),
         )
         for ax, curve in zip(axes[k :: len(columns)], curves, strict=True):

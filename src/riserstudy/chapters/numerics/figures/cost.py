@@ -125,7 +125,7 @@ def _behind(ax: Axes, accuracy: xr.Dataset) -> None:
 def _cheapest(of: xr.Dataset) -> Array:
     """Error of displacement and seconds along the lower edge of all rungs, coarse to fine, (n, 2)."""
     error = of["error_displacement"].values.ravel()
-    seconds = of["wall_minimum"].values.ravel()
+    seconds = of["wall_seconds_min"].values.ravel()
     good = np.isfinite(error) & np.isfinite(seconds) & (error < 0.1) & (error > 0.0)
     order = np.argsort(seconds[good])
     error, seconds = error[good][order], seconds[good][order]
