@@ -1,6 +1,8 @@
 """The command line: exit codes, one message, no file made when refused."""
 
 import json
+import os
+import re
 import resource
 import subprocess
 import sys
@@ -53,6 +55,61 @@ def test_accuracy_and_settings_reach_the_run(command, tmp_path):
         tree = json.loads(found.attrs["provenance"])["scene"]
     assert tree["current"]["profile"][1]["speed"] == "0.5 m/s"
     assert "mesh" not in tree["analysis"]
+
+
+def test_patience_writes_the_best_result_so_far_and_says_so(command, tmp_path):
+    target = tmp_path / "out.nc"
+    wanted = ["--accuracy", "1e-5 %", "--patience", "0.02 min"]
+    code, _, err = command("run", SURGE, "-o", target, *QUICK, *wanted)
+    assert code == 0
+    assert "riserstudy: warning: accuracy not reached within patience of 1.2 s after " in err
+    with xr.open_dataset(target) as found:
+        assert found.attrs["ended_by"] == "patience of 1.2 s"
+        assert "within patience" in json.loads(found.attrs["warnings"])[-1]
+        assert float(found["time"][-1]) == 30.0
+
+
+def test_patience_that_ends_before_any_run_leaves_nothing(command, tmp_path):
+    long = ["--set", "analysis.duration=1e6 s", "--set", "analysis.output.interval=10 s"]
+    own = ["--set", "analysis.mesh={elements: 8}", "--set", "analysis.step=2 ms"]
+    target = tmp_path / "out.nc"
+    code, _, err = command("run", SURGE, "-o", target, *long, *own, "--patience", "1")
+    assert code == 3
+    assert err.startswith("riserstudy: analysis.mesh, analysis.step: take longer than 1 s")
+    assert not target.exists()
+
+
+@pytest.mark.parametrize("patience", ["0", "-3", "3 m", "soon", "nan"])
+def test_a_patience_that_is_no_time_is_refused(command, tmp_path, patience):
+    code, _, err = command("run", SURGE, "-o", tmp_path / "out.nc", "--patience", patience)
+    assert code == 2
+    assert err.startswith("riserstudy: patience: ")
+    assert err.count("\n") == 1
+
+
+def test_a_terminal_shows_what_is_run(tmp_path):
+    """On a terminal of its own, which a pipe is not."""
+    pty = pytest.importorskip("pty")
+    mine, its = pty.openpty()
+    words = ["run", SURGE, "-o", tmp_path / "out.nc", *QUICK, "--accuracy", "0.01 %"]
+    with subprocess.Popen(
+        [Path(sys.executable).with_name("riserstudy"), *words], stdout=its, stderr=its
+    ) as command:
+        os.close(its)
+        said = b""
+        while piece := _read(mine):
+            said += piece
+    os.close(mine)
+    assert command.returncode == 0
+    assert re.search(rb"run \d+: \d+ segments, steps of [\d.e-]+ s; moment .* to go", said), said
+
+
+def _read(terminal):
+    """What stands on a terminal; nothing once the other side is closed."""
+    try:
+        return os.read(terminal, 4096)
+    except OSError:
+        return b""
 
 
 def test_a_scene_is_drawn_in_the_format_of_the_ending(command, tmp_path):
@@ -169,7 +226,7 @@ def test_a_long_run_is_priced_and_announced_within_seconds(command, tmp_path, mo
     assert taken < sum(seconds)  # it is not run to be priced
     assert seconds == sorted(seconds)
     monkeypatch.setattr("riserstudy.cli.WORTH_TELLING", 0.0)
-    monkeypatch.setattr("riserstudy.simulation.refine.LONG", 0.0)
+    monkeypatch.setattr("riserstudy.simulation.show.LATE", 0.0)
     code, _, told = command("run", SURGE, "-o", tmp_path / "out.nc", *long, "--accuracy", "5%")
     assert code == 0
     assert told.startswith("riserstudy: takes about ")

@@ -109,8 +109,19 @@ def run(
         str | None,
         typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT"),
     ] = None,
+    patience: Annotated[
+        str | None,
+        typer.Option(help="take the best result after so long: 30, '10 min'", metavar="SECONDS"),
+    ] = None,
 ) -> None:
-    """Simulate a scene and write its dataset."""
+    """Simulate a scene and write its dataset.
+
+    Where patience ends before the accuracy is reached, the best result so far is written, with its
+    estimate and a warning, and the exit status is 0; where no run ends in time, nothing is, and it is 3.
+    """
+    from riserstudy.simulation.simulate import seconds
+
+    seconds(patience)
     file = _scene(scene, settings, accuracy)
     _check_writable(output, scene)
     _compile_once()
@@ -120,8 +131,9 @@ def run(
     if output.suffix not in (".nc", ".csv"):
         allowed = "allowed are .nc (netCDF) and .csv (time series, or the state at rest's extremes)"
         raise InputError("--output", str(output), f"no dataset {output.suffix!r}", allowed)
-    _forecast(file)
-    dataset = simulate(file, tell=_tell)
+    if patience is None:
+        _forecast(file)
+    dataset = simulate(file, patience=patience)
     if output.suffix == ".csv":
         from riserstudy.dataset import tables
 
@@ -135,10 +147,6 @@ def run(
         print(line)
 
 
-def _tell(said: str) -> None:
-    print(f"riserstudy: {said}", file=sys.stderr, flush=True)
-
-
 def _forecast(file: Any) -> None:
     """Say before a long run what it will take."""
     from riserstudy.simulation.forecast import forecast
@@ -146,9 +154,11 @@ def _forecast(file: Any) -> None:
     found = forecast(file.scene())
     if found and found.seconds > WORTH_TELLING:
         minutes = f"{found.seconds / 60.0:.2g} min" if found.seconds > 90.0 else ""
-        _tell(
-            f"takes about {minutes or f'{found.seconds:.2g} s'}: by its first {found.piece:.4g} s, "
-            f"{found.elements} segments and a step of {found.step:.3g} s will do"
+        print(
+            f"riserstudy: takes about {minutes or f'{found.seconds:.2g} s'}: by its first "
+            f"{found.piece:.4g} s, {found.elements} segments and a step of {found.step:.3g} s will do",
+            file=sys.stderr,
+            flush=True,
         )
 
 
@@ -186,7 +196,7 @@ def check(
     from riserstudy.simulation.simulate import simulate
 
     _forecast(file)
-    dataset = simulate(file, tell=_tell)
+    dataset = simulate(file)
     _say_warnings(dataset)
     for line in _limits(dataset):
         print(line)

@@ -54,7 +54,7 @@ class PhysicallyUnstable(SimulationError):
 
 
 class TakesTooLong(SimulationError):
-    """An accuracy that would take longer to reach than was allowed."""
+    """A run that takes longer than was allowed."""
 
 
 class StepFailed(SimulationError):

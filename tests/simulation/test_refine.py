@@ -6,10 +6,12 @@ from types import SimpleNamespace
 
 import pytest
 
+from riserstudy.errors import TakesTooLong
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation import refine as module
 from riserstudy.simulation.error_estimate import estimate
 from riserstudy.simulation.refine import run
+from riserstudy.simulation.watch import Watch
 
 SCENE = Path(__file__).parents[2] / "config/scenes/bench/s2.yaml"
 SETS = {"analysis.mesh": None, "analysis.step": None, "analysis.method": None}
@@ -55,6 +57,92 @@ def test_an_error_that_does_not_matter_is_not_seen_anew(monkeypatch):
     n, h, _ = refined(monkeypatch, lambda n, h: 40.0 * h**2 + 0.01 / n)
     assert n == refined(monkeypatch, lambda n, h: 0.01 / n)[0]
     assert h < refined(monkeypatch, lambda n, h: 0.01 / n)[1]
+
+
+def patient(monkeypatch, patience):
+    """The result of runs that each take twice the time of the one before, the first a second."""
+    spent = [0.0]
+
+    def single(scene, mesh, step, everywhere, watch):
+        seconds = 1.0 + spent[0]
+        spent[0] += seconds
+        if spent[0] > watch.patience:
+            raise TakesTooLong("broken off")
+        facts = {"elements": len(mesh.l0), "step": step, "solve_seconds": seconds, "warnings": []}
+        return SimpleNamespace(facts=facts, arrays={"bending_moment": None})
+
+    def difference(coarse, fine):
+        sizes = [one.facts["elements"] ** -2 + one.facts["step"] ** 2 for one in (coarse, fine)]
+        return {"displacement": 0.0, "tension": 0.0, "moment": 40.0 * (sizes[0] - sizes[1])}
+
+    monkeypatch.setattr(module, "single", single)
+    monkeypatch.setattr(module, "difference", difference)
+    monkeypatch.setattr(module, "keep_stations", lambda *_: None)
+    monkeypatch.setattr(Watch, "spent", property(lambda _: spent[0]))
+    told = []
+    scene = read_scene(SCENE).with_values(SETS, "test").scene()
+    return run(scene, patience, tell=lambda what, _: told.append(what)).facts, told
+
+
+def test_patience_ends_with_the_finest_run_and_its_estimate(monkeypatch):
+    facts, told = patient(monkeypatch, 100.0)
+    # runs end after 1, 3, 7, 15, 31, 63 s; the next would end after 127 s
+    assert [one["solve_seconds"] for one in facts["refinements"]] == [1, 2, 4, 8, 16, 32]
+    assert facts["elements"] == facts["refinements"][-1]["elements"]
+    true = 40.0 * (facts["elements"] ** -2 + facts["step"] ** 2)
+    assert facts["error_estimate"]["moment"] == pytest.approx(true, rel=0.2)
+    assert facts["ended_by"] == "patience of 100 s"
+    (warning,) = facts["warnings"]
+    assert warning.startswith("accuracy not reached within patience of 100 s after 6 runs")
+    assert f"moment {100 * facts['error_estimate']['moment']:.2g} %, " in warning
+    assert len(told) == 6
+    assert told[0].startswith("run 1: ")
+    assert "to go" in told[-1]
+
+
+def test_patience_that_ends_before_there_is_an_estimate_says_so(monkeypatch):
+    facts, _ = patient(monkeypatch, 6.0)
+    assert facts["error_estimate"] == {}
+    assert "no error estimate" in facts["warnings"][0]
+
+
+def test_patience_that_ends_before_the_first_run_is_an_error(monkeypatch):
+    with pytest.raises(TakesTooLong, match=r"^no run within 0.5 s: broken off$"):
+        patient(monkeypatch, 0.5)
+
+
+def test_patience_that_suffices_is_not_told(monkeypatch):
+    facts, _ = patient(monkeypatch, 1e9)
+    assert "ended_by" not in facts
+    assert facts["warnings"] == []
+    assert facts["error_estimate"]["moment"] <= 0.01
+
+
+@pytest.mark.parametrize("method", [None, "ESDIRK4", "explicit"])
+def test_a_march_is_broken_off_when_its_time_is_up(method):
+    """A million seconds by steps of 2 ms would take hours."""
+    sets = {"duration": "1e6 s", "output": {"interval": "10 s"}, "step": "2 ms", "method": method}
+    file = read_scene(SCENE).with_values(
+        {"analysis": sets | {"mesh": {"elements": 8}}, "top.z": "free"}, "test"
+    )
+    with pytest.raises(TakesTooLong, match=r"longer than 1 s, broken off with .* of the outputs"):
+        run(file.scene(), 1.0, estimated=False)
+
+
+def test_turns_are_broken_off_too():
+    file = read_scene(SCENE.parents[1] / "liu2017/ref_0.yaml").with_values(
+        {
+            "vessel.coupling": {"scheme": "iterated", "interval": "1 s"},
+            "analysis.duration": "1e6 s",
+            "analysis.output": {"interval": "10 s"},
+            "analysis.mesh": {"elements": 20},
+            "analysis.step": "0.02 s",
+            "analysis.accuracy": None,
+        },
+        "test",
+    )
+    with pytest.raises(TakesTooLong, match="broken off with"):
+        run(file.scene(), 1.0, estimated=False)
 
 
 @pytest.mark.parametrize(

@@ -61,7 +61,7 @@ def under_a_joint(
     """
     s = np.concatenate([[0.0], np.cumsum(mesh.l0[:-1] * (1.0 + strain))])
     above = np.maximum(s - s[foot], 0.0)
-    lean = math.asin(min(1.0, offset / (float(mesh.l0.sum()) - s[foot])))
+    lean = math.asin(max(-1.0, min(1.0, offset / (float(mesh.l0.sum()) - s[foot]))))
     x = np.append(above * math.sin(lean), offset)
     z = np.append(s - above * (1.0 - math.cos(lean)), rise)
     return np.stack([x, np.zeros(len(x)), z])

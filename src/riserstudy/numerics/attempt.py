@@ -16,6 +16,7 @@ from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 
 
@@ -47,12 +48,12 @@ class Attempt:
     seconds: float
 
 
-def attempt(run: Callable[[], Result]) -> Attempt:
+def attempt(do: Callable[[], Result]) -> Attempt:
     """Run, and keep what a refusal says."""
     started = clock.perf_counter()
     result, refused, message = None, None, ""
     try:
-        result = run()
+        result = do()
     except PhysicallyUnstable as error:
         refused, message = Outcome.UNSTABLE, str(error)
     except TakesTooLong as error:
@@ -60,6 +61,20 @@ def attempt(run: Callable[[], Result]) -> Attempt:
     except RiserStudyError as error:
         refused, message = Outcome.REFUSED, str(error)
     return Attempt(result, refused, message, clock.perf_counter() - started)
+
+
+def in_time(scene: Scene, patience: float) -> Result:
+    """A run to the accuracy that is asked for.
+
+    Raises
+    ------
+    TakesTooLong
+        When that takes longer than ``patience`` (s).
+    """
+    result = run(scene, patience)
+    if "ended_by" in result.facts:
+        raise TakesTooLong(f"takes longer than {patience:g} s; {result.facts['warnings'][-1]}")
+    return result
 
 
 def attempt_on(scene: Scene, mesh: Mesh, step: float | None, budget: float) -> Attempt:

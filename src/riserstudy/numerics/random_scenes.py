@@ -21,7 +21,7 @@ import psutil
 
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, mesh_of
+from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, in_time, mesh_of
 from riserstudy.numerics.references import QUANTITIES, Reference, by_run
 from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.numerics.stability import FREE, stepped, whole
@@ -100,7 +100,7 @@ def judge(one: Drawn, patience: float) -> None:
     """
     scene = whole(one.file.scene())
     attempt(lambda: run(scene, 0.0))  # loads its kernels, which is not the request's time
-    tried = attempt(lambda: run(scene, patience))
+    tried = attempt(lambda: in_time(scene, patience))
     if tried.result is None:
         late = f"{NOT_JUDGED}: " if tried.refused is Outcome.TOO_LONG else ""
         one.message = f"{late}{tried.message}"

@@ -13,10 +13,9 @@ import psutil
 from numpy.typing import NDArray
 
 from riserstudy.numerics.ablation import peaks
-from riserstudy.numerics.attempt import Attempt, attempt, deciding
+from riserstudy.numerics.attempt import Attempt, attempt, deciding, in_time
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.scene.load import SceneFile
-from riserstudy.simulation.refine import run
 from riserstudy.study.measured import TiersStudy
 
 if TYPE_CHECKING:
@@ -81,7 +80,7 @@ def asked(file: SceneFile, accuracy: str) -> Any:
 
 def once(file: SceneFile, accuracy: str, patience: float) -> Attempt:
     """One run, or what it is refused for."""
-    return attempt(lambda: run(asked(file, accuracy), patience))
+    return attempt(lambda: in_time(asked(file, accuracy), patience))
 
 
 ABOUT = {

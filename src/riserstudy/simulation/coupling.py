@@ -134,8 +134,8 @@ def _turn(
     platform, riser = sides.platform, sides.riser
     starts = [(side, _kept(side.s)) for side in (platform, riser)]
     tolerance = coupling.tolerance or method.tolerance
-    alone = new_sums()  # of the platform
-    aside = new_sums()  # of rounds that are gone through again
+    alone = new_sums()._replace(stop=sums.stop)  # of the platform
+    aside = new_sums()._replace(stop=sums.stop)  # of rounds that are gone through again
     for rounds in range(1, MOST_ROUNDS + 1):
         for side, start in starts:
             _restore(side.s, start)

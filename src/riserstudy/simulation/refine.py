@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import time as clock
-from collections.abc import Callable
 from typing import Any
 
 from riserstudy.dataset.result import Result
@@ -17,6 +15,7 @@ from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.time_stepping import steps_in
+from riserstudy.simulation.watch import Tell, Watch
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
 RUNS = 16  # halvings of mesh or step, at most
@@ -26,15 +25,11 @@ STALE = 3  # halvings of the other, after which what one of mesh and step was se
 MATTERS = 0.25  # of what is asked for: an error that is
 PATIENT = 6  # refinements that must halve the error, or a string under compression is given up
 STEPS_A_PERIOD = 24  # of the coarsest step
-LONG = 5.0  # seconds, from which on a run says how far it is
 SPENT = ("elements", "step", "newton_iterations", "solve_seconds")  # what a run cost
 
 
 def run(
-    scene: Scene,
-    patience: float = math.inf,
-    estimated: bool = True,
-    tell: Callable[[str], None] | None = None,
+    scene: Scene, patience: float = math.inf, estimated: bool = True, tell: Tell | None = None
 ) -> Result:
     """Simulate a scene.
 
@@ -44,10 +39,11 @@ def run(
 
     Parameters
     ----------
-    patience : time (s) that refinement may take.
+    patience : time (s) after which the finest run so far is the result; its fact ``ended_by`` and a warning
+        say so. A run that would not end within it is not begun, one that does not is broken off.
     estimated : whether a run with mesh and step in the scene tells its error, which takes about two thirds
         more.
-    tell : is told after each refinement how far a run is that takes long.
+    tell : is told what is at work, and what share of it is done.
 
     Raises
     ------
@@ -56,37 +52,49 @@ def run(
     PhysicallyUnstable
         When no finer run tells how a string without bending stiffness buckles.
     TakesTooLong
-        When the next refinement would take more than is left of ``patience`` (s).
+        When ``patience`` ends before the first run, or before that on a mesh that the scene asks for.
     """
-    started = clock.perf_counter()
+    watch = Watch(patience, tell)
     result = (
-        Refinement(scene, patience, tell).result()
+        Refinement(scene, watch).result()
         if scene.analysis.mesh is None
-        else _as_asked(scene, estimated)
+        else _as_asked(scene, estimated, watch)
     )
-    result.facts["wall_seconds"] = clock.perf_counter() - started
+    result.facts["wall_seconds"] = watch.spent
     return result
 
 
-def _as_asked(scene: Scene, estimated: bool) -> Result:
+def _as_asked(scene: Scene, estimated: bool, watch: Watch) -> Result:
     """A run with the scene's own mesh and step; its error from two coarser runs.
 
     These go first, so that the time of the run itself is not that of loading kernels.
     """
     a = scene.analysis
     elements = a.mesh.elements if a.mesh else 1
+
+    def asked() -> Result:
+        watch.begin(f"the run as asked: {_size(elements, a.step)}")
+        try:
+            return single(scene, prescribed(scene, elements), a.step, watch=watch)
+        except TakesTooLong as late:
+            raise TakesTooLong(
+                f"analysis.mesh, analysis.step: take longer than {watch.patience:g} s, {late}"
+            ) from None
+
     if not estimated:
-        return single(scene, prescribed(scene, elements), a.step)
+        return asked()
     if elements == 1 and not a.step:
-        return _exact(single(scene, prescribed(scene, elements), a.step))
+        return _exact(asked())
     runs: list[Result] = []
     for k in (2, 4):
         step = k * a.step if a.step and a.method != "explicit" else a.step
+        coarser = prescribed(scene, max(1, elements // k))
+        watch.begin(f"a coarser run, for the error: {_size(len(coarser.l0), step)}")
         try:
-            runs.insert(0, single(scene, prescribed(scene, max(1, elements // k)), step, True))
+            runs.insert(0, single(scene, coarser, step, True, watch))
         except SimulationError:  # a coarse mesh may buckle, a long step fail
             break
-    result = single(scene, prescribed(scene, elements), a.step)
+    result = asked()
     runs.append(result)
     if len(runs) == 1:
         result.facts["warnings"].append("no error estimate: the coarser run cannot be completed")
@@ -112,15 +120,9 @@ class Refinement:
     round; so an error that was seen long before the end is not believed.
     """
 
-    def __init__(
-        self,
-        scene: Scene,
-        patience: float = math.inf,
-        tell: Callable[[str], None] | None = None,
-    ) -> None:
+    def __init__(self, scene: Scene, watch: Watch | None = None) -> None:
         a = scene.analysis
-        self.tell = tell
-        self.scene, self.patience = scene, patience
+        self.scene, self.watch = scene, watch or Watch()
         self.target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
         self.target["tension"] = self.target["moment"]
         self.mesh = coarsest_mesh(scene)
@@ -132,6 +134,7 @@ class Refinement:
         self.helps = True  # whether halving it brought the differences down
         self.lost = 0  # meshes without equilibrium
         self.last: Result | None = None  # to compare the next run with
+        self.finest: Result | None = None  # that was completed
         self.spent: list[dict[str, Any]] = []  # what each run cost
         self.excess: list[float] = []  # of the estimates, once there is one of mesh and step
 
@@ -145,29 +148,77 @@ class Refinement:
         """
         if not self.ways:  # a massless spring at rest
             return _exact(single(self.scene, self.mesh, self.step))
+        try:
+            reached = self._refine()
+        except TakesTooLong as late:
+            if self.finest is None:
+                raise TakesTooLong(f"no run within {self.watch.patience:g} s: {late}") from None
+            reached = False
+            self.finest.facts["ended_by"] = f"patience of {self.watch.patience:g} s"
+        finest = self.finest
+        if finest is None:
+            raise TypeError("no run and no error")  # one of both there is
+        if not reached:
+            finest.facts["warnings"].append(self._not_reached(finest))
+        finest.facts["solve_seconds"] = _spent(self.spent)
+        finest.facts["refinements"] = self.spent
+        output = self.scene.analysis.output
+        keep_stations(finest, output.stations if output else None)
+        return finest
+
+    def _refine(self) -> bool:
+        """Run finer and finer; whether the accuracy was reached.
+
+        Raises
+        ------
+        TakesTooLong
+            When patience ends before that.
+        """
         left = RUNS
-        way: str | None = self.way
         while True:
+            self._begin()
             finer = self._attempt(left)
             if finer is not None:
                 self._compare(finer)
-                self._tell(finer)
                 way = self._next_way()
                 if way is None or left == 0 or self._too_fine(way):
-                    break
-                self._ask_patience(finer)
+                    return way is None
+                self._ask_patience()
                 self._halve(way)
             left -= 1
-        if way is not None:
-            finer.facts["warnings"].append(
-                f"accuracy not reached after {len(self.spent)} runs, the last on {len(self.mesh.l0)} "
-                f"segments: {_worst(self.error)} estimated"
-            )
-        finer.facts["solve_seconds"] = _spent(self.spent)
-        finer.facts["refinements"] = self.spent
-        output = self.scene.analysis.output
-        keep_stations(finer, output.stations if output else None)
-        return finer
+
+    def _begin(self) -> None:
+        """Tell what is run next, how far the last was off, and what is left to do."""
+        on = f"run {len(self.spent) + 1}: {_size(len(self.mesh.l0), self.step)}"
+        if self.spent and not self._unknown:
+            error = self.error
+            worst = max(error, key=lambda name: error[name] / self.target[name])
+            off = f"{worst} {100 * error[worst]:.2g} of {100 * self.target[worst]:.2g} %"
+            on += f"; {off}, up to {_duration(self._left())} to go"
+        self.watch.begin(on)
+
+    def _left(self) -> float:
+        """Time that is left to go where each halving quarters its error and doubles the time (s)."""
+        excess = {way: self._excess(one.error) for way, one in self.seen.items()}
+        one, total = self.spent[-1]["solve_seconds"], 0.0
+        for _ in range(RUNS):
+            one *= 2.0
+            total += one
+            worst = max(excess, key=lambda way: excess[way])
+            excess[worst] *= 0.25
+            if sum(excess.values()) <= 1.0:
+                break
+        return float(total)
+
+    def _not_reached(self, finest: Result) -> str:
+        """What is to be said of an accuracy that was not reached."""
+        facts = finest.facts
+        why = f" within {facts['ended_by']}" if "ended_by" in facts else ""
+        errors = f"{_worst(facts['error_estimate'])} estimated"
+        if not facts["error_estimate"]:
+            errors = "no error estimate, which takes more runs"
+        runs = f"{len(self.spent)} run{'s' if len(self.spent) > 1 else ''}"
+        return f"accuracy not reached{why} after {runs}, the last on {facts['elements']} segments: {errors}"
 
     @property
     def error(self) -> dict[str, float]:
@@ -180,8 +231,8 @@ class Refinement:
     def _attempt(self, left: int) -> Result | None:
         """A run on the present mesh and step; None where it failed, and both are finer now."""
         try:
-            return single(self.scene, self.mesh, self.step, True)
-        except PhysicallyUnstable:
+            return single(self.scene, self.mesh, self.step, True, self.watch)
+        except (PhysicallyUnstable, TakesTooLong):
             raise
         except StepFailed:
             if left == 0 or self.step is None:
@@ -206,8 +257,8 @@ class Refinement:
             for one in self.seen.values():
                 one.since += 1
             self.seen[self.way] = now
-        self.last = finer
-        told = self.seen[self.way].change if self.way in self.seen else {}
+        self.last = self.finest = finer
+        told = self.seen[self.way].change if self.way in self.seen and not self._unknown else {}
         finer.facts["error_estimate"] = {k: v for k, v in self.error.items() if k in told}
         if not self._unknown:
             self.excess.append(self._excess(self.error))
@@ -228,20 +279,10 @@ class Refinement:
             return self.ways[1 - self.ways.index(self.way)]
         return max(self.ways, key=lambda way: self._excess(self.seen[way].error))
 
-    def _tell(self, finer: Result) -> None:
-        """Say how far a long run is."""
-        seconds = _spent(self.spent)
-        if self.tell and seconds > LONG:
-            step = f", step {self.step:.3g} s" if self.step else ""
-            by_now = (
-                f"{_worst(self.error)} estimated" if self.seen else "nothing to compare with yet"
-            )
-            self.tell(f"{finer.facts['elements']} segments{step}: {by_now}, after {seconds:.3g} s")
-
-    def _ask_patience(self, finer: Result) -> None:
-        if _spent(self.spent) + 2.0 * finer.facts["solve_seconds"] > self.patience:
-            by_then = f"{_worst(self.error)} estimated" if self.seen else "nothing estimated"
-            raise TakesTooLong(f"takes longer than {self.patience:g} s; {by_then} by then")
+    def _ask_patience(self) -> None:
+        """Begin no run that would not end in time: each takes twice as long as the one before."""
+        if self.watch.spent + 2.0 * self.spent[-1]["solve_seconds"] > self.watch.patience:
+            raise TakesTooLong("the next run would take too long")
 
     def _too_fine(self, way: str) -> bool:
         return way == "mesh" and 2 * len(self.mesh.l0) > SEGMENTS
@@ -289,6 +330,14 @@ def _longest_step(scene: Scene) -> float:
     step = period(scene) / STEPS_A_PERIOD
     coupling = scene.vessel and scene.vessel.coupling
     return coupling.interval / steps_in(coupling.interval, step) if coupling else step
+
+
+def _size(elements: int, step: float | None) -> str:
+    return f"{elements} segments" + (f", steps of {step:.3g} s" if step else "")
+
+
+def _duration(seconds: float) -> str:
+    return f"{seconds:.2g} s" if seconds < 100.0 else f"{seconds / 60.0:.0f} min"
 
 
 def _spent(refinements: list[dict[str, Any]]) -> float:

@@ -9,7 +9,7 @@ import time as clock
 from typing import Any
 
 from riserstudy.dataset.result import Result
-from riserstudy.errors import SimulationError, StepFailed
+from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
 from riserstudy.model import rao
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
@@ -27,22 +27,30 @@ from riserstudy.simulation.hermite_run import solve_small_angle
 from riserstudy.simulation.section_forces import derived
 from riserstudy.simulation.stable_step import explicit_limit
 from riserstudy.simulation.time_stepping import method_of, steps_in
+from riserstudy.simulation.watch import Watch, share
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.program import Frozen
-from riserstudy.solve.sums import DONE, Sums, new_sums
+from riserstudy.solve.sums import DONE, STOPPED, Sums, new_sums
 
 MOST_WHOLE = 20_000_000  # values of one quantity: 160 MB
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
 
 
-def single(scene: Scene, mesh: Mesh, step: float | None, everywhere: bool = False) -> Result:
+def single(
+    scene: Scene,
+    mesh: Mesh,
+    step: float | None,
+    everywhere: bool = False,
+    watch: Watch | None = None,
+) -> Result:
     """One run on a given mesh and step (s; None: at rest), without error estimate.
 
     Parameters
     ----------
     everywhere : histories at all nodes, with what tells them in between, instead of where they are
         asked for.
+    watch : what looks on; absent: nothing does.
 
     Raises
     ------
@@ -50,6 +58,8 @@ def single(scene: Scene, mesh: Mesh, step: float | None, everywhere: bool = Fals
         When no equilibrium is found, or a value is not defined.
     StepFailed
         When a step fails: time, node, effect and remedy.
+    TakesTooLong
+        When the watch breaks the march off.
     """
     if scene.analysis.solver == "hermite":
         result = solve_small_angle(scene, mesh, step)
@@ -72,7 +82,7 @@ def single(scene: Scene, mesh: Mesh, step: float | None, everywhere: bool = Fals
         facts["coupling"] = {"scheme": "as one"}
     if scene.analysis.duration is not None and step is not None and scene.analysis.output:
         whole = everywhere or fits(scene.analysis.output, scene.analysis.duration, mesh)
-        arrays |= in_motion(scene, model, mesh, step, whole, arrays, facts)
+        arrays |= in_motion(scene, model, mesh, step, whole, arrays, facts, watch or Watch())
     audit.finite(arrays)
     audit.tension(scene, arrays, facts)
     if rig := scene.top.tensioners:
@@ -113,6 +123,7 @@ def in_motion(
     whole: bool,
     arrays: outputs.Arrays,
     facts: dict[str, Any],
+    watch: Watch,
 ) -> outputs.Arrays:
     """Histories and envelopes of a model at rest that is set in motion; the facts gain the audit.
 
@@ -123,6 +134,8 @@ def in_motion(
     ------
     StepFailed
         When a step fails: time, node, effect and remedy.
+    TakesTooLong
+        When the watch breaks the march off.
     """
     a = scene.analysis
     if a.duration is None or a.output is None:
@@ -140,14 +153,21 @@ def in_motion(
     begin(scene, model, mesh)
     record = outputs.empty_record(arrays, model, a.output, a.duration, of)
     before = sum(energies(model.programs, model.state))
-    if coupling:
-        turn, _ = method_of(scene, mesh, step, steps)
-        outcome, facts["coupling"] = march_in_turns(sides, coupling, turn, a.duration, record, sums)
-    elif a.method == "explicit":
-        facts["stable_step"] = explicit_limit(scene, model)
-        outcome = explicitly(model, step, facts["stable_step"], a.duration, record, sums)
-    else:
-        model, outcome, taken = march_through(scene, model, mesh, step, record, sums, facts)
+    with watch.over(record.value, sums):
+        if coupling:
+            turn, _ = method_of(scene, mesh, step, steps)
+            outcome, facts["coupling"] = march_in_turns(
+                sides, coupling, turn, a.duration, record, sums
+            )
+        elif a.method == "explicit":
+            facts["stable_step"] = explicit_limit(scene, model)
+            outcome = explicitly(model, step, facts["stable_step"], a.duration, record, sums)
+        else:
+            model, outcome, taken = march_through(scene, model, mesh, step, record, sums, facts)
+    if outcome == STOPPED:
+        raise TakesTooLong(
+            f"broken off with {100 * share(record.value):.2g} % of the outputs written"
+        )
     if outcome != DONE:
         raise StepFailed(why(model, mesh, sums))
     after = sum(energies(model.programs, model.state))

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from riserstudy.dataset.label import to_dataset
+from riserstudy.errors import InputError
 from riserstudy.model.absent_effects import absent
 from riserstudy.scene.load import SceneFile
+from riserstudy.scene.units import to_si
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -17,7 +19,9 @@ if TYPE_CHECKING:
 def simulate(
     scene: SceneFile | str | Path,
     accuracy: float | None = None,
-    tell: Callable[[str], None] | None = None,
+    patience: float | str | None = None,
+    *,
+    progress: bool = True,
 ) -> xr.Dataset:
     """Simulate a scene.
 
@@ -26,7 +30,10 @@ def simulate(
     scene : a scene from :func:`riserstudy.load_scene`, or the path of its file.
     accuracy : relative accuracy of displacement and moment asked for, in place of the scene's mesh,
         step or accuracy.
-    tell : is told after each refinement how far a run is that takes long.
+    patience : time after which the best result so far is returned, with what it errs by: seconds, or text
+        such as ``"10 min"``. The attribute ``ended_by`` and a warning then say so. A scene with a mesh of its
+        own has no coarser result to return, and is refused instead. Absent: without end.
+    progress : show on a terminal or a notebook what is run, how far it is and what is left to do.
 
     Returns
     -------
@@ -38,17 +45,21 @@ def simulate(
     Raises
     ------
     InputError
-        When the scene cannot be meant.
+        When the scene, or the patience, cannot be meant.
     SimulationError
-        When it cannot be completed.
+        When it cannot be completed, or no run ends within the patience.
     """
     from riserstudy.scene.load import read_scene
     from riserstudy.simulation.refine import run
+    from riserstudy.simulation.show import shown
 
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     if accuracy is not None:
         file = at_accuracy(file, f"{100 * accuracy!r} %")
-    result = run(file.scene(), tell=tell)
+    limit = seconds(patience)
+    checked = file.scene()
+    with shown(progress) as tell:
+        result = run(checked, limit, tell=tell)
     return to_dataset(result, file, absent(set(result.facts["effects"])))
 
 
@@ -56,3 +67,29 @@ def at_accuracy(file: SceneFile, accuracy: str) -> SceneFile:
     """The scene with an accuracy asked for in place of mesh and step."""
     wanted = {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": accuracy}
     return file.with_values(wanted, "accuracy")
+
+
+def seconds(patience: float | str | None) -> float:
+    """Patience in seconds, from a number of them or text with a unit; infinite where it is absent.
+
+    Raises
+    ------
+    InputError
+        When it is no positive time.
+    """
+    allowed = "allowed is a positive number of seconds, or text such as '10 min'"
+    try:
+        value = math.inf if patience is None else _number(str(patience).strip())
+    except ValueError:
+        raise InputError("patience", "", repr(patience), allowed) from None
+    if not value > 0.0:
+        raise InputError("patience", "", repr(patience), allowed)
+    return value
+
+
+def _number(text: str) -> float:
+    """Seconds, where a text is a number alone; else by its unit."""
+    try:
+        return float(text)
+    except ValueError:
+        return to_si(text, "s")

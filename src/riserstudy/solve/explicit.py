@@ -15,7 +15,7 @@ from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import every
 from riserstudy.solve.record import due, evaluate_and_note, interpolate, widen
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, clear, copy
-from riserstudy.solve.sums import DONE, EVALUATIONS, NOT_CONVERGED, enter, fail
+from riserstudy.solve.sums import DONE, EVALUATIONS, NOT_CONVERGED, STOPPED, enter, fail
 from riserstudy.solve.vec import at, outer, put, solved
 
 
@@ -107,7 +107,8 @@ def halfway(s, h, into):
 def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
     """March ``steps`` steps of ``h`` from the state ``s``; outputs go to ``record``.
 
-    Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``.
+    Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``, STOPPED where
+    ``sums.stop`` says so.
     """
     d = len(s.dim)
     n = s.r.shape[1] - 1  # the last node, loose ones included
@@ -124,6 +125,8 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
         # s.r and s.a are at t; s.v is at t - h/2, but that of held directions at t
         if step == steps and not due(record, t + 1e-9 * h):
             break
+        if sums.stop[0] != 0:
+            return STOPPED
         told = due(record, t + h * (1.0 - 1e-9))
         if told:
             copy(r0, s.r)

@@ -24,7 +24,7 @@ from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, copy, keep, restore
-from riserstudy.solve.sums import DONE, NOT_CONVERGED, enter
+from riserstudy.solve.sums import DONE, NOT_CONVERGED, STOPPED, enter
 
 
 class Method(NamedTuple):
@@ -55,7 +55,7 @@ def march(p, s, so, method, fixed, record, sums):
     """March from the state ``s`` at time ``s.clock[0]``; outputs go to ``record``.
 
     ``so`` is a second state of the same model, for evaluations at output times.
-    Returns DONE or NOT_CONVERGED (then ``sums.failure`` tells where).
+    Returns DONE, NOT_CONVERGED (then ``sums.failure`` tells where), or STOPPED where ``sums.stop`` says so.
     """
     d = len(s.dim)
     nb = len(s.dof)
@@ -80,6 +80,8 @@ def march(p, s, so, method, fixed, record, sums):
     note_start(p, s, record, begin)
 
     while under_way(pace, method):
+        if sums.stop[0] != 0:
+            return STOPPED
         t, h = s.clock[0], pace[LENGTH]
         keep(s, r0, v0, a0, moment0)
         copy(inert0, inert1)

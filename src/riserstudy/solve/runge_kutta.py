@@ -26,7 +26,7 @@ from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, copy, keep, restore
-from riserstudy.solve.sums import DONE, NOT_CONVERGED, enter
+from riserstudy.solve.sums import DONE, NOT_CONVERGED, STOPPED, enter
 
 _G = 1.0 - sqrt(0.5)
 TABLEAUS = {
@@ -106,6 +106,8 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
     note_start(p, s, record, begin)
 
     while under_way(pace, method):
+        if sums.stop[0] != 0:
+            return STOPPED
         t, h = s.clock[0], pace[LENGTH]
         keep(s, r0, v[0], a[0], moment0)
         for k in range(4):

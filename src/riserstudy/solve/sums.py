@@ -8,7 +8,7 @@ import numpy as np
 
 from riserstudy.solve.jit import inner
 
-DONE, NOT_CONVERGED = 0, 1
+DONE, NOT_CONVERGED, STOPPED = 0, 1, 2
 STEPS, ITERATIONS, HALVED, EVALUATIONS = 0, 1, 2, 3  # what is counted
 
 
@@ -20,11 +20,12 @@ class Sums(NamedTuple):
         np.ndarray
     )  # (4,) steps, Newton iterations, halved steps, evaluations of explicit stepping
     failure: np.ndarray  # (3,) time (s), node, size of its last correction (m)
+    stop: np.ndarray  # (1,) not 0 where a march is to be broken off, which another thread may say
 
 
 def new_sums() -> Sums:
     """All zero."""
-    return Sums(np.zeros(5), np.zeros(4, np.int64), np.zeros(3))
+    return Sums(np.zeros(5), np.zeros(4, np.int64), np.zeros(3), np.zeros(1, np.int64))
 
 
 @inner

@@ -1,0 +1,44 @@
+"""Show on a terminal what a run is at; elsewhere say it once it takes long."""
+
+from __future__ import annotations
+
+import sys
+import time as clock
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from riserstudy.simulation.watch import Tell
+
+LATE = 5.0  # s, after which runs are told of where nobody looks on
+
+
+@contextmanager
+def shown(progress: bool) -> Iterator[Tell | None]:
+    """What is told of runs, and shows it: on a terminal or in a notebook as one line that changes.
+
+    Elsewhere, as in a log, each run that begins after a while gets a line of its own on stderr.
+    """
+    if not progress:
+        yield None
+        return
+    from rich.console import Console
+
+    console = Console(file=sys.stderr)
+    if not (console.is_terminal or console.is_jupyter):
+        yield _lines()
+        return
+    with console.status("") as status:
+        yield lambda what, share: status.update(
+            f"{what}" + (f" ({100 * share:.0f} %)" if share > 0.0 else "")
+        )
+
+
+def _lines() -> Tell:
+    """Tell by lines."""
+    started = clock.perf_counter()
+
+    def tell(what: str, share: float) -> None:
+        if share == 0.0 and clock.perf_counter() - started > LATE:
+            print(f"riserstudy: {what}", file=sys.stderr, flush=True)
+
+    return tell
