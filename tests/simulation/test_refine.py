@@ -1,16 +1,19 @@
 """What is refined, and when the estimated error is believed: on made-up errors of mesh and step."""
 
 import math
+from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
 from riserstudy.errors import TakesTooLong
+from riserstudy.model.mesh import even
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation import refine as module
 from riserstudy.simulation.error_estimate import estimate
 from riserstudy.simulation.refine import run
+from riserstudy.simulation.run import single
 from riserstudy.simulation.watch import Watch
 
 SCENE = Path(__file__).parents[2] / "config/scenes/bench/s2.yaml"
@@ -129,20 +132,24 @@ def test_a_march_is_broken_off_when_its_time_is_up(method):
         run(file.scene(), 1.0, estimated=False)
 
 
-def test_turns_are_broken_off_too():
+class AtOnce(Watch):
+    """Breaks everything off before it begins."""
+
+    @contextmanager
+    def over(self, record, sums):
+        sums.stop[0] = 1
+        yield
+
+
+@pytest.mark.parametrize("scheme", ["staggered", "iterated"])
+def test_turns_are_broken_off_on_either_side(scheme):
+    """The platform's own march is the first of a turn."""
     file = read_scene(SCENE.parents[1] / "liu2017/ref_0.yaml").with_values(
-        {
-            "vessel.coupling": {"scheme": "iterated", "interval": "1 s"},
-            "analysis.duration": "1e6 s",
-            "analysis.output": {"interval": "10 s"},
-            "analysis.mesh": {"elements": 20},
-            "analysis.step": "0.02 s",
-            "analysis.accuracy": None,
-        },
-        "test",
+        {"vessel.coupling": {"scheme": scheme, "interval": "1 s"}}, "test"
     )
-    with pytest.raises(TakesTooLong, match="broken off with"):
-        run(file.scene(), 1.0, estimated=False)
+    scene = file.scene()
+    with pytest.raises(TakesTooLong, match="broken off with 0 % of the outputs"):
+        single(scene, even(scene, 20), 0.1, watch=AtOnce())
 
 
 @pytest.mark.parametrize(

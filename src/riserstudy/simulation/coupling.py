@@ -30,7 +30,7 @@ from riserstudy.solve.implicit import Method, march
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.record import Record, new_record
 from riserstudy.solve.state import State
-from riserstudy.solve.sums import DONE, HALVED, ITERATIONS, Sums, fail, new_sums
+from riserstudy.solve.sums import DONE, HALVED, ITERATIONS, Sums, new_sums
 
 FloatArray = NDArray[np.float64]
 MOST_ROUNDS = 50  # of a turn that is repeated
@@ -142,7 +142,7 @@ def _turn(
         outcome, seen = _step_by_step(platform, method, sides.lent.time, alone)
         if outcome != DONE:
             time, _, size = alone.failure
-            fail(sums, time, sides.told.node, size)
+            sums.failure[:] = time, sides.told.node, size
             return outcome, rounds
         moved = _tell(sides, seen)
         move_to(riser.programs, riser.state, float(sides.told.time[0]))
