@@ -15,6 +15,9 @@ studies:
     scene: scenes/riser.yaml
     caption: a riser at rest under forty tensions
     set: {analysis: {mesh: {elements: 20}}, platform: null, top.x: held}
+    limits:
+      - {output: lfj_angle, largest: 2 deg, mode: drilling}
+      - {output: stroke, largest: 5 m, mode: connected}
     axes:
       top_tension:
         path: top.tension

@@ -26,6 +26,7 @@ DIMENSIONS = (
     "s_node",
     "cylinder",
     "point",
+    "limit",
 )  # of runs and of studies while they are joined
 #: what runs return, with endings or without, where a scene calls for it
 OF_RUNS = frozenset(

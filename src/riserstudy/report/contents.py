@@ -15,6 +15,7 @@ from riserstudy.report import audit
 from riserstudy.report.animation import animation
 from riserstudy.report.claims import VERDICTS, Claim, read_claims
 from riserstudy.report.engine import engine
+from riserstudy.report.limits import LimitTable, limit_tables
 from riserstudy.report.motion import motion_of
 from riserstudy.report.overview import amounts, bars, findings, short_of, subject, tiles, title_of
 from riserstudy.report.pictures import Figure, claims_by_figure, heading, picture_of
@@ -72,6 +73,7 @@ class Chapter(NamedTuple):
     figures: list[Figure]
     errata: list[dict[str, str]]
     left_out: dict[str, str]
+    limits: list[LimitTable]
     scenes: list[SceneTable]
 
 
@@ -145,6 +147,7 @@ def _chapters(
             [figure for figure in figures if figure.paper == paper],
             [row for row in errata if row["paper"] == paper],
             file.left_out,
+            limit_tables(_own(paper, file, datasets)),
             tables[paper],
         )
 
@@ -160,8 +163,12 @@ def _motion(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> Mov
 def _scenes(
     paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset], config: Path
 ) -> list[SceneTable]:
-    own = {name: datasets[paper, name] for name in file.studies if (paper, name) in datasets}
-    return scene_tables(own, file, config)
+    return scene_tables(_own(paper, file, datasets), file, config)
+
+
+def _own(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> dict[str, xr.Dataset]:
+    """Simulated datasets of a paper."""
+    return {name: datasets[paper, name] for name in file.studies if (paper, name) in datasets}
 
 
 def _figures(

@@ -100,7 +100,7 @@ def _values(
             values[path] = (value, origins[origin], evidence.get(origin, ""))
         elif printed is not None:
             values[path] = (value, plain, printed.where)
-        elif any(within(path, place) for place in study.set):
+        elif any(within(path, place) for place in study.on_top):
             values[path] = (value, "chosen", "set by the study")
         elif path not in written:
             values[path] = (value, "chosen", f"by the tier, {dataset.attrs['tier']}")

@@ -21,6 +21,7 @@ from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
 from riserstudy.simulation.curve import at_stations, curve_of
 from riserstudy.study import store
+from riserstudy.study.limits import add_limits
 from riserstudy.study.models import Numbers, Samples
 from riserstudy.study.simulate_points import fill, lacks
 from riserstudy.study.study import Study
@@ -112,6 +113,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
         dataset.coords[axis] = xr.DataArray([v for v, _ in steps], dims=axis, attrs=about)
     _add_sampled(dataset, study)
     dataset.attrs = _about(study, results)
+    add_limits(dataset, study, results)
     return dataset
 
 

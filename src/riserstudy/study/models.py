@@ -138,13 +138,22 @@ Reading = Literal["readings"]
 
 
 class StudyModel(Strict):
-    """One study. Absent set: nothing set on top of the scene; absent keep: all histories are kept."""
+    """One study. Absent set: nothing set on top of the scene; absent keep: all histories are kept.
+
+    ``limits``: those that every point is held against, as scenes have them; absent: those of the scene.
+    """
 
     scene: str
     caption: str
     set: dict[str, Any] = Field(default_factory=dict)
+    limits: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = None
     axes: dict[AxisName, Numbers | Samples | Labels | Reading]
     keep: list[str] | None = None
+
+    @property
+    def on_top(self) -> dict[str, Any]:
+        """What is set on top of the scene, limits included."""
+        return self.set | ({"limits": self.limits} if self.limits else {})
 
     @property
     def _numbers(self) -> dict[str, list[str]]:
@@ -163,6 +172,8 @@ class StudyModel(Strict):
             if not of_runs(name):
                 allowed = "allowed are " + ", ".join(sorted(OF_RUNS)) + ", each with endings"
                 raise ValueError(f"keep: runs return no {name!r}; {allowed}")
+        if self.limits and "limits" in self.set:
+            raise ValueError("limits: stand in set, too; allowed is one of both")
         for name in self.axes:
             if of_runs(name) or name in DIMENSIONS:
                 raise ValueError(f"axes.{name}: the name of a variable of runs; take another")

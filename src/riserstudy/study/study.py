@@ -52,7 +52,7 @@ class Study:
     def base(self) -> SceneFile:
         """The scene with what the study sets on top of it."""
         path = self.config / self.model.scene
-        file = scene_file(path).with_values(self.model.set, f"{self.where}.set")
+        file = scene_file(path).with_values(self.model.on_top, f"{self.where}.set")
         analysis = file.tree.get("analysis", {})
         if self.accuracy and not ({"mesh", "step", "accuracy"} & set(analysis)):
             file = file.with_values({"analysis.accuracy": self.accuracy}, "config.yaml")

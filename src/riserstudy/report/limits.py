@@ -1,0 +1,87 @@
+"""Limits of studies as tables: use of each where most of it is used, and how many points exceed it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
+from riserstudy.dataset.tables import READ_IN
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+class LimitRow(NamedTuple):
+    """One limit where most of it is used."""
+
+    limit: str
+    allowable: str
+    origin: str
+    demand: str
+    use: str
+    where: str
+    verdict: str
+
+
+class LimitTable(NamedTuple):
+    """Limits of one study."""
+
+    study: str
+    points: int
+    rows: list[LimitRow]
+
+
+def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
+    """A table for each study that has limits."""
+    return [
+        LimitTable(name, dataset["point_key"].size, _rows(dataset))
+        for name, dataset in datasets.items()
+        if "use_of_limit" in dataset
+    ]
+
+
+def _rows(dataset: xr.Dataset) -> list[LimitRow]:
+    axes = [str(dim) for dim in dataset["point_key"].dims]
+    told = json.loads(dataset.attrs["limits"])
+    return [
+        _row(dataset.isel(limit=k).transpose(*axes, ...), axes, told[k]) for k in range(len(told))
+    ]
+
+
+def _row(of: xr.Dataset, axes: list[str], told: Mapping[str, str | float]) -> LimitRow:
+    use, verdicts = of["use_of_limit"].values, of["verdict_of_limit"].values
+    factor, unit = READ_IN[str(told["unit"])]
+    about = (
+        str(of["limit"].item()),
+        f"{factor * float(told['allowable']):.5g} {unit}",
+        str(told["origin"]),
+    )
+    if np.isnan(use).all():
+        return LimitRow(*about, "–", "–", "–", UNKNOWN)
+    place = np.unravel_index(int(np.nanargmax(use)), use.shape)
+    at = ", ".join(f"{axis} {_value(of[axis][k])}" for axis, k in zip(axes, place, strict=True))
+    share = float(use[place])
+    return LimitRow(
+        *about,
+        f"{factor * float(of['demand_of_limit'].values[place]):.5g} {unit}",
+        f"{100.0 * share:.4g} %" if np.isfinite(share) else "beyond all",
+        at,
+        _verdict(verdicts),
+    )
+
+
+def _verdict(verdicts: np.ndarray) -> str:
+    """Of all points: exceeded by how many, not evaluated by how many, else within."""
+    counts = {word: int((verdicts == word).sum()) for word in (EXCEEDED, UNKNOWN)}
+    told = [f"{word} at {count}" for word, count in counts.items() if count]
+    return ", ".join(told) or "within at all"
+
+
+def _value(value: xr.DataArray) -> str:
+    unit = value.attrs.get("units", "")
+    text = f"{value.item():.4g}" if value.dtype.kind == "f" else str(value.item())
+    return f"{text} {unit}".removesuffix(" 1").strip()

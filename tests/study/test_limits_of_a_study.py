@@ -1,0 +1,95 @@
+"""Limits over a grid: what every point uses of each, in the dataset and in the report."""
+
+import json
+
+import numpy as np
+import pytest
+
+from riserstudy.errors import InputError
+from riserstudy.report.limits import limit_tables
+from riserstudy.study import store
+from riserstudy.study.collect import dataset_of, results_of
+from riserstudy.study.models import StudyModel
+from riserstudy.study.study import Study
+
+#: a string of 1 kN/m and 500 m: of the tension at its top 500 kN are left at its foot
+HUNG = {
+    "title": "hung",
+    "riser": [
+        {"name": "all", "length": "500 m", "axial_stiffness": "5e9 N", "submerged_weight": "1 kN/m"}
+    ],
+    "bottom": {"hold": "wellhead", "elevation": "0 m"},
+    "top": {"z": "free", "tension": "1 MN"},
+    "analysis": {},
+}
+LIMITS = [
+    {"output": "effective_tension", "smallest": "350 kN", "mode": "connected"},
+    {"output": "lower_end_tension", "largest": {"assumed": "1 MN", "because": "t"}, "mode": "drilling"},
+    {"output": "tensioner_stroke", "largest": "7 m", "mode": "connected"},
+]  # fmt: skip
+TENSIONS = [700.0, 900.0, 1600.0]  # kN
+AXES = {"tension": {"path": "top.tension", "unit": "kN", "values": TENSIONS}}
+
+
+def study(folder, **changes):
+    (folder / "hung.yaml").write_text(json.dumps(HUNG))
+    model = {"scene": "hung.yaml", "caption": "c", "axes": AXES, "limits": LIMITS} | changes
+    return Study("own", "pull", StudyModel.model_validate(model), folder, "standard")
+
+
+def dataset(folder, **changes):
+    made = study(folder, **changes)
+    return dataset_of(made, results_of(made, 1, lambda _: None)[0])
+
+
+@pytest.fixture(autouse=True)
+def own_store(tmp_path, monkeypatch):
+    """No point is there before a test."""
+    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+
+
+def test_every_point_says_what_it_uses_of_each_limit(tmp_path):
+    found = dataset(tmp_path)
+    left = np.array(TENSIONS) - 500.0
+    floor, ceiling, stroke = (found.isel(limit=k) for k in range(3))
+    np.testing.assert_allclose(floor["use_of_limit"], 350.0 / left, rtol=1e-9)
+    np.testing.assert_allclose(ceiling["use_of_limit"], left / 1000.0, rtol=1e-9)
+    np.testing.assert_allclose(ceiling["demand_of_limit"], 1e3 * left, rtol=1e-9)
+    assert list(floor["verdict_of_limit"].values) == ["exceeded", "within", "within"]
+    assert np.isnan(stroke["use_of_limit"]).all()
+    assert set(stroke["verdict_of_limit"].values) == {"not evaluated"}
+    assert found["limit"].values[0] == "connected: smallest effective_tension"
+    assert json.loads(found.attrs["limits"])[1]["origin"] == "assumed"
+
+
+def test_points_are_stored_without_their_limits(tmp_path, monkeypatch):
+    first = dataset(tmp_path)
+    monkeypatch.setattr(
+        "riserstudy.study.simulate_points._simulate", lambda *_: pytest.fail("simulated")
+    )
+    other = dataset(tmp_path, limits=[LIMITS[0] | {"smallest": "700 kN"}])
+    np.testing.assert_allclose(
+        other["use_of_limit"][:, 0], 2.0 * first["use_of_limit"][:, 0], rtol=1e-12
+    )
+    assert study(tmp_path).digest != study(tmp_path, limits=LIMITS[:1]).digest
+    assert "use_of_limit" not in dataset(tmp_path, limits=None)
+
+
+def test_the_report_tells_the_point_that_uses_most(tmp_path):
+    (table,) = limit_tables({"pull": dataset(tmp_path)})
+    floor, ceiling, stroke = table.rows
+    assert table.points == 3
+    assert (floor.demand, floor.allowable, floor.use) == ("200 kN", "350 kN", "175 %")
+    assert (floor.where, floor.verdict) == ("tension 700 kN", "exceeded at 1")
+    assert (ceiling.where, ceiling.verdict) == ("tension 1600 kN", "exceeded at 1")
+    assert (stroke.use, stroke.verdict) == ("–", "not evaluated")
+
+
+def test_limits_that_cannot_be_meant_are_refused(tmp_path):
+    with pytest.raises(ValueError, match="one of both"):
+        study(tmp_path, set={"limits": LIMITS})
+    with pytest.raises(InputError, match="output 'colour'"):
+        dataset(tmp_path, limits=[{"output": "colour", "largest": "1 m", "mode": "drilling"}])
+    modes = {mode: {"limits": [LIMITS[0] | {"mode": mode}]} for mode in ("drilling", "connected")}
+    with pytest.raises(InputError, match="same outputs"):
+        dataset(tmp_path, axes={"mode": modes}, limits=LIMITS[:1])
