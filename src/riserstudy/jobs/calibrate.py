@@ -22,6 +22,7 @@ from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, RiserStudyError, SimulationError
 from riserstudy.grading.models import Item, read_published
+from riserstudy.grading.printed import with_printed
 from riserstudy.simulation.refine import run
 from riserstudy.study.collect import dataset_of
 from riserstudy.study.read import read_studies
@@ -104,7 +105,8 @@ def values_of(study: Study, items: Sequence[Item], derived: dict[str, Derived]) 
 def _read(study: Study, name: str, derived: dict[str, Derived], runs: xr.Dataset) -> xr.Dataset:
     """A dataset that a check reads: derived from the study alone, or the study in place of its own."""
     if name in derived and derived[name].reads == [study.name]:
-        return derive(study.paper, name, {study.name: runs}, derived[name].settings)
+        told = with_printed(derived[name].settings, CONFIG, study.paper)
+        return derive(study.paper, name, {study.name: runs}, told)
     return runs
 
 

@@ -56,7 +56,12 @@ def fig06(quasi_static: xr.Dataset) -> Figure:
     at = at[np.abs(at) > 1e-6]
     ax.plot(at, np.abs(curve(at, 1)) / 1e6, color=GREY, label="tangent |dF/dX|")
     secant = np.abs((curve(at) - curve(0.0)) / at)
-    ax.plot(at, secant / 1e6, color=COLOURS[0], label="secant |F(X) − F(0)| / |X|, Eq. 5")
+    ax.plot(
+        at,
+        secant / 1e6,
+        color=COLOURS[0],
+        label="secant |F(X) − F(0)| / |X|; Eq. 5, of one cylinder: right axis",
+    )
     ax.set_xlabel(PISTON)
     ax.set_ylabel("stiffness of four cylinders (MN/m)")
     ax.legend(fontsize="small")

@@ -405,8 +405,8 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
         axes[2].plot(apart["time"], 100.0 * apart[name] / largest[name], color=colour, label=label)
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel("difference over largest value (%)")
-    axes[2].set_ylim(bottom=0.0)
-    axes[2].legend(fontsize="x-small")
+    axes[2].set_ylim(0.0, 1.3 * axes[2].get_ylim()[1])
+    axes[2].legend(fontsize="x-small", loc="upper right")
     key_below(figure, axes[0], 3)
     headline(figure, "API Bulletin 2J: both solvers agree, the surge that is open moves more")
     return figure

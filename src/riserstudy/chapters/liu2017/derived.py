@@ -71,6 +71,22 @@ def open_drive_off(open_runs: xr.Dataset, open_no_riser: xr.Dataset) -> xr.Datas
     return described(found, PAPER, "drive-off over what the paper leaves open")
 
 
+def open_as_printed(
+    open_runs: xr.Dataset, open_no_riser: xr.Dataset, deadline: float, one_in: int
+) -> xr.Dataset:
+    """Those of the samples that come nearest to the printed time of the upper flex joint's limit.
+
+    Parameters
+    ----------
+    deadline : printed time (s).
+    one_in : of so many samples one is taken, at least one.
+    """
+    found = open_drive_off(open_runs, open_no_riser)
+    off = abs(found["limit_time"].sel(heading="along", limit="upper flex joint") - deadline)
+    count = max(1, off.size // one_in)
+    return found.isel(sample=np.sort(np.argsort(off.values, kind="stable")[:count]))
+
+
 def _both_ways(runs: dict[str, xr.Dataset], kind: str) -> xr.Dataset:
     parts = []
     for heading, degrees in (("along", 0), ("against", 180)):

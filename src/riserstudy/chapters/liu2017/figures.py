@@ -139,7 +139,6 @@ def losses(losses: xr.Dataset) -> Figure:
         end = float(run["limit_time"].sel(limit="telescopic joint"))
         ax.axvline(end, color=GREY, linestyle=":", label="telescopic joint at its end")
         ax.set_title(loss, loc="right", fontsize="small")
-        ax.set_ylim(0.0, 1.6)
     lost = losses["limit_time"].sel(loss="drift-off")
     end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
     says(
@@ -147,6 +146,7 @@ def losses(losses: xr.Dataset) -> Figure:
         f"In a drift-off the stroke ends after {end:.0f} s; the conductor follows in {stress - end:.0f} s",
     )
     axes[0].set_ylabel("share of the limit that is used (-)")
+    axes[0].set_ylim(bottom=0.0)
     key_below(figure, axes[0], 3)
     return figure
 

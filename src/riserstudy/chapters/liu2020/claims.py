@@ -269,12 +269,15 @@ def varied(variants: xr.Dataset) -> dict[str, Any]:
     base = moment.sel(variant="as it is")
     heavy = moment.sel(variant="damping ratio 1") / base - 1.0
     turning = moment.sel(variant="damping by Eq. 16") / base - 1.0
+    pistons = moment.sel(variant="pistons on the ring") / base - 1.0
     return {
         "heavy": float(heavy.sel(roll_period=5.0)),
         "heavy_slow": float(heavy.sel(roll_period=10.0)),
         "turning": float(turning.sel(roll_period=5.0)),
         "turning_slow": float(turning.sel(roll_period=10.0)),
         "base": float(base.sel(roll_period=10.0)) / 1e3,
+        "pistons": float(pistons.sel(roll_period=5.0)),
+        "pistons_slow": float(pistons.sel(roll_period=10.0)),
         "shorter": float(moment.sel(variant="533 m to the upper flex joint", roll_period=10.0))
         / 1e3,
     }
@@ -286,6 +289,19 @@ def heave_beside(heave: xr.Dataset, upright: xr.Dataset) -> dict[str, Any]:
     swing = 0.5 * (upright_force.max("time") - upright_force.min("time"))
     at = heave["axial_force_amplitude"].sel(heave_amplitude=2.0, heave_period=15.0)
     return {"space": float(at) / 1e3, "upright": float(swing.squeeze()) / 1e3}
+
+
+def left_out(roll: xr.Dataset, heave: xr.Dataset) -> dict[str, Any]:
+    """What cylinders' masses and losses would change: moment under roll, axial force under heave (-)."""
+    force = heave["effective_tension"].isel(s=0)
+    swing = force.max("time") - force.min("time")
+    lossless = swing.sel(losses="none")
+    changes = {
+        name: float(swing.sel(losses=of) / lossless - 1.0)
+        for name, of in (("small", "967 N s/m a cylinder"), ("large", "10 kN s/m a cylinder"))
+    }
+    told = varied(roll)
+    return changes | {name: told[name] for name in ("pistons", "pistons_slow")}
 
 
 def baselines(readings: xr.Dataset, surge: xr.Dataset) -> dict[str, Any]:

@@ -147,10 +147,10 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
         ax.set_xlabel(TIME)
         ax.set_title(name, loc="right", fontsize="small")
     settled = abs(moment.sel(time=slice(end - 20.0, None))).max("time")
-    axes[2].plot(settled, settled["depth"], color=COLOURS[0], label="settled")
-    axes[2].axvline(largest, label="printed, calibrated to", **PRINTED)
+    axes[2].plot(settled, settled["depth"], color=COLOURS[0])
+    axes[2].axvline(largest, **PRINTED)
     axes[2].set_xlabel("largest bending moment (kN m)")
-    axes[2].legend(fontsize="x-small", loc="lower right")
+    axes[2].set_title("settled; dashed: printed", loc="right", fontsize="small")
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     headline(
@@ -191,7 +191,12 @@ def fig21(rao_table: xr.Dataset) -> Figure:
     ax.set_xlabel(WAVE)
     ax.set_ylabel("motion over wave amplitude (-)")
     ax.legend(fontsize="small")
-    headline(figure, "Response by a formula: three generic units stand in for the paper's platform")
+    still, most = (float(x) for x in (_stillest(rao_table), _heaviest(rao_table)))
+    headline(
+        figure,
+        f"Generic units in place of the paper's: at {still:.1f} s waves cancel in surge, at {most:.1f} s "
+        "heave resonates (medium unit)",
+    )
     return figure
 
 
@@ -204,8 +209,26 @@ def fig22(rao_table: xr.Dataset) -> Figure:
     ax.set_xlabel(WAVE)
     ax.set_ylabel("pitch over wave amplitude (deg/m)")
     ax.legend(fontsize="small")
-    headline(figure, "Response by a formula: three generic units stand in for the paper's platform")
+    pitch = rao_table["rao_pitch"].sel(platform_unit="medium")
+    headline(
+        figure,
+        "Generic units in place of the paper's: they pitch most in waves of "
+        f"{float(pitch.idxmax('wave_period')):.1f} s (medium unit)",
+    )
     return figure
+
+
+def _stillest(rao_table: xr.Dataset) -> xr.DataArray:
+    """Wave period (s) above 7 s at which the medium unit surges least."""
+    surge = rao_table["rao_surge"].sel(platform_unit="medium")
+    return surge.where((surge["wave_period"] > 7.0) & (surge["wave_period"] < 12.0)).idxmin(
+        "wave_period"
+    )
+
+
+def _heaviest(rao_table: xr.Dataset) -> xr.DataArray:
+    """Wave period (s) at which the medium unit heaves most."""
+    return rao_table["rao_heave"].sel(platform_unit="medium").idxmax("wave_period")
 
 
 def fig23(rao: xr.Dataset) -> Figure:

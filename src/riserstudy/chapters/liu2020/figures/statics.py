@@ -143,6 +143,7 @@ def fig12(
         statics_calibrated, statics_tuned, "bending_moment_static", 1e-3, label, forces
     )
     ratio = _ratios(statics_tuned, "largest_bending_moment_near_ring")
+    figure.axes[1].legend(fontsize="x-small", loc=(0.03, 0.15))  # where no curve is
     for ax, calibration in zip(figure.axes[1::2], CALIBRATIONS, strict=True):
         _near_the_ring(ax, statics_tuned.sel(calibration=calibration, surface_speed=1.0))
     headline(

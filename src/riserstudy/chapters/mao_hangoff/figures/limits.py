@@ -51,10 +51,22 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
     axes[0].bar(0, 0, color="none", label="kn through water at the surface")
     axes[0].bar(0, 0, color="none", label="(kn over ground)")
     key_below(figure, axes[0], 3)
+    slowest = speed_limits["speed_limit"].where(speed_limits["governing_limit"] >= 0.0)
     headline(
-        figure, "How fast the platform may tow the riser before a limit is reached (limits assumed)"
+        figure,
+        f"From {float(slowest.min()):.1f} to {float(slowest.max()):.1f} kn over ground a limit is reached "
+        f"(assumed), {_first_of_all(speed_limits)}",
     )
     return figure
+
+
+def _first_of_all(speed_limits: xr.Dataset) -> str:
+    """Which limit governs, if it is one everywhere."""
+    which = set(speed_limits["governing_limit"].values.astype(int).ravel().tolist()) - {-1}
+    names = [str(speed_limits["limit"].values[k]) for k in sorted(which)]
+    return (
+        f"everywhere that of the {names[0]}" if len(names) == 1 else f"that of {', '.join(names)}"
+    )
 
 
 def hang_off(tension_limits: xr.Dataset) -> Figure:

@@ -237,7 +237,7 @@ def fig14(riser_length: xr.Dataset) -> Figure:
     figure = _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
     headline(
         figure,
-        "A longer riser trails farther; moments as the text has them would grow with length, too",
+        "A longer riser trails farther and bends less, where the text has moments grow with length, too",
     )
     return figure
 
@@ -318,11 +318,12 @@ def trends(
         )
         for ax, curve in zip(axes[k :: len(columns)], curves, strict=True):
             ax.plot(curve[axis], curve, marker=".", color=COLOURS[k])
-            _no_smaller_than(ax, LEAST_SPAN)
         across = at["lmrp_displacement_cross"]
         if float(abs(across).max()) > 0.0:
             axes[k].plot(across[axis], across, "--", color=COLOURS[k], label="across")
             axes[k].legend(fontsize="small")
+        for ax in axes[k :: len(columns)]:
+            _no_smaller_than(ax, LEAST_SPAN)
         axes[2 * len(columns) + k].set_xlabel(label)
     for ax, label in zip(
         axes[:: len(columns)], ("LMRP astern (m)", "M (kN m)", "joint (deg)"), strict=True
