@@ -21,7 +21,7 @@ from riserstudy.effects.wave_force import WaveForce
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
-from riserstudy.model.sea import components_of, current_table, wave_number
+from riserstudy.model.sea import components_of, current_table, current_velocity, wave_number
 from riserstudy.scene.forcing import Water
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import IrregularSea, RegularWave
@@ -35,11 +35,16 @@ def current(of: Layout) -> Iterator[Effect]:
     flow = of.scene.current
     if flow is None or of.d == 1:
         return
-    z, speed = current_table(flow, of.scene.water)
-    near = np.zeros(of.last + 1, np.int64)
-    yield Effect(
-        "current", Current(z, speed, of.along(flow.towards), near, flow.ramp or 0.0), "current"
-    )
+    if not flow.turns:
+        z, speed = current_table(flow, of.scene.water)
+        parts = [(flow.towards, speed)]
+    else:
+        z, velocity = current_velocity(flow, of.scene.water)
+        parts = list(zip((0.0, 0.5 * math.pi), velocity, strict=True))[: of.d - 1]
+    for heading, speed in parts:
+        near = np.zeros(of.last + 1, np.int64)
+        record = Current(z, speed, of.along(heading), near, flow.ramp or 0.0)
+        yield Effect("current", record, "current")
 
 
 def wave(of: Layout) -> Iterator[Effect]:

@@ -18,16 +18,42 @@ EDGE = 1e-6  # share of a profile over which it ends in still water
 
 
 def current_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
-    """Elevations (m), rising, and speeds (m/s) of a profile, each (k,); end values hold beyond."""
+    """Elevations (m), rising, and speeds (m/s) where there is one direction, (k,); end values hold beyond."""
+    if current.turns:
+        raise TypeError("a current whose direction changes has no speed alone")
+    return _ended(current, *_told(current, water))
+
+
+def current_velocity(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
+    """Elevations (m), rising, (k,), and parts along x and y (m/s), (2, k); end values hold beyond."""
+    if not current.turns:
+        z, speed = current_table(current, water)
+        return z, np.outer(_unit(current.towards), speed)
     z, speed = _told(current, water)
-    if current.beyond == "zero":
-        step = EDGE * (z[-1] - z[0])
-        z = np.concatenate([[z[0] - step], z, [z[-1] + step]])
-        speed = np.concatenate([[0.0], speed, [0.0]])
-    return z, speed
+    if isinstance(current.profile, list):
+        return _ended(current, z, _unit(np.array(current.directions)) * speed)
+    velocity = np.outer(_unit(current.towards), speed)
+    for part in current.parts:
+        if isinstance(part, WindDrift) and part.component == "both":
+            velocity += _spiral(part, levels(part, water), z, current.towards)
+    return _ended(current, z, velocity)
+
+
+def _unit(heading: float | FloatArray) -> FloatArray:
+    return np.array([np.cos(heading), np.sin(heading)])
+
+
+def _ended(current: Current, z: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The same, going to nothing where the water beyond is still."""
+    if current.beyond != "zero":
+        return z, values
+    step = EDGE * (z[-1] - z[0])
+    still = [(0, 0)] * (values.ndim - 1) + [(1, 1)]
+    return np.concatenate([[z[0] - step], z, [z[-1] + step]]), np.pad(values, still)
 
 
 def _told(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
+    """Elevations and speeds; of parts that turn with depth none."""
     if isinstance(current.profile, list):
         elevations, speeds = current.table(water)
         return np.array(elevations), np.array(speeds)
@@ -35,8 +61,25 @@ def _told(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray
     z = np.linspace(min(low for low, _ in spans), max(high for _, high in spans), PROFILE_POINTS)
     speed = np.zeros_like(z)
     for part, span in zip(current.parts, spans, strict=True):
-        speed += profile(part, span, z)
+        if not (isinstance(part, WindDrift) and part.component == "both"):
+            speed += profile(part, span, z)
     return z, speed
+
+
+def _spiral(part: WindDrift, span: tuple[float, float], z: FloatArray, wind: float) -> FloatArray:
+    """Ekman's drift under a wind that goes to a heading (rad), along x and y (m/s), (2, k)."""
+    drift, angle = _drift(part, span, np.clip(z, *span))
+    side = -1.0 if part.hemisphere == "northern" else 1.0  # from x towards y is to the left
+    return drift * _unit(wind + side * angle)
+
+
+def _drift(
+    part: WindDrift, span: tuple[float, float], inside: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Speed of the drift (m/s), and its angle off the wind (rad): 45 degrees at the surface, more below."""
+    strength = part.wind_speed / math.sqrt(math.sin(part.latitude))
+    fall = math.pi * (inside - span[1]) / (part.depth_factor * strength)
+    return part.surface_factor * strength * np.exp(fall), 0.25 * math.pi - fall
 
 
 def levels(part: Shape | WindDrift, water: Water | None) -> tuple[float, float]:
@@ -60,14 +103,11 @@ def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -
     low, high = span
     inside = np.clip(z, low, high)
     if isinstance(part, WindDrift):
-        strength = part.wind_speed / math.sqrt(math.sin(part.latitude))
-        fall = math.pi * (inside - high) / (part.depth_factor * strength)
-        drift = part.surface_factor * strength * np.exp(fall)
-        # 45 degrees off the wind at the surface, and away from it with depth
+        drift, angle = _drift(part, span, inside)
         turned = {
-            "along the wind": np.cos(0.25 * math.pi - fall),
-            "across the wind": np.cos(0.25 * math.pi + fall),
-            "magnitude": np.ones_like(fall),
+            "along the wind": np.cos(angle),
+            "across the wind": np.sin(angle),
+            "magnitude": np.ones_like(angle),
         }[part.component]
         return np.asarray(drift * turned)
     share = {

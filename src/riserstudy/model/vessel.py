@@ -13,7 +13,7 @@ from riserstudy.effects.thrusters import Thrusters
 from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.vessel import Vessel
 from riserstudy.model.model import Effect, Report
-from riserstudy.model.sea import current_table
+from riserstudy.model.sea import current_velocity
 from riserstudy.scene import vessel as scenes
 from riserstudy.scene.models import Scene
 
@@ -142,9 +142,9 @@ def _surface_current(scene: Scene) -> FloatArray:
     """Velocity of the current at the surface (m/s)."""
     if not (scene.current and scene.water):
         return np.zeros(2)
-    z, speed = current_table(scene.current, scene.water)
+    z, velocity = current_velocity(scene.current, scene.water)
     level = scene.water.surface if scene.water.surface is not None else float(z[-1])
-    return _towards(float(np.interp(level, z, speed)), scene.current.towards)
+    return np.array([np.interp(level, z, part) for part in velocity])
 
 
 def _towards(size: float, heading: float | None) -> FloatArray:

@@ -19,6 +19,7 @@ def _whole(value: Any) -> Any:
 
 
 WHOLE = BeforeValidator(_whole)
+ALONG_X = 1e-12  # sine of a heading that is in the plane of x and z
 POSITIVE, NOT_NEGATIVE = Field(gt=0), Field(ge=0)
 Positive = Annotated[float, POSITIVE]
 Coefficient = Annotated[float, NOT_NEGATIVE]

@@ -9,7 +9,7 @@ from typing import Annotated, Generic, Literal, Self, TypeVar
 from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Positive, Strict
+from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE, Positive, Strict
 from riserstudy.scene.rao import Response
 from riserstudy.scene.sea import WindDrift
 
@@ -205,11 +205,15 @@ class Platform(Strict):
 
 
 class Point(Strict):
-    """One point of a current profile, at an elevation or a depth below the mean level of the water."""
+    """One point of a current profile, at an elevation or a depth below the mean level of the water.
+
+    Absent direction: that of the current's heading.
+    """
 
     elevation: u.Length | None = None
     depth: Annotated[u.Length, NOT_NEGATIVE] | None = None
     speed: u.Speed
+    direction: u.Angle | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -256,9 +260,10 @@ class Combined(Strict):
 class Current(Strict):
     """Steady current. Absent heading: it flows along x; ramp: it flows from the start.
 
-    Headings tell where it flows to (towards; so where absent) or comes from. All of a profile has one
-    heading: a heading for every row of a table is not taken. ``beyond`` the elevations that its profile tells
-    its end values hold, or the water is still; needed where it does not reach all along the riser.
+    Headings tell where it flows to (towards; so where absent) or comes from, those of its points
+    (``direction``, in all or none) too. A current of which the direction changes is straight between
+    its points in its parts along x and y. ``beyond`` the elevations that its profile tells its end values
+    hold, or the water is still; needed where it does not reach all along the riser.
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined
@@ -271,6 +276,29 @@ class Current(Strict):
     def towards(self) -> float:
         """Where it flows to, from x towards y (rad)."""
         return (self.heading or 0.0) + (math.pi if self.headings == "from" else 0.0)
+
+    @property
+    def turns(self) -> bool:
+        """Whether its direction changes with elevation."""
+        if isinstance(self.profile, list):
+            return self.profile[0].direction is not None
+        return any(isinstance(part, WindDrift) and part.component == "both" for part in self.parts)
+
+    @property
+    def directions(self) -> list[float]:
+        """Where it flows to at its points, from x towards y (rad), as its table has them; none by name."""
+        points = self.profile if isinstance(self.profile, list) else []
+        turn = math.pi if self.headings == "from" else 0.0
+        found = [self.towards if p.direction is None else p.direction + turn for p in points]
+        return found[::-1] if self.by_depth else found
+
+    @property
+    def leaves_plane(self) -> str:
+        """The line by which it flows across the plane of x and z, "" where it does not."""
+        if not self.turns:
+            return "heading" if abs(math.sin(self.heading or 0.0)) > ALONG_X else ""
+        across = any(abs(math.sin(angle)) > ALONG_X for angle in self.directions)
+        return "profile" if across or not isinstance(self.profile, list) else ""
 
     def table(self, water: Water | None) -> tuple[list[float], list[float]]:
         """Rising elevations (m) and speeds (m/s) of a profile by points."""
@@ -296,7 +324,12 @@ class Current(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         points = self.profile if isinstance(self.profile, list) else []
-        if self.headings is not None and self.heading is None:
+        directed = {point.direction is not None for point in points}
+        if len(directed) > 1:
+            raise ValueError("profile: direction in every line or in none")
+        if True in directed and self.heading is not None:
+            raise ValueError("heading: the points have directions of their own; leave it out")
+        if self.headings is not None and self.heading is None and directed != {True}:
             raise ValueError("headings: 'towards' or 'from' goes with a heading")
         if len({point.depth is None for point in points}) > 1:
             raise ValueError("profile: elevation in every line, or depth in every line")

@@ -13,7 +13,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.analysis import Analysis
-from riserstudy.scene.base import POSITIVE, Strict
+from riserstudy.scene.base import ALONG_X, POSITIVE, Strict
 from riserstudy.scene.buoyancy import Buoyancy
 from riserstudy.scene.disconnect import Disconnect
 from riserstudy.scene.ends import Body, Bottom, TensionLoss, Top
@@ -24,7 +24,7 @@ from riserstudy.scene.limits import fits as limits_fit
 from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.soil import Soil
-from riserstudy.scene.vessel import ALONG_X, Vessel
+from riserstudy.scene.vessel import Vessel
 from riserstudy.scene.weight import weighed
 
 
@@ -366,11 +366,9 @@ class Scene(Strict):
             reasons["platform.response"] = moving
         if self.top.tensioners and not self.top.tensioners.even_sided:
             reasons["top.tensioners"] = "uneven"
-        for name, what in (
-            ("platform.cruise", platform.cruise),
-            ("current", self.current),
-            ("wave", self.wave),
-        ):
+        if self.current and (line := self.current.leaves_plane):
+            reasons[f"current.{line}"] = True
+        for name, what in (("platform.cruise", platform.cruise), ("wave", self.wave)):
             if what and abs(math.sin(what.heading or 0.0)) > ALONG_X:
                 reasons[f"{name}.heading"] = what.heading
         if self.vessel and self.vessel.turned:

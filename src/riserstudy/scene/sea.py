@@ -79,11 +79,20 @@ class WindDrift(Strict):
     Surface speed is surface_factor W / sqrt(sin latitude); over the friction depth,
     depth_factor W / sqrt(sin latitude), the drift turns by half a turn and falls to a 23rd. At the surface
     it goes 45 degrees off the wind, and turns away from it with depth. The riser feels its part along the
-    wind, that across it (which carries all of the transport), or its magnitude.
+    wind, that across it (which carries all of the transport), its magnitude, or both parts: then the
+    current's heading is that of the wind, and the drift turns to the right of it in the northern
+    ``hemisphere``, to the left in the southern.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]
     latitude: Annotated[u.Angle, POSITIVE]
     surface_factor: Positive
     depth_factor: Annotated[u.Time, POSITIVE]
-    component: Literal["along the wind", "across the wind", "magnitude"]
+    component: Literal["along the wind", "across the wind", "magnitude", "both"]
+    hemisphere: Literal["northern", "southern"] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if (self.component == "both") != (self.hemisphere is not None):
+            raise ValueError("hemisphere: 'northern' or 'southern' goes with 'component: both'")
+        return self

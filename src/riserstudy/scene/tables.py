@@ -38,7 +38,7 @@ class Place(NamedTuple):
 
 
 PLACES = (
-    Place(("current",), "profile", Point, (("elevation", "depth"), ("speed",))),
+    Place(("current",), "profile", Point, (("elevation", "depth"), ("speed",)), ("direction",)),
     *(
         Place(
             ("platform",),

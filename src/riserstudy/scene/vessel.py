@@ -9,9 +9,8 @@ from pydantic import model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.analysis import Analysis
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE, Strict
 
-ALONG_X = 1e-12  # sine of a heading that is in the plane of x and z
 MOST_TURNS = 1_000_000  # of platform and riser, each some hundred microseconds and its steps
 MOST_STEPS_A_TURN = 100_000  # whose motions and forces are kept
 STEPS_A_TURN = 4  # at least, of a run whose error is told by two with twice and four times the step

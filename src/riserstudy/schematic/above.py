@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from riserstudy.model.sea import current_velocity
 from riserstudy.scene.models import Scene
 from riserstudy.schematic.facts import degrees
 from riserstudy.schematic.geometry import Geometry
@@ -31,6 +32,9 @@ def headings(scene: Scene) -> list[tuple[str, float, str]]:
         speed = getattr(what, "speed", None)
         if name == "current" and scene.current:
             heading = scene.current.towards
+            if scene.current.turns:  # at the surface
+                _, velocity = current_velocity(scene.current, scene.water)
+                name, heading = "current at surface", math.atan2(velocity[1, -1], velocity[0, -1])
             speed = getattr(scene.current.profile, "surface_speed", None)
         against = speed is not None and speed < 0.0
         rows.append((name, heading + (math.pi if against else 0.0), colour))

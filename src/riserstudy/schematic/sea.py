@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from riserstudy.model.sea import current_table, wave_number
+from riserstudy.model.sea import current_velocity, wave_number
 from riserstudy.scene.sea import Swell
 from riserstudy.schematic.facts import degrees, wave_text
 from riserstudy.schematic.geometry import Geometry
@@ -65,29 +65,30 @@ def current(view: View, geometry: Geometry) -> None:
     if scene.current is None or not view.whole:
         return
     left, right, low, high = view.window
-    z, speed = current_table(scene.current, scene.water)
+    z, (speed, aside) = current_velocity(scene.current, scene.water)
     inside = (z >= low) & (z <= high)
-    largest = float(np.abs(speed).max())
+    largest = float(np.hypot(speed, aside).max())
     if not largest or not inside.any():
         return
     width = right - left
     middle = float(np.mean(geometry.line[1]))
     scale = CURRENT_WIDTH * width / largest
-    along = math.cos(scene.current.towards)
-    rightwards = along * speed[int(np.argmax(np.abs(speed)))] > 0.0
+    rightwards = speed[int(np.argmax(np.abs(speed)))] > 0.0
     foot = middle - BEFORE * width - (CURRENT_WIDTH * width if rightwards else 0.0)
     view.line([foot, foot], [z[inside][0], z[inside][-1]], color=WATER, linewidth=0.6)
-    tips = foot + scale * along * speed[inside]
+    tips = foot + scale * speed[inside]
     view.line(list(tips), list(z[inside]), color=WATER, linewidth=0.6)
     levels = np.linspace(z[inside][0], z[inside][-1], ARROWS)
-    ends = foot + scale * along * np.interp(levels, z, speed)
+    ends = foot + scale * np.interp(levels, z, speed)
     drawn = [
         (x, level) for x, level in zip(ends, levels, strict=True) if abs(x - foot) > 0.01 * width
     ]
     for tip in drawn:
         view.arrow((foot, tip[1]), tip, WATER)
     text = f"current: up to {largest:.3g} m/s; arrows to a scale of their own"
-    if scene.current.towards:
+    if scene.current.turns:
+        text += "; its direction changes with depth, here its part along x"
+    elif scene.current.towards:
         text += (
             f"; towards {degrees(scene.current.towards % (2.0 * math.pi))}, here its part along x"
         )

@@ -20,7 +20,7 @@ from riserstudy.model.build import build
 from riserstudy.model.hydrodynamics import wave_of
 from riserstudy.model.layout import flexibility_of, stiffness
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.model.sea import current_table
+from riserstudy.model.sea import current_velocity
 from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
 from riserstudy.scene.forcing import Translation
@@ -187,8 +187,8 @@ def _wet(scene: Scene, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Be
     )
     beam = dry
     if scene.current:
-        z, speed = current_table(scene.current, scene.water)
-        beam = dry._replace(current=lambda s: np.interp(np.interp(s, dry.s, elevation), z, speed))
+        z, (along, _) = current_velocity(scene.current, scene.water)
+        beam = dry._replace(current=lambda s: np.interp(np.interp(s, dry.s, elevation), z, along))
     if scene.wave is None or scene.water is None:
         return beam
     if scene.analysis.start == "undeflected":
