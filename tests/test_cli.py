@@ -46,6 +46,18 @@ def test_a_run_writes_its_dataset_and_says_how_good_it_is(command, tmp_path):
         assert float(found["time"][-1]) == 30.0
 
 
+def test_a_run_loads_no_library_that_it_has_no_use_for(tmp_path):
+    # each of them takes longer to load than a short run takes
+    said = (
+        "import sys; from riserstudy.cli import main; main(); "
+        "print(*{'dask', 'pint', 'scipy.integrate', 'scipy.interpolate', 'scipy.optimize', 'scipy.sparse',"
+        " 'scipy.spatial', 'matplotlib', 'plotly'} & {*sys.modules})"
+    )
+    run = [sys.executable, "-c", said, "run", SURGE, "-o", str(tmp_path / "out.nc"), *QUICK]
+    done = subprocess.run(run, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[1:] == [""]
+
+
 def test_accuracy_and_settings_reach_the_run(command, tmp_path):
     target = tmp_path / "out.nc"
     settings = ["--set", "current.profile[1].speed=0.5 m/s", "--accuracy", "0.5%"]
@@ -110,6 +122,20 @@ def _read(terminal):
         return os.read(terminal, 4096)
     except OSError:
         return b""
+
+
+def test_a_rerun_writes_all_of_the_run_and_never_over_what_it_reads(command, tmp_path):
+    one, all_of_it = tmp_path / "one.nc", tmp_path / "all.nc"
+    assert command("run", SURGE, "-o", one, *QUICK)[0] == 0
+    with xr.open_dataset(one) as dataset:
+        dataset.drop_vars("x").to_netcdf(tmp_path / "less.nc")
+    code, out, _ = command("rerun", tmp_path / "less.nc", "-o", all_of_it)
+    assert (code, out.splitlines()[-1][:2]) == (0, "0 ")
+    with xr.open_dataset(one) as dataset, xr.open_dataset(all_of_it) as other:
+        assert {*other.variables} == {*dataset.variables}
+        xr.testing.assert_allclose(other["x"], dataset["x"], rtol=1e-9)
+    code, _, err = command("rerun", one, "-o", one)
+    assert (code, "the file that is read" in err) == (2, True)
 
 
 def test_a_scene_is_drawn_in_the_format_of_the_ending(command, tmp_path):

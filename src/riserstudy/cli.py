@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import atexit
+import gc
 import json
 import re
 import sys
@@ -23,6 +25,7 @@ app = typer.Typer(
 
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
 WORTH_TELLING = 10.0  # seconds of a run, from which on it is announced
+OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothing refers to
 SAME_AS_STORED = 1e-9  # relative, of what is stored to ten digits
 
 SetOption = Annotated[
@@ -38,6 +41,7 @@ AtOption = Annotated[
 
 def main() -> None:
     """Run the command line; errors go to stderr in one line, with their exit code."""
+    _collect_seldom()
     try:
         if status := app(standalone_mode=False):  # of a command that ends with one
             sys.exit(status)
@@ -53,6 +57,12 @@ def main() -> None:
             print(f"riserstudy: command line: {shown(error.format_message())}", file=sys.stderr)
             sys.exit(2)
         raise
+
+
+def _collect_seldom() -> None:
+    """Have what is loaded looked through seldom, and not once more at the end: that takes half a second."""
+    gc.set_threshold(*OBJECTS)
+    atexit.register(gc.freeze)
 
 
 def _scene(path: Path, settings: list[str] | None, accuracy: str | None = None) -> Any:
@@ -79,6 +89,17 @@ def _compile_once() -> None:
     from riserstudy.simulation.compile import compile_once
 
     compile_once(lambda said: print(f"riserstudy: {said}", file=sys.stderr))
+    _plain_xarray()
+
+
+def _plain_xarray() -> None:
+    """Let xarray, which looks for kinds of arrays once, find no others than numpy's: no command has any."""
+    from riserstudy.dataset.without import without
+
+    with without("dask", "pint"):
+        import xarray
+
+        xarray.Dataset(coords={"s": [0.0]})
 
 
 def _check_writable(output: Path, scene: Path) -> None:
@@ -92,7 +113,7 @@ def _check_writable(output: Path, scene: Path) -> None:
             allowed = "allowed is a file in a folder that exists"
             raise InputError("--output", str(output), "cannot be written", allowed)
         if output.exists() and output.samefile(scene):
-            raise InputError("--output", str(output), "the scene itself", "name another file")
+            raise InputError("--output", str(output), "the file that is read", "name another file")
     except (OSError, ValueError) as error:  # names too long, loops of links, no name at all
         reason = getattr(error, "strerror", None) or "no file name"
         raise InputError("--output", str(output), reason, "allowed is another file") from None
@@ -371,21 +392,31 @@ def _summary(dataset: Any) -> str:
 def rerun(
     dataset: Annotated[Path, typer.Argument(help="dataset of a study or a run", metavar="FILE.nc")],
     at: AtOption = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="write all of the run", metavar="OUT.nc"),
+    ] = None,
 ) -> None:
     """Run a point of a dataset anew, from what the dataset says of itself alone, and compare.
 
-    Exit status 1 where a variable changed by more than 1e-9 of its largest magnitude; ten digits are stored.
+    ``-o`` writes all of the run, with what its study does not keep. Exit status 1 where a variable changed by
+    more than 1e-9 of its largest magnitude; ten digits are stored.
     """
     from riserstudy.dataset.diff import opened
 
     place = _place(at)
     old = opened(dataset)
+    if output is not None:
+        _check_writable(output, dataset)
     _compile_once()
+    from riserstudy.study.collect import write_dataset
     from riserstudy.study.rerun import rerun as run_anew
 
     found = run_anew(old, place)
     for name, change in sorted(found.changes.items(), key=lambda item: -item[1]):
         print(f"{change:9.2g}  {name}")
+    if output is not None:
+        write_dataset(found.run, output)
     changed = sum(change > SAME_AS_STORED for change in found.changes.values())
     where = ", ".join(f"{axis}={value}" for axis, value in found.place.items())
     print(f"{changed} of {len(found.changes)} variables changed{' at ' if where else ''}{where}")

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
-from riserstudy.folders import PACKAGE
+from riserstudy.folders import PACKAGE, remembered
 
 #: folders of the packages whose sources count: ours, and the chapters of a study of one's own
 ROOTS = {"riserstudy": PACKAGE, "chapters": Path("chapters")}
@@ -49,7 +49,35 @@ def sources_behind(module: str) -> frozenset[Path]:
 
 
 @cache
-def _sources_behind(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
+def _sources_behind(module: str, roots: tuple[Path, ...]) -> frozenset[Path]:
+    """To read the import statements takes longer than most runs, so what they said is remembered."""
+    places = dict(zip(ROOTS, roots, strict=True))
+
+    def found() -> list[list[str]]:
+        return sorted(_place(file, places) for file in _followed(module))
+
+    told = remembered(f"imports/{_state_of(roots)}-{module}", found)
+    return frozenset(places[root].joinpath(file) for root, file in told)
+
+
+def _place(file: Path, places: dict[str, Path]) -> list[str]:
+    """The root that a file lies below, and its path from there."""
+    root = next(name for name, place in places.items() if file.is_relative_to(place))
+    return [root, file.relative_to(places[root]).as_posix()]
+
+
+@cache
+def _state_of(roots: tuple[Path, ...]) -> str:
+    """Hash of all that import statements and names of files could say."""
+    files = [file for root in roots for file in root.rglob("*") if "__pycache__" not in file.parts]
+    total = hashlib.sha256()
+    for file in sorted(file for file in files if file.is_file()):
+        total.update(f"{file} {_content(file)} ".encode())
+    return total.hexdigest()[:32]
+
+
+def _followed(module: str) -> set[Path]:
+    """Source files of a module, of all that it imports, and their data, by reading them."""
     seen: set[str] = set()
     found: set[Path] = set()
     left = [module]
@@ -61,7 +89,7 @@ def _sources_behind(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
         seen.add(name)
         found |= {file, *data_of(file)}
         left += [*imported_by(name, file), _above(name)]
-    return frozenset(found)
+    return found
 
 
 def source_of(module: str) -> Path | None:

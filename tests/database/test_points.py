@@ -93,6 +93,30 @@ def test_a_point_opens_as_its_scene_is_simulated(here):
     assert provenance["scene"]["platform"]["surge"]["period"] == "12.0 s"
 
 
+def test_a_point_says_what_its_study_left_out_and_the_rest_is_simulated_again(mine):
+    key = keys("plain/sampled")["key"][2]
+    found, whole = open_point(key), open_point(key, whole=True)
+    left_out = json.loads(found.attrs["left_out"])
+    assert {"z_max", "effective_tension", "x_max"} <= {*left_out}
+    assert {"x", "bending_moment_max"} <= {*found.data_vars}
+    assert not {*left_out} & {*found.variables}
+    about = store.about(key)
+    anew = simulate(SceneFile(about["source"], about["scene"]))
+    assert {*whole.data_vars} == {*anew.data_vars}
+    assert json.loads(whole.attrs["left_out"]) == []
+    for name in ("x", "z", "effective_tension", "bending_moment_max"):
+        np.testing.assert_array_equal(whole[name].values, anew[name].values)
+    np.testing.assert_array_equal(found["bending_moment_max"], whole["bending_moment_max"])
+    assert open_point(key).identical(found)
+
+
+def test_another_engine_does_not_tell_the_rest_of_a_point(mine, monkeypatch):
+    key = keys("plain/sampled")["key"][2]
+    monkeypatch.setattr(store, "engine_digest", lambda: "another engine")
+    with pytest.raises(InputError, match="another engine"):
+        open_point(key, whole=True)
+
+
 @pytest.mark.parametrize("damage", ["gone", "flipped"])
 def test_a_point_that_is_gone_or_damaged_is_told(mine, damage):
     key = keys("plain/surge")["key"][0]

@@ -101,7 +101,7 @@ def leftovers():
     """A point of another engine, one of no study, one of a former format, a damaged one."""
     needed = points()
     key, path = next(iter(sorted(needed.items())))
-    file, result = store.about(key), store.get(key)
+    file, result = store.all_of(key)
     scene = store_file(file)
     folder = path.parent
     with pytest.MonkeyPatch.context() as patch:

@@ -36,6 +36,15 @@ def test_the_same_numbers_come_from_the_dataset_alone(dataset, amplitude):
     assert max(found.changes.values()) < 1e-9
 
 
+def test_all_of_the_run_is_there(dataset):
+    found = rerun(dataset.drop_vars("x"), {"surge_amplitude": "1"})
+    assert "x" not in found.changes
+    kept = dataset["x"].sel(surge_amplitude=1.0)
+    np.testing.assert_allclose(found.run["x"], kept, rtol=1e-9, atol=1e-9)
+    assert found.run.attrs["source"] == dataset.attrs["scene_file"]
+    assert "300, 1.1" in found.run.attrs["provenance"]
+
+
 def test_another_scene_or_another_table_is_seen(dataset):
     for name, old, new in (
         ("scene", '"mass": "700 kg/m"', '"mass": "800 kg/m"'),

@@ -5,6 +5,7 @@ import json
 import os
 import pickle
 import random
+import zlib
 from contextlib import suppress
 
 import numpy as np
@@ -60,10 +61,12 @@ def test_nothing_stored_is_unpickled(tmp_path, monkeypatch):
     mark, point = tmp_path / "mark", tmp_path / "points/ab/ab.point"
     point.parent.mkdir(parents=True)
     evil = pickle.dumps(Touch(mark))
-    header = json.dumps({"facts": {}, "arrays": {"x": ["|O", [1]]}}).encode() + b"\n"
-    for content in (evil, header + evil):
+    about = json.dumps({"facts": {}, "arrays": {"x": ["|O", [1]]}, "left_out": []}).encode()
+    head, body = zlib.compress(about), zlib.compress(evil)
+    whole = store.FORMAT + store.LENGTH.pack(len(head)) + head + body
+    for content in (evil, whole):
         point.write_bytes(content + hashlib.sha256(b"ab\n" + content).digest())
-        with suppress(ValueError):
+        with suppress(ValueError, TypeError):
             store.get("ab")
     point.write_bytes(evil)
     assert store.get("ab") is None
@@ -89,3 +92,30 @@ def test_arrays_of_every_shape_come_back(point, values):
     assert (found["a"].dtype, found["a"].shape) == (values.dtype, values.shape)
     np.testing.assert_array_equal(found["b"], np.ones(2))
     assert list(store.get(KEY, ["b"]).arrays) == ["b"]
+
+
+def test_a_point_holds_what_is_kept_and_what_others_had_put_there(point):
+    run = {name: np.linspace(0.0, 1.0, 5) for name in ("time", "s", "s_node")}
+    run |= {name: np.full((5, 5), k) for k, name in enumerate(("effective_tension", "x", "angle"))}
+    result, scene = Result(run, {}), SceneFile("a.yaml", {})
+    point.unlink()
+    store.put(KEY, result, scene, ["effective_tension"])
+    held = [*run][:4]
+    assert [*store.get(KEY, ["effective_tension"]).arrays] == held
+    assert store.get(KEY, ["angle"]) is None
+    assert store.get(KEY) is None
+    assert store.all_of(KEY).about["left_out"] == ["x", "angle"]
+    assert [*store.all_of(KEY).result.arrays] == held
+    store.put(KEY, result, scene, ["angle"])
+    for name in ("effective_tension", "angle"):
+        np.testing.assert_array_equal(store.get(KEY, [name]).arrays[name], run[name])
+    assert store.get(KEY) is None
+    # what the run does not have at all is not missing
+    assert store.get(KEY, ["angle", "ufj_angle_max"]) is not None
+
+
+def test_a_point_of_a_former_format_counts_as_missing(point):
+    content = b'{"facts": {}, "arrays": {}}\n'
+    point.write_bytes(content + hashlib.sha256(KEY.encode() + b"\n" + content).digest())
+    assert store.get(KEY) is None
+    assert [held.key for held in store.everything()] == [KEY]

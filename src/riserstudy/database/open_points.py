@@ -13,18 +13,25 @@ from riserstudy.errors import InputError
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.dataset.result import Result
+    from riserstudy.scene.load import SceneFile
 
-def open_point(key: str) -> xr.Dataset:
-    """The whole run of a point from the store, labelled as ``simulate`` does.
+
+def open_point(key: str, whole: bool = False) -> xr.Dataset:
+    """The run of a point from the store, labelled as ``simulate`` does.
+
+    The store holds what the studies of the point keep. The attribute ``left_out`` names the rest, in JSON.
 
     Parameters
     ----------
     key : of the point; ``select key from points where ...`` finds it.
+    whole : with the rest, for which the scene of the point is simulated anew where the store has it not.
 
     Raises
     ------
     InputError
-        When the store has no such point, or not as it was written.
+        When the store has no such point, or not as it was written; when the whole of it is asked for, and its
+        scene is no longer what was simulated.
     """
     from riserstudy.dataset.label import to_dataset
     from riserstudy.model.absent_effects import absent
@@ -32,17 +39,35 @@ def open_point(key: str) -> xr.Dataset:
     from riserstudy.scene.origin import Origin
     from riserstudy.study import store
 
-    about, result = store.about(key), store.get(key)
-    if about is None or result is None:
+    held = store.all_of(key)
+    if held is None:
         allowed = "dataset_of takes what its study keeps; the next run simulates what is missing"
         raise InputError("store", "", f"no whole point {key!r}", allowed)
+    about, result = held
+    left_out = about["left_out"]
     origins = {path: Origin(status, None) for path, status in about["origins"].items()}
     file = SceneFile(about["source"], about["scene"], origins)
+    if whole and left_out:
+        result, left_out = _anew(key, file, result), []
     dataset = to_dataset(result, file, absent(set(result.facts["effects"])))
     provenance = json.loads(dataset.attrs["provenance"]) | {"engine": about["engine"]}
     del provenance["riserstudy"]  # the engine stands for the version that simulated it
     dataset.attrs["provenance"] = json.dumps(provenance)
+    dataset.attrs["left_out"] = json.dumps(left_out)
     return dataset
+
+
+def _anew(key: str, file: SceneFile, stored: Result) -> Result:
+    """The run of a stored point, simulated again."""
+    from riserstudy.simulation.refine import run
+    from riserstudy.study import store
+
+    scene = file.scene()
+    if store.key_of(scene) != key:
+        found = f"point {key!r} was simulated by another engine or with other tables"
+        allowed = "whole=False gives what is stored; `riserstudy rerun` takes scene and tables from a dataset"
+        raise InputError("store", "", found, allowed)
+    return run(scene, estimated="error_estimate" in stored.facts)
 
 
 def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dataset:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
+from riserstudy.scene.origin import Origin
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -26,17 +28,19 @@ def provenance(dataset: xr.Dataset) -> dict[str, Any]:
     """
     said = dataset.attrs
     if "provenance" in said:
-        return dict(json.loads(said["provenance"]))
+        return {"origins": {}, **json.loads(said["provenance"])}
     if "scene" not in said or "tables" not in said:
         found = "does not tell a scene and its tables"
         allowed = "allowed is a dataset that was simulated, by this version or a later one"
         raise InputError("dataset", "", found, allowed)
     parts = {name: json.loads(said[name]) for name in ("scene", "tables")}
-    return parts | {"engine": said["engine"]}
+    origins = json.loads(said.get("origins", "{}"))
+    return parts | {"engine": said["engine"], "origins": origins}
 
 
-def scene_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:
-    """The scene of one point.
+@contextmanager
+def file_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Iterator[SceneFile]:
+    """The scene file of one point, with its tables, in a folder that is there as long as this lasts.
 
     Parameters
     ----------
@@ -51,10 +55,17 @@ def scene_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:
     sets: dict[str, Any] = {}
     for axis, k in index.items():
         sets |= json.loads(dataset[axis].attrs["sets"])[str(dataset[axis][k].item())]
+    origins = {path: Origin(status, None) for path, status in told["origins"].items()}
     with tempfile.TemporaryDirectory() as folder:
         for name, text in told["tables"].items():
             table = Path(folder, name)
             table.parent.mkdir(parents=True, exist_ok=True)
             table.write_bytes(text.encode())
         source = str(Path(folder) / "scene.yaml")
-        return SceneFile(source, told["scene"]).with_values(sets, "axes").scene()
+        yield SceneFile(source, told["scene"], origins).with_values(sets, "axes")
+
+
+def scene_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:
+    """The scene of one point, as ``file_behind`` has it."""
+    with file_behind(dataset, index) as file:
+        return file.scene()

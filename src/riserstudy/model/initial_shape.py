@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
 from riserstudy.model.mesh import Mesh
 
@@ -75,6 +74,8 @@ def sagging(s: FloatArray, offset: float, rise: float) -> FloatArray:
 
 def sag_of(length: float, offset: float, rise: float) -> float:
     """Sag of the parabola of some length, below the middle of the chord (m)."""
+    from scipy.optimize import brentq  # which takes longer to load than most runs take
+
     sag: float = brentq(lambda h: _arclength(_parabola(offset, rise, h))[-1] - length, 0.0, length)
     return sag
 

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import cumulative_trapezoid
 
 from riserstudy.scene.models import Scene
 
@@ -152,7 +151,9 @@ def graded(
         for layer in layers:
             away = np.abs(start + s - layer.place)
             size = np.minimum(size, LAYER * layer.length + GROWTH * away)
-        count = np.concatenate([[0.0], cumulative_trapezoid(1.0 / size, s)])
+        count = np.concatenate(
+            [[0.0], np.cumsum(0.5 * (1.0 / size[1:] + 1.0 / size[:-1]) * np.diff(s))]
+        )
         whole = k == 0 and _has_body(scene)
         counts.append(1 if whole else max(1, round(count[-1])))
         mapping.append(np.interp(np.linspace(0.0, count[-1], FINE + 1), count, s))

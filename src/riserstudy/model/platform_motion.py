@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
 from riserstudy.effects.registry import ROLES
@@ -30,6 +29,8 @@ def motions(platform: Platform, wave: Swell | Storm | None) -> Iterator[Effect]:
     for k, name in enumerate(MOTIONS):
         motion = getattr(platform, name)
         if isinstance(motion, TimeSeries):
+            from scipy.interpolate import CubicSpline  # loaded where it is needed: it takes long
+
             times = np.array([p.time for p in motion.points])
             spline = CubicSpline(times, np.array([p.value for p in motion.points]))
             series = Series(k, times, np.ascontiguousarray(spline.c))

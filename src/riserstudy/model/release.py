@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from scipy.linalg import solve
 
 from riserstudy.effects.dead_load import DeadLoad
 from riserstudy.effects.fading_moment import FadingMoment
@@ -60,6 +59,8 @@ def _at_the_lower_end(record: object) -> bool:
 
 def _settle_moments(model: Model) -> None:
     """Moments follow from the shape: the flexibility matrix solved for the turning angles, theory (2)."""
+    from scipy.linalg import solve
+
     s = model.s
     if not len(s.moment):
         return

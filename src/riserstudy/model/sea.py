@@ -6,8 +6,6 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import cumulative_trapezoid
-from scipy.optimize import brentq
 
 from riserstudy.scene.forcing import Current, Shape, Water
 from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDrift
@@ -123,6 +121,8 @@ def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -
 
 def wave_number(frequency: float, depth: float, gravity: float) -> float:
     """Wave number k (rad/m) of w^2 = g k tanh(k d)."""
+    from scipy.optimize import brentq  # which takes longer to load than most runs take
+
     shape = frequency**2 * depth / gravity  # kd tanh kd
     high = max(shape, math.sqrt(shape)) + 1.0
     return float(brentq(lambda kd: kd * math.tanh(kd) - shape, 0.0, high, xtol=1e-14)) / depth
@@ -152,6 +152,8 @@ def components(sea: Storm) -> tuple[FloatArray, FloatArray]:
     Each stands at the middle of its share of the energy, so that no two are commensurate and the
     record does not repeat.
     """
+    from scipy.integrate import cumulative_trapezoid
+
     peak = 2.0 * math.pi / sea.peak_period
     w = peak * np.geomspace(0.4, 10.0, 20001)
     energy = cumulative_trapezoid(jonswap(w, peak, sea.peak_enhancement), w, initial=0.0)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import PchipInterpolator, PPoly
 
 from riserstudy.scene.tensioners import Gas, TableRow, Tensioners, TwoChamberGas
+
+if TYPE_CHECKING:
+    from scipy.interpolate import PPoly
 
 FloatArray = NDArray[np.float64]
 
@@ -29,6 +33,8 @@ def table_law(table: list[TableRow], interpolation: str | None = None) -> PPoly:
 
     ``interpolation``: ``linear``, else the monotone cubic.
     """
+    from scipy.interpolate import PchipInterpolator, PPoly  # loaded where needed: it takes long
+
     reach = np.array([row.reach for row in table])
     force = np.array([row.force for row in table])
     if interpolation == "linear":

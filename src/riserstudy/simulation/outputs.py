@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from riserstudy.dataset.result import Result
 from riserstudy.model.bending import flexibility
@@ -235,6 +234,8 @@ def _angles(scene: Scene, model: Model, mesh: Mesh, record: Record) -> Arrays:
     if scene.platform and scene.top.x == "platform":
         turned, upright = record.platform[:, 3:], upwards
         if turned.any():  # rotations take longer than a short run
+            from scipy.spatial.transform import Rotation
+
             upright = Rotation.from_euler("xyz", turned).apply(upwards)
         arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upright, d)
     return arrays
@@ -255,6 +256,8 @@ def _end_direction(scene: Scene, model: Model, mesh: Mesh, record: Record, end: 
     softness = mesh.l0[end] / stiff
     bend = (softness if end == -1 else -softness) * (own / 3.0 + far / 6.0)
     if m == 3:
+        from scipy.spatial.transform import Rotation
+
         return np.asarray(Rotation.from_rotvec(bend).apply(t))
     cosine, sine = np.cos(bend[:, 0]), np.sin(bend[:, 0])
     return np.column_stack(

@@ -23,9 +23,7 @@ from riserstudy.simulation.disconnect import march_through, told
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.extremes import extremes
 from riserstudy.simulation.failure import why
-from riserstudy.simulation.hermite_run import solve_small_angle
 from riserstudy.simulation.section_forces import derived
-from riserstudy.simulation.stable_step import explicit_limit
 from riserstudy.simulation.time_stepping import method_of, steps_in
 from riserstudy.simulation.watch import Watch, share
 from riserstudy.solve.evaluate import energies, move_to
@@ -62,6 +60,8 @@ def single(
         When the watch breaks the march off.
     """
     if scene.analysis.solver == "hermite":
+        from riserstudy.simulation.hermite_run import solve_small_angle  # which loads solvers
+
         result = solve_small_angle(scene, mesh, step)
         result.facts |= outputs.peaks(result.arrays)
         result.arrays |= outputs.sizes(result.arrays)
@@ -160,6 +160,8 @@ def in_motion(
                 sides, coupling, turn, a.duration, record, sums
             )
         elif a.method == "explicit":
+            from riserstudy.simulation.stable_step import explicit_limit  # which loads solvers
+
             facts["stable_step"] = explicit_limit(scene, model)
             outcome = explicitly(model, step, facts["stable_step"], a.duration, record, sums)
         else:

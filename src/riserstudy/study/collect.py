@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,10 +17,12 @@ from riserstudy.dataset.complete import complete
 from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, cf_unit
+from riserstudy.dataset.without import without
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
 from riserstudy.simulation.curve import at_stations, curve_of
 from riserstudy.study import store
+from riserstudy.study.grid import Point
 from riserstudy.study.limits import add_limits
 from riserstudy.study.models import Numbers, Samples
 from riserstudy.study.simulate_points import fill, lacks
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
 
 HISTORIES = frozenset(("x", "y", "z", "effective_tension", "bending_moment"))  # over s
 DIGITS = 10  # that large arrays are stored with
+ATTEMPTS = 3  # to simulate a point: a study beside this one may store it, without what is kept here
 NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
 
 
@@ -45,29 +48,30 @@ def results_of(
     SimulationError
         When points cannot be completed.
     """
-    needed = _arrays_for(study.model.keep)
-    kept = {point.key: store.get(point.key, needed) for point in study.plan}
-    absent = [point for point in study.plan if lacks(study, point, kept[point.key])]
-    made = fill(study, absent, processes)
-    kept |= {point.key: store.get(point.key, needed) for point in absent}
+    kept: dict[str, Result] = {}
+    absent, made = _take(study, study.plan, kept), 0
+    for attempt in range(ATTEMPTS if absent else 0):
+        now = fill(study, absent, processes)
+        made = now if attempt == 0 else made
+        absent = _take(study, absent, kept)
+        if not absent:
+            break
     tell(
         f"{study.paper}/{study.name}: {made} points simulated, "
         f"{len(study.plan) - made} from the store"
     )
-    if None in kept.values():
+    if absent:
         raise SimulationError(f"{study.where}: points vanished from the store; run it again")
-    return [result for point in study.plan if (result := kept[point.key])], made
+    return [kept[point.key] for point in study.plan], made
 
 
-def _arrays_for(keep: list[str] | None) -> Collection[str] | None:
-    """Arrays of a point that quantities are made from; None: all."""
-    if keep is None or HISTORIES.intersection(
-        keep
-    ):  # positions are laid on other nodes with moments
-        return None
-    shared = {"time", "s", "s_node", "mesh_corner"}
-    shared.add("tensioner_force_static")  # which tells the cylinders
-    return shared.union(keep, (f"{name}_static" for name in keep))
+def _take(study: Study, points: list[Point], kept: dict[str, Result]) -> list[Point]:
+    """Take what a study keeps of points from the store; the points that are not there with all of it."""
+    for point in points:
+        stored = store.get(point.key, study.model.keep)
+        if stored is not None and not lacks(study, point, stored):
+            kept[point.key] = stored
+    return [point for point in points if point.key not in kept]
 
 
 SHARED = ("time", "s", "s_node", "cylinder")  # dimensions of runs
@@ -268,7 +272,8 @@ def write_dataset(dataset: xr.Dataset, target: Path) -> None:
     dataset = complete(dataset)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        dataset.to_netcdf(partial, engine="netcdf4", encoding=_compressed(dataset))
+        with without("dask"):  # whose locks only its own arrays need
+            dataset.to_netcdf(partial, engine="netcdf4", encoding=_compressed(dataset))
         partial.replace(target)
     except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
         remedy = "see whether the disk is full"

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from riserstudy.dataset.behind import provenance, scene_behind
-from riserstudy.dataset.label import labelled
+from riserstudy.dataset.behind import file_behind, provenance
+from riserstudy.dataset.label import labelled, to_dataset
 from riserstudy.dataset.place import place
 from riserstudy.digests import engine_digest
 from riserstudy.study.collect import FACTS, laid_on
@@ -29,11 +29,13 @@ class Rerun:
     place : where it is on the axes.
     engines : digests of the engine that made the dataset, and of this one.
     changes : largest change of each variable over its largest magnitude; infinite where one has no value.
+    run : all of it, as ``simulate`` labels it, with what the dataset does not keep.
     """
 
     place: dict[str, Any]
     engines: tuple[str, str]
     changes: dict[str, float]
+    run: xr.Dataset
 
 
 def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
@@ -50,14 +52,17 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     SimulationError
         When it cannot be completed.
     """
+    from riserstudy.model.absent_effects import absent
     from riserstudy.simulation.refine import run
 
     engine = provenance(dataset)["engine"]
     index = place(dataset, at)
     point = dataset.isel(index)
-    scene = scene_behind(dataset, index)
     estimated = bool(np.isfinite(point.get("error_displacement", 0.0)))
-    result = run(scene, estimated=estimated)
+    with file_behind(dataset, index) as file:
+        result = run(file.scene(), estimated=estimated)
+        whole = to_dataset(result, file, absent(set(result.facts["effects"])))
+    whole.attrs["source"] = dataset.attrs.get("scene_file") or dataset.attrs.get("source", "")
     if "s_node" in point.dims and not np.array_equal(point["s_node"], result.arrays["s_node"]):
         result = laid_on(result, point["s_node"].values)
     new = labelled(result)
@@ -70,6 +75,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
             for name, old in point.data_vars.items()
             if name not in LEFT_OUT and not str(name).startswith("assumed_")
         },
+        whole,
     )
 
 

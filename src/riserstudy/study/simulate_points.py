@@ -65,7 +65,8 @@ def attempt(
     tell : is told how many more of the points, each counted once, are done: first how many are stored.
     """
     each_once = {point.key: point for point in points}
-    missing = [p for key, p in each_once.items() if lacks(study, p, store.get(key, ()))]
+    stored = partial(store.get, keep=study.model.keep)
+    missing = [p for key, p in each_once.items() if lacks(study, p, stored(key))]
     tell(len(each_once) - len(missing))
     failures = {}
     told = each(partial(_simulate, study), missing, processes)
@@ -85,5 +86,5 @@ def _simulate(study: Study, point: Point) -> SimulationError | None:
         result = run(file.scene(), estimated=tells_error(study, point))
     except SimulationError as error:
         return error
-    store.put(point.key, result, file)
+    store.put(point.key, result, file, study.model.keep)
     return None

@@ -1,9 +1,9 @@
 """The point store: every simulated point under the hash of its parameters and of the engine.
 
-A point is one file, written under another name and renamed when complete: a line of JSON that says what
-follows, the arrays one after the other, and a seal, the hash of all this and of the point's key. What is
-not as it was written, or stands under another's name, counts as missing. Planning needs no numpy: keys
-come from plain text.
+A point is one file, written under another name and renamed when complete: what it says of itself as JSON,
+the arrays that its studies need one after the other, both compressed, and a seal, the hash of all this and
+of the point's key. What is not as it was written, stands under another's name, or holds less than is asked
+for, counts as missing. Planning needs no numpy: keys come from plain text.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import struct
+import zlib
 from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -20,14 +22,21 @@ from pydantic import BaseModel
 from riserstudy.digests import engine_digest
 from riserstudy.folders import cache_folder, write_whole
 from riserstudy.scene.models import Scene
+from riserstudy.study.needed import needed
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from riserstudy.dataset.result import Result
     from riserstudy.scene.load import SceneFile
 
 
 SEAL = hashlib.sha256().digest_size  # bytes
 ENDING = ".point"
+FORMAT = b"point 2\n"  # begins every file; others are of former versions
+LENGTH = struct.Struct("<Q")  # of the compressed JSON
+LEVEL = 1  # of compression: higher ones take longer and save next to nothing
 
 
 def canonical(value: Any) -> Any:
@@ -70,11 +79,26 @@ def _file(key: str) -> Path:
     return cache_folder() / "points" / key[:2] / f"{key}{ENDING}"
 
 
-def put(key: str, result: Result, file: SceneFile) -> None:
-    """Store a point, complete or not at all."""
+def put(key: str, result: Result, file: SceneFile, keep: Collection[str] | None = None) -> None:
+    """Store what some quantities of a point need (None: all of it), complete or not at all.
+
+    What the point was stored with before, for another study, stays.
+    """
     import numpy as np
 
-    arrays = {name: np.asarray(values, order="C") for name, values in result.arrays.items()}
+    before = _read(_file(key))
+    shapes = {name: np.shape(values) for name, values in result.arrays.items()}
+    names = needed(shapes, keep).union(before.about["arrays"] if before else ())
+    target = _file(key)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(target, packed(key, result, file, names))
+
+
+def packed(key: str, result: Result, file: SceneFile, names: Collection[str]) -> bytes:
+    """A point with some of its arrays as it is stored, with its seal."""
+    import numpy as np
+
+    arrays = {n: np.asarray(a, order="C") for n, a in result.arrays.items() if n in names}
     about = {
         "facts": result.facts,
         "scene": file.tree,
@@ -82,11 +106,25 @@ def put(key: str, result: Result, file: SceneFile) -> None:
         "engine": engine_digest(),
         "origins": {path: origin.status for path, origin in file.origins.items()},
         "arrays": {name: [values.dtype.str, values.shape] for name, values in arrays.items()},
+        "left_out": [name for name in result.arrays if name not in arrays],
     }
-    whole = b"".join([json.dumps(about).encode(), b"\n", *(a.tobytes() for a in arrays.values())])
-    target = _file(key)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(target, whole + _seal(key, whole))
+    head = zlib.compress(json.dumps(about).encode(), LEVEL)
+    body = zlib.compress(b"".join([_by_place(values) for values in arrays.values()]), LEVEL)
+    whole = b"".join([FORMAT, LENGTH.pack(len(head)), head, body])
+    return whole + _seal(key, whole)
+
+
+def _by_place(values: NDArray[Any]) -> bytes:
+    """The first bytes of all numbers, then the second ones: signs and exponents are alike, and pack well."""
+    return values.reshape(-1).view("u1").reshape(-1, values.itemsize).T.tobytes()
+
+
+def _from_places(content: memoryview, dtype: np.dtype[Any]) -> NDArray[Any]:
+    """The numbers again."""
+    import numpy as np
+
+    places = np.frombuffer(content, "u1").reshape(dtype.itemsize, -1)
+    return np.ascontiguousarray(places.T).reshape(-1).view(dtype)
 
 
 def _seal(key: str, content: bytes | memoryview) -> bytes:
@@ -97,42 +135,72 @@ def _seal(key: str, content: bytes | memoryview) -> bytes:
 
 
 class Stored(NamedTuple):
-    """A point that was read whole: what it says of itself, and the bytes of its arrays."""
+    """A point that was read whole: what it says of itself, and its arrays, compressed."""
 
     about: dict[str, Any]
     content: memoryview
+
+    def result(self, names: Collection[str]) -> Result:
+        """The result with the arrays of these names."""
+        import numpy as np
+
+        from riserstudy.dataset.result import Result
+
+        content = memoryview(zlib.decompress(self.content)) if names else memoryview(b"")
+        arrays, begin = {}, 0
+        for name, (kind, shape) in self.about["arrays"].items():
+            dtype = np.dtype(kind)
+            end = begin + math.prod(shape) * dtype.itemsize
+            if name in names:
+                arrays[name] = _from_places(content[begin:end], dtype).reshape(shape)
+            begin = end
+        return Result(arrays, self.about["facts"])
 
 
 def _read(path: Path) -> Stored | None:
     """A stored point; None when it is missing or not as it was written."""
     try:
-        whole = path.read_bytes()
+        return unpacked(path.stem, path.read_bytes())
     except OSError:
         return None
+
+
+def unpacked(key: str, whole: bytes) -> Stored | None:
+    """A point out of its stored bytes; None when they are not as they were written for that key."""
     content = memoryview(whole)[:-SEAL]
-    if len(whole) <= SEAL or whole[-SEAL:] != _seal(path.stem, content):
+    begin = len(FORMAT) + LENGTH.size
+    if not whole.startswith(FORMAT) or len(content) < begin or whole[-SEAL:] != _seal(key, content):
         return None
-    end = whole.index(b"\n")  # JSON has none
-    return Stored(json.loads(whole[:end]), content[end + 1 :])
+    (length,) = LENGTH.unpack(content[len(FORMAT) : begin])
+    head = zlib.decompress(content[begin : begin + length])
+    return Stored(json.loads(head), content[begin + length :])
 
 
-def get(key: str, names: Collection[str] | None = None) -> Result | None:
-    """A stored point with all arrays or some, or None when it is missing or not whole."""
+def get(key: str, keep: Collection[str] | None = None) -> Result | None:
+    """What some quantities (None: all) need of a stored point.
+
+    None when the point is missing, is not whole, or was stored without something that they need.
+    """
     stored = _read(_file(key))
     if stored is None:
         return None
-    import numpy as np
+    held = stored.about["arrays"]
+    shapes = {name: shape for name, (_, shape) in held.items()}
+    wanted = needed(shapes | dict.fromkeys(stored.about["left_out"], ()), keep)
+    return stored.result(wanted) if wanted.issubset(held) else None
 
-    from riserstudy.dataset.result import Result
 
-    arrays, begin = {}, 0
-    for name, (kind, shape) in stored.about["arrays"].items():
-        dtype, count = np.dtype(kind), math.prod(shape)
-        if names is None or name in names:
-            part = np.frombuffer(stored.content, dtype, count, begin)
-            arrays[name] = part.reshape(shape).copy()  # so that the others can be let go
-        begin += count * dtype.itemsize
-    return Result(arrays, stored.about["facts"])
+class Part(NamedTuple):
+    """What the store holds of a point: what it says of itself, and the result with the arrays it holds."""
+
+    about: dict[str, Any]
+    result: Result
+
+
+def all_of(key: str) -> Part | None:
+    """All that is held of a stored point, which need not be all of its run; None when not whole."""
+    stored = _read(_file(key))
+    return stored and Part(stored.about, stored.result(stored.about["arrays"]))
 
 
 def has(key: str) -> bool:

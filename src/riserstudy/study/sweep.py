@@ -109,7 +109,7 @@ def sweep(
         raise SimulationError(
             f"sweep: {len(failures)} points cannot be completed; at {place}: {failures[point.key]}"
         )
-    stored = {p.key: store.get(p.key) for p in points if p.key not in failures}
+    stored = {p.key: store.get(p.key, study.model.keep) for p in points if p.key not in failures}
     results = {key: result for key, result in stored.items() if result}
     if len(results) < len(stored):
         raise SimulationError("sweep: points vanished from the store; run it again")
