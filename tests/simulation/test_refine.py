@@ -23,7 +23,7 @@ SETS = {"analysis.mesh": None, "analysis.step": None, "analysis.method": None}
 def refined(monkeypatch, error):
     """Segments, step and estimate that a run ends with where its moment errs by ``error(n, h)``."""
 
-    def single(scene, mesh, step, *stations):
+    def march(scene, mesh, step, watch):
         facts = {"elements": len(mesh.l0), "step": step, "solve_seconds": 0.0, "warnings": []}
         return SimpleNamespace(facts=facts, arrays={"bending_moment": None})
 
@@ -31,7 +31,8 @@ def refined(monkeypatch, error):
         off = [error(one.facts["elements"], one.facts["step"]) for one in (coarse, fine)]
         return {"displacement": 0.0, "tension": 0.0, "moment": abs(off[0] - off[1])}
 
-    monkeypatch.setattr(module, "single", single)
+    monkeypatch.setattr(module, "march", march)
+    monkeypatch.setattr(module, "finish", lambda scene, mesh, result: result)
     monkeypatch.setattr(module, "difference", difference)
     monkeypatch.setattr(module, "keep_stations", lambda *_: None)
     facts = run(read_scene(SCENE).with_values(SETS, "test").scene()).facts
@@ -66,7 +67,7 @@ def patient(monkeypatch, patience):
     """The result of runs that each take twice the time of the one before, the first a second."""
     spent = [0.0]
 
-    def single(scene, mesh, step, everywhere, watch):
+    def march(scene, mesh, step, watch):
         seconds = 1.0 + spent[0]
         spent[0] += seconds
         if spent[0] > watch.patience:
@@ -78,7 +79,8 @@ def patient(monkeypatch, patience):
         sizes = [one.facts["elements"] ** -2 + one.facts["step"] ** 2 for one in (coarse, fine)]
         return {"displacement": 0.0, "tension": 0.0, "moment": 40.0 * (sizes[0] - sizes[1])}
 
-    monkeypatch.setattr(module, "single", single)
+    monkeypatch.setattr(module, "march", march)
+    monkeypatch.setattr(module, "finish", lambda scene, mesh, result: result)
     monkeypatch.setattr(module, "difference", difference)
     monkeypatch.setattr(module, "keep_stations", lambda *_: None)
     monkeypatch.setattr(Watch, "spent", property(lambda _: spent[0]))

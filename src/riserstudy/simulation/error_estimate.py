@@ -38,7 +38,8 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
 
     Envelopes and the static state are compared at the nodes of the coarse run, the largest moment wherever
     it is, histories at those nodes or at stations, so that an error in phase counts too; between nodes
-    values are those of the elements. The scale is the largest value anywhere.
+    values are those of the elements. Where one run tells every second, fourth, ... output of the other, those
+    that both tell are compared. The scale is the largest value anywhere.
     """
     found = {}
     histories = _histories(coarse.arrays, fine.arrays)
@@ -98,12 +99,23 @@ def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
     else:
         places = fine["s"]
         low, up = _at(coarse, places), fine
+    every = _every(coarse, fine)
     found: dict[str, tuple[Array, Array]] = {}
     for field in ("x", "y", "z", "effective_tension", "bending_moment"):
         if field in up and field in low:
             away = [curve_of(run).straight(_zero(run, field), places) for run in (coarse, fine)]
-            found[field] = low[field] - away[0], up[field] - away[1]
+            found[field] = low[field][:: every[0]] - away[0], up[field][:: every[1]] - away[1]
     return found
+
+
+def _every(coarse: Arrays, fine: Arrays) -> tuple[int, int]:
+    """Which outputs of two runs are those of both: every so many."""
+    intervals = [
+        run["time"][1] - run["time"][0] if len(run["time"]) > 1 else 0.0 for run in (coarse, fine)
+    ]
+    both = max(intervals)
+    low, up = (round(both / interval) if interval else 1 for interval in intervals)
+    return low, up
 
 
 def _at(arrays: Arrays, places: Array) -> Arrays:

@@ -12,8 +12,9 @@ from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, difference, estimate
 from riserstudy.simulation.outputs import keep_stations
-from riserstudy.simulation.run import single
+from riserstudy.simulation.run import finish, march, single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
+from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_stepping import steps_in
 from riserstudy.simulation.watch import Tell, Watch
 
@@ -22,6 +23,7 @@ RUNS = 16  # halvings of mesh or step, at most
 SEGMENTS = 50_000  # of the finest mesh, at most
 FALL = 1.5  # of differences, by which halving must bring them down to be repeated
 STALE = 3  # halvings of the other, after which what one of mesh and step was seen to change is seen anew
+LIKELY = 1.5  # of what is asked for: an error foreseen that may turn out to be within it
 MATTERS = 0.25  # of what is asked for: an error that is
 PATIENT = 6  # refinements that must halve the error, or a string under compression is given up
 STEPS_A_PERIOD = 24  # of the coarsest step
@@ -91,7 +93,8 @@ def _as_asked(scene: Scene, estimated: bool, watch: Watch) -> Result:
         coarser = prescribed(scene, max(1, elements // k))
         watch.begin(f"a coarser run, for the error: {_size(len(coarser.l0), step)}")
         try:
-            runs.insert(0, single(scene, coarser, step, True, watch))
+            less = thinned(scene, step)[0]
+            runs.insert(0, march(less, coarser, step, watch=watch))
         except SimulationError:  # a coarse mesh may buckle, a long step fail
             break
     result = asked()
@@ -135,6 +138,8 @@ class Refinement:
         self.lost = 0  # meshes without equilibrium
         self.last: Result | None = None  # to compare the next run with
         self.finest: Result | None = None  # that was completed
+        self.finest_mesh = self.mesh
+        self.thin = False  # whether it tells less often than it is asked to
         self.spent: list[dict[str, Any]] = []  # what each run cost
         self.excess: list[float] = []  # of the estimates, once there is one of mesh and step
 
@@ -158,6 +163,8 @@ class Refinement:
         finest = self.finest
         if finest is None:
             raise TypeError("no run and no error")  # one of both there is
+        finish(self.scene, self.finest_mesh, finest)
+        self.spent[-1] = _cost(finest)
         if not reached:
             finest.facts["warnings"].append(self._not_reached(finest))
         finest.facts["solve_seconds"] = _spent(self.spent)
@@ -182,10 +189,22 @@ class Refinement:
                 self._compare(finer)
                 way = self._next_way()
                 if way is None or left == 0 or self._too_fine(way):
-                    return way is None
-                self._ask_patience()
-                self._halve(way)
+                    if not self.thin or self._repeated(left):
+                        return way is None
+                else:
+                    self._ask_patience()
+                    self._halve(way)
             left -= 1
+
+    def _repeated(self, left: int) -> bool:
+        """Run once more what turned out to be the last, with all outputs; False where one is undefined."""
+        whole = self._attempt(left, whole=True)
+        if whole is None or self.finest is None:
+            return False
+        whole.facts["error_estimate"] = self.finest.facts["error_estimate"]
+        self.spent.append(_cost(whole))
+        self.finest = whole
+        return True
 
     def _begin(self) -> None:
         """Tell what is run next, how far the last was off, and what is left to do."""
@@ -228,10 +247,17 @@ class Refinement:
             for name in self.target
         }
 
-    def _attempt(self, left: int) -> Result | None:
-        """A run on the present mesh and step; None where it failed, and both are finer now."""
+    def _attempt(self, left: int, whole: bool = False) -> Result | None:
+        """A run on the present mesh and step; None where it failed, and both are finer now.
+
+        ``whole``: with all outputs. Else those which a comparison needs, unless this may be the last run.
+        """
+        scene, self.thin = self.scene, False
+        # what patience ends must hold all outputs
+        if not (whole or self._may_suffice or self.watch.patience < math.inf):
+            scene, self.thin = thinned(scene, self.step)
         try:
-            return single(self.scene, self.mesh, self.step, True, self.watch)
+            return march(scene, self.mesh, self.step, watch=self.watch)
         except (PhysicallyUnstable, TakesTooLong):
             raise
         except StepFailed:
@@ -247,7 +273,7 @@ class Refinement:
 
     def _compare(self, finer: Result) -> None:
         """See what the last halving changed, and tell the run its error."""
-        self.spent.append({name: finer.facts.get(name) for name in SPENT})
+        self.spent.append(_cost(finer))
         if self.last is not None:
             before = self.seen.get(self.way)
             now = Halved(difference(self.last, finer), before)
@@ -258,6 +284,7 @@ class Refinement:
                 one.since += 1
             self.seen[self.way] = now
         self.last = self.finest = finer
+        self.finest_mesh = self.mesh
         told = self.seen[self.way].change if self.way in self.seen and not self._unknown else {}
         finer.facts["error_estimate"] = {k: v for k, v in self.error.items() if k in told}
         if not self._unknown:
@@ -267,6 +294,18 @@ class Refinement:
     @property
     def _unknown(self) -> list[str]:
         return [way for way in self.ways if way not in self.seen]
+
+    @property
+    def _may_suffice(self) -> bool:
+        """Whether the next run may be the last, if errors fall as they did."""
+        if set(self._unknown) - {self.way}:
+            return False
+        fall = {way: one.fall if way == self.way else 1.0 for way, one in self.seen.items()}
+        left = {
+            name: sum(one.error.get(name, 0.0) / fall[way] for way, one in self.seen.items())
+            for name in self.target
+        }
+        return self._excess(left) <= LIKELY
 
     def _next_way(self) -> str | None:
         """What to halve next; None where the accuracy is reached."""
@@ -323,6 +362,10 @@ class Halved:
         most = SURE_FALL if before and before.since else MOST_FALL
         self.error = estimate(change, before.change if before else None, most)
         self.since: int = 0  # halvings of the other
+        worst = max(change, key=lambda name: change[name], default="")
+        was = before.change.get(worst, 0.0) if before else 0.0
+        #: of the largest change since the one before; unknown: as much as is believed
+        self.fall = max(was / change[worst], 1.0) if was and change[worst] else MOST_FALL
 
 
 def _longest_step(scene: Scene) -> float:
@@ -338,6 +381,10 @@ def _size(elements: int, step: float | None) -> str:
 
 def _duration(seconds: float) -> str:
     return f"{seconds:.2g} s" if seconds < 100.0 else f"{seconds / 60.0:.0f} min"
+
+
+def _cost(run: Result) -> dict[str, Any]:
+    return {name: run.facts.get(name) for name in SPENT}
 
 
 def _spent(refinements: list[dict[str, Any]]) -> float:

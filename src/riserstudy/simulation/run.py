@@ -59,15 +59,33 @@ def single(
     TakesTooLong
         When the watch breaks the march off.
     """
+    result = finish(scene, mesh, march(scene, mesh, step, everywhere, watch))
+    stations = scene.analysis.output and scene.analysis.output.stations
+    if stations and not everywhere:
+        outputs.keep_stations(result, stations)
+    return result
+
+
+def march(
+    scene: Scene,
+    mesh: Mesh,
+    step: float | None,
+    everywhere: bool = True,
+    watch: Watch | None = None,
+) -> Result:
+    """A run by ``step`` (s) as `single` makes it, without what is made of its states afterwards.
+
+    It is what a comparison with other runs needs; `finish` makes the rest of it.
+
+    Raises
+    ------
+    SimulationError
+        As `single` does.
+    """
     if scene.analysis.solver == "hermite":
         from riserstudy.simulation.hermite_run import solve_small_angle  # which loads solvers
 
-        result = solve_small_angle(scene, mesh, step)
-        result.facts |= outputs.peaks(result.arrays)
-        result.arrays |= outputs.sizes(result.arrays)
-        if not everywhere and scene.analysis.output:
-            outputs.keep_stations(result, scene.analysis.output.stations)
-        return result
+        return solve_small_angle(scene, mesh, step)
     started = clock.perf_counter()
     model, equilibrium = settle(scene, mesh)
     arrays = outputs.at_rest(scene, model, mesh)
@@ -85,29 +103,28 @@ def single(
         arrays |= in_motion(scene, model, mesh, step, whole, arrays, facts, watch or Watch())
     audit.finite(arrays)
     audit.tension(scene, arrays, facts)
+    if len(model.s.dof) - len(model.s.dim) == 3:
+        arrays["mesh_moment_static"] = model.s.moment[:, : len(mesh.s)].copy()
+    facts["solve_seconds"] = clock.perf_counter() - started
+    return Result(arrays, facts)
+
+
+def finish(scene: Scene, mesh: Mesh, result: Result) -> Result:
+    """Enter forces, stresses, extremes and what there is to tell of tensioners into a run of `march`."""
+    started = clock.perf_counter()
+    arrays, facts = result.arrays, result.facts
     if rig := scene.top.tensioners:
         facts["warnings"] += outputs.of_tensioners(rig, arrays)
         if "tensioner_stroke" in arrays:
             facts["largest_stroke"] = float(abs(arrays["tensioner_stroke"]).max())
     facts |= outputs.peaks(arrays)
     arrays |= outputs.sizes(arrays)
-    bent = rest_moments(model, mesh)
-    forces, histories_of = derived(scene, mesh, arrays, bent)
-    arrays |= forces
-    facts["extremes"] = extremes(scene, mesh, arrays, histories_of)
-    facts["solve_seconds"] = clock.perf_counter() - started
-    result = Result(arrays, facts)
-    stations = scene.analysis.output and scene.analysis.output.stations
-    if stations and not everywhere:
-        outputs.keep_stations(result, stations)
+    if scene.analysis.solver != "hermite":
+        forces, histories_of = derived(scene, mesh, arrays, arrays.pop("mesh_moment_static", None))
+        arrays |= forces
+        facts["extremes"] = extremes(scene, mesh, arrays, histories_of)
+    facts["solve_seconds"] += clock.perf_counter() - started
     return result
-
-
-def rest_moments(model: Model, mesh: Mesh) -> Any:
-    """Components of the moment at rest, (3, n + 1), N m; None in a plane."""
-    s = model.s
-    spatial = len(s.dof) - len(s.dim) == 3
-    return s.moment[:, : len(mesh.s)].copy() if spatial else None
 
 
 def fits(output: Output, duration: float, mesh: Mesh) -> bool:

@@ -46,12 +46,12 @@ class Sea(NamedTuple):
 class Steps(NamedTuple):
     """Newmark's method as it is stepped."""
 
-    h: float  # s
+    h: float  # (s)
     each: int  # steps between those that are stored
-    beta: float
-    gamma: float
+    beta: float  # (-)
+    gamma: float  # (-)
     drag: int  # 0 lags |U - u.|, 1 repeats with the last iterate's, 2 is Newton
-    tolerance: float  # m, the correction that ends an iteration
+    tolerance: float  # (m) the correction that ends an iteration
     iterations: int  # at most, a step
 
 
