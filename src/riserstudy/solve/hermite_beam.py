@@ -60,9 +60,9 @@ class Stepping(NamedTuple):
     until it agrees; ``lagged`` takes that of the last step in one solve, of first order in the step.
     """
 
-    #: (-) with gamma 1/2: average acceleration, which neither damps nor limits the step
-    beta: float = 0.25  # (-)
-    gamma: float = 0.5  # (-)
+    #: a share; with gamma 1/2: average acceleration, which neither damps nor limits the step
+    beta: float = 0.25
+    gamma: float = 0.5  # a share
     drag: Literal["newton", "picard", "lagged"] = "newton"
     #: C = rayleigh[0] M (1/s) + rayleigh[1] K (s), added mass and tension included
     rayleigh: tuple[float, float] = (0.0, 0.0)

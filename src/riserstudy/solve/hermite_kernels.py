@@ -48,8 +48,8 @@ class Steps(NamedTuple):
 
     h: float  # (s)
     each: int  # steps between those that are stored
-    beta: float  # (-)
-    gamma: float  # (-)
+    beta: float  # a share
+    gamma: float  # a share
     drag: int  # 0 lags |U - u.|, 1 repeats with the last iterate's, 2 is Newton
     tolerance: float  # (m) the correction that ends an iteration
     iterations: int  # at most, a step
