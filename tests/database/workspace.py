@@ -47,7 +47,7 @@ def studies():
             **surge,
             "caption": "open values",
             "axes": {"sample": {"count": dict.fromkeys(TIERS, 4), "seed": 1}},
-            "keep": ["bending_moment_max", "bending_moment_min", "x"],
+            "keep": ["bending_moment_max", "bending_moment_min", "x", "x_max"],
         },
         "one": {**surge, "caption": "a single point", "axes": {}},
         "static": {"scene": "scenes/load.yaml", "caption": "statics", "axes": {}},

@@ -14,7 +14,7 @@ import numpy as np
 
 from riserstudy.database.names import Names, quoted
 from riserstudy.database.parameters import Parameter, parameters_of
-from riserstudy.database.read_dataset import Contents, Grid, read_dataset
+from riserstudy.database.read_dataset import Contents, Grid, Variable, read_dataset
 from riserstudy.database.statistics import Statistic, statistics_of
 from riserstudy.database.wide_table import FACTS, is_result, write_wide_table
 from riserstudy.model.absent_effects import absent
@@ -45,7 +45,7 @@ def write_study(db: sqlite3.Connection, about: About, folder: Path) -> None:
     tables = Names(name for (name,) in db.execute("select name from sqlite_master"))
     table = tables.free(f"{about.paper}_{about.name}")
     _write_head(db, about, table, contents)
-    statistics = [t for v in grid.variables for t in statistics_of(v, contents.coordinates)]
+    statistics = [*_told_once(grid.variables, contents)]
     first = None
     if about.kind == "simulated":
         first = _write_points(db, about, contents)
@@ -54,9 +54,18 @@ def write_study(db: sqlite3.Connection, about: About, folder: Path) -> None:
     write_wide_table(db, table, about.study, grid, statistics, first)
     for other in others:
         over = "_".join(axis.name for axis in other.axes) or "all"
-        further = [t for v in other.variables for t in statistics_of(v, contents.coordinates)]
+        further = [*_told_once(other.variables, contents)]
         name = tables.free(f"{table}_over_{over}")
         write_wide_table(db, name, about.study, other, further, None)
+
+
+def _told_once(variables: list[Variable], contents: Contents) -> Iterator[Statistic]:
+    """Statistics of variables; of a history not what an envelope tells, too, which sees every step."""
+    names = {variable.name for variable in variables}
+    for variable in variables:
+        for one in statistics_of(variable, contents.coordinates):
+            if f"{variable.name}_{one.statistic}" not in names:
+                yield one
 
 
 def marks(count: int) -> str:

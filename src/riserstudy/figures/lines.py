@@ -18,8 +18,8 @@ from riserstudy.figures.grid import (
     read,
 )
 from riserstudy.figures.style import COLOURS, GREY
+from riserstudy.study.plots import USUAL
 
-QUANTITIES = ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z")
 STYLES = ("-", "--")
 PANELS = 4
 DENSE = 30  # values, beyond which no markers are drawn
@@ -31,7 +31,7 @@ def lines(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     Where the sign is a convention the largest size is drawn.
     """
     (axis,) = along(dataset, 1)
-    names = of or present(dataset, QUANTITIES)[:PANELS]
+    names = of or present(dataset, USUAL["lines"])[:PANELS]
     figure, axes = laid_out(len(names))
     for ax, name in zip(axes, names, strict=True):
         ends = ends_of(dataset, name)

@@ -7,16 +7,17 @@ from matplotlib.figure import Figure
 
 from riserstudy.figures.grid import absent, key, label, points, read
 from riserstudy.figures.style import COLOURS, panels
+from riserstudy.study.plots import USUAL
 
-QUANTITIES = ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z")
 PANELS = 4
 
 
 def time_series(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     """One panel a quantity over time, a colour for each of a few points of the grid."""
-    names = [n for n in of or QUANTITIES if n in dataset and "time" in dataset[n].dims][:PANELS]
-    if not names:
-        raise absent(dataset, (of or QUANTITIES)[0])
+    there = [n for n, values in dataset.items() if "time" in values.dims]
+    names = of or [name for name in USUAL["time series"] if name in there][:PANELS]
+    if missing := [name for name in names or USUAL["time series"] if name not in there]:
+        raise absent(dataset, missing[0])
     figure, axes = panels(len(names), 1, 2.0, sharex=True)
     for ax, name in zip(axes, names, strict=True):
         place, said = _place(dataset[name])

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from riserstudy.chapters.draw import draw
-from riserstudy.errors import RiserStudyError
+from riserstudy.errors import InputError, RiserStudyError
 from riserstudy.figures import draw_plot, save
 from riserstudy.grading.printed import with_printed
 from riserstudy.jobs.seals import seal
@@ -33,7 +33,11 @@ def from_datasets(paper: str, name: str, sources: list[Path]) -> Figure:
     config = Path("config")
     model = read_studies(config, paper).figures[name]
     if model.plot:
-        return draw_plot(model, datasets[model.reads[0]])
+        try:
+            return draw_plot(model, datasets[model.reads[0]])
+        except InputError as error:
+            where = config / f"studies/{paper}.yaml"
+            raise InputError(where, f"figures.{name}.of", error.found, error.allowed) from None
     return draw(paper, name, datasets, with_printed(model.settings, config, paper))
 
 

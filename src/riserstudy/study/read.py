@@ -12,6 +12,7 @@ from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml
 from riserstudy.study.figures import NEEDS, FigureModel, Plot
 from riserstudy.study.models import StudyFile, StudyModel, Tier
+from riserstudy.study.plots import faults
 from riserstudy.study.study import Study, scene_file
 
 
@@ -33,9 +34,21 @@ def read_studies(config: Path, paper: str) -> StudyFile:
         if not figure.plot and defining(chapter_modules(paper, "figures"), name) is None:
             allowed = "allowed are plot: " + ", ".join(NEEDS)
             raise InputError(path, f"figures.{name}", "nothing says how to draw it", allowed)
+    studies = {
+        name: Study(paper, name, model, config, "standard", None, file.readings)
+        for name, model in file.studies.items()
+    }
     if not file.figures:
         moving = {name: _moves(config, model) for name, model in file.studies.items()}
-        file = file.model_copy(update={"figures": default_figures(file.studies, moving)})
+        every = default_figures(file.studies, moving)
+        figures = {name: one for name, one in every.items() if not [*faults(one, studies)]}
+        return file.model_copy(update={"figures": figures})
+    for name, figure in file.figures.items():
+        for fault in faults(figure, studies):
+            found, _, allowed = fault.partition("; ")
+            raise InputError(
+                path, f"figures.{name}.of", found, allowed or "name another quantity or plot"
+            )
     return file
 
 

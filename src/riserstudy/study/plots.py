@@ -1,0 +1,137 @@
+"""What plots can show of a study, known before anything is run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from riserstudy.dataset.variables import ENDINGS, OF_POINTS
+from riserstudy.errors import InputError
+from riserstudy.scene.models import Scene
+from riserstudy.study.figures import FigureModel, Plot
+from riserstudy.study.models import Samples
+from riserstudy.study.study import Study
+
+ALONG = (
+    *("x", "y", "z", "effective_tension", "bending_moment"),
+    *("shear_force", "von_mises_stress"),  # of which envelopes alone are returned
+)
+#: what each plot takes where a figure names nothing; more of them than it shows
+USUAL: dict[Plot, tuple[str, ...]] = {
+    "lines": ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z"),
+    "heat map": ("bending_moment", "effective_tension", "x", "ufj_angle", "stroke", "z"),
+    "envelope": ("x", "y", "bending_moment", "effective_tension", "z"),
+    "time series": ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z"),
+}
+SIDES = ("_max", "_min", "_absmax")
+_VESSEL = ("platform_", "thrust_", "riser_reaction_", "environment_force_")
+
+#: outputs that only some scenes call for, with what these have, and whether a scene has it
+CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
+    (
+        ("x", "bending_moment", "shear_force", "ufj_angle", "lfj_angle"),
+        "load or motion across",
+        lambda s: bool(s.lateral),
+    ),
+    (("y",), "load or motion out of the plane", lambda s: bool(s.spatial)),
+    (
+        ("tensioner_stroke", "tensioner_force"),
+        "top.tensioners",
+        lambda s: s.top.tensioners is not None,
+    ),
+    (
+        ("stroke",),
+        "top.tensioners, top.telescopic_joint, or platform below which top.z is free",
+        lambda s: bool(
+            s.top.tensioners or s.top.telescopic_joint or (s.platform and s.top.z == "free")
+        ),
+    ),
+    (("lift", "lift_rate"), "disconnect", lambda s: s.disconnect is not None),
+    (
+        ("largest_stress",),
+        "analysis.output.stress_in",
+        lambda s: bool(s.analysis.output and s.analysis.output.stress_in),
+    ),
+)
+
+
+def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[str]:
+    """Why a figure's plot cannot show what it names, a line each; nothing where only runs can tell."""
+    (name, *_) = figure.reads
+    if figure.plot is None or name not in studies:
+        return
+    wanted = figure.of or []
+    for quantity in wanted:
+        if why := unshown(figure.plot, quantity, studies[name]):
+            yield f"{quantity!r} {why}"
+    if not wanted and not shows(figure.plot, studies[name]):
+        yield f"the runs of {name!r} return nothing that {_a(figure.plot)} shows"
+
+
+def shows(plot: Plot, study: Study) -> bool:
+    """Whether a plot has something to show of a study where it names nothing."""
+    return any(not unshown(plot, quantity, study) for quantity in USUAL[plot])
+
+
+def unshown(plot: Plot, quantity: str, study: Study) -> str:
+    """Why a plot cannot show a quantity of a study; "" where it can, or where only runs can tell."""
+    stem = next((quantity.removesuffix(e) for e in ENDINGS if quantity.endswith(e)), quantity)
+    over_grid = plot in ("lines", "heat map")
+    if quantity in OF_POINTS:
+        return "" if over_grid else f"is one number a point, which {_a(plot)} does not show"
+    if plot == "envelope" and stem not in ALONG:
+        return f"has no values along the riser; allowed are {', '.join(ALONG)}"
+    if plot == "time series" and (quantity != stem or stem in ALONG[-2:]):
+        return "has no history; lines and envelopes show extremes"
+    kept = study.model.keep
+    if kept is not None and not set(_any_of(plot, quantity, stem, study)) & set(kept):
+        return f"is not kept; keep of {study.name!r} has {', '.join(kept)}"
+    return _uncalled(plot, stem, study)
+
+
+def _any_of(plot: Plot, quantity: str, stem: str, study: Study) -> list[str]:
+    """What must be kept, one of these, for a plot to show a quantity."""
+    if plot == "time series":
+        return [quantity]
+    if plot == "envelope":  # at rest the quantity itself has no time
+        moves = study.base.tree.get("analysis", {}).get("duration")
+        own = [] if quantity == stem and moves else [quantity]
+        return [*own, *(stem + side for side in SIDES if quantity == stem)]
+    return [quantity, stem, *(stem + side for side in (SIDES if quantity == stem else ()))]
+
+
+def _uncalled(plot: Plot, stem: str, study: Study) -> str:
+    """What no run of a study has, for it to return a quantity; "" where one may have it."""
+    scenes = [*_scenes(study)]
+    if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):
+        return f"has no history: the runs of {study.name!r} are at rest"
+    needs = [(what, has) for stems, what, has in CALLED_FOR if stem in stems]
+    if stem.startswith(_VESSEL):
+        needs.append(("vessel", lambda s: s.vessel is not None))
+    for what, has in needs:
+        if scenes and not any(has(scene) for scene in scenes):
+            return f"is not returned by runs of {study.name!r}, whose scene has no {what}"
+    return ""
+
+
+def _scenes(study: Study) -> Iterator[Scene]:
+    """Scenes of a study that differ in what they have; none where one of them cannot be meant.
+
+    Numbers on an axis change no more than the first of them; samples may take parts in and out.
+    """
+    axes = study.model.axes
+    if any(isinstance(axis, Samples) for axis in axes.values()):
+        return
+    first = [0] * len(axes)
+    places = [first]
+    for number, name in enumerate(axes):
+        labels = len(study.axes[name]) if not hasattr(axes[name], "path") else 1
+        places += [[*first[:number], k, *first[number + 1 :]] for k in range(1, labels)]
+    try:
+        scenes = [study.grid.file(tuple(place)).scene() for place in places]
+    except InputError:  # planning tells what is wrong
+        return
+    yield from scenes
+
+
+def _a(plot: Plot) -> str:
+    return {"envelope": "an envelope", "heat map": "a heat map"}.get(plot, plot)

@@ -1,0 +1,99 @@
+"""What plots can show is told before anything is run; what cannot be known then, by the plot."""
+
+from pathlib import Path
+
+import pytest
+import xarray as xr
+from ruamel.yaml import YAML
+
+from riserstudy.errors import InputError
+from riserstudy.figures.envelope import envelope
+from riserstudy.figures.time_series import time_series
+from riserstudy.study.read import read_studies
+
+SCENE = Path(__file__).parents[2] / "config/scenes/bench/s2c.yaml"
+MOVING = {"duration": "2 s", "output": {"interval": "1 s"}, "mesh": {"elements": 4}, "step": "1 s"}
+
+
+def read(folder, figure=None, keep=None, axis=None, analysis=MOVING):
+    """The study file of one study with one figure, or with what is drawn where none is asked for."""
+    config = folder / "config"
+    (config / "studies").mkdir(parents=True)
+    study = {"scene": "s2c.yaml", "caption": "a", "set": {"analysis": analysis}, "keep": keep}
+    study["axes"] = {"kind": axis or {"one": {}, "other": {"platform.surge.amplitude": "1 m"}}}
+    tree = {"paper": "own", "studies": {"runs": study}}
+    if figure:
+        tree["figures"] = {"shown": {"caption": "b", "reads": ["runs"], **figure}}
+    (config / "s2c.yaml").write_bytes(SCENE.read_bytes())
+    with (config / "studies/own.yaml").open("w") as file:
+        YAML(typ="safe").dump(tree, file)
+    return read_studies(config, "own").figures
+
+
+@pytest.mark.parametrize(
+    "plot, quantity, keep, said",
+    [
+        ("lines", "moment", None, "studies have no 'moment'"),
+        ("lines", "stroke", ["x"], "'stroke' is not kept; keep of 'runs' has x"),
+        ("lines", "x_max", ["x_min"], "'x_max' is not kept"),
+        ("lines", "tensioner_force", None, "whose scene has no top.tensioners"),
+        ("lines", "y", None, "whose scene has no load or motion out of the plane"),
+        ("lines", "platform_surge", None, "whose scene has no vessel"),
+        ("time series", "x_max", None, "'x_max' has no history"),
+        ("time series", "shear_force", None, "'shear_force' has no history"),
+        ("time series", "largest_bending_moment", None, "is one number a point"),
+        ("envelope", "lfj_angle", None, "has no values along the riser"),
+        ("envelope", "bending_moment", ["bending_moment"], "is not kept"),
+        ("envelope", "x_min", ["x_max"], "'x_min' is not kept"),
+    ],
+)
+def test_what_a_plot_cannot_show_is_refused_at_planning(tmp_path, plot, quantity, keep, said):
+    with pytest.raises(InputError) as refused:
+        read(tmp_path, {"plot": plot, "of": [quantity]}, keep)
+    assert refused.value.where.endswith("config/studies/own.yaml")
+    assert "figures.shown.of" in str(refused.value)
+    assert said in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "plot, quantity, keep",
+    [
+        ("lines", "bending_moment", ["bending_moment_max"]),
+        ("lines", "x_max", ["x"]),
+        ("lines", "largest_bending_moment", ["x"]),
+        ("envelope", "bending_moment", ["bending_moment_absmax"]),
+        ("envelope", "shear_force", None),
+        ("time series", "ufj_angle", None),
+    ],
+)
+def test_what_it_can_show_is_not_refused(tmp_path, plot, quantity, keep):
+    read(tmp_path, {"plot": plot, "of": [quantity]}, keep)
+
+
+def test_what_one_label_of_an_axis_calls_for_is_there(tmp_path):
+    sway = {"amplitude": "1 m", "period": "12 s"}
+    axis = {"in the plane": {}, "out of it": {"platform.sway": sway}}
+    read(tmp_path, {"plot": "lines", "of": ["y"]}, axis=axis)
+
+
+def test_runs_at_rest_have_no_history(tmp_path):
+    still = {"plot": "time series", "of": ["x"]}
+    with pytest.raises(InputError, match="are at rest"):
+        read(tmp_path, still, analysis={"mesh": {"elements": 4}})
+
+
+def test_a_plot_that_fits_a_grid_is_drawn_only_of_what_is_kept(tmp_path):
+    assert {one.plot for one in read(tmp_path / "all").values()} == {
+        "lines", "envelope", "time series",
+    }  # fmt: skip
+    assert {one.plot for one in read(tmp_path / "one", keep=["ufj_angle"]).values()} == {
+        "lines", "time series",
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("plot", [envelope, time_series])
+def test_nothing_that_is_asked_for_is_left_out_in_silence(plot):
+    values = xr.DataArray([[0.0, 1.0]], dims=("time", "s_node"), coords={"s_node": [0.0, 1.0]})
+    dataset = xr.Dataset({"x": values, "x_max": values[0], "x_min": values[0]})
+    with pytest.raises(InputError, match="no 'bending_moment'"):
+        plot(dataset, ["x", "bending_moment"])
