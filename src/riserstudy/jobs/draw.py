@@ -26,7 +26,13 @@ def main(paper: str, name: str, targets: list[Path], sources: list[Path]) -> Non
 
 
 def from_datasets(paper: str, name: str, sources: list[Path]) -> Figure:
-    """Read the sources, draw the figure."""
+    """Read the sources, draw the figure.
+
+    Raises
+    ------
+    InputError
+        When a plot is asked for a quantity that the dataset has not.
+    """
     import xarray as xr
 
     datasets = {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
