@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from riserstudy.model.ends import ends
 from riserstudy.model.hydrodynamics import current, hydrodynamics, wave
-from riserstudy.model.initial_shape import between_ends, under_a_joint
+from riserstudy.model.initial_shape import above_ground, between_ends, under_a_joint
 from riserstudy.model.joints import guides, inner_joints, sliding_joint, stress_gauge
 from riserstudy.model.layout import AXES, Layout, directions, layout_of
 from riserstudy.model.mesh import Mesh, blend_by_weight
@@ -94,11 +94,13 @@ def first_shape(of: Layout) -> NDArray[np.float64]:
     total = float(mesh.l0.sum())
     offset = (scene.top.offset or 0.0) if of.d > 1 else 0.0
     rise = total if of.top is None else of.top - of.bottom
+    k = max(of.jointed, default=int(scene.soil is not None))
+    foot = min(mesh.foot(k), of.last - 1)
     if joint := scene.top.telescopic_joint:
-        k = max(of.jointed, default=int(scene.soil is not None))
-        foot = min(mesh.foot(k), of.last - 1)
         strain = (joint.tension or 0.0) / of.axial[:-1]
         shape = under_a_joint(mesh, foot, strain, offset, rise)
+    elif scene.soil:
+        shape = above_ground(mesh, foot, offset, rise)
     else:
         weight = float(of.weight @ mesh.l0)
         shape = between_ends(mesh, offset, rise, weight, float(of.axial.min()))

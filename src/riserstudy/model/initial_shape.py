@@ -66,6 +66,26 @@ def under_a_joint(
     return np.stack([x, np.zeros(len(x)), z])
 
 
+def above_ground(mesh: Mesh, foot: int, offset: float, rise: float) -> FloatArray:
+    """Upright to where the riser leaves its conductor or stack, straight to its upper end above.
+
+    A conductor that leant with the riser would be pressed into the soil all along.
+
+    Parameters
+    ----------
+    foot : node that the riser leans above.
+    offset, rise : of the upper end from the lower one (m).
+
+    Returns
+    -------
+    (3, n+1) x, y, z of the nodes from the lower end (m).
+    """
+    upright = mesh.s[foot] * rise / mesh.s[-1]
+    share = np.maximum(mesh.s - mesh.s[foot], 0.0) / (mesh.s[-1] - mesh.s[foot])
+    z = np.where(share > 0.0, upright + share * (rise - upright), mesh.s * rise / mesh.s[-1])
+    return np.stack([offset * share, 0.0 * share, z])
+
+
 def sagging(s: FloatArray, offset: float, rise: float) -> FloatArray:
     """Points at arclengths ``s`` (m) of the parabola as long as the riser, (2, n+1), m."""
     curve = _parabola(offset, rise, sag_of(float(s[-1]), offset, rise))

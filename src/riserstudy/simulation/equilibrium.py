@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from riserstudy.effects.current import Current
-from riserstudy.errors import PhysicallyUnstable, SimulationError
+from riserstudy.errors import PhysicallyUnstable
 from riserstudy.model.build import build
 from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import Mesh, even
@@ -13,10 +12,10 @@ from riserstudy.model.model import Model
 from riserstudy.model.tensioner_law import tension_at_mid_stroke
 from riserstudy.scene.ends import Top
 from riserstudy.scene.models import Scene
+from riserstudy.simulation.continuation import Lost, by_parts, search
 from riserstudy.solve.statics import (
     Equilibrium,
     NoEquilibrium,
-    find_equilibrium,
     unstable_directions,
 )
 
@@ -52,19 +51,10 @@ def _equilibrium(
     scene: Scene, mesh: Mesh, elevation: float | None, d: int | None
 ) -> tuple[Model, Equilibrium]:
     model = build(scene, mesh, elevation, d)
-    current = model.has(Current)
-    tolerance = 1e-10 * float(mesh.l0.sum())
     try:
-        found = find_equilibrium(
-            model.programs, model.state, model.fixed_at_rest, tolerance, current
-        )
+        found = search(model, mesh)
     except NoEquilibrium as failure:
-        s = float(mesh.s[failure.node])
-        raise SimulationError(
-            f"no static equilibrium: {failure.residual:.3g} N are left at node {failure.node} "
-            f"(s = {s:.4g} m) with {failure.load:.0%} of the current; "
-            "the riser may lack tension or a support: check top tension, weights and what holds the ends"
-        ) from None
+        model, found = by_parts(scene, mesh, elevation, Lost(model, failure))
     elevations = model.s.r[-1, : len(mesh.s)]
     lowest = float(elevations.min() - elevations[0])
     if scene.top.z == "free" and lowest < -1e-3 * float(mesh.l0.sum()):

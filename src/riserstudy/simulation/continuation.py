@@ -1,0 +1,137 @@
+"""Statics by continuation: a riser whose top is far aside is brought there in parts, from upright."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.current import Current
+from riserstudy.errors import SimulationError
+from riserstudy.model.build import build
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Model
+from riserstudy.scene.models import Scene
+from riserstudy.solve.statics import Equilibrium, NoEquilibrium, find_equilibrium
+
+SMALLEST_PART = 1e-3  # of the way aside, down to which parts are halved
+
+
+class Found(NamedTuple):
+    """A model at rest, and how it was found."""
+
+    model: Model
+    equilibrium: Equilibrium
+
+
+class Lost(NamedTuple):
+    """A model that found no rest, and why."""
+
+    model: Model
+    why: NoEquilibrium
+
+
+def search(model: Model, mesh: Mesh) -> Equilibrium:
+    """Bring a model to rest from the shape that it has.
+
+    Raises
+    ------
+    NoEquilibrium
+        With the node and residual of the last attempt.
+    """
+    tolerance = 1e-10 * float(mesh.l0.sum())
+    current = model.has(Current)
+    return find_equilibrium(model.programs, model.state, model.fixed_at_rest, tolerance, current)
+
+
+def by_parts(scene: Scene, mesh: Mesh, elevation: float | None, lost: Lost) -> Found:
+    """The equilibrium of a riser whose top is aside: brought there in parts without current, which follows.
+
+    Parameters
+    ----------
+    elevation : of the ring (m), as `build` takes it.
+    lost : model that found none from the shape it had, and why.
+
+    Raises
+    ------
+    SimulationError
+        When its top is not aside, or parts become too small.
+    """
+    if not any(_aside(scene, 1.0)):
+        raise _failed(scene, mesh, lost.why, 0.0)
+    d = len(lost.model.s.dim)
+    calm = scene.model_copy(update={"current": None})
+    reached, part, total = 0.0, 1.0, 0
+    last = build(_moved(calm, 0.0), mesh, elevation, d)
+    try:
+        total += search(last, mesh).iterations
+        while reached < 1.0:
+            share = min(1.0, reached + part)
+            model = build(_moved(calm, share), mesh, elevation, d)
+            _continue(model, last, _aside(scene, share - reached), mesh, scene)
+            try:
+                total += search(model, mesh).iterations
+            except NoEquilibrium:
+                part *= 0.5
+                if part < SMALLEST_PART:
+                    raise
+                continue
+            last, reached, part = model, share, 2.0 * part
+        model = build(scene, mesh, elevation, d)
+        _continue(model, last, (0.0, 0.0), mesh, scene)
+        found = search(model, mesh)
+    except NoEquilibrium as fault:
+        raise _failed(scene, mesh, fault, reached) from None
+    return Found(model, found._replace(iterations=total + found.iterations))
+
+
+def _aside(scene: Scene, share: float) -> tuple[float, float]:
+    """A share of how far a riser's top is brought aside, along x and y (m)."""
+    position = scene.platform and scene.platform.position
+    surge, sway = (position.surge, position.sway) if position else (None, None)
+    return share * ((scene.top.offset or 0.0) + (surge or 0.0)), share * (sway or 0.0)
+
+
+def _moved(scene: Scene, share: float) -> Scene:
+    """The scene with its top brought aside by a share of the way."""
+    top, platform = scene.top, scene.platform
+    changed: dict[str, Any] = {}
+    if top.offset:
+        changed["top"] = top.model_copy(update={"offset": share * top.offset})
+    if platform and platform.position:
+        kept = platform.position
+        moved = {n: share * v for n in ("surge", "sway") if (v := getattr(kept, n)) is not None}
+        position = kept.model_copy(update=moved)
+        changed["platform"] = platform.model_copy(update={"position": position})
+    return scene.model_copy(update=changed)
+
+
+def _continue(
+    model: Model, last: Model, further: tuple[float, float], mesh: Mesh, scene: Scene
+) -> None:
+    """Begin with the last shape, leaning further (m) above the lowest place that it leans from."""
+    state = model.s
+    joints = (k for k, section in enumerate(scene.riser) if section.flex_joint_below)
+    foot = min(mesh.foot(max(joints, default=int(scene.soil is not None))), len(mesh.s) - 2)
+    lean = np.clip((mesh.s - mesh.s[foot]) / (mesh.s[-1] - mesh.s[foot]), 0.0, 1.0)
+    state.r[:], state.moment[:] = last.s.r, last.s.moment
+    for axis, way in zip(range(len(state.dim) - 1), further, strict=False):
+        state.r[axis, : len(mesh.s)] += way * lean
+
+
+def _failed(scene: Scene, mesh: Mesh, failure: NoEquilibrium, reached: float) -> SimulationError:
+    """What to say of a search that found nothing: where, under what, and what may help."""
+    s = float(mesh.s[failure.node])
+    where = f"node {failure.node} (s = {s:.4g} m)"
+    under = [f"with {failure.load:.0%} of the current"] if scene.current else []
+    if any(way := _aside(scene, 1.0)):
+        under.append(f"beyond {reached:.1%} of the {np.hypot(*way):.4g} m that its top is aside")
+    remedy = "the riser may lack tension or a support: check top tension, weights and what holds the ends"
+    if scene.soil and (scene.bottom.elevation or 0.0) + s <= scene.soil.mudline:
+        depth = scene.soil.mudline - (scene.bottom.elevation or 0.0) - s
+        where += f", {depth:.4g} m below the mudline"
+        remedy = "the soil may be too weak, or the conductor too short: check soil, offset and top tension"
+    told = "".join(f" {part}" for part in under)
+    return SimulationError(
+        f"no static equilibrium: {failure.residual:.3g} N are left at {where}{told}; {remedy}"
+    )
