@@ -18,10 +18,11 @@ from ruamel.yaml.error import YAMLError
 from riserstudy.digests import digest
 from riserstudy.errors import InputError
 from riserstudy.folders import remembered
+from riserstudy.scene.blame import blamed, is_known
 from riserstudy.scene.check import check
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
-from riserstudy.scene.tables import fill_in_tables
+from riserstudy.scene.tables import files_of_tables, fill_in_tables
 from riserstudy.scene.text import read_text
 
 MOST_BYTES = 1_000_000  # of an input file
@@ -34,11 +35,15 @@ _STEP = re.compile(r"[A-Za-z_]\w*(\[\d{1,6}\])*")  # of a dotted path
 
 @dataclass(frozen=True)
 class SceneFile:
-    """A scene as its file says it: plain tree, origins, and where it came from."""
+    """A scene as its file says it: plain tree, origins, and where it came from.
+
+    ``layers``: who set values on top of the file, by their path.
+    """
 
     source: str
     tree: dict[str, Any]
     origins: dict[str, Origin] = field(default_factory=dict)
+    layers: dict[str, str] = field(default_factory=dict, compare=False)
 
     def with_values(self, overrides: Mapping[str, Any], layer: str) -> SceneFile:
         """The same with values set by dotted path; ``layer`` names who sets them in errors.
@@ -46,7 +51,8 @@ class SceneFile:
         Raises
         ------
         InputError
-            When a path leads nowhere, or a value cannot be meant.
+            When a path leads nowhere, a value cannot be meant, or what is to be taken out is nothing that a
+            scene can have.
         """
         touched = {first_step(path, layer) for path in overrides}
         tree = {k: _copied(v) if k in touched else v for k, v in self.tree.items()}
@@ -55,10 +61,13 @@ class SceneFile:
             plain, found, faults = unwrap(value, path)
             if faults:
                 raise InputError(layer, *faults[0])
+            if plain is None and not is_known(path):
+                allowed = "see `riserstudy schema` for what is allowed"
+                raise InputError(layer, path, "unknown key, which null would take out", allowed)
             _set(tree, path, plain, layer)
             origins = {k: v for k, v in origins.items() if not (k + ".").startswith(path + ".")}
             origins |= found
-        return SceneFile(self.source, tree, origins)
+        return SceneFile(self.source, tree, origins, self.layers | dict.fromkeys(overrides, layer))
 
     def scene(self) -> Scene:
         """The checked scene, in SI.
@@ -66,9 +75,16 @@ class SceneFile:
         Raises
         ------
         InputError
-            With the first fault: its field, what was found and what is allowed.
+            With the first fault: the file or layer it is in, its field, what was found and what is allowed.
         """
-        return check(Scene, fill_in_tables(self.tree, Path(self.source).parent), self.source)
+        folder = Path(self.source).parent
+        try:
+            return check(Scene, fill_in_tables(self.tree, folder), self.source)
+        except InputError as error:
+            if error.where != self.source:
+                raise
+            tables = {path: str(file) for path, file in files_of_tables(self.tree, folder)}
+            raise blamed(error, self.layers | tables) from None
 
 
 def _copied(tree: Any) -> Any:

@@ -83,6 +83,16 @@ def fill_in_tables(tree: dict[str, Any], folder: Path) -> dict[str, Any]:
     return filled
 
 
+def files_of_tables(tree: dict[str, Any], folder: Path) -> Iterator[tuple[str, Path]]:
+    """Tables that stand in a scene: dotted path and file."""
+    for place in PLACES:
+        here: Any = tree
+        for step in (*place.way, place.name):
+            here = here.get(step) if isinstance(here, dict) else None
+        if isinstance(here, dict) and isinstance(name := here.get("file"), str):
+            yield ".".join((*place.way, place.name)), folder / name
+
+
 def names_of_tables(tree: Any) -> Iterator[str]:
     """Names of the tables that a tree, or a list of such, refers to."""
     if isinstance(tree, dict):

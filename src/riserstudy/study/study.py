@@ -55,7 +55,9 @@ class Study:
         file = scene_file(path).with_values(self.model.on_top, f"{self.where}.set")
         analysis = file.tree.get("analysis", {})
         if self.accuracy and not ({"mesh", "step", "accuracy"} & set(analysis)):
-            file = file.with_values({"analysis.accuracy": self.accuracy}, "config.yaml")
+            file = file.with_values(
+                {"analysis.accuracy": self.accuracy}, "config/config.yaml: tiers"
+            )
         return file
 
     @property

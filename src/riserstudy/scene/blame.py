@@ -1,0 +1,62 @@
+"""Whose fault it is: the file, layer or table that set what a scene cannot have."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import Any, get_args
+
+from pydantic import BaseModel
+
+from riserstudy.errors import InputError
+from riserstudy.scene.models import Scene
+
+
+def blamed(error: InputError, layers: dict[str, str]) -> InputError:
+    """The same fault, told of who set the value, or of the scene together with those who may have.
+
+    Parameters
+    ----------
+    layers : who set values on top of a scene, by their path.
+    """
+    place = error.field
+    if error.found == "missing":  # of what a layer began
+        place = place.rpartition(".")[0]
+    above = [path for path in layers if _leads(path, place)]
+    if above and error.found != "missing":
+        where = layers[max(above, key=len)]
+    else:
+        below = [
+            p for p in layers if (_leads(place, p) if place else p.split(".")[0] in error.found)
+        ]
+        with_ = sorted({layers[path] for path in (above or below)})
+        where = " with ".join([error.where, ", ".join(with_)]) if with_ else error.where
+    return InputError(where, error.field, error.found, error.allowed)
+
+
+def _leads(short: str, long: str) -> bool:
+    """Whether a path is another one, or that lies below it."""
+    return bool(short) and (long == short or long.startswith((f"{short}.", f"{short}[")))
+
+
+@lru_cache(1024)
+def is_known(path: str) -> bool:
+    """Whether a scene can have something at a dotted path."""
+    models: list[type[BaseModel]] = [Scene]
+    for name in re.sub(r"\[\d+\]", "", path).split("."):
+        if not models:  # below plain data anything may stand
+            return True
+        found = [m.model_fields[name].annotation for m in models if name in m.model_fields]
+        if not found:
+            return False
+        models = [model for annotation in found for model in _models(annotation)]
+    return True
+
+
+def _models(annotation: Any) -> Iterator[type[BaseModel]]:
+    """Models among the alternatives of an annotation."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    for part in get_args(annotation):
+        yield from _models(part)
