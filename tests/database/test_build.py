@@ -44,6 +44,17 @@ def content():
         return [sorted(map(repr, db.execute(asked))) for asked in every]
 
 
+def test_every_reference_names_its_column(here):
+    # browsers of such files follow the name; Datasette shows no table that has a reference without
+    with closing(sqlite3.connect(workspace.DATABASE)) as db:
+        tables = [t for (t,) in db.execute("select name from sqlite_master where type = 'table'")]
+        found = [r for t in tables for r in db.execute(f"pragma foreign_key_list({t!r})")]
+        assert len(found) > 20
+        for _, _, table, _, column, *_ in found:
+            names = [row[1] for row in db.execute(f"pragma table_info({table})")]
+            assert column in names
+
+
 def test_nothing_is_read_again_where_nothing_changed(mine):
     before = content()
     assert workspace.built() == (DATASETS, 0)

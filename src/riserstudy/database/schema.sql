@@ -19,7 +19,7 @@ create table files (              -- everything in the results folder that the d
 
 create table studies (            -- every dataset: simulated, derived from others, or measured on the engine
     study text primary key,       -- paper/name
-    paper text not null references papers,
+    paper text not null references papers (paper),
     name text not null,
     kind text not null check (kind in ('simulated', 'derived', 'measured')),
     caption text not null,
@@ -30,19 +30,19 @@ create table studies (            -- every dataset: simulated, derived from othe
     accuracy text,                -- that was asked for, as written
     engine text,                  -- digest of the sources of the engine
     table_name text not null unique,  -- its wide table
-    path text not null unique references files
+    path text not null unique references files (path)
 );
 
 create table reads (              -- what a derived dataset is made from
-    study text not null references studies on delete cascade,
-    source text not null references studies on delete cascade,
+    study text not null references studies (study) on delete cascade,
+    source text not null references studies (study) on delete cascade,
     primary key (study, source)
 ) without rowid;
 
 create table columns (            -- of the wide tables
     table_name text not null,
     column_name text not null,
-    study text not null references studies on delete cascade,
+    study text not null references studies (study) on delete cascade,
     role text not null check (role in ('row', 'axis', 'result', 'fact', 'assumed')),
     unit text,
     long_name text,
@@ -60,7 +60,7 @@ create table effect_sets (        -- points with the same effects share a set
 
 create table points (             -- simulated points; a scene that two studies share is two points with one key
     point integer primary key,
-    study text not null references studies on delete cascade,
+    study text not null references studies (study) on delete cascade,
     position integer not null,    -- in the dataset, last axis fastest
     key text not null,            -- in the store
     place text not null,          -- on the axes, as text
@@ -94,14 +94,14 @@ create table parameter_values (
 create index parameter_values_by_path on parameter_values (path, value);
 
 create table study_parameters (   -- the same at all points of a study
-    study text not null references studies on delete cascade,
-    value_id integer not null references parameter_values,
+    study text not null references studies (study) on delete cascade,
+    value_id integer not null references parameter_values (value_id),
     primary key (study, value_id)
 ) without rowid;
 
 create table point_parameters (   -- different between points of a study
-    point integer not null references points on delete cascade,
-    value_id integer not null references parameter_values,
+    point integer not null references points (point) on delete cascade,
+    value_id integer not null references parameter_values (value_id),
     primary key (point, value_id)
 ) without rowid;
 
@@ -116,8 +116,8 @@ create table quantities (
 );
 
 create table result_values (
-    point integer not null references points on delete cascade,
-    quantity_id integer not null references quantities,
+    point integer not null references points (point) on delete cascade,
+    quantity_id integer not null references quantities (quantity_id),
     value real not null,
     s real,                       -- where, arclength from the bottom (m)
     time real,                    -- when (s)
@@ -126,7 +126,7 @@ create table result_values (
 ) without rowid;
 
 create table numbers_and_claims (
-    paper text not null references papers,
+    paper text not null references papers (paper),
     id text not null,
     figure text not null,         -- of the paper
     kind text not null check (kind in ('number', 'claim')),
@@ -148,7 +148,7 @@ create table numbers_and_claims (
 );
 
 create table margins (            -- of each case that a number or claim is judged by
-    paper text not null references papers,
+    paper text not null references papers (paper),
     id text not null,
     place text not null,          -- sample and cell of the axes
     margin real,
@@ -156,14 +156,14 @@ create table margins (            -- of each case that a number or claim is judg
 ) without rowid;
 
 create table rests_on (           -- datasets that a number or claim, or the simulation of an erratum, is checked with
-    paper text not null references papers,
+    paper text not null references papers (paper),
     id text not null,
-    study text not null references studies on delete cascade,
+    study text not null references studies (study) on delete cascade,
     primary key (paper, id, study)
 ) without rowid;
 
 create table errata (
-    paper text not null references papers,
+    paper text not null references papers (paper),
     id text not null,
     "where" text not null,
     printed text not null,
@@ -174,16 +174,16 @@ create table errata (
 
 create table figures (
     figure text primary key,      -- paper/name
-    paper text not null references papers,
+    paper text not null references papers (paper),
     name text not null,
     caption text not null,
-    png text not null references files,
-    pdf text not null references files
+    png text not null references files (path),
+    pdf text not null references files (path)
 );
 
 create table figure_reads (
-    figure text not null references figures on delete cascade,
-    study text not null references studies on delete cascade,
+    figure text not null references figures (figure) on delete cascade,
+    study text not null references studies (study) on delete cascade,
     primary key (figure, study)
 ) without rowid;
 
