@@ -58,12 +58,13 @@ def parameters_of(
         for path, value in leaves(tree)
     }
     varied: dict[str, Varied] = {}
+    below = Below([*base])
     for number, axis in enumerate(grid.axes):
         by_value = json.loads(axis.sets or "{}")
         for position, value in enumerate(axis.values):
             here = (*(slice(None),) * number, position)
             for path, sets in by_value.get(str(value), {}).items():
-                _lay(varied, base, grid.shape, here, path, sets)
+                _lay(varied, base, below, grid.shape, here, path, sets)
     same = [parameter for path, parameter in base.items() if path not in varied]
     return same, [*varied.values()]
 
@@ -86,9 +87,31 @@ def _above(path: str) -> Iterator[str]:
             yield path[:k]
 
 
+class Below:
+    """Known paths by what they are below; looked for once, as long as no path is new."""
+
+    def __init__(self, paths: list[str]) -> None:
+        self._paths = dict.fromkeys(paths)
+        self._found: dict[str, list[str]] = {}
+
+    def of(self, path: str) -> list[str]:
+        """The path itself, where it is known, and all known paths below it."""
+        if path not in self._found:
+            parts = (f"{path}.", f"{path}[")
+            self._found[path] = [p for p in self._paths if p == path or p.startswith(parts)]
+        return self._found[path]
+
+    def add(self, path: str) -> None:
+        """Know a path."""
+        if path not in self._paths:
+            self._paths[path] = None
+            self._found.clear()
+
+
 def _lay(
     varied: dict[str, Varied],
     base: Mapping[str, Parameter],
+    below: Below,
     shape: tuple[int, ...],
     here: tuple[Any, ...],
     path: str,
@@ -99,11 +122,10 @@ def _lay(
     status = {path: origin.status for path, origin in origins.items()}
     why = {path: origin.why for path, origin in origins.items()}
     new = dict(leaves(plain, path))
-    below = (path, f"{path}.", f"{path}[")
-    old = [p for p in {**base, **varied} if p == path or p.startswith(below[1:])]
-    for leaf in {**dict.fromkeys(old), **new}:
+    for leaf in {**dict.fromkeys(below.of(path)), **new}:
         if leaf not in varied:
             first = {base[leaf]: 0} if leaf in base else {}
+            below.add(leaf)
             varied[leaf] = Varied(first, np.full(shape, len(first) - 1))
         values, at = varied[leaf]
         if leaf not in new:
