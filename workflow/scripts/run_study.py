@@ -12,6 +12,7 @@ import csv
 import fcntl
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -26,6 +27,8 @@ from types import FrameType
 from typing import NoReturn, TextIO
 
 import psutil
+
+from study_progress import Progress
 
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = (sys.executable, "-m", "snakemake", "--nocolor")
@@ -239,7 +242,7 @@ def run_snakemake(options: argparse.Namespace, env: dict[str, str]) -> int:
         text=True,
         errors="replace",
     ) as process:
-        said = list(show_progress(process.stdout or ()))
+        said = list(show_progress(process.stdout or (), Progress(options.tier)))
     if process.returncode and (fault := bad_input(said)):
         return refuse(fault, BAD_INPUT)
     if process.returncode:
@@ -255,27 +258,43 @@ def bad_input(said: list[str]) -> str | None:
     return None
 
 
-def show_progress(lines: Iterable[str]) -> Iterator[str]:
-    """Pass lines on; show the number of steps on one line, or every few seconds in a log."""
+def show_progress(lines: Iterable[str], progress: Progress) -> Iterator[str]:
+    """Pass lines on; show how far the run is, on one line that changes or every few seconds in a log."""
     terminal = sys.stdout.isatty()
-    began = shown = time.monotonic()
-    steps = ""
-    for line in lines:
-        yield line.rstrip()
-        if found := re.match(r"(\d+) of (\d+) steps", line):
-            now = time.monotonic()
-            steps = f"{found[0]} done, {now - began:.0f} s"
-            if terminal:
-                print(f"\r{steps} ", end="", flush=True)
-            elif now - shown > 5 or found[1] == found[2]:
-                shown = now
-                print(steps, flush=True)
-        elif line.startswith("riserstudy: note: "):
-            print(line.rstrip().removeprefix("riserstudy: note: "), flush=True)
-        elif line.startswith("Nothing to be done"):
-            print("Nothing to do: every result is up to date.", flush=True)
-    if terminal and steps:
-        print(flush=True)
+    ended = threading.Event()
+
+    def show() -> None:
+        while not ended.wait(1.0 if terminal else 10.0):
+            if progress.steps or progress.at_work:
+                show_line(progress.text(), terminal)
+
+    showing = threading.Thread(target=show, daemon=True)
+    showing.start()
+    try:
+        for line in lines:
+            yield line.rstrip()
+            progress.see(line)
+            if line.startswith("riserstudy: note: "):
+                print(line.rstrip().removeprefix("riserstudy: note: "), flush=True)
+            elif line.startswith("Nothing to be done"):
+                print("Nothing to do: every result is up to date.", flush=True)
+    finally:
+        ended.set()
+        showing.join()
+        progress.remember()
+    if progress.steps:
+        show_line(progress.text(), terminal)
+        print(end="\n" if terminal else "", flush=True)
+
+
+def show_line(text: str, terminal: bool) -> None:
+    """Show a line; on a terminal in place of the last one, no longer than it is wide."""
+    if terminal:
+        width = shutil.get_terminal_size().columns - 1
+        short = text if len(text) <= width else text[: width - 1] + "…"
+        print(f"\r{short:{width}}", end="", flush=True)
+    else:
+        print(text, flush=True)
 
 
 def failure(said: list[str]) -> str:

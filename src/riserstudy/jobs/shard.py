@@ -8,6 +8,7 @@ from pathlib import Path
 
 from riserstudy.errors import RiserStudyError
 from riserstudy.folders import write_whole
+from riserstudy.jobs.points_done import PointsDone
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.study.simulate_points import fill
 
@@ -27,7 +28,7 @@ def main(
     if plan.shard_digest(paper, study, shard, shards) != expect:
         sys.exit("scene, study or engine changed while the workflow was running; run it again")
     points = plan.shard(paper, study, shard, shards)
-    made = fill(plan.study(paper, study), points, threads)
+    made = fill(plan.study(paper, study), points, threads, PointsDone())
     said = f"{made} points simulated, {len(points) - made} from the store"
     print(f"{paper}/{study}, part {shard} of {shards}: {said}")
     write_whole(target, f"{len(points)} points\n".encode())

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from riserstudy.errors import RiserStudyError
+from riserstudy.jobs.points_done import PointsDone
 from riserstudy.jobs.seals import seal
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
@@ -19,7 +20,7 @@ def simulate(paper: str, study: str, target: Path, tier: str, threads: int, expe
     if plan.study_digest(paper, study) != expect:
         sys.exit("scene, study or engine changed while the workflow was running; run it again")
     planned = plan.study(paper, study)
-    results, _ = results_of(planned, threads, print)
+    results, _ = results_of(planned, threads, print, PointsDone())
     write_dataset(dataset_of(planned, results), target)
     seal(target)
 

@@ -25,7 +25,7 @@ from riserstudy.study import store
 from riserstudy.study.grid import Point
 from riserstudy.study.limits import add_limits
 from riserstudy.study.models import Numbers, Samples
-from riserstudy.study.simulate_points import fill, lacks
+from riserstudy.study.simulate_points import Count, fill, lacks
 from riserstudy.study.study import Study
 
 if TYPE_CHECKING:
@@ -39,9 +39,11 @@ NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
 
 
 def results_of(
-    study: Study, processes: int, tell: Callable[[str], None]
+    study: Study, processes: int, tell: Callable[[str], None], count: Count | None = None
 ) -> tuple[list[Result], int]:
     """Results of all points in order, and how many had to be simulated.
+
+    ``tell`` is told that in words at the end, ``count`` of each point that is done.
 
     Raises
     ------
@@ -51,7 +53,7 @@ def results_of(
     kept: dict[str, Result] = {}
     absent, made = _take(study, study.plan, kept), 0
     for attempt in range(ATTEMPTS if absent else 0):
-        now = fill(study, absent, processes)
+        now = fill(study, absent, processes, count)
         made = now if attempt == 0 else made
         absent = _take(study, absent, kept)
         if not absent:

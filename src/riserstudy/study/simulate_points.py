@@ -33,8 +33,16 @@ def lacks(study: Study, point: Point, stored: Result | None) -> bool:
     return stored is None or (tells_error(study, point) and "error_estimate" not in stored.facts)
 
 
-def fill(study: Study, points: Iterable[Point], processes: int) -> int:
+#: is told how many points are done, and of how many
+Count = Callable[[int, int], None]
+
+
+def fill(study: Study, points: Iterable[Point], processes: int, count: Count | None = None) -> int:
     """Simulate those of some points that the store lacks, and count them.
+
+    Parameters
+    ----------
+    count : is told of each point that is done; absent: nobody is.
 
     Raises
     ------
@@ -42,9 +50,16 @@ def fill(study: Study, points: Iterable[Point], processes: int) -> int:
         When points cannot be completed: once per cause, with their number and the first one.
     """
     every = list(points)
+    total = len({point.key for point in every})
     done: list[int] = []
-    failures = attempt(study, every, processes, done.append)
-    made = len({point.key for point in every}) - done[0]
+
+    def tell(more: int) -> None:
+        done.append(more)
+        if count:
+            count(sum(done), total)
+
+    failures = attempt(study, every, processes, tell)
+    made = total - done[0]
     if failures:
         point = next(point for point in every if point.key in failures)
         place = dict(zip(study.axes, point.index, strict=True))

@@ -1,0 +1,114 @@
+"""What a run of the study says of itself, from what Snakemake says and from the logs of its jobs."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "workflow/scripts"))
+from study_progress import Progress, lasting
+
+BEGIN = """\
+Provided cores: 2 (use --cores to define parallelism)
+Job stats:
+job         count
+--------  -------
+simulate        2
+figure          1
+total           3
+
+"""
+
+
+class Clock:
+    now = 100.0
+
+    def __call__(self):
+        return self.now
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch):
+    """A run, what is fed to it, and its clock."""
+    monkeypatch.chdir(tmp_path)
+
+    def new():
+        progress = Progress("preview", tmp_path / "steps.json", clock)
+        for line in BEGIN.splitlines():
+            progress.see(line)
+        return progress
+
+    clock = Clock()
+    return new, clock
+
+
+def test_steps_points_and_cores_are_told(run):
+    new, clock = run
+    progress = new()
+    progress.see("Job 3: simulate paper/one")
+    progress.see("Job 4: draw paper/fig01")
+    clock.now += 5.0
+    assert progress.text() == "no step done, 5 s on 2 cores: simulate paper/one, draw paper/fig01"
+    log = Path("logs/paper/one.log")
+    log.parent.mkdir(parents=True)
+    log.write_text("1 of 40 points\n12 of 40 points\n")
+    assert "simulate paper/one (12 of 40 points)" in progress.text()
+    progress.see("Finished jobid: 3 (Rule: simulate)")
+    progress.see("1 of 3 steps (33%) done")
+    assert progress.text() == "1 of 3 steps done, 5 s on 2 cores: draw paper/fig01"
+
+
+def test_a_part_of_a_study_has_a_log_of_its_own(run):
+    new, _ = run
+    progress = new()
+    progress.see("Job 3: simulate paper/one, part 2 of 4")
+    log = Path("logs/paper/one.2-of-4.log")
+    log.parent.mkdir(parents=True)
+    log.write_text("3 of 10 points\n")
+    assert "part 2 of 4 (3 of 10 points)" in progress.text()
+
+
+def test_time_left_is_that_of_the_last_run(run):
+    new, clock = run
+    first = new()
+    assert first.seconds_left() is None
+    for job, message, rule, seconds in (
+        ("1", "simulate paper/one", "simulate", 60.0),
+        ("2", "simulate paper/two", "simulate", 20.0),
+        ("3", "draw paper/fig01", "figure", 4.0),
+    ):
+        first.see(f"Job {job}: {message}")
+        clock.now += seconds
+        first.see(f"Finished jobid: {job} (Rule: {rule})")
+    assert first.seconds_left() is None  # nothing is left
+    first.remember()
+
+    second = new()
+    assert second.seconds_left() == pytest.approx((60.0 + 20.0 + 4.0) / 2)
+    second.see("Job 7: simulate paper/one")
+    clock.now += 15.0
+    assert second.seconds_left() == pytest.approx((45.0 + 20.0 + 4.0) / 2)
+    clock.now += 500.0  # slower than it was: no less than nothing of it is left
+    assert second.seconds_left() == pytest.approx((20.0 + 4.0) / 2)
+    second.see("Finished jobid: 7 (Rule: simulate)")
+    assert second.seconds_left() == pytest.approx((20.0 + 4.0) / 2)
+    assert "about 12 s left" in second.text()
+
+
+def test_a_damaged_memory_is_none(run, tmp_path):
+    new, _ = run
+    (tmp_path / "steps.json").write_text("{ broken")
+    assert new().seconds_left() is None
+
+
+def test_a_failed_step_is_no_longer_at_work(run):
+    new, _ = run
+    progress = new()
+    progress.see("Job 3: simulate paper/one")
+    progress.see("Error in rule simulate:")
+    progress.see("    jobid: 3")
+    assert "simulate" not in progress.text()
+
+
+def test_times_are_told_in_words():
+    assert [lasting(s) for s in (3.4, 89.0, 120.0, 1500.0)] == ["3 s", "89 s", "2 min", "25 min"]

@@ -1,0 +1,132 @@
+"""How far a run of the study is: steps, what is at work, points of studies, time left by earlier runs."""
+
+import json
+import re
+import time
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+MEMORY = Path(".cache/steps.json")
+TAIL = 400  # bytes of a log, at its end, in which its progress stands
+STUDY = re.compile(r"simulate (\S+)/([^\s,]+)(?:, part (\d+) of (\d+))?")
+POINTS = re.compile(r"(\d+) of (\d+) points\s*$")
+
+
+@dataclass
+class Step:
+    """A step at work: what Snakemake says that it does, and since when (s)."""
+
+    message: str
+    began: float
+
+
+class Progress:
+    """Reads what Snakemake says, and says it in short.
+
+    Parameters
+    ----------
+    tier : its times are remembered apart, in ``memory``.
+    clock : gives the time (s).
+    """
+
+    def __init__(
+        self, tier: str, memory: Path = MEMORY, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self.tier, self.memory, self.clock = tier, memory, clock
+        self.began = clock()
+        self.cores = 1
+        self.steps = ""
+        self.left: Counter[str] = Counter()  # steps to do, by rule
+        self.at_work: dict[str, Step] = {}  # by number of the job
+        self.took: dict[
+            str, tuple[str, float]
+        ] = {}  # rule and time (s) of a step that is done, by message
+        self._in_table = False
+        try:
+            self.before: dict[str, dict[str, tuple[str, float]]] = json.loads(memory.read_text())
+        except (OSError, ValueError):
+            self.before = {}
+
+    def see(self, line: str) -> None:
+        """Take in a line of what Snakemake says."""
+        if found := re.match(r"(\d+ of \d+ steps)", line):
+            self.steps = found[1]
+        elif found := re.match(r"Provided cores: (\d+)", line):
+            self.cores = int(found[1])
+        elif found := re.match(r"Job (\d+): (.*)", line):
+            self.at_work[found[1]] = Step(found[2].strip(), self.clock())
+        elif found := re.match(r"Finished jobid: (\d+) \(Rule: (\w+)\)", line):
+            self._done(found[1], found[2])
+        elif found := re.match(r"\s+jobid: (\d+)", line):  # of a step that failed
+            self.at_work.pop(found[1], None)
+        elif re.match(r"job\s+count", line):
+            self._in_table = True
+        elif self._in_table and (found := re.match(r"(\w+)\s+(\d+)\s*$", line)):
+            self.left[found[1]] = int(found[2])
+            self._in_table = found[1] != "total"
+
+    def _done(self, job: str, rule: str) -> None:
+        self.left[rule] -= 1
+        step = self.at_work.pop(job, None)
+        if step:
+            self.took[step.message] = rule, self.clock() - step.began
+
+    def text(self) -> str:
+        """Steps done, time gone and left, what is at work, on how many cores."""
+        gone = f"{self.steps or 'no step'} done, {lasting(self.clock() - self.began)}"
+        if (left := self.seconds_left()) is not None:
+            gone += f", about {lasting(left)} left"
+        at_work = ", ".join(_said(step.message) for step in self.at_work.values())
+        cores = f"{self.cores} core{'s' if self.cores > 1 else ''}"
+        return f"{gone} on {cores}: {at_work}" if at_work else f"{gone} on {cores}"
+
+    def seconds_left(self) -> float | None:
+        """Time left (s) where steps take as long as in earlier runs of the tier; None where nothing tells."""
+        known = self.before.get(self.tier, {})
+        by_rule: dict[str, list[float]] = {}
+        for message, (rule, seconds) in known.items():
+            if message not in self.took:
+                by_rule.setdefault(rule, []).append(seconds)
+        total = sum(
+            count * sum(by_rule[rule]) / len(by_rule[rule])
+            for rule, count in self.left.items()
+            if count > 0 and rule in by_rule
+        )
+        if not total:
+            return None
+        now = self.clock()
+        spent = sum(
+            min(now - step.began, known[step.message][1])
+            for step in self.at_work.values()
+            if step.message in known
+        )
+        return max(total - spent, 0.0) / self.cores
+
+    def remember(self) -> None:
+        """Keep the times of this run for the next one."""
+        if self.took:
+            kept = self.before | {self.tier: self.before.get(self.tier, {}) | self.took}
+            self.memory.write_text(json.dumps(kept))
+
+
+def _said(message: str) -> str:
+    """What a step does, with the points that it has done of how many, as its log tells."""
+    found = STUDY.fullmatch(message)
+    if not found:
+        return message
+    paper, study, part, parts = found.groups()
+    log = Path("logs", paper, f"{study}.{part}-of-{parts}.log" if part else f"{study}.log")
+    try:
+        end = log.read_bytes()[-TAIL:].decode(errors="replace")
+    except OSError:
+        return message
+    points = POINTS.search(end)
+    return f"{message} ({points[1]} of {points[2]} points)" if points else message
+
+
+def lasting(seconds: float) -> str:
+    """A time in words."""
+    minutes = round(seconds / 60.0)
+    return f"{seconds:.0f} s" if seconds < 90.0 else f"{minutes} min"
