@@ -1,5 +1,6 @@
 """Runs that only tell the error of a finer one leave outputs out; the one that is given holds all."""
 
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from riserstudy.simulation.refine import Refinement, run
 from riserstudy.simulation.run import march, single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, period
 from riserstudy.simulation.thinning import A_PERIOD, STEPS, thinned
+from riserstudy.simulation.watch import Watch
 
 SCENE = Path(__file__).parents[2] / "config/scenes/bench/s2c.yaml"
 SETS = {
@@ -65,3 +67,20 @@ def test_what_is_given_holds_all_outputs(scene, monkeypatch, foreseen):
     for name, values in alone.arrays.items():
         np.testing.assert_array_equal(found.arrays[name], values)
     assert found.facts["extremes"] == alone.facts["extremes"]
+
+
+def test_what_patience_ends_says_which_outputs_are_not_there(scene, monkeypatch):
+    ends = iter([False] * 4 + [True] * 9)
+
+    class Short(Watch):
+        @contextmanager
+        def over(self, record, sums):
+            sums.stop[0] = int(next(ends))
+            yield
+
+    monkeypatch.setattr(Refinement, "_may_suffice", False)
+    found = Refinement(scene, Short(1000.0)).result()
+    assert found.facts["ended_by"] == "patience of 1000 s"
+    apart = found.arrays["time"][1] - found.arrays["time"][0]
+    assert apart > 2.0 * scene.analysis.output.interval
+    assert any(f"outputs are {apart:g} s apart" in text for text in found.facts["warnings"])

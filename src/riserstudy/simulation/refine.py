@@ -159,7 +159,7 @@ class Refinement:
             if self.finest is None:
                 raise TakesTooLong(f"no run within {self.watch.patience:g} s: {late}") from None
             reached = False
-            self.finest.facts["ended_by"] = f"patience of {self.watch.patience:g} s"
+            self._out_of_patience(self.finest)
         finest = self.finest
         if finest is None:
             raise TypeError("no run and no error")  # one of both there is
@@ -198,13 +198,32 @@ class Refinement:
 
     def _repeated(self, left: int) -> bool:
         """Run once more what turned out to be the last, with all outputs; False where one is undefined."""
-        whole = self._attempt(left, whole=True)
-        if whole is None or self.finest is None:
+        if self.finest is None:
+            return False
+        try:
+            whole = self._attempt(left, whole=True)
+        except TakesTooLong:
+            self._out_of_patience(self.finest)
+            return True
+        if whole is None:
             return False
         whole.facts["error_estimate"] = self.finest.facts["error_estimate"]
         self.spent.append(_cost(whole))
         self.finest = whole
         return True
+
+    def _out_of_patience(self, finest: Result) -> None:
+        """Enter that it ended here, and which outputs are not there."""
+        finest.facts["ended_by"] = f"patience of {self.watch.patience:g} s"
+        output, time = self.scene.analysis.output, finest.arrays.get("time")
+        if output is None or time is None or len(time) < 2:
+            return
+        interval = float(time[1] - time[0])
+        if interval > 1.5 * output.interval:
+            finest.facts["warnings"].append(
+                f"outputs are {interval:g} s apart, not {output.interval:g} s: patience ended before the run "
+                "that was to hold all of them"
+            )
 
     def _begin(self) -> None:
         """Tell what is run next, how far the last was off, and what is left to do."""
@@ -253,8 +272,7 @@ class Refinement:
         ``whole``: with all outputs. Else those which a comparison needs, unless this may be the last run.
         """
         scene, self.thin = self.scene, False
-        # what patience ends must hold all outputs
-        if not (whole or self._may_suffice or self.watch.patience < math.inf):
+        if not (whole or self._may_suffice):
             scene, self.thin = thinned(scene, self.step)
         try:
             return march(scene, self.mesh, self.step, watch=self.watch)
