@@ -25,6 +25,7 @@ EDITED = [
     ROOT / "config/config.yaml",
     *sorted((ROOT / "config/studies").glob("*.yaml")),
     *sorted((ROOT / "config/scenes").glob("*/*.yaml")),
+    *sorted((ROOT / "examples").glob("*/config/**/*.yaml")),
 ]
 
 

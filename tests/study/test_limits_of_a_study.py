@@ -85,6 +85,13 @@ def test_the_report_tells_the_point_that_uses_most(tmp_path):
     assert (stroke.use, stroke.verdict) == ("–", "not evaluated")
 
 
+def test_where_nothing_is_used_the_point_that_comes_nearest_is_told(tmp_path):
+    floor = {"output": "effective_tension", "smallest": "0 kN", "mode": "connected"}
+    (table,) = limit_tables({"pull": dataset(tmp_path, limits=[floor])})
+    (row,) = table.rows
+    assert (row.use, row.demand, row.where) == ("0 %", "200 kN", "tension 700 kN")
+
+
 def test_limits_that_cannot_be_meant_are_refused(tmp_path):
     with pytest.raises(ValueError, match="one of both"):
         study(tmp_path, set={"limits": LIMITS})

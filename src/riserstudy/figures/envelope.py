@@ -5,7 +5,7 @@ from __future__ import annotations
 import xarray as xr
 from matplotlib.figure import Figure
 
-from riserstudy.figures.grid import ENDINGS, SIZE, absent, key, label, points, read
+from riserstudy.figures.grid import ENDINGS, SIZE, about, absent, key, label, points, read
 from riserstudy.figures.style import COLOURS, panels
 from riserstudy.study.plots import USUAL
 
@@ -25,7 +25,8 @@ def envelope(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
             for end, word in zip(ends, (called, None), strict=False):
                 values = read(point[end].dropna(point[end].dims[-1]))
                 ax.plot(values, values[values.dims[-1]], color=colour, label=word)
-        ax.set_xlabel(label(dataset[name if name in dataset else ends[0]]))
+        known = dataset[name] if name in dataset else xr.DataArray(0.0, name=name)
+        ax.set_xlabel(label(known if about(known) else dataset[ends[0]]))
     axes[0].set_ylabel(label(xr.DataArray(0.0, name="s")))
     key(figure, axes[0])
     return figure

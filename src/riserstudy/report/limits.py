@@ -62,12 +62,17 @@ def _row(of: xr.Dataset, axes: list[str], told: Mapping[str, str | float]) -> Li
     )
     if np.isnan(use).all():
         return LimitRow(*about, "–", "–", "–", UNKNOWN)
-    place = np.unravel_index(int(np.nanargmax(use)), use.shape)
+    demand = of["demand_of_limit"].values
+    nearest = (
+        np.where(np.isnan(use), np.inf, -use),
+        demand if told["side"] == "smallest" else -demand,
+    )
+    place = np.unravel_index(int(np.lexsort([n.ravel() for n in nearest[::-1]])[0]), use.shape)
     at = ", ".join(f"{axis} {_value(of[axis][k])}" for axis, k in zip(axes, place, strict=True))
     share = float(use[place])
     return LimitRow(
         *about,
-        f"{factor * float(of['demand_of_limit'].values[place]):.5g} {unit}",
+        f"{factor * float(demand[place]):.5g} {unit}",
         f"{100.0 * share:.4g} %" if np.isfinite(share) else "beyond all",
         at,
         _verdict(verdicts),

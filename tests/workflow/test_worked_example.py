@@ -1,0 +1,82 @@
+"""The worked example, executed: its commands in a copy of its folder, and what its page prints."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+FOLDER = ROOT / "examples/drilling_riser"
+PAGE = (ROOT / "docs/worked_example.md").read_text("utf-8")
+BLOCK = re.compile(r"```sh\n(.*?)```(?:\s*```text\n(.*?)```)?", re.DOTALL)
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]\d+)?")
+BLOCKS = BLOCK.findall(PAGE)
+WHOLE = "snakemake"
+
+
+def run(commands, folder):
+    environment = os.environ | {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
+    return subprocess.run(
+        ["bash", "-ec", commands], cwd=folder, env=environment, capture_output=True, text=True
+    )
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("example") / "drilling"
+    shutil.copytree(FOLDER, folder)
+    return folder
+
+
+def test_the_page_shows_commands_and_what_they_say():
+    assert len(BLOCKS) == 5
+    assert sum(bool(said) for _, said in BLOCKS) == 2
+    assert BLOCKS[-1][0].startswith(WHOLE)
+
+
+@pytest.mark.parametrize("number", range(len(BLOCKS) - 1))
+def test_commands_say_what_the_page_prints(copy, number):
+    commands, printed = BLOCKS[number]
+    done = run(commands, copy)
+    assert done.returncode == int("exceeded" in printed), done.stderr
+    if printed:
+        assert NUMBER.sub("#", done.stdout.strip()) == NUMBER.sub("#", printed.strip())
+        told, numbers = (
+            [float(x) for x in NUMBER.findall(text)] for text in (done.stdout, printed)
+        )
+        assert told == pytest.approx(numbers, rel=0.02)  # the accuracy asked for
+    for name in re.findall(r"-o (\S+)", commands):
+        assert (copy / name).stat().st_size > 200
+
+
+def test_the_stack_up_of_the_page_is_what_the_tension_loses(copy):
+    """Sum of the table against the engine: what tensioners pull less what is left at the lower end."""
+    run(BLOCKS[0][0], copy)
+    last = (copy / "stack_up.csv").read_text().splitlines()[-1].split(",")
+    plumb = "--set current=null --set platform=null --set top.x=held --set top.z=held"
+    plumb += " --set analysis.duration=null --set analysis.output=null"
+    done = run(f"riserstudy table config/scenes/riser.yaml -o rest.csv {plumb}", copy)
+    assert done.returncode == 0, done.stderr
+    rows = [row.split(",") for row in (copy / "rest.csv").read_text().splitlines()]
+    value = {(row[0], row[1]): float(row[3]) for row in rows[1:]}
+    lost = value["effective_tension", "upper end of pup joint"] - value["lower_end_tension", ""]
+    assert 1e3 * float(last[-1]) == pytest.approx(lost, rel=1e-6)
+
+
+def test_the_snakefile_is_that_of_new_folders():
+    template = ROOT / "src/riserstudy/study/template/Snakefile"
+    assert (FOLDER / "Snakefile").read_text() == template.read_text()
+
+
+@pytest.mark.slow
+def test_the_study_gives_the_page_to_sign(copy):
+    done = run(BLOCKS[-1][0], copy)
+    assert done.returncode == 0, done.stderr
+    page = (copy / "results/report.html").read_text("utf-8")
+    table = re.search(r'id="drilling-limits".*?</table>', page, re.DOTALL)[0]
+    assert "drilling: mean lfj_angle" in table
+    assert "exceeded at 8" in table
