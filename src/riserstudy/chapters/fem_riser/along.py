@@ -10,6 +10,38 @@ import xarray as xr
 
 from riserstudy.scene.units import to_si
 
+SPAN = 35.0  # s, from the mean over a wave around 261 s to that around 296 s
+
+
+def measures(runs: xr.Dataset) -> xr.Dataset:
+    """What the claims are about, of every run of a study.
+
+    Largest deflection, stress and angle over the record, vibration as the largest amplitude at the
+    wave's period, drift of mid-length from 261 to 296 s over its deflection, and places as shares of the
+    length: of the largest deflection from the bottom, of the largest stress and angle of the lower half from
+    the bottom, of the upper half from the top.
+    """
+    s = runs["s_node"] / runs["s_node"][-1]
+    deflection = extreme(runs, "x")
+    stress = stress_factor(runs) * extreme(runs, "bending_moment")
+    slope = abs(angles(runs)).max("time")
+    period = period_of(runs)
+    mid = runs["x"].sel(s=0.5 * float(runs["s"][-1]), method="nearest", drop=True)
+    return xr.Dataset(
+        {
+            "deflection": deflection.max("s_node"),
+            "deflection_place": place(deflection, s, "s_node", s >= 0.0),
+            "vibration": amplitude_at(runs["x"], period).max("s"),
+            "drift": SPAN * abs(drift_rate(mid, period) / mid.mean("time")),
+            "stress": stress.max("s_node"),
+            "stress_from_bottom": place(stress, s, "s_node", s <= 0.5),
+            "stress_from_top": 1.0 - place(stress, s, "s_node", s >= 0.5),
+            "angle": slope.max("middle"),
+            "angle_from_bottom": place(slope, slope["middle"], "middle", slope["middle"] <= 0.5),
+            "angle_from_top": 1.0 - place(slope, slope["middle"], "middle", slope["middle"] >= 0.5),
+        }
+    ).drop_vars(("s", "s_node", "middle"), errors="ignore")
+
 
 def extreme(runs: xr.Dataset, name: str) -> xr.DataArray:
     """Largest magnitude in the record, by its envelopes."""

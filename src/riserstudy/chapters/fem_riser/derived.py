@@ -7,15 +7,7 @@ import json
 import numpy as np
 import xarray as xr
 
-from riserstudy.chapters.fem_riser.along import (
-    amplitude_at,
-    angles,
-    drift_rate,
-    extreme,
-    period_of,
-    place,
-    stress_factor,
-)
+from riserstudy.chapters.fem_riser.along import measures
 from riserstudy.dataset.variables import attributes
 from riserstudy.model.sea import current_table, wave_number
 from riserstudy.scene.check import check
@@ -36,7 +28,6 @@ MEASURES = {
     "angle_from_bottom": "1",
     "angle_from_top": "1",
 }
-SPAN = 35.0  # s, from the mean over a wave around 261 s to that around 296 s
 BEAM, LUMPED = "Hermite beam", "lumped masses"
 
 
@@ -135,36 +126,6 @@ def sample_error(open_fine: xr.Dataset, open_ratio: xr.Dataset) -> xr.Dataset:
     for name in sizes:
         dataset[name].attrs = {"units": "1", "long_name": f"relative error of {name}"}
     return described(dataset, "error of the samples")
-
-
-def measures(runs: xr.Dataset) -> xr.Dataset:
-    """What the claims are about, of every run of a study.
-
-    Largest deflection, stress and angle over the record, vibration as the largest amplitude at the
-    wave's period, drift of mid-length from 261 to 296 s over its deflection, and places as shares of the
-    length: of the largest deflection from the bottom, of the largest stress and angle of the lower half from
-    the bottom, of the upper half from the top.
-    """
-    s = runs["s_node"] / runs["s_node"][-1]
-    deflection = extreme(runs, "x")
-    stress = stress_factor(runs) * extreme(runs, "bending_moment")
-    slope = abs(angles(runs)).max("time")
-    period = period_of(runs)
-    mid = runs["x"].sel(s=0.5 * float(runs["s"][-1]), method="nearest", drop=True)
-    return xr.Dataset(
-        {
-            "deflection": deflection.max("s_node"),
-            "deflection_place": place(deflection, s, "s_node", s >= 0.0),
-            "vibration": amplitude_at(runs["x"], period).max("s"),
-            "drift": SPAN * abs(drift_rate(mid, period) / mid.mean("time")),
-            "stress": stress.max("s_node"),
-            "stress_from_bottom": place(stress, s, "s_node", s <= 0.5),
-            "stress_from_top": 1.0 - place(stress, s, "s_node", s >= 0.5),
-            "angle": slope.max("middle"),
-            "angle_from_bottom": place(slope, slope["middle"], "middle", slope["middle"] <= 0.5),
-            "angle_from_top": 1.0 - place(slope, slope["middle"], "middle", slope["middle"] >= 0.5),
-        }
-    ).drop_vars(("s", "s_node", "middle"), errors="ignore")
 
 
 def _over_length(*runs: xr.Dataset) -> xr.Dataset:

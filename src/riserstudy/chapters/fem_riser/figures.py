@@ -18,6 +18,7 @@ from riserstudy.chapters.fem_riser.along import (
     amplitude_at,
     angles,
     drift_rate,
+    measures,
     period_of,
     stress_factor,
     without_drift,
@@ -130,7 +131,18 @@ def fig04(motion: xr.Dataset) -> Figure:
 def fig05(settled: xr.Dataset) -> Figure:
     """The base case."""
     figure = _envelopes({"2000 m, ratio 1.3, factor 0.7 (assumed)": settled}, (BLUE,))
-    headline(figure, "Deflection is largest near the middle, stress and angle near both ends")
+    found = measures(settled.sel(solver=BEAM))
+    place = float(found["deflection_place"])
+    ends = [
+        float(found[f"{name}_from_{end}"])
+        for name in ("stress", "angle")
+        for end in ("bottom", "top")
+    ]
+    headline(
+        figure,
+        f"Deflection is largest {100.0 * place:.0f} % up the riser, stress and angle at most "
+        f"{100.0 * max(ends):.0f} % from its ends",
+    )
     return figure
 
 
@@ -172,28 +184,31 @@ def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Datas
     figure = _envelopes(
         {"500 m": length_500, "1000 m": length_1000, "1500 m": length_1500}, (BLUE, BLACK, RED)
     )
-    headline(
-        figure,
-        "A longer riser deflects and leans more; a shorter one vibrates more and is bent more",
-    )
+    headline(figure, f"1500 m over 500 m: {_ratios(length_500, length_1500)}")
     return figure
 
 
 def fig07(tension_ratio: xr.Dataset) -> Figure:
     """Three top tension ratios; colours as the text has them, where it says."""
     figure = _envelopes(_each(tension_ratio, "tension_ratio", "ratio"), (BLUE, BLACK, RED))
-    headline(figure, "More tension at the top: less deflection, vibration, stress and angle")
+    ends = (tension_ratio.sel(tension_ratio=value) for value in (1.1, 1.5))
+    headline(figure, f"A top tension ratio of 1.5 over one of 1.1: {_ratios(*ends)}")
     return figure
 
 
 def fig08(buoyant_factor: xr.Dataset) -> Figure:
     """Three buoyant factors; colours as the text has them, where it says."""
     figure = _envelopes(_each(buoyant_factor, "buoyant_factor", "factor"), (RED, BLUE, BLACK))
-    headline(
-        figure,
-        "More buoyancy, and less tension: more deflection, stress and angle (reading R1, assumed)",
-    )
+    ends = (buoyant_factor.sel(buoyant_factor=value) for value in (0.5, 0.9))
+    headline(figure, f"A buoyant factor of 0.9 over one of 0.5 (R1, assumed): {_ratios(*ends)}")
     return figure
+
+
+def _ratios(first: xr.Dataset, last: xr.Dataset) -> str:
+    """What a case has of deflection, vibration, stress and angle over another, by the paper's beam."""
+    old, new = (measures(runs.sel(solver=BEAM)) for runs in (first, last))
+    names = ("deflection", "vibration", "stress", "angle")
+    return ", ".join(f"{name} {float(new[name] / old[name]):.2f}" for name in names) + " times"
 
 
 def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
@@ -275,9 +290,23 @@ def readings(reading_trends: xr.Dataset) -> Figure:
         ax.set_ylabel(label)
         ax.set_ylim(bottom=0.0)
     key_below(figure, axes[0], 3)
+    raised = [
+        reading
+        for reading in ("R1", "R2", "R3")
+        if all(
+            bool(
+                (
+                    reading_trends[f"{name}_by_factor"].sel(reading=reading).diff("buoyant_factor")
+                    > 0
+                ).all()
+            )
+            for name, *_ in fields
+        )
+    ]
     headline(
         figure,
-        "Only reading R1 has the factor raise deflection, stress and angle, as the text says",
+        "The factor raises deflection, stress and angle, as the text says, in reading "
+        f"{', '.join(raised) or 'none'}",
     )
     return figure
 

@@ -14,7 +14,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.chapters.liu2017.crossing import first_crossing
-from riserstudy.chapters.liu2017.limits import LIMITS, TOO_LATE, shares
+from riserstudy.chapters.liu2017.limits import (
+    BOTTOM,
+    LIMITS,
+    TOO_LATE,
+    first_limit,
+    reached,
+    shares,
+    starts,
+)
 from riserstudy.figures.style import COLOURS, GREY, PRINTED, WIDTH, key_below, panels
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
@@ -22,6 +30,7 @@ HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
 TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
 TIME, SURGE = "time (s)", "surge of the platform (m)"
 SHOWN = 100.0  # s
+LOW = 218.0  # m above the conductor's foot, a tenth up the riser
 DEGREES = 180.0 / np.pi
 PASSED = 0.25  # deg, by which an angle is past its largest
 AS_ONE = "as one"  # of platform and riser
@@ -76,7 +85,12 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
             ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
         ax.set_xlabel("lateral displacement (m)")
         ax.set_title(label, loc="right", fontsize="small")
-    says(figure, "The top is drawn away while the bottom stands: after 20 s it has hardly moved")
+    after = abs(ref_0["x"].sel(time=20.0) - ref_0["x"].isel(time=0))
+    low = float(after.sel(s=LOW, method="nearest"))
+    says(
+        figure,
+        f"After 20 s the top is drawn {float(after.isel(s=-1)):.0f} m away, a tenth up the riser {low:.2f} m",
+    )
     axes[0].set_ylabel("elevation above the wellhead (m)")
     axes[1].legend(fontsize="small", loc="lower left")
     return figure
@@ -104,7 +118,13 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
         ax.set_title(title, loc="right", fontsize="small")
     drives = driveoff["riser_force_x"].sel(case="ref_0")
     until = float(first_crossing(-drives, 0.0))
-    says(figure, f"The riser drives (+) for the first {until:.0f} s at 0°, and never at 180°")
+    against = (
+        float(driveoff["riser_force_x"].sel(case="ref_180", time=slice(0.0, SHOWN)).max()) / 1e6
+    )
+    says(
+        figure,
+        f"The riser drives (+) for {until:.0f} s at 0°; at 180° its force is at most {against:.2f} MN",
+    )
     axes[0].set_ylabel("force of the riser on the platform (MN)")
     key_below(figure, axes[0], 3)
     return figure
@@ -121,7 +141,14 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
         ax.plot(stress["time"], stress, color=COLOURS[5], label="riser, 386 MPa too (assumed)")
         ax.plot([deadline], [1.0], "o", color="black", label=f"printed: 12° at {deadline:g} s")
         ax.set_title(title, loc="right", fontsize="small")
-    says(figure, "The upper flex joint comes first; what is at the bottom starts 20 s late")
+    run = driveoff.sel(case="ref_0")
+    times, begins = reached(run), starts(run)
+    late = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(limit="upper flex joint")
+    says(
+        figure,
+        f"First comes the {first_limit(times).item()!s}, after {float(times.min()):.0f} s; what is at the "
+        f"bottom begins {float(late):.0f} s after the upper flex joint",
+    )
     axes[0].set_ylabel("share of the limit that is used (-)")
     key_below(figure, axes[0], 3)
     return figure
@@ -307,9 +334,13 @@ def coupling(coupling: xr.Dataset) -> Figure:
     axes[2].invert_yaxis()
     axes[2].set_xlabel("cost over that as one (-)")
     axes[2].set_title("bars: iterations, dots: time", loc="right", fontsize="small")
+    every_second = abs(
+        turns.sel(exchange="staggered, 1 s")["platform_surge"] - one["platform_surge"]
+    )
     says(
         figure,
-        "Exchanged every second, platform and riser stay within a metre of the joint solution",
+        f"In turns of a second the platform is at most {float(every_second.max()):.2f} m from where both "
+        "solved as one have it",
     )
     key_below(figure, axes[0], len(ways))
     return figure
@@ -333,9 +364,11 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
         axes[1].hist(reached, bins, color=colour, alpha=0.5, label=text)
     axes[0].plot([deadline], [UFJ_LIMIT], "o", color="black", label="printed, at 0°")
     axes[1].axvline(deadline, label="printed, at 0°", **PRINTED)
+    then = angle.sel(heading="along").interp(time=deadline)
+    least, most = (float(then.quantile(q)) for q in (0.05, 0.95))
     says(
         figure,
-        "What the paper leaves open spreads the upper flex joint by degrees; many samples never reach 12°",
+        f"What is open has the upper flex joint at {least:.0f} to {most:.0f}° at {deadline:g} s (0°, 90 %)",
     )
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint (deg)")

@@ -25,7 +25,12 @@ def fig13(heave_case: xr.Dataset) -> Figure:
     ax.set_xlabel(TIME)
     ax.set_ylabel(DEPTH)
     ax.invert_yaxis()
-    headline(figure, "Under heave the axial force rises and falls all along the riser at once")
+    half = 0.5 * (tension.max("time") - tension.min("time"))
+    headline(
+        figure,
+        f"Under heave the axial force varies by {float(half.isel(depth=0)):.0f} kN at the top and by "
+        f"{float(half.isel(depth=-1)):.0f} kN at the bottom",
+    )
     return figure
 
 
@@ -44,12 +49,13 @@ def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
     ax.plot(curve["time"], curve, ":", color="black", linewidth=1.1, label=label)
     ax.set_xlabel(TIME)
     ax.set_ylabel(TENSION)
-    law = tension.sel(tensioner_model="gas law").isel(depth=0)
-    swing = 0.5 * float(law.max() - law.min())
+    law = tension.sel(tensioner_model="gas law")
+    swing = 0.5 * (law.max("time") - law.min("time"))
+    share = 100.0 * float(swing.isel(depth=0) / law.isel(depth=0).mean())
     headline(
         figure,
-        f"Heave of 2 m in 15 s: an amplitude of {swing:.0f} kN, {100.0 * swing / float(law.mean()):.0f} % "
-        "of the tension, the same at all depths",
+        f"Heave of 2 m in 15 s: an amplitude of {float(swing.min()):.0f} to {float(swing.max()):.0f} kN "
+        f"along the riser, {share:.0f} % of the tension",
     )
     key_below(figure, ax, 3)
     return figure
@@ -131,9 +137,13 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     axes[1].set_title("below zero: slack", loc="right", fontsize="small")
     for ax in axes:
         ax.set_xlabel(AMPLITUDE)
+    slack = tension.min(("time", "stop_stiffness")) < 0.0
+    first = float(slack["heave_amplitude"].where(slack).min())
+    hardest = float(tension.max())
     headline(
         figure,
-        "Beyond heave of 7.5 m cylinders meet their stops and the riser goes slack; stiff stops pull harder",
+        f"Cylinders reach {STROKE:g} m; from heave of {first:g} m on the riser goes slack, and is then "
+        f"pulled with up to {hardest:.0f} MN",
     )
     key_below(figure, axes[0], 3)
     return figure

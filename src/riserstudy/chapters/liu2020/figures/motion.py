@@ -83,10 +83,14 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
         ax.set_ylabel(DISPLACEMENT)
     amplitude = surge["displacement_amplitude"]
     ratio = amplitude.sel(tensioner_model="gas law") / amplitude.sel(tensioner_model=WITHOUT)
+    lag = surge["displacement_lag"]
+    behind = lag.sel(tensioner_model="gas law") - lag.sel(tensioner_model=WITHOUT)
+    behind = 180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)
     headline(
         figure,
         f"On the tensioners the riser moves {float(ratio.min()):.2f} to {float(ratio.max()):.2f} times "
-        "as much as with its top on the platform, and later; other readings of it move as much or less",
+        f"as much as with its top on the platform, {float(behind.min()):.0f} to {float(behind.max()):.0f} "
+        "deg behind it",
     )
     key_below(figure, axes[0], 3)
     return figure
@@ -239,7 +243,8 @@ def fig23(rao: xr.Dataset) -> Figure:
         f"{float(largest.sel(motion=m)):.1f} MPa by {m}" for m in largest["motion"].values
     )
     figure = _by_motion(stress, "stress amplitude (MPa)")
-    headline(figure, f"Surge stresses the riser most: up to {told}")
+    first = str(largest["motion"].values[int(largest.argmax("motion"))])
+    headline(figure, f"{first.capitalize()} stresses the riser most: up to {told}")
     return figure
 
 

@@ -136,9 +136,14 @@ def fig09(
     axes[3].set_ylabel("axial motion (m)")
     for ax in axes:
         ax.legend(fontsize="small")
+    away, depth_of_largest = (
+        float(-base["displacement_along"].sel(time=STATED).isel(s=0)),
+        float(depth.isel(s=int(abs(ours).argmax("s")))),
+    )
     headline(
         figure,
-        "The LMRP trails farthest, moments are largest near the surface (current assumed)",
+        f"At 130 s the LMRP trails {away:.1f} m and the largest moment is {float(ours.max()):.1f} kN m, "
+        f"{depth_of_largest:.0f} m below the joint (current assumed)",
     )
     return figure
 
@@ -160,24 +165,23 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     figure.axes[0].set_xlim(right=1.05 * light)
     figure.axes[0].set_title("dashed: printed", loc="right", fontsize="small")
     figure.axes[1].axvline(moment, **(PRINTED | {"color": COLOURS[0]}))
-    headline(
-        figure,
-        "The lighter the LMRP, the farther it trails, the larger the moment, the higher it rises",
-    )
+    headline(figure, f"120 t instead of 140 t: {_changes(lmrp_mass, 'lmrp_mass', 140.0, 120.0)}")
     return figure
 
 
 def fig11(current_speed: xr.Dataset) -> Figure:
     """The same for three speeds of the current, in two profiles."""
     figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), "current {:g} m/s")
-    headline(figure, "The faster the current along the track, the less the riser trails and bends")
+    told = _changes(as_drawn(current_speed), "current_speed", 1.0, 1.2)
+    headline(figure, f"A current of 1.2 m/s along the track instead of 1 m/s: {told}")
     return figure
 
 
 def fig12(platform_speed: xr.Dataset) -> Figure:
     """The same for three speeds of the platform, in two profiles."""
     figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), "platform {:g} kn")
-    headline(figure, "The faster the platform, the more the riser trails, bends and rises")
+    told = _changes(as_drawn(platform_speed), "platform_speed", 2.4, 2.6)
+    headline(figure, f"A platform that makes 2.6 kn instead of 2.4 kn: {told}")
     return figure
 
 
@@ -225,9 +229,11 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     axes[2].set_ylabel(RISE)
     _close_up(axes[2])
     key_below(figure, axes[0], 5)
+    places = [float(-shapes.sel(track=track).isel(s=0)) for track in ONE_PROFILE]
     headline(
         figure,
-        "Current 3 m/s, platform 1 m/s (assumed): deformed most at 0 deg, the other way at 90 deg",
+        "Current 3 m/s, platform 1 m/s (assumed): at 0, 45 and 90 deg the LMRP is "
+        f"{places[0]:+.0f}, {places[1]:+.0f} and {places[2]:+.0f} m astern",
     )
     return figure
 
@@ -235,11 +241,23 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
 def fig14(riser_length: xr.Dataset) -> Figure:
     """The same for three lengths of riser."""
     figure = _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
-    headline(
-        figure,
-        "A longer riser trails farther and bends less, where the text has moments grow with length, too",
-    )
+    told = _changes(riser_length, "riser_length", 1200.0, 1800.0)
+    headline(figure, f"A riser of 1800 m instead of 1200 m: {told} (printed: all grow)")
     return figure
+
+
+def _changes(runs: xr.Dataset, axis: str, first: float, last: float) -> str:
+    """How displacement, largest moment and largest rise of the LMRP change along an axis."""
+    ends = [runs.sel({axis: value}, method="nearest") for value in (first, last)]
+    found = {
+        "displacement": [abs(run["lmrp_displacement"].sel(time=STATED)) for run in ends],
+        "largest moment": [run["bending_moment_size"].max("s") for run in ends],
+        "largest rise": [run["lmrp_rise"].max("time") for run in ends],
+    }
+    return ", ".join(
+        f"{name} {100.0 * (float(new) / float(old) - 1.0):+.0f} %"
+        for name, (old, new) in found.items()
+    )
 
 
 def _three(
