@@ -16,11 +16,11 @@ LAYER = "config/studies/own.yaml: studies.runs"
 @pytest.mark.parametrize(
     "sets, where, field",
     [
-        ({"platform.surge.amplitud": "1 m"}, LAYER, "platform.surge.amplitud"),
+        ({"platform.surge.amplitudo": "1 m"}, LAYER, "platform.surge.amplitudo"),
         ({"platform.surge.amplitude": "1 kg"}, LAYER, "platform.surge.amplitude"),
         ({"platform.surge": {"amplitude": "1 kg"}}, LAYER, "platform.surge"),
         ({"platform.surje": None}, LAYER, "platform.surje"),
-        ({"riser[0].drag.coeficient": None}, LAYER, "riser[0].drag.coeficient"),
+        ({"riser[0].drag.coefizient": None}, LAYER, "riser[0].drag.coefizient"),
         ({"platform.sway.amplitude": "1 m"}, f"{SCENE} with {LAYER}", "platform.sway.period"),
         ({"riser[0].inner_diameter": "1 m"}, f"{SCENE} with {LAYER}", "riser[0]"),
     ],
