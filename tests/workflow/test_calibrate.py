@@ -56,6 +56,12 @@ def test_free_are_the_calibrated_values_that_have_a_range(nearest):
     }
 
 
+def test_what_has_no_unit_is_a_number():
+    drag = calibrate.Free("riser[0].drag.coefficient", 1.0, 0.6, 1.4, "")
+    assert drag.value(0.25) == 0.8
+    assert calibrate.Free("bottom.body.mass", 130.0, 100.0, 140.0, "t").value(0.5) == "120 t"
+
+
 def test_scenes_of_a_search_hold_what_is_tried_and_are_calibrated(nearest):
     free = calibrate.free_values(nearest)
     tried = calibrate.with_values(nearest, free, [0.5] * len(free))

@@ -49,9 +49,10 @@ class Free(NamedTuple):
     high: float
     unit: str
 
-    def text(self, share: float) -> str:
-        """The value at a share of the range, as study files write it."""
-        return f"{self.low + share * (self.high - self.low):.4g} {self.unit}".strip()
+    def value(self, share: float) -> str | float:
+        """What is at a share of the range, as study files write it."""
+        digits = f"{self.low + share * (self.high - self.low):.4g}"
+        return f"{digits} {self.unit}" if self.unit else float(digits)
 
 
 class Fit(NamedTuple):
@@ -85,7 +86,7 @@ def with_values(study: Study, free: Sequence[Free], shares: Sequence[float]) -> 
     """The study with its free values at shares of their ranges."""
     sets = dict(study.model.set)
     for one, share in zip(free, shares, strict=True):
-        sets[one.path] = sets[one.path] | {"calibrated": one.text(share)}
+        sets[one.path] = sets[one.path] | {"calibrated": one.value(share)}
     return replace(study, model=study.model.model_copy(update={"set": sets}))
 
 
@@ -163,7 +164,7 @@ def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], 
 
     fit = search(miss, [(one.start - one.low) / (one.high - one.low) for one in free], most)
     for one, share in zip(free, fit.shares, strict=True):
-        print(f"{one.path}: {one.text(share)}")
+        print(f"{one.path}: {one.value(share)}")
     found = values_of(with_values(study, free, fit.shares), items, derived)
     for item in items:
         print(f"{item.id}: {found[item.id]:.4g} {item.unit}, printed {item.published:g}")
