@@ -124,10 +124,15 @@ def baselines(statics_readings: xr.Dataset, surge_readings: xr.Dataset) -> Figur
         ax.set_xlabel(x)
         ax.set_title(title, loc="right", fontsize="small")
     axes[0].set_ylabel("share of the samples below (%)")
+    middle = [
+        [float(values.sel(tensioner_model=model).median()) for values in compared[:2]]
+        for model in ("vertical force at the ring", WITHOUT)
+    ]
     headline(
         figure,
-        "At rest a vertical force lets the riser move most, under surge a top on the platform: "
-        "the two definitions of the riser without tensioners contradict each other",
+        f"Medians: a vertical force has the riser move {middle[0][0]:.1f} times as much as tensioners do at "
+        f"rest and {middle[0][1]:.1f} times under surge, a top on the platform {middle[1][0]:.1f} and "
+        f"{middle[1][1]:.1f} times",
     )
     key_below(figure, axes[0], 2)
     return figure
@@ -172,11 +177,15 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
         curve = roll["largest_bending_moment"].sel(roll_amplitude=amplitude) / 1e3
         ax.plot(curve["roll_period"], curve, color=colour, label=f"{amplitude:g} deg")
     ax.plot([10.0], [largest], "kx", markersize=8, label="printed (4 deg), calibrated to")
+    top = roll["largest_bending_moment"].isel(roll_amplitude=-1) / 1e3
     ax.set_xlabel("roll period of the platform (s)")
     ax.set_ylabel("largest bending moment (kN m)")
     ax.legend(fontsize="small")
     headline(
-        figure, "The moment grows with roll and falls with its period, but for lateral resonances"
+        figure,
+        f"At {float(top['roll_amplitude']):g} deg the moment is {float(top.isel(roll_period=0)):.0f} kN m at "
+        f"{float(top['roll_period'][0]):g} s and {float(top.isel(roll_period=-1)):.0f} kN m at "
+        f"{float(top['roll_period'][-1]):g} s, with lateral resonances in between",
     )
     return figure
 
@@ -286,9 +295,12 @@ def waves(waves: xr.Dataset) -> Figure:
     ax.set_xlabel(WAVE)
     ax.set_ylabel("stress amplitude (MPa)")
     ax.set_title("surge, heave and pitch at once", loc="right", fontsize="small")
+    ratio = stress.sel(waves="stretched to the surface") / stress.sel(waves="on the platform alone")
     headline(
         figure,
-        "Waves on the riser add stress where they are short; what they do above the mean level hardly tells",
+        f"With waves on the riser too the stress is {float(ratio.min()):.1f} (at "
+        f"{float(ratio.idxmin('wave_period')):g} s) to {float(ratio.max()):.1f} times (at "
+        f"{float(ratio.idxmax('wave_period')):g} s) that by the platform's motion alone",
     )
     key_below(figure, ax, 2)
     return figure
