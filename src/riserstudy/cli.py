@@ -551,6 +551,27 @@ def draw(
     save(schematic(file.scene()), output)
 
 
+@app.command("import")
+def import_deck(
+    deck: Annotated[Path, typer.Argument(help="OrcaFlex text model", metavar="DECK.yml")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="scene to write", metavar="SCENE.yaml")
+    ],
+) -> None:
+    """Make a scene of a deck: the OrcaFlex text model of a vertical riser.
+
+    Everything that is not in the scene is named; what would make it another riser is refused.
+    """
+    from riserstudy.scene.orcaflex import as_text, read_deck
+
+    found = read_deck(deck)
+    _check_writable(output, deck)
+    output.write_text(as_text(found, deck), "utf-8")
+    for line in found.left_out:
+        print(f"left out: {line}")
+    print(f"{output} is written; {len(found.left_out)} entries of the deck are not in it")
+
+
 @app.command()
 def new(folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER")]) -> None:
     """Make a folder for a study of one's own: Snakefile, configuration, an example to change."""

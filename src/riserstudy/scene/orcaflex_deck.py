@@ -1,0 +1,112 @@
+"""A deck as a tree that knows which of its entries were taken."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from riserstudy.errors import InputError
+
+MOST_SHOWN = 40  # characters of a value that is left out
+
+
+class Part:
+    """One object of a deck; what is asked of it counts as taken."""
+
+    def __init__(self, data: Any, path: str, source: Path) -> None:
+        if not isinstance(data, dict):
+            raise InputError(source, path, "no object", "allowed are names with values")
+        self.data, self.path, self.source = data, path, source
+        self.taken: set[str] = set()
+        self.below: dict[str, list[Part]] = {}
+
+    def refused(self, key: str, found: str, allowed: str) -> InputError:
+        """What to raise of an entry that a scene cannot say."""
+        return InputError(self.source, f"{self.path}.{key}".strip("."), found, allowed)
+
+    def optional(self, key: str) -> Any:
+        """A value, None where there is none."""
+        self.taken.add(key)
+        value = self.data.get(key)
+        return None if value == "~" else value
+
+    def value(self, key: str) -> Any:
+        """A value that must be there."""
+        found = self.optional(key)
+        if found is None:
+            raise self.refused(key, "missing", "nothing is guessed; write it into the deck")
+        return found
+
+    def text(self, key: str) -> str:
+        """A text that must be there."""
+        return str(self.value(key))
+
+    def number(self, key: str) -> float:
+        """A number that must be there, in the unit of the deck."""
+        found = self.value(key)
+        if isinstance(found, bool) or not isinstance(found, int | float):
+            raise self.refused(key, repr(found), "allowed is a number")
+        return float(found)
+
+    def values(self, key: str, count: int) -> list[Any]:
+        """A list of so many values."""
+        found = self.value(key)
+        if not isinstance(found, list) or len(found) != count:
+            raise self.refused(key, repr(found), f"allowed are {count} values")
+        return found
+
+    def rows(self, key: str, least: int) -> list[list[Any]]:
+        """Rows of a table of at least so many columns."""
+        found = self.value(key)
+        if not isinstance(found, list) or any(
+            not isinstance(row, list) or len(row) < least for row in found
+        ):
+            raise self.refused(key, "no table", f"allowed are rows of {least} values or more")
+        return found
+
+    def demand(self, key: str, wanted: Any) -> None:
+        """See that an entry has the one value that a scene can say."""
+        found = self.value(key)
+        if found != wanted and str(found).lower() != {True: "yes", False: "no"}.get(wanted, wanted):
+            raise self.refused(key, str(found), f"allowed is {wanted}")
+
+    def alike(self, one: str, other: str) -> None:
+        """See that both directions are alike, where the second is told."""
+        if (second := self.optional(other)) not in (None, self.optional(one)):
+            raise self.refused(other, str(second), f"allowed is that of {one}")
+
+    def part(self, key: str) -> Part:
+        """An object within."""
+        return self._kept(key, [self.value(key)], [f"{self.path}.{key}".strip(".")])[0]
+
+    def parts(self, key: str) -> list[Part]:
+        """Objects of a list within; none where there is no such list."""
+        found = self.optional(key) or []
+        if not isinstance(found, list):
+            raise self.refused(key, "no list", "allowed is a list of objects")
+        names = [one.get("Name", k) if isinstance(one, dict) else k for k, one in enumerate(found)]
+        return self._kept(key, found, [f"{self.path}.{key}[{n}]".strip(".") for n in names])
+
+    def only(self, key: str) -> Part:
+        """The one object of a list."""
+        found = self.parts(key)
+        if len(found) != 1:
+            raise self.refused(key, f"{len(found)} of them", "allowed is one")
+        return found[0]
+
+    def _kept(self, key: str, data: list[Any], paths: list[str]) -> list[Part]:
+        if key not in self.below:
+            self.below[key] = [Part(d, p, self.source) for d, p in zip(data, paths, strict=True)]
+        return self.below[key]
+
+    def unused(self) -> list[str]:
+        """Everything that nobody asked for, by its path with its value."""
+        found = []
+        for key, value in self.data.items():
+            if key in self.below:
+                found += [line for part in self.below[key] for line in part.unused()]
+            elif key not in self.taken:
+                text = " ".join(str(value).split())
+                text = text if len(text) <= MOST_SHOWN else f"{text[:MOST_SHOWN]} ..."
+                found.append(f"{self.path}.{key}: {text}".removeprefix("."))
+        return found
