@@ -214,13 +214,25 @@ def test_a_simulation_that_cannot_be_completed_ends_with_three(command, tmp_path
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_full_disk_ends_with_three_and_leaves_nothing(command, tmp_path):
-    target, limits = tmp_path / "out.nc", resource.getrlimit(resource.RLIMIT_FSIZE)
-    assert command("run", SURGE, "-o", target, *QUICK)[0] == 0  # kernels are there from now on
+@pytest.mark.parametrize(
+    "words, name",
+    [
+        (["run", SURGE, *QUICK, "-o"], "out.nc"),
+        (["run", SURGE, *QUICK, "-o"], "out.csv"),
+        (["draw", SURGE, "-o"], "out.png"),
+        (["draw", SURGE, "-o"], "out.pdf"),
+        (["draw", SURGE, "-o"], "out.svg"),
+        (["cost", SURGE, *QUICK, "--plot"], "out.png"),
+    ],
+    ids=["run", "table of a run", "draw png", "draw pdf", "draw svg", "cost"],
+)
+def test_a_full_disk_ends_with_three_and_leaves_nothing(command, tmp_path, words, name):
+    target, limits = tmp_path / name, resource.getrlimit(resource.RLIMIT_FSIZE)
+    assert command(*words, target)[0] == 0  # kernels are there from now on
     target.unlink()
     resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limits[1]))
     try:
-        code, _, err = command("run", SURGE, "-o", target, *QUICK)
+        code, _, err = command(*words, target)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert code == 3

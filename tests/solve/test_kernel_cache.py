@@ -4,7 +4,8 @@ import random
 from pathlib import Path
 
 import pytest
-from numba.core.caching import IndexDataCacheFile
+from numba import config
+from numba.core.caching import IndexDataCacheFile, UserProvidedCacheLocator
 
 from riserstudy.solve import jit
 
@@ -49,3 +50,16 @@ def test_a_file_under_another_s_name_is_not_loaded(cache, tmp_path):
 def test_code_of_other_sources_is_not_loaded(cache, tmp_path):
     assert IndexDataCacheFile(str(tmp_path), "kernel", "newer").load("signature") is None
     assert Path(tmp_path / "kernel.nbi").exists()
+
+
+def test_a_cache_that_cannot_be_written_is_read_and_asked_for_nothing_more(
+    cache, tmp_path, monkeypatch
+):
+    """What lies below a file can be made by nobody, not even root."""
+    (tmp_path / "file").touch()
+    monkeypatch.setattr(jit, "kernel_cache", lambda: tmp_path / "file" / "cache")
+    cache.save("another", DATA)
+    assert cache.load("another") is None
+    assert cache.load("signature") == DATA
+    monkeypatch.setattr(config, "CACHE_DIR", str(tmp_path / "file" / "cache"))
+    assert UserProvidedCacheLocator.from_function(cache.load, __file__) is not None

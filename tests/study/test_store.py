@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from riserstudy.dataset.result import Result
+from riserstudy.errors import SimulationError
 from riserstudy.scene.load import SceneFile
 from riserstudy.study import store
 
@@ -119,3 +120,10 @@ def test_a_point_of_a_former_format_counts_as_missing(point):
     point.write_bytes(content + hashlib.sha256(KEY.encode() + b"\n" + content).digest())
     assert store.get(KEY) is None
     assert [held.key for held in store.everything()] == [KEY]
+
+
+def test_a_store_that_cannot_be_written_is_told_with_a_remedy(tmp_path, monkeypatch):
+    (tmp_path / "points").touch()
+    monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path))
+    with pytest.raises(SimulationError, match=r"cannot be written: .*RISERSTUDY_CACHE$"):
+        store.put(KEY, Result({}, {}), SceneFile("a.yaml", {}))

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.dataset.variables import attributes
-from riserstudy.errors import InputError
+from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.ends import Body
 from riserstudy.scene.limits import UNITS
 from riserstudy.scene.models import Scene
@@ -164,8 +164,8 @@ def write_csv(table: Table, target: Path) -> None:
 
     Raises
     ------
-    InputError
-        When it cannot be written.
+    SimulationError
+        When it cannot be written, as on a full disk.
     """
     heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
     partial = target.with_name(f".{target.name}.part")
@@ -176,7 +176,10 @@ def write_csv(table: Table, target: Path) -> None:
             writer.writerows([_text(cell) for cell in row] for row in table.rows)
         partial.replace(target)
     except OSError as error:
-        raise InputError(target, "", str(error), "allowed is a file that can be written") from None
+        reason = f"{target} cannot be written: {error.strerror}"
+        raise SimulationError(f"{reason}; see whether the disk is full") from None
+    finally:
+        partial.unlink(missing_ok=True)
 
 
 def _text(cell: Cell) -> str | int:

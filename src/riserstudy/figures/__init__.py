@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import zlib
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from riserstudy.errors import SimulationError
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,17 +35,29 @@ def save(figure: Figure, *targets: Path) -> None:
     """Write a figure in the formats of the targets' endings, each whole or not at all.
 
     A PNG says in words what is seen, which becomes its alternative text; CSV holds the values drawn.
+
+    Raises
+    ------
+    SimulationError
+        When one cannot be written, as on a full disk.
     """
     from riserstudy.figures.drawn import table
 
     for target in targets:
         target.parent.mkdir(parents=True, exist_ok=True)
         partial = target.with_name(f".{target.stem}.partial{target.suffix}")
-        if target.suffix == ".csv":
-            partial.write_text(table(figure), "utf-8")
-        else:
-            figure.savefig(partial, metadata=_metadata(figure, target.suffix))
-        partial.replace(target)
+        try:
+            if target.suffix == ".csv":
+                partial.write_text(table(figure), "utf-8")
+            else:
+                figure.savefig(partial, metadata=_metadata(figure, target.suffix))
+            partial.replace(target)
+        except (OSError, zlib.error) as error:  # the latter of a PDF that is not closed
+            reason = getattr(error, "strerror", None) or "not written to its end"
+            remedy = "see whether the disk is full"
+            raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
+        finally:
+            partial.unlink(missing_ok=True)
         figure.set_layout_engine("none")  # the next format is laid out as this one
 
 

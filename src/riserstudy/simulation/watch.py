@@ -23,7 +23,7 @@ class Watch:
     Parameters
     ----------
     patience : time (s) from now on that all marches together may take.
-    tell : is told of each run and of its progress.
+    tell : is told of each run when it begins, with a share of 0, and then of the share that is done.
     """
 
     def __init__(self, patience: float = math.inf, tell: Tell | None = None) -> None:
@@ -54,8 +54,8 @@ class Watch:
             while not done.wait(OFTEN):
                 if self.spent > self.patience:
                     sums.stop[0] = 1
-                elif self._tell:
-                    self._tell(self._what, share(record))
+                elif self._tell and (done_so_far := share(record)) > 0.0:
+                    self._tell(self._what, done_so_far)
 
         looking = threading.Thread(target=look, daemon=True)
         looking.start()

@@ -8,11 +8,12 @@ the versions that shape machine code. Processes may compile into it side by side
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from functools import wraps
 
 import numba
 from filelock import FileLock
-from numba.core.caching import IndexDataCacheFile
+from numba.core.caching import IndexDataCacheFile, UserProvidedCacheLocator
 
 from riserstudy.solve.kernel_cache import kernel_cache, seal_files_of
 
@@ -32,13 +33,28 @@ def _one_at_a_time(save: Callable[..., None]) -> Callable[..., None]:
     @wraps(save)
     def locked(self: IndexDataCacheFile, key: object, data: object) -> None:
         folder = kernel_cache()
-        folder.mkdir(parents=True, exist_ok=True)
-        with FileLock(folder / "lock"):
-            save(self, key, data)
+        with suppress(OSError):  # where nothing can be kept, it is compiled each time
+            folder.mkdir(parents=True, exist_ok=True)
+            with FileLock(folder / "lock"):
+                save(self, key, data)
 
     return locked
 
 
+def _writable_or_not(ensure: Callable[[object], None]) -> Callable[[object], None]:
+    """Let numba read a cache that it cannot write to."""
+
+    @wraps(ensure)
+    def ensured(self: object) -> None:
+        with suppress(OSError):
+            ensure(self)
+
+    return ensured
+
+
+UserProvidedCacheLocator.ensure_cache_path = _writable_or_not(
+    UserProvidedCacheLocator.ensure_cache_path
+)
 IndexDataCacheFile.save = _one_at_a_time(IndexDataCacheFile.save)
 seal_files_of(IndexDataCacheFile)
 

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from pydantic import BaseModel
 
 from riserstudy.digests import engine_digest
+from riserstudy.errors import SimulationError
 from riserstudy.folders import cache_folder, write_whole
 from riserstudy.scene.models import Scene
 from riserstudy.study.needed import needed
@@ -83,6 +84,11 @@ def put(key: str, result: Result, file: SceneFile, keep: Collection[str] | None 
     """Store what some quantities of a point need (None: all of it), complete or not at all.
 
     What the point was stored with before, for another study, stays.
+
+    Raises
+    ------
+    SimulationError
+        When nothing can be stored, as in a read-only cache or on a full disk.
     """
     import numpy as np
 
@@ -90,8 +96,14 @@ def put(key: str, result: Result, file: SceneFile, keep: Collection[str] | None 
     shapes = {name: np.shape(values) for name, values in result.arrays.items()}
     names = needed(shapes, keep).union(before.about["arrays"] if before else ())
     target = _file(key)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(target, packed(key, result, file, names))
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(target, packed(key, result, file, names))
+    except OSError as error:
+        raise SimulationError(
+            f"{cache_folder()} cannot be written: {error.strerror}; see whether the disk is full, or name "
+            "another folder by RISERSTUDY_CACHE"
+        ) from None
 
 
 def packed(key: str, result: Result, file: SceneFile, names: Collection[str]) -> bytes:
