@@ -1,5 +1,7 @@
 """What CF asks of datasets, whoever made them."""
 
+import sys
+
 import netCDF4
 import numpy as np
 import pytest
@@ -67,3 +69,16 @@ def test_axes_are_written_without_a_fill_value(tmp_path):
     dataset = xr.Dataset({"a": ("x", np.arange(3.0))}, {"x": [0.0, 1.0, 2.0]})
     write_dataset(dataset.assign_attrs(title="t", history="h"), tmp_path / "c.nc")
     assert list(faults(tmp_path / "c.nc")) == []
+
+
+def test_a_library_that_xarray_has_found_is_found_again_after_it_was_kept_away():
+    from xarray.namedarray.utils import module_available
+
+    from riserstudy.dataset.without import without
+
+    name = "scipy.odr"
+    assert module_available(name)
+    assert name not in sys.modules
+    with without(name):
+        assert not module_available(name)
+    assert module_available(name)
