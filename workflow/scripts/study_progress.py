@@ -70,8 +70,11 @@ class Progress:
     def _done(self, job: str, rule: str) -> None:
         self.left[rule] -= 1
         step = self.at_work.pop(job, None)
-        if step:
-            self.took[step.message] = rule, self.clock() - step.began
+        # what only gathers says nothing when it begins
+        self.took[step.message if step else rule] = (
+            rule,
+            self.clock() - step.began if step else 0.0,
+        )
 
     def text(self) -> str:
         """Steps done, time gone and left, what is at work, on how many cores."""
@@ -83,17 +86,20 @@ class Progress:
         return f"{gone} on {cores}: {at_work}" if at_work else f"{gone} on {cores}"
 
     def seconds_left(self) -> float | None:
-        """Time left (s) where steps take as long as in earlier runs of the tier; None where nothing tells."""
+        """Time left (s) where steps take as long as in earlier runs of the tier.
+
+        None where nothing is left, or earlier runs had no step of a kind.
+        """
         known = self.before.get(self.tier, {})
-        by_rule: dict[str, list[float]] = {}
-        for message, (rule, seconds) in known.items():
-            if message not in self.took:
-                by_rule.setdefault(rule, []).append(seconds)
-        total = sum(
-            count * sum(by_rule[rule]) / len(by_rule[rule])
-            for rule, count in self.left.items()
-            if count > 0 and rule in by_rule
-        )
+        total = 0.0
+        for rule, count in self.left.items():
+            if count > 0 and rule != "total":
+                alike = {m: seconds for m, (of, seconds) in known.items() if of == rule}
+                if not alike:
+                    return None
+                to_do = [seconds for m, seconds in alike.items() if m not in self.took]
+                times = to_do or list(alike.values())
+                total += count * sum(times) / len(times)
         if not total:
             return None
         now = self.clock()

@@ -6,7 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from riserstudy.scene.limits import UNITS, Limit, lacks
+from riserstudy.scene.limit_inputs import lacks
+from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 

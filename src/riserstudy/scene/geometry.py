@@ -11,7 +11,7 @@ from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from riserstudy.scene.models import Scene
+    from riserstudy.scene.parts import Parts
 
 STRETCH = 0.01  # share of its length that a held riser is off, at most: steel yields at 0.003
 SLIDES = 0.003  # the same below a telescopic joint, whose length is told
@@ -29,7 +29,7 @@ class Span(NamedTuple):
     top: float
 
 
-def closes(scene: Scene) -> None:
+def closes(scene: Parts) -> None:
     """See that names are unique and lengths and elevations fit together.
 
     Raises
@@ -51,7 +51,7 @@ def closes(scene: Scene) -> None:
         _foot(ends, scene)
 
 
-def span(scene: Scene) -> Span | None:
+def span(scene: Parts) -> Span | None:
     """Elevations of the riser's ends; None where its top hangs at no elevation."""
     length = _length(scene)
     top = scene.top.elevation
@@ -60,13 +60,13 @@ def span(scene: Scene) -> Span | None:
     return Span(scene.bottom.elevation, scene.bottom.elevation + length if top is None else top)
 
 
-def _length(scene: Scene) -> float:
+def _length(scene: Parts) -> float:
     """From end to end along the riser, with its telescopic joint (m)."""
     joint = scene.top.telescopic_joint
     return sum(s.total_length for s in scene.riser) + (joint.length if joint else 0.0)
 
 
-def _reaches(scene: Scene) -> None:
+def _reaches(scene: Parts) -> None:
     """A riser held at both ends is as long as they are apart; what is no riser may hang slack.
 
     That is a string without bending, or a cable whose ends are far aside of each other.
@@ -98,7 +98,7 @@ def _reaches(scene: Scene) -> None:
         )
 
 
-def _stands_in(ends: Span, scene: Scene) -> None:
+def _stands_in(ends: Span, scene: Parts) -> None:
     """The upper end is between keel and deck of a platform afloat, the lower end at or above the seabed."""
     surface = scene.water.surface if scene.water else None
     seabed = scene.water.seabed if scene.water else None
@@ -123,7 +123,7 @@ def _stands_in(ends: Span, scene: Scene) -> None:
         )
 
 
-def _foot(ends: Span, scene: Scene) -> None:
+def _foot(ends: Span, scene: Parts) -> None:
     """The mudline lies on the lowest section, and not above the sea's bed."""
     mudline = scene.soil.mudline if scene.soil else 0.0
     head = ends.bottom + scene.riser[0].total_length
@@ -139,7 +139,7 @@ def _foot(ends: Span, scene: Scene) -> None:
         )
 
 
-def covered(scene: Scene) -> None:
+def covered(scene: Parts) -> None:
     """See that a current says what it is all along the riser.
 
     Raises
@@ -168,7 +168,7 @@ def covered(scene: Scene) -> None:
         )
 
 
-def _told(scene: Scene) -> tuple[float, float] | None:
+def _told(scene: Parts) -> tuple[float, float] | None:
     """Elevations between which a current is told (m); None where the sea's own levels bound it."""
     flow, water = scene.current, scene.water
     if flow is None:

@@ -11,13 +11,13 @@ import math
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from riserstudy.scene.models import Scene
+    from riserstudy.scene.parts import Parts
     from riserstudy.scene.riser import Section
 
 DOUBTED = 0.02  # share of the dry weight by which a weight is above what diameters allow
 
 
-def weighed(scene: Scene) -> list[Section]:
+def weighed(scene: Parts) -> list[Section]:
     """The sections, each with its weight.
 
     Raises
@@ -42,7 +42,7 @@ def weighed(scene: Scene) -> list[Section]:
     return sections
 
 
-def doubts(scene: Scene) -> list[str]:
+def doubts(scene: Parts) -> list[str]:
     """Warnings about weights that the diameters of a section contradict.
 
     Whatever is fixed to a pipe displaces more water and not less: apart from its contents a section cannot
@@ -63,7 +63,7 @@ def doubts(scene: Scene) -> list[str]:
     return found
 
 
-def _levels(scene: Scene, k: int) -> tuple[float, float] | None:
+def _levels(scene: Parts, k: int) -> tuple[float, float] | None:
     """Elevations of a section's ends before it stretches (m); None where they are not told."""
     lengths = [section.total_length for section in scene.riser]
     bottom = scene.bottom.elevation
@@ -75,14 +75,14 @@ def _levels(scene: Scene, k: int) -> tuple[float, float] | None:
     return low, low + lengths[k]
 
 
-def _dips(scene: Scene, k: int) -> bool:
+def _dips(scene: Parts, k: int) -> bool:
     """Whether a section is partly or wholly above the water."""
     levels = _levels(scene, k)
     surface = scene.water.surface if scene.water else None
     return bool(levels and surface is not None and levels[1] > surface)
 
 
-def _displaced(scene: Scene, k: int) -> float:
+def _displaced(scene: Parts, k: int) -> float:
     """Mass of the water that a section displaces (kg/m).
 
     Raises

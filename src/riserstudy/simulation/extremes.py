@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.limits import ALONG, UNITS, wall_lacks
+from riserstudy.scene.limit_inputs import wall_lacks
+from riserstudy.scene.limits import ALONG, UNITS
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.wall_stress import nodes_of
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.limits import wall_lacks
+from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.curve import curve_of
 from riserstudy.simulation.wall_stress import along_the_riser

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.limits import wall_lacks
+from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.models import Scene
 
 FloatArray = NDArray[np.float64]

@@ -1,0 +1,190 @@
+"""Whether the parts of a scene fit together: what needs what, and what excludes what."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.scene.forcing import Shape
+from riserstudy.scene.geometry import closes, covered
+from riserstudy.scene.limit_inputs import limits_fit
+
+if TYPE_CHECKING:
+    from riserstudy.scene.parts import Parts
+
+
+def fit(scene: Parts) -> None:
+    """See that checked parts fit together.
+
+    Raises
+    ------
+    ValueError
+        The line of the scene, and what is allowed there.
+    """
+    wet = [s for s in scene.riser if s.drag or s.tangential_drag or s.added_mass]
+    if wet and scene.water is None:
+        raise ValueError(f"riser section {wet[0].name!r} has drag or added mass: needs water")
+    if scene.current and scene.water is None:
+        raise ValueError("current needs water")
+    in_water = any(s.drag for s in scene.riser) or (scene.vessel and scene.vessel.hull_drag)
+    if scene.current and not in_water:
+        raise ValueError("current needs a riser section with drag, or a vessel with hull_drag")
+    _sea(scene)
+    if any(s.contents for s in scene.riser) and scene.gravity is None:
+        raise ValueError("contents need gravity")
+    rig = scene.top.tensioners
+    if rig and rig.piston_mass and scene.gravity is None:
+        raise ValueError("pistons need gravity")
+    if any(body.displaced_volume is not None or body.density for body in scene.bodies) and (
+        scene.gravity is None or scene.water is None
+    ):
+        raise ValueError("a body's displaced_volume or density needs gravity and water")
+    if scene.bottom.hold == "free" and scene.top.z == "free" and not scene.top.tensioners:
+        raise ValueError("both ends are free: hold one, or hang the top on tensioners")
+    if scene.analysis.duration and not (
+        all(s.mass for s in scene.riser) or scene.top.body or scene.bottom.body
+    ):
+        raise ValueError("dynamics need mass: give every section its mass, or an end a body")
+    if scene.top.tension_loss and scene.analysis.duration is None:
+        raise ValueError("top.tension_loss needs analysis.duration: statics are before it")
+    if scene.lateral and scene.top.x is None:
+        raise ValueError(f"top.x is needed, because of {scene.lateral}")
+    bending = [bool(s.young_modulus or s.bending_stiffness) for s in scene.riser]
+    if any(bending) and not all(bending):
+        raise ValueError("riser: give bending stiffness to all sections or to none")
+    if len({s.structural_damping for s in scene.riser}) > 1:
+        raise ValueError("riser: structural_damping must be the same in all sections")
+    if scene.top.z != "free" and scene.bottom.hold == "free" and scene.top.elevation is None:
+        raise ValueError("a riser that hangs needs top.elevation")
+    if scene.platform is None and "platform" in (scene.top.x, scene.top.z):
+        raise ValueError("top is on the platform: needs platform")
+    joint = scene.top.telescopic_joint
+    if joint and not all(bending):
+        raise ValueError("a telescopic_joint needs bending stiffness in the riser")
+    _vessel_and_soil(scene, all(bending))
+    _starts_gently(scene)
+    length = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)
+    stations = (scene.analysis.output and scene.analysis.output.stations) or []
+    for s in stations:
+        if not 0.0 <= s <= length * (1.0 + 1e-9):
+            raise ValueError(
+                f"analysis.output.stations: {s:g} m is not on the riser; "
+                f"allowed is from 0 to {length:g} m"
+            )
+    closes(scene)
+    covered(scene)
+    limits_fit(scene)
+    _disconnect(scene)
+
+
+def _sea(scene: Parts) -> None:
+    response = scene.platform and scene.platform.response
+    if response and response.wave is None and scene.wave is None:
+        raise ValueError("platform.response needs a wave, of its own or of the scene")
+    levels = scene.water and None not in (scene.water.surface, scene.water.seabed)
+    if scene.wave:
+        if not levels:
+            raise ValueError("wave needs water.surface and water.seabed")
+        if scene.gravity is None:
+            raise ValueError("wave needs gravity")
+        if not any(s.drag or s.added_mass for s in scene.riser):
+            raise ValueError("wave needs a riser section with drag or added mass")
+        if any(s.added_mass and s.added_mass.direction for s in scene.riser):
+            raise ValueError("a wave needs added_mass across the pipe: leave out its direction")
+    if scene.current and scene.current.by_depth and (scene.water and scene.water.surface) is None:
+        raise ValueError("current.profile: depths need water.surface")
+    for part in scene.current.parts if scene.current else []:
+        own = isinstance(part, Shape) and None not in (part.seabed, part.surface)
+        if not own and not levels:
+            raise ValueError("current.profile needs water.surface and water.seabed")
+
+
+def _vessel_and_soil(scene: Parts, bends: bool) -> None:
+    if (scene.vessel is None) != (scene.top.x != "vessel"):
+        raise ValueError("vessel and 'top.x: vessel' go together")
+    if scene.vessel and scene.platform:
+        raise ValueError("give platform, which moves as told, or vessel, which is free; not both")
+    turning = scene.vessel and scene.vessel.yaw and scene.spatial
+    if turning and scene.analysis.method == "explicit":
+        raise ValueError(
+            "vessel.yaw: explicit stepping does not know the forces of a turning hull; "
+            "take an implicit method"
+        )
+    if scene.vessel and scene.vessel.coupling:
+        scene.vessel.coupling.fits(scene.analysis)
+        _exchange(scene)
+    if scene.vessel and scene.vessel.hull_drag and scene.water is None:
+        raise ValueError("vessel.hull_drag needs water")
+    if (scene.bottom.hold == "foot") != (scene.soil is not None):
+        raise ValueError("soil and 'bottom.hold: foot' go together")
+    if scene.soil and scene.riser[0].outer_diameter is None:
+        raise ValueError("soil needs the outer_diameter of the lowest section")
+    joints = [s for s in scene.riser if s.flex_joint_below]
+    if joints and (not bends or len(joints) > 1 or scene.riser[0].flex_joint_below):
+        raise ValueError(
+            "flex_joint_below: one, between sections that bend; the lower end has bottom.rotation"
+        )
+    if scene.riser[0].guide_below and scene.bottom.hold != "free":
+        raise ValueError("riser[0].guide_below: the bottom is held there; guide a section above")
+    gauged = scene.analysis.output and scene.analysis.output.stress_in
+    if gauged and gauged not in [s.name for s in scene.riser if s.young_modulus]:
+        raise ValueError(
+            f"analysis.output.stress_in: no section {gauged!r} with young_modulus and diameters"
+        )
+
+
+def _starts_gently(scene: Parts) -> None:
+    """Accuracy is not asked for where an end starts with a speed.
+
+    It sends waves of all lengths along the riser: what is not damped is nothing to refine to.
+    """
+    a = scene.analysis
+    chosen = a.duration is not None and a.mesh is None and any(s.mass for s in scene.riser)
+    damped = all(s.structural_damping for s in scene.riser)
+    later = a.output and a.output.start
+    release = scene.disconnect
+    if release and release.over is None and chosen and not damped:
+        raise ValueError(
+            "disconnect lets go at once: tensions of an undamped riser then have no peak that a finer "
+            "mesh and step would settle; give disconnect.over, structural_damping, or analysis.mesh and "
+            "step"
+        )
+    if scene.platform is None or not chosen or (damped and later):
+        return
+    for line, motion in scene.platform.sudden:
+        if (scene.top.z if motion == "heave" else scene.top.x) == "platform":
+            raise ValueError(
+                f"platform.{line} starts from rest with a speed: moments and tensions then have no "
+                "peaks that a finer mesh and step would settle; give it a ramp, or "
+                "structural_damping and a later analysis.output.start, or analysis.mesh and step"
+            )
+
+
+def _exchange(scene: Parts) -> None:
+    """What is exchanged is the force of the string's end: nothing else may act there across."""
+    top = scene.top
+    if top.telescopic_joint:
+        return
+    for name in ("body", "lateral_force", "tensioners"):
+        if getattr(top, name) is not None:
+            raise ValueError(
+                f"vessel.coupling: top.{name} acts on the platform beside the riser; put a "
+                "telescopic_joint between, or leave coupling out"
+            )
+
+
+def _disconnect(scene: Parts) -> None:
+    if scene.disconnect is None:
+        return
+    a = scene.analysis
+    if scene.bottom.hold != "wellhead":
+        raise ValueError("disconnect needs 'bottom.hold: wellhead', which lets go")
+    if a.duration is None or not scene.disconnect.at < a.duration:
+        raise ValueError("disconnect.at must be before the end of analysis.duration")
+    if a.method == "explicit" or a.solver:
+        raise ValueError("disconnect needs an implicit method of lumped masses")
+    if scene.vessel and scene.vessel.coupling:
+        raise ValueError("disconnect does not go with vessel.coupling; leave coupling out")
+    if scene.bottom.body and scene.bottom.body.reach:
+        raise ValueError("disconnect needs a body at a point: leave out bottom.body's reach")
+    if scene.disconnect.valve and (scene.top.tension is None or scene.top.tension_loss):
+        raise ValueError("disconnect.valve needs top.tension, without a tension_loss of its own")

@@ -1,0 +1,70 @@
+"""What the limits of a scene need of it: places that there are, and inputs that tell their outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from riserstudy.scene.limits import Limit, section_of
+
+if TYPE_CHECKING:
+    from riserstudy.scene.parts import Parts
+    from riserstudy.scene.riser import Section
+
+
+def limits_fit(scene: Parts) -> None:
+    """See that limits are at sections that there are.
+
+    Raises
+    ------
+    ValueError
+        Field, what was found and what is allowed.
+    """
+    names = [section.name for section in scene.riser]
+    for k, limit in enumerate(scene.limits or []):
+        place = section_of(limit.at or names[0])
+        if place not in names:
+            raise ValueError(
+                f"limits[{k}].at: no section {place!r}; allowed are " + ", ".join(map(repr, names))
+            )
+
+
+def wall_lacks(scene: Parts, section: Section) -> list[str]:
+    """What the stress of a section's wall lacks, by the fields of the scene; empty where it is known."""
+    lacks = [
+        f"{name} of section {section.name!r}"
+        for name in ("outer_diameter", "inner_diameter")
+        if not getattr(section, name)
+    ]
+    if scene.water is not None:
+        lacks += [] if section.contents else [f"contents of section {section.name!r}"]
+        lacks += ["water.surface"] if scene.water.surface is None else []
+        lacks += ["gravity"] if scene.gravity is None else []
+    return lacks
+
+
+def lacks(scene: Parts, limit: Limit) -> list[str]:
+    """What a scene lacks for the output of a limit, by its fields; empty where it should be there."""
+    name = limit.output
+    if name == "von_mises_stress":
+        return [
+            lack
+            for section in scene.riser
+            if limit.at is None or section_of(limit.at) == section.name
+            for lack in wall_lacks(scene, section)
+        ]
+    needs: dict[str, tuple[str, Callable[[Parts], bool]]] = {
+        "stroke": (
+            "top.telescopic_joint or tensioners",
+            lambda s: bool(s.top.telescopic_joint or s.top.tensioners),
+        ),
+        "tensioner_stroke": ("top.tensioners", lambda s: s.top.tensioners is not None),
+        "tensioner_force": ("top.tensioners", lambda s: s.top.tensioners is not None),
+        "largest_stress": ("analysis.output.stress_in", lambda s: bool(s.analysis.output)),
+        "ufj_angle": ("top.x that is held, on the platform or a vessel", lambda s: bool(s.lateral)),
+        "lfj_angle": ("a held lower end, or a riser.flex_joint_below", lambda s: bool(s.lateral)),
+        "bending_moment": ("bending stiffness and a load across", lambda s: bool(s.lateral)),
+        "shear_force": ("bending stiffness and a load across", lambda s: bool(s.lateral)),
+    }
+    field, given = needs.get(name, ("", lambda _: True))
+    return [] if given(scene) else [field]

@@ -1,0 +1,133 @@
+"""The parts of a scene, as its file holds them, and what they call for."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated
+
+from pydantic import Field
+
+from riserstudy.scene import units as u
+from riserstudy.scene.analysis import Analysis
+from riserstudy.scene.base import ALONG_X, POSITIVE, Strict
+from riserstudy.scene.buoyancy import Buoyancy
+from riserstudy.scene.disconnect import Disconnect
+from riserstudy.scene.ends import Body, Bottom, Top
+from riserstudy.scene.forcing import Current, Platform, Water
+from riserstudy.scene.limits import Limit
+from riserstudy.scene.riser import Section
+from riserstudy.scene.sea import IrregularSea, RegularWave
+from riserstudy.scene.soil import Soil
+from riserstudy.scene.vessel import Vessel
+
+
+class Parts(Strict):
+    """A riser and what acts on it, part by part."""
+
+    title: str
+    paper: str | None = None
+    note: str | None = None
+    gravity: Annotated[u.Acceleration, POSITIVE] | None = None
+    water: Water | None = None
+    riser: Annotated[list[Section], Field(min_length=1)]
+    buoyancy: Buoyancy | None = None
+    bottom: Bottom
+    top: Top
+    platform: Platform | None = None
+    vessel: Vessel | None = None
+    soil: Soil | None = None
+    current: Current | None = None
+    wave: RegularWave | IrregularSea | None = None
+    limits: Annotated[list[Limit], Field(min_length=1)] | None = None
+    disconnect: Disconnect | None = None
+    analysis: Analysis
+
+    @property
+    def bodies(self) -> list[Body]:
+        """What is attached to the riser's ends."""
+        return [end.body for end in (self.bottom, self.top) if end.body]
+
+    @property
+    def hanging(self) -> tuple[float, float]:
+        """Weight in water (N) and mass (kg) of riser, contents and bodies."""
+        gravity, water = self.gravity or 0.0, self.water.density if self.water else 0.0
+        weight = sum(body.weight(gravity, water) for body in self.bodies)
+        mass = sum(body.mass for body in self.bodies)
+        for section in self.riser:
+            inside = section.contents_mass
+            length = section.total_length
+            weight += ((section.submerged_weight or 0.0) + inside * gravity) * length
+            mass += ((section.mass or 0.0) + inside) * length
+        return weight, mass
+
+    @property
+    def shortest_period(self) -> float | None:
+        """Shortest period of platform and waves (s)."""
+        platform = self.platform or Platform()
+        periods = [motion.period for _, motion in platform.harmonics]
+        swell = platform.response and platform.response.wave
+        periods += [wave.shortest_period for wave in (self.wave, swell) if wave]
+        return min(periods, default=None)
+
+    @property
+    def jolts(self) -> list[float]:
+        """Times from the start on at which accelerations jump (s), in order.
+
+        At the start they do where statics do not hold what acts then.
+        """
+        a = self.analysis
+        found = self.platform.jolts if self.platform else []
+        sudden = self.vessel or (self.wave and self.wave.ramp is None)
+        if sudden or a.start not in (None, "equilibrium"):
+            found.append(0.0)
+        if self.disconnect:
+            found.append(self.disconnect.at)
+        return sorted({t for t in found if t < (a.duration or 0.0)})
+
+    @property
+    def lateral(self) -> str:
+        """The line of the scene that calls for lateral freedom, "" when none does."""
+        platform = self.platform or Platform()
+        reasons = {
+            "current": self.current,
+            "wave": self.wave,
+            "platform.position.surge": platform.position and platform.position.surge,
+            "platform.position.pitch": platform.position and platform.position.pitch,
+            "platform.surge": platform.surge,
+            "vessel": self.vessel,
+            "soil": self.soil,
+            "platform.pitch": platform.pitch,
+            "platform.response": platform.response
+            and ({"surge", "pitch"} & set(platform.response.moving) or None),
+            "platform.cruise": platform.cruise,
+            "top.offset": self.top.offset,
+            "top.tensioners.failed": (self.top.tensioners and self.top.tensioners.pulls_aside)
+            or None,
+            "top.lateral_force": self.top.lateral_force,
+            "riser.lateral_load": [s for s in self.riser if s.lateral_load] or None,
+        }
+        named = next((name for name, value in reasons.items() if value is not None), "")
+        return named or self.spatial
+
+    @property
+    def spatial(self) -> str:
+        """The line of the scene that calls for motion out of the plane of x and z, "" when none does."""
+        platform = self.platform or Platform()
+        reasons = {
+            f"platform.{where}{name}": getattr(of, name, None)
+            for where, of in (("position.", platform.position), ("", platform))
+            for name in ("sway", "roll", "yaw")
+        }
+        moving = platform.response.moving if platform.response else []
+        if {"sway", "roll", "yaw"} & set(moving):
+            reasons["platform.response"] = moving
+        if self.top.tensioners and not self.top.tensioners.even_sided:
+            reasons["top.tensioners"] = "uneven"
+        if self.current and (line := self.current.leaves_plane):
+            reasons[f"current.{line}"] = True
+        for name, what in (("platform.cruise", platform.cruise), ("wave", self.wave)):
+            if what and abs(math.sin(what.heading or 0.0)) > ALONG_X:
+                reasons[f"{name}.heading"] = what.heading
+        if self.vessel and self.vessel.turned:
+            reasons[self.vessel.turned] = True
+        return next((name for name, value in reasons.items() if value is not None), "")
