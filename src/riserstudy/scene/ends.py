@@ -118,7 +118,9 @@ class TelescopicJoint(Strict):
     """Joint above the tension ring that slides without force, and carries shear and bending.
 
     ``length`` is from ring to top with the platform at rest; outer and inner barrel bend as one.
-    ``tension``: tensioners pull with it along the joint, whatever its length. Absent stop: none.
+    ``tension``: tensioners pull with it along the joint, whatever its length. Absent stop: none. The mass
+    of the outer barrel is that of ``top.body``, at the ring; the inner one moves with the platform. Stops
+    both ways are those of tensioners' ``stroke``.
     """
 
     length: Annotated[u.Length, POSITIVE]
