@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from riserstudy.chapters.liu2017 import derived
 from riserstudy.chapters.liu2017.derived import driveoff
 from riserstudy.effects.soil import _clay
 from riserstudy.model.mesh import even
@@ -154,3 +155,18 @@ def test_the_joint_goes_no_further_than_its_printed_limit():
     ).arrays
     assert 9.9 < run_to_stop["stroke"].max() < 10.0
     assert run_to_stop["effective_tension"][:, -1].max() > 1.2 * TENSION
+
+
+def test_samples_nearest_to_the_printed_time_are_a_share_of_all_and_one_at_least(monkeypatch):
+    times = [20.0, np.inf, 49.0, 80.0, 50.5, np.inf]
+    both = xr.DataArray(
+        [[[time], [0.0]] for time in times],
+        dims=("sample", "heading", "limit"),
+        coords={"heading": ["along", "against"], "limit": ["upper flex joint"]},
+    )
+    found = xr.Dataset({"limit_time": both}, {"sample": np.arange(len(times))})
+    monkeypatch.setattr(derived, "open_drive_off", lambda *_: found)
+    nothing = xr.Dataset()
+    half = derived.open_as_printed(nothing, nothing, deadline=50.0, one_in=2)
+    assert half["sample"].values.tolist() == [0, 2, 4]
+    assert derived.open_as_printed(nothing, nothing, 50.0, 12)["sample"].values.tolist() == [4]
