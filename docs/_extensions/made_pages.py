@@ -15,6 +15,7 @@ from pathlib import Path
 
 import typer
 import typer.cli
+import xarray as xr
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 
@@ -24,7 +25,10 @@ from riserstudy.chapters import function_of
 from riserstudy.dataset.variables import variables
 from riserstudy.effects.catalogue import catalogue
 from riserstudy.folders import PACKAGE
+from riserstudy.numerics.measure import measure
+from riserstudy.numerics.scenes import Setting
 from riserstudy.scene.load import read_yaml
+from riserstudy.study.read import read_studies
 
 ROOT = Path(__file__).resolve().parents[2]
 MARK = re.compile(r"<!-- made: (\w+)(.*?)-->", re.DOTALL)
@@ -81,6 +85,31 @@ def coming(_: str) -> str:
     return "\n" + done.stdout.partition("## ")[2].partition("\n")[2]
 
 
+def validation(_: str) -> str:
+    """What the engine computes beside what is known: from the last study, or run now where there is none."""
+    file = ROOT / "results/numerics/validation.nc"
+    found = xr.load_dataset(file) if file.is_file() else _validated()
+    rows = [_compared(found.isel(row=k)) for k in range(found.sizes["row"])]
+    head = "| what | beside | known | computed | error | allowed, for |"
+    return "\n".join([head, "|---|---|---|---|---|---|", *rows])
+
+
+def _compared(row: xr.Dataset) -> str:
+    """A number beside what is known, as a line of a table."""
+    of = {str(name): variable.item() for name, variable in row.data_vars.items()}
+    unit = "" if of["unit"] == "1" else f" {of['unit']}"
+    held = "" if of["holds"] else " **does not hold**"
+    cells = [f"{of['name']}: {of['quantity']}", f"{of['kind']}: {of['by']}"]
+    cells += [f"{of[name]:.7g}{unit}" for name in ("reference", "value")]
+    cells += [f"{of['error']:.1e}{held}", f"{of['tolerance']:.0e}: {of['because']}"]
+    return f"| {' | '.join(cells)} |"
+
+
+def _validated() -> xr.Dataset:
+    study = read_studies(ROOT / "config", "numerics").measured.validation
+    return measure("numerics validation", study, Setting(ROOT / "config", "standard"))
+
+
 def gallery(names: str) -> str:
     """Figures with what they show and the lines that draw them."""
     return "\n".join(_figure(*name.split("/")) for name in names.split())
@@ -123,7 +152,7 @@ def _rst(directive: str) -> str:
 
 MAKERS: dict[str, Callable[[str], str]] = {
     maker.__name__: maker
-    for maker in (commands, functions, laws, called_by, quantities, coming, gallery)
+    for maker in (commands, functions, laws, called_by, quantities, coming, gallery, validation)
 }
 
 

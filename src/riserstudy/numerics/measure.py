@@ -17,6 +17,7 @@ from riserstudy.study.measured import (
     RandomStudy,
     StabilityStudy,
     TiersStudy,
+    ValidationStudy,
 )
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ MODULES: dict[type[MeasuredStudy], str] = {
     LongStudy: "long_runs",
     TiersStudy: "tiers",
     EnergyStudy: "energy",
+    ValidationStudy: "validation",
 }
 
 

@@ -21,6 +21,7 @@ from riserstudy.study.measured import (
     RandomStudy,
     StabilityStudy,
     TiersStudy,
+    ValidationStudy,
 )
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ MeasuredStudy = (
     | LongStudy
     | TiersStudy
     | EnergyStudy
+    | ValidationStudy
 )
 
 
@@ -69,7 +71,7 @@ def scenes_of(
     if isinstance(study, EffectsStudy):
         yield from bases(setting.studies, setting.tier)
         return
-    if isinstance(study, AccuracyStudy | TiersStudy):
+    if isinstance(study, AccuracyStudy | TiersStudy | ValidationStudy):
         cases: dict[str, Any] = study.scenes
     elif isinstance(study, RandomStudy):
         cases = study.families

@@ -44,6 +44,8 @@ def engine(datasets: dict[str, xr.Dataset]) -> Engine | None:
         findings = [Finding(*row) for row in zip(*columns, strict=True)]
     if (steps := datasets.get("stable_step")) is not None:
         said.append(stable_steps(steps))
+    if (beside := datasets.get("validation")) is not None:
+        said.append(known(beside))
     if (effects := datasets.get("effects")) is not None:
         said += costs(effects)
     if (drawn := datasets.get("random_scenes")) is not None:
@@ -60,6 +62,18 @@ def hard_cases(stability: xr.Dataset) -> list[str]:
     ended = f"all {count}" if met == count else f"{met} of {count}"
     told = listed(f"{number} {outcome}" for outcome, number in outcomes.most_common())
     return [f"Hard cases that ended as expected: {ended} ({told})."]
+
+
+def known(validation: xr.Dataset) -> str:
+    """How many numbers agree with what is known, and which do not."""
+    holds = validation["holds"].values
+    kinds = Counter(map(str, validation["kind"].values))
+    told = listed(counted(number, kind) for kind, number in kinds.items())
+    met = f"all {len(holds)}" if holds.all() else f"{int(holds.sum())} of {len(holds)}"
+    bad = validation.isel(row=~holds)
+    named = [f"{n}, {q}" for n, q in zip(bad["name"].values, bad["quantity"].values, strict=True)]
+    but = f"; not: {listed(named)}" if named else ""
+    return f"Numbers within their tolerance of what is known: {met} ({told}){but}."
 
 
 def stable_steps(steps: xr.Dataset) -> str:

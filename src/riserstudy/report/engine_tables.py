@@ -46,6 +46,8 @@ def tables(datasets: dict[str, xr.Dataset]) -> Iterator[Table]:
         yield requests(datasets["accuracy"])
     if "energy" in datasets:
         yield balances(datasets["energy"])
+    if "validation" in datasets:
+        yield known(datasets["validation"])
 
 
 def hard_cases(stability: xr.Dataset) -> Table:
@@ -149,6 +151,35 @@ def balances(energy: xr.Dataset) -> Table:
     about = "Largest values over time, as shares of the energy exchanged or stored."
     columns = ["Case", "Method", "Dissipated by the method", "Unexplained"]
     return Table("Energy", about, columns, {2, 3}, rows)
+
+
+def known(validation: xr.Dataset) -> Table:
+    """A row a closed form, second method or conservation law, beside what the engine computes."""
+    rows = []
+    for k in range(validation.sizes["row"]):
+        of = validation.isel(row=k)
+        text = {
+            name: str(of[name].values) for name in ("name", "quantity", "kind", "by", "because")
+        }
+        unit = str(of["unit"].values)
+        unit = "" if unit == "1" else f" {unit}"
+        both = [
+            Cell(f"{float(of[name]):.8g}{unit}", float(of[name])) for name in ("reference", "value")
+        ]
+        allowed = [
+            Cell(f"{float(of[name]):.1e}", float(of[name])) for name in ("error", "tolerance")
+        ]
+        verdict = Cell("holds" if bool(of["holds"]) else "does not hold")
+        words = [Cell(text[name]) for name in ("name", "quantity", "kind", "by")]
+        rows.append([*words, *both, *allowed, verdict, Cell(text["because"])])
+    about = (
+        "Run anew with every study. The error is the difference over the size of the reference; the last "
+        "column says what its tolerance leaves room for."
+    )
+    columns = ["What", "Number", "Reference", "By", "Known", "Computed", "Error", "Tolerance"]
+    return Table(
+        "Beside what is known", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows
+    )
 
 
 def _share(value: float) -> Cell:

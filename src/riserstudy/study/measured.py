@@ -227,6 +227,13 @@ class TiersStudy(EngineStudy):
     scenes: dict[str, Family]
 
 
+class ValidationStudy(EngineStudy):
+    """Closed forms, second methods and conservation laws beside the engine, on these scenes and its own."""
+
+    timed = False
+    scenes: dict[str, Family]
+
+
 class Measured(Strict):
     """Datasets that are measured by running methods, not grids. Absent: not measured."""
 
@@ -238,6 +245,7 @@ class Measured(Strict):
     long_runs: LongStudy | None = None
     tiers: TiersStudy | None = None
     energy: EnergyStudy | None = None
+    validation: ValidationStudy | None = None
 
     @property
     def names(self) -> list[str]:
