@@ -22,6 +22,13 @@ LAYER = "config/studies/own.yaml: studies.runs"
         ({"platform.surje": None}, LAYER, "platform.surje"),
         ({"riser[0].drag.coefizient": None}, LAYER, "riser[0].drag.coefizient"),
         ({"platform.sway.amplitude": "1 m"}, f"{SCENE} with {LAYER}", "platform.sway.period"),
+        ({"platform": None}, f"{SCENE} with {LAYER}", ""),
+        ({"top": None}, LAYER, "top"),
+        (
+            {"riser[0].drag.coefficient": [{"elevation": "0 m", "value": "a"}]},
+            LAYER,
+            "riser[0].drag.coefficient",
+        ),
         ({"riser[0].inner_diameter": "1 m"}, f"{SCENE} with {LAYER}", "riser[0]"),
     ],
 )

@@ -45,6 +45,9 @@ def read(folder, figure=None, keep=None, axis=None, analysis=MOVING):
         ("envelope", "lfj_angle", None, "has no values along the riser"),
         ("envelope", "bending_moment", ["bending_moment"], "is not kept"),
         ("envelope", "x_min", ["x_max"], "'x_min' is not kept"),
+        ("lines", "z", ["z_max"], "'z' is not kept"),
+        ("lines", "x_static", ["x"], "'x_static' is not kept"),
+        ("lines", "von_mises_stress", None, "no section whose wall is told"),
     ],
 )
 def test_what_a_plot_cannot_show_is_refused_at_planning(tmp_path, plot, quantity, keep, said):

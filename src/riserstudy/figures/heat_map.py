@@ -22,16 +22,8 @@ from riserstudy.figures.grid import (
     present,
     read,
 )
+from riserstudy.study.plots import EXTREMES
 
-#: quantities of which most is seen, with the extreme that matters
-EXTREMES = {
-    "bending_moment": "_absmax",
-    "effective_tension": "_min",
-    "x": "_absmax",
-    "ufj_angle": "_absmax",
-    "stroke": "_max",
-    "z": "_max",
-}
 PANELS = 4
 LEAST = 1e-3  # share of a value that the colours tell apart
 

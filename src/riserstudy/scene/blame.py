@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import Any, get_args
 
@@ -13,26 +13,32 @@ from riserstudy.errors import InputError
 from riserstudy.scene.models import Scene
 
 
-def blamed(error: InputError, layers: dict[str, str]) -> InputError:
+def blamed(error: InputError, layers: dict[str, str], tables: dict[str, str]) -> InputError:
     """The same fault, told of who set the value, or of the scene together with those who may have.
 
     Parameters
     ----------
     layers : who set values on top of a scene, by their path.
+    tables : files that stand in for values, by their path.
     """
-    place = error.field
-    if error.found == "missing":  # of what a layer began
-        place = place.rpartition(".")[0]
-    above = [path for path in layers if _leads(path, place)]
-    if above and error.found != "missing":
-        where = layers[max(above, key=len)]
+    every = layers | tables
+    missing = error.found == "missing"
+    above = [path for path in every if _leads(path, error.field)]
+    if above and not (missing and error.field not in above):
+        where = every[max(above, key=len)]
     else:
-        below = [
-            p for p in layers if (_leads(place, p) if place else p.split(".")[0] in error.found)
-        ]
-        with_ = sorted({layers[path] for path in (above or below)})
-        where = " with ".join([error.where, ", ".join(with_)]) if with_ else error.where
+        others = above or _below(error, every) or ([] if error.field else [*layers])
+        names = ", ".join(sorted({every[path] for path in others}))
+        where = f"{error.where} with {names}" if names else error.where
     return InputError(where, error.field, error.found, error.allowed)
+
+
+def _below(error: InputError, paths: Iterable[str]) -> list[str]:
+    """Paths of what a fault is about as a whole: below its place, or in parts that it speaks of."""
+    place = error.field.rpartition(".")[0] if error.found == "missing" else error.field
+    if place:
+        return [path for path in paths if _leads(place, path)]
+    return [path for path in paths if re.split(r"\W", path)[0] in error.found]
 
 
 def _leads(short: str, long: str) -> bool:

@@ -62,4 +62,4 @@ def _readable(error: ValidationError, source: object) -> InputError:
 
 def _names_alternative(step: object) -> bool:
     """Whether a step of a fault's place names one of several models, which is no field."""
-    return isinstance(step, str) and (step[:1].isupper() or "[" in step)
+    return isinstance(step, str) and (step[:1].isupper() or "[" in step or "-" in step)

@@ -84,7 +84,7 @@ class SceneFile:
             if error.where != self.source:
                 raise
             tables = {path: str(file) for path, file in files_of_tables(self.tree, folder)}
-            raise blamed(error, self.layers | tables) from None
+            raise blamed(error, self.layers, tables) from None
 
 
 def _copied(tree: Any) -> Any:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.variables import ENDINGS, OF_POINTS
 from riserstudy.errors import InputError
+from riserstudy.scene.limits import wall_lacks
 from riserstudy.scene.models import Scene
 from riserstudy.study.figures import FigureModel, Plot
 from riserstudy.study.models import Samples
@@ -15,10 +17,19 @@ ALONG = (
     *("x", "y", "z", "effective_tension", "bending_moment"),
     *("shear_force", "von_mises_stress"),  # of which envelopes alone are returned
 )
+#: what a heat map shows of them, where nothing is said
+EXTREMES = {
+    "bending_moment": "_absmax",
+    "effective_tension": "_min",
+    "x": "_absmax",
+    "ufj_angle": "_absmax",
+    "stroke": "_max",
+    "z": "_max",
+}
 #: what each plot takes where a figure names nothing; more of them than it shows
 USUAL: dict[Plot, tuple[str, ...]] = {
     "lines": ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z"),
-    "heat map": ("bending_moment", "effective_tension", "x", "ufj_angle", "stroke", "z"),
+    "heat map": tuple(EXTREMES),
     "envelope": ("x", "y", "bending_moment", "effective_tension", "z"),
     "time series": ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z"),
 }
@@ -44,6 +55,11 @@ CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
         lambda s: bool(
             s.top.tensioners or s.top.telescopic_joint or (s.platform and s.top.z == "free")
         ),
+    ),
+    (
+        ("von_mises_stress",),
+        "section whose wall is told: diameters, contents, gravity and water.surface",
+        lambda s: not all(wall_lacks(s, section) for section in s.riser),
     ),
     (("lift", "lift_rate"), "disconnect", lambda s: s.disconnect is not None),
     (
@@ -82,21 +98,37 @@ def unshown(plot: Plot, quantity: str, study: Study) -> str:
         return f"has no values along the riser; allowed are {', '.join(ALONG)}"
     if plot == "time series" and (quantity != stem or stem in ALONG[-2:]):
         return "has no history; lines and envelopes show extremes"
-    kept = study.model.keep
-    if kept is not None and not set(_any_of(plot, quantity, stem, study)) & set(kept):
-        return f"is not kept; keep of {study.name!r} has {', '.join(kept)}"
+    if not _is_kept(plot, quantity, stem, study):
+        kept = study.model.keep
+        has = (
+            f"keep of {study.name!r} has {', '.join(kept)}"
+            if kept
+            else "at rest it has no extremes"
+        )
+        return f"is not kept; {has}"
     return _uncalled(plot, stem, study)
 
 
-def _any_of(plot: Plot, quantity: str, stem: str, study: Study) -> list[str]:
-    """What must be kept, one of these, for a plot to show a quantity."""
-    if plot == "time series":
-        return [quantity]
-    if plot == "envelope":  # at rest the quantity itself has no time
-        moves = study.base.tree.get("analysis", {}).get("duration")
-        own = [] if quantity == stem and moves else [quantity]
-        return [*own, *(stem + side for side in SIDES if quantity == stem)]
-    return [quantity, stem, *(stem + side for side in (SIDES if quantity == stem else ()))]
+def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
+    """Whether a study keeps what a plot makes a quantity from; at rest there are no extremes."""
+    keep = study.model.keep
+    moves = study.base.tree.get("analysis", {}).get("duration") is not None
+
+    def there(*names: str) -> bool:
+        return any((keep is None or n in keep) and (moves or not n.endswith(SIDES)) for n in names)
+
+    sides = [stem + side for side in SIDES]
+    if plot == "time series" or quantity.endswith("_static"):
+        return there(quantity)
+    if plot == "envelope":
+        return there(quantity) if quantity != stem else there(*sides, *([] if moves else [stem]))
+    if quantity == stem and plot == "heat map":
+        quantity += EXTREMES.get(stem, "_max")
+    if quantity.endswith("_absmax") or (quantity == stem and stem in SIGNED):
+        return there(stem, *sides)
+    if quantity == stem:
+        return there(stem) or (there(stem + "_max") and there(stem + "_min"))
+    return there(quantity, stem)
 
 
 def _uncalled(plot: Plot, stem: str, study: Study) -> str:
