@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.variables import ENDINGS, OF_POINTS
 from riserstudy.errors import InputError
-from riserstudy.scene.limits import wall_lacks
+from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.models import Scene
 from riserstudy.study.figures import FigureModel, Plot
 from riserstudy.study.models import Samples
