@@ -177,6 +177,17 @@ def read_only_results(folder):
     return end
 
 
+def read_only_cache(folder):
+    """The cache is mounted read-only with all kernels in it, and points and datasets are gone."""
+    cache = folder / ".cache"
+    (cache / "numba").unlink()
+    shutil.copytree(kernel_cache(), cache / "numba" / kernel_cache().name)
+    forget(folder)
+    with mounted("--bind", cache, cache):
+        mount("-o", "remount,bind,ro", cache)
+        return said(*run(folder))
+
+
 def disk_full(folder):
     """Results, points and records lie on a disk (tmpfs) of which 64 kB are free, then more becomes free."""
     forget(folder)
@@ -227,6 +238,7 @@ FAULTS = (
     clock_set_back,
     clock_set_forward,
     read_only_results,
+    read_only_cache,
     disk_full,
 )
 

@@ -24,6 +24,7 @@ SHORT = {
 #: refused for its output, once all of its input is found good
 NOWHERE = "absent/out.nc"
 OUT = "out.nc"
+PATIENCE = ("0.001", "0.3", "20", "0.1 min", "0", "-1 s", "soon", "1e400", "3 m", "nan")
 TABLES = {
     "current.profile": "depth (m), speed (m/s)\n0, 1.2\n133, 1\n333, 0.5\n533, 0\n",
     "platform.heave": "time (s), value (m)\n" + "".join(f"{t}, {t % 3 - 1}\n" for t in range(12)),
@@ -46,7 +47,10 @@ def scene(rng, folder):
         tree["analysis"].pop("accuracy", None)
     (folder / "case.yaml").write_bytes(spoilt(tree, scenes(), rng, 1 if run else 3))
     (folder / "a.csv").write_text(rng.choice(list(TABLES.values())))
-    return ["run", "case.yaml", "-o", OUT if run else NOWHERE]
+    words = ["run", "case.yaml", "-o", OUT if run else NOWHERE]
+    if run and rng.random() < 0.5:
+        words += ["--patience", rng.choice(PATIENCE)]
+    return words
 
 
 def table(rng, folder):

@@ -7,6 +7,7 @@ left; a dataset without NaN when done; all within the time and memory given.
 import contextlib
 import io
 import multiprocessing
+import re
 import resource
 import subprocess
 import sys
@@ -27,6 +28,10 @@ from riserstudy.errors import RiserStudyError
 SECONDS = 60.0  # of a core that a case may take
 HANGS = 600.0  # s that it may take in all, on a machine with much else to do
 MEMORY = 4 * 2**30  # bytes of address space
+#: what a run says of itself that takes more than seconds
+PROGRESS = re.compile(
+    r"^riserstudy: (run \d+: |a coarser run|the run as asked: |takes about ).*\n", re.MULTILINE
+)
 
 
 def faults_of(kind, seeds, tell=lambda _: None):
@@ -123,6 +128,7 @@ def fault_of(code, said, made, folder):
     """What is wrong with how a command ended, if anything."""
     if code not in (0, 2, 3) or "Traceback" in said:
         return f"exit {code}: {said}"
+    said = PROGRESS.sub("", said)
     if code and (not said.startswith("riserstudy: ") or said.count("\n") != 1 or len(said) > 2000):
         return f"exit {code} with no single message: {said[:300]!r}"
     if code and made:
