@@ -72,6 +72,13 @@ def test_every_kind_of_damage_to_a_point_is_named_and_a_missing_one_counted(comm
     assert "1 points are not in this store" in out
 
 
+def test_points_of_a_former_format_are_missing_not_damaged(command):
+    path = next(iter(points().values()))
+    path.rename(path.with_suffix(".point"))
+    code, out, _ = command("verify")
+    assert (code, "1 points are not in this store" in out) == (0, True)
+
+
 def test_a_file_that_the_database_does_not_know_is_named(command):
     (workspace.RESULTS / "plain/stray.nc").write_bytes(b"")
     code, out, _ = command("verify")
@@ -109,7 +116,7 @@ def leftovers():
         store.put("00" + "a" * 30, result, scene)
     store.put("00" + "b" * 30, result, scene)
     (folder / "old.npz").write_bytes(b"old")
-    (folder / ("c" * 32 + ".point")).write_bytes(b"damaged")
+    (folder / ("c" * 32 + store.ENDING)).write_bytes(b"damaged")
     return needed
 
 

@@ -71,7 +71,7 @@ def two_runs_at_once(folder):
 
 def broken_store(folder):
     """Stored points are cut, filled with other bytes or emptied, and the datasets deleted."""
-    points = sorted((folder / ".cache/points").glob("*/*.point"))
+    points = sorted((folder / ".cache/points").glob("*/*.point2"))
     for k, point in enumerate(points):
         content = bytearray(point.read_bytes())
         content[len(content) // 2] ^= 255

@@ -61,7 +61,7 @@ class Checkout:
 
     def stored(self):
         """Stored points: file and the moment it was written."""
-        points = (self / ".cache/points").glob("*/*.point")
+        points = (self / ".cache/points").glob("*/*.point2")
         return {(path.name, path.stat().st_mtime_ns) for path in points}
 
     def edit(self, path, old, new):

@@ -92,7 +92,7 @@ def test_whole_papers_through_slurm_give_the_numbers_of_a_local_run(fresh, slurm
     }
     assert through_slurm
     tables = {path: untimed(path) for path in (fresh / "results").glob("*/*.csv")}
-    for path in [*(fresh / ".cache/points").glob("*/*.point"), *(fresh / "results").glob("*/*.*")]:
+    for path in [*(fresh / ".cache/points").glob("*/*.point2"), *(fresh / "results").glob("*/*.*")]:
         path.unlink()
     status, _, complained = fresh.run("--tier", "preview", *papers, timeout=1800)
     assert (status, complained) == (0, "")

@@ -116,7 +116,7 @@ def test_shards_of_a_study_join_to_the_same_dataset(fresh, finished):
 # Killed runs, damaged files
 
 
-@pytest.mark.parametrize("moment", [".cache/points/*/*.point", "results/chang2020/*.nc"])
+@pytest.mark.parametrize("moment", [".cache/points/*/*.point2", "results/chang2020/*.nc"])
 def test_a_run_killed_at_any_moment_is_finished_by_the_next(fresh, finished, moment):
     run = fresh.start("chang2020")
     deadline = time.monotonic() + 240
@@ -139,7 +139,7 @@ def test_a_run_killed_at_any_moment_is_finished_by_the_next(fresh, finished, mom
 
 
 def test_damaged_points_and_datasets_are_made_anew(checkout, finished):
-    point = next((checkout / ".cache/points").glob("*/*.point"))
+    point = next((checkout / ".cache/points").glob("*/*.point2"))
     os.truncate(point, point.stat().st_size // 2)
     for study in SIMULATE:
         os.truncate(checkout / f"results/{study.split()[1]}.nc", 4000)
@@ -163,7 +163,7 @@ def test_damaged_kernels_are_compiled_anew(checkout, finished):
     damaged = [*kernels.rglob("gas_spring.entry_force*.nbc"), *kernels.rglob("end_mass.*.nbi")]
     for file in damaged:
         os.truncate(file, file.stat().st_size // 2)
-    for path in (checkout / ".cache/points").glob("*/*.point"):
+    for path in (checkout / ".cache/points").glob("*/*.point2"):
         path.unlink()
     (checkout / "results/chang2020/from_rest.nc").unlink()
     status, _, complained = checkout.run()

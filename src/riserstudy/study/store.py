@@ -34,8 +34,7 @@ if TYPE_CHECKING:
 
 
 SEAL = hashlib.sha256().digest_size  # bytes
-ENDING = ".point"
-FORMAT = b"point 2\n"  # begins every file; others are of former versions
+ENDING = ".point2"  # of the second format; files of former ones are let lie until they are pruned
 LENGTH = struct.Struct("<Q")  # of the compressed JSON
 LEVEL = 1  # of compression: higher ones take longer and save next to nothing
 
@@ -122,7 +121,7 @@ def packed(key: str, result: Result, file: SceneFile, names: Collection[str]) ->
     }
     head = zlib.compress(json.dumps(about).encode(), LEVEL)
     body = zlib.compress(b"".join([_by_place(values) for values in arrays.values()]), LEVEL)
-    whole = b"".join([FORMAT, LENGTH.pack(len(head)), head, body])
+    whole = b"".join([LENGTH.pack(len(head)), head, body])
     return whole + _seal(key, whole)
 
 
@@ -180,10 +179,10 @@ def _read(path: Path) -> Stored | None:
 def unpacked(key: str, whole: bytes) -> Stored | None:
     """A point out of its stored bytes; None when they are not as they were written for that key."""
     content = memoryview(whole)[:-SEAL]
-    begin = len(FORMAT) + LENGTH.size
-    if not whole.startswith(FORMAT) or len(content) < begin or whole[-SEAL:] != _seal(key, content):
+    begin = LENGTH.size
+    if len(content) < begin or whole[-SEAL:] != _seal(key, content):
         return None
-    (length,) = LENGTH.unpack(content[len(FORMAT) : begin])
+    (length,) = LENGTH.unpack(content[:begin])
     head = zlib.decompress(content[begin : begin + length])
     return Stored(json.loads(head), content[begin + length :])
 
