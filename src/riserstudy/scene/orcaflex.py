@@ -1,7 +1,7 @@
 """A scene from an OrcaFlex text model of a vertical riser: what has a counterpart, with all else named.
 
 Nothing is guessed: what cannot be said in a scene is refused where the riser would be another one without it,
-and named as left out otherwise. Units are those of OrcaFlex's SI: te, kN, m, s, kN m/deg.
+and named as left out otherwise. Units are those of OrcaFlex's SI: tonne, kN, m, s, kN m/deg.
 """
 
 from __future__ import annotations

@@ -27,7 +27,7 @@ POSITIVE = {
 }
 SYMMETRY = {"None": None, "xz plane": "sides", "xz and yz planes": "sides and ends"}
 ANGLES = {"degrees": "deg", "radians": "rad"}
-FROM = {"crest": 0.0, "trough": 180.0}
+FROM = {"crest": 0.0, "trough": 180.0}  # codespell:ignore trough
 
 
 def platform_of(deck: Part, vessel: Part, ramp: float | None, waves: bool) -> dict[str, Any]:
