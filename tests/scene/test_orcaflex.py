@@ -86,7 +86,10 @@ def test_what_is_left_out_stands_in_the_scene_and_on_the_screen(tmp_path, capsys
 
 CONVENTIONS = {
     "leads": ({"RAOPhaseConvention": "leads"}, lambda r: r.conjugate()),
-    "from the trough": ({"RAOPhaseRelativeToConvention": "trough"}, lambda r: -r),  # codespell:ignore trough
+    "from the trough": (
+        {"RAOPhaseRelativeToConvention": "trough"},
+        lambda r: -r,
+    ),  # codespell:ignore trough
     "bow down": ({"PitchPositiveBow": "down"}, lambda r: -r),
 }
 
