@@ -172,12 +172,12 @@ def _forecast(file: Any) -> None:
     """Say before a long run what it will take."""
     from riserstudy.simulation.forecast import forecast
 
-    found = forecast(file.scene())
-    if found and found.seconds > WORTH_TELLING:
-        minutes = f"{found.seconds / 60.0:.2g} min" if found.seconds > 90.0 else ""
+    price = forecast(file.scene())
+    if price and price.seconds > WORTH_TELLING:
+        minutes = f"{price.seconds / 60.0:.2g} min" if price.seconds > 90.0 else ""
         print(
-            f"riserstudy: takes about {minutes or f'{found.seconds:.2g} s'}: by its first "
-            f"{found.piece:.4g} s, {found.elements} segments and a step of {found.step:.3g} s will do",
+            f"riserstudy: takes about {minutes or f'{price.seconds:.2g} s'}: by its first "
+            f"{price.piece:.4g} s, {price.elements} segments and a step of {price.step:.3g} s will do",
             file=sys.stderr,
             flush=True,
         )
@@ -261,12 +261,12 @@ def plot(
     from riserstudy.figures import save
     from riserstudy.figures.run import draw
 
-    found = opened(dataset)
+    of_run = opened(dataset)
     _check_writable(output, dataset)
     if output.suffix not in (".png", ".pdf", ".svg"):
         allowed = "allowed are .png, .pdf and .svg"
         raise InputError("--output", str(output), f"no figure {output.suffix!r}", allowed)
-    save(draw(kind.value, found.isel(place(found, _place(at))), of), output)
+    save(draw(kind.value, of_run.isel(place(of_run, _place(at))), of), output)
 
 
 class TableKind(StrEnum):
@@ -354,7 +354,7 @@ def statistics(
     from riserstudy.dataset.place import place
     from riserstudy.scene.units import to_si
 
-    found = opened(dataset)
+    of_run = opened(dataset)
     _check_writable(output, dataset)
     if output.suffix != ".csv":
         raise InputError("--output", str(output), f"no table {output.suffix!r}", "allowed is .csv")
@@ -369,11 +369,11 @@ def statistics(
             raise InputError(option, str(text), str(fault), "allowed is such as 3 h") from None
     begin = times["--start"] or 0.0
     if over:
-        apart = found.isel({over: [0]}) if over in found.dims else found
+        apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
         index = {axis: k for axis, k in place(apart, _place(at)).items() if axis != over}
-        made = statistics_tables.over_seeds(found.isel(index), over, begin)
+        made = statistics_tables.over_seeds(of_run.isel(index), over, begin)
     else:
-        run = found.isel(place(found, _place(at)))
+        run = of_run.isel(place(of_run, _place(at)))
         made = statistics_tables.of_a_run(run, begin, times["--exposure"])
     tables.write_csv(made, output)
 
@@ -412,16 +412,16 @@ def rerun(
     from riserstudy.study.collect import write_dataset
     from riserstudy.study.rerun import rerun as run_anew
 
-    found = run_anew(old, place)
-    for name, change in sorted(found.changes.items(), key=lambda item: -item[1]):
+    outcome = run_anew(old, place)
+    for name, change in sorted(outcome.changes.items(), key=lambda item: -item[1]):
         print(f"{change:9.2g}  {name}")
     if output is not None:
-        write_dataset(found.run, output)
-    changed = sum(change > SAME_AS_STORED for change in found.changes.values())
-    where = ", ".join(f"{axis}={value}" for axis, value in found.place.items())
-    print(f"{changed} of {len(found.changes)} variables changed{' at ' if where else ''}{where}")
-    if found.engines[0] != found.engines[1]:
-        print(f"made by engine {found.engines[0]}, run anew by {found.engines[1]}")
+        write_dataset(outcome.run, output)
+    changed = sum(change > SAME_AS_STORED for change in outcome.changes.values())
+    where = ", ".join(f"{axis}={value}" for axis, value in outcome.place.items())
+    print(f"{changed} of {len(outcome.changes)} variables changed{' at ' if where else ''}{where}")
+    if outcome.engines[0] != outcome.engines[1]:
+        print(f"made by engine {outcome.engines[0]}, run anew by {outcome.engines[1]}")
     if changed:
         raise typer.Exit(1)
 
@@ -441,16 +441,16 @@ def cost(
     _compile_once()
     from riserstudy.numerics import accuracy_cost as requests
 
-    found: list[requests.Price] = []
+    prices: list[requests.Price] = []
     for price in requests.prices(file):
-        if not found:  # a scene that is refused has no table
+        if not prices:  # a scene that is refused has no table
             print("asked for  estimated  segments      step   time")
-        found.append(price)
+        prices.append(price)
         step = f"{price.step:7.3g} s" if price.step else "   none  "
         shares = f"{100 * price.requested:7.3g} %  {100 * price.estimated:7.2g} %"
         print(f"{shares}  {price.elements:8d}  {step}  {price.seconds:.3g} s")
     if plot is not None:
-        requests.plot(found, str(file.tree["title"]), plot)
+        requests.plot(prices, str(file.tree["title"]), plot)
 
 
 @app.command()
@@ -488,14 +488,14 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
 
     file = _scene(scene, settings)
     _compile_once()
-    found = advice(file)
+    given = advice(file)
     columns = ("displacement", "moment", "tension", "run time")
     table = Table("change", *columns, "verdict", title=str(file.tree["title"]))
-    for row in found.rows:
+    for row in given.rows:
         table.add_row(row.label, *row.changes, row.verdict, style=None if row.counts else "dim")
     console = Console(markup=False)
     console.print(table)
-    for line in found.said:
+    for line in given.said:
         console.print(line, highlight=False)
 
 
@@ -564,12 +564,12 @@ def import_deck(
     """
     from riserstudy.scene.orcaflex import as_text, read_deck
 
-    found = read_deck(deck)
+    deck_scene = read_deck(deck)
     _check_writable(output, deck)
-    output.write_text(as_text(found, deck), "utf-8")
-    for line in found.left_out:
+    output.write_text(as_text(deck_scene, deck), "utf-8")
+    for line in deck_scene.left_out:
         print(f"left out: {line}")
-    print(f"{output} is written; {len(found.left_out)} entries of the deck are not in it")
+    print(f"{output} is written; {len(deck_scene.left_out)} entries of the deck are not in it")
 
 
 @app.command()
@@ -688,13 +688,13 @@ def verify(folder: ResultsOption = IN_RESULTS) -> None:
     from riserstudy.database.ask import NAME
     from riserstudy.database.verify import verify as verified
 
-    found = verified(folder / NAME)
-    for line in found.wrong:
+    verdict = verified(folder / NAME)
+    for line in verdict.wrong:
         print(line)
-    print(f"{len(found.wrong)} faults in {found.files} files and {found.points} points")
-    if found.gone:
-        print(f"{found.gone} points are not in this store; their datasets do without them")
-    if found.wrong:
+    print(f"{len(verdict.wrong)} faults in {verdict.files} files and {verdict.points} points")
+    if verdict.gone:
+        print(f"{verdict.gone} points are not in this store; their datasets do without them")
+    if verdict.wrong:
         raise typer.Exit(1)
 
 
@@ -719,14 +719,18 @@ def prune(
     from riserstudy.database.prune import unneeded
     from riserstudy.study import store
 
-    found = unneeded(folder / NAME, config)
-    size = {name: sum(h.bytes for h in getattr(found, name)) / 1e6 for name in ("old", "strange")}
-    print(f"needed: {found.needed} points")
-    print(f"of other engines or formats, or damaged: {len(found.old)} files, {size['old']:.1f} MB")
+    superfluous = unneeded(folder / NAME, config)
+    size = {
+        name: sum(h.bytes for h in getattr(superfluous, name)) / 1e6 for name in ("old", "strange")
+    }
+    print(f"needed: {superfluous.needed} points")
     print(
-        f"of this engine, but of no study here: {len(found.strange)} files, {size['strange']:.1f} MB"
+        f"of other engines or formats, or damaged: {len(superfluous.old)} files, {size['old']:.1f} MB"
     )
-    going = [*found.old, *(found.strange if every else [])]
+    print(
+        f"of this engine, but of no study here: {len(superfluous.strange)} files, {size['strange']:.1f} MB"
+    )
+    going = [*superfluous.old, *(superfluous.strange if every else [])]
     if not going:
         print("nothing to remove")
         return
@@ -751,23 +755,25 @@ def diff(
 
     from riserstudy.dataset.diff import changes
 
-    found = changes(old, new)
+    changed = changes(old, new)
     console = Console(markup=False)
     if not console.is_terminal:
         console.width = 160  # a file has no width to wrap at
-    if found.graded:
+    if changed.graded:
         table = Table("number or claim", "", "old", "new")
-        for one in found.graded:
+        for one in changed.graded:
             table.add_row(*one)
         console.print(table)
-    if found.varied:
+    if changed.varied:
         table = Table("dataset", "variable", "largest change", "")
-        for name, variable, change, why in found.varied:
+        for name, variable, change, why in changed.varied:
             table.add_row(name, variable, "" if why else f"{change:.2g}", why)
         console.print(table)
-    print(f"{len({one.item for one in found.graded})} of {found.rows} numbers and claims changed")
     print(
-        f"{len(found.varied)} of {found.variables} variables changed, by {found.largest:.2g} at most"
+        f"{len({one.item for one in changed.graded})} of {changed.rows} numbers and claims changed"
     )
-    if found.graded or found.varied:
+    print(
+        f"{len(changed.varied)} of {changed.variables} variables changed, by {changed.largest:.2g} at most"
+    )
+    if changed.graded or changed.varied:
         raise typer.Exit(1)

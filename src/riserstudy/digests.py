@@ -56,8 +56,8 @@ def _sources_behind(module: str, roots: tuple[Path, ...]) -> frozenset[Path]:
     def found() -> list[list[str]]:
         return sorted(_place(file, places) for file in _followed(module))
 
-    told = remembered(f"imports/{_state_of(roots)}-{module}", found)
-    return frozenset(places[root].joinpath(file) for root, file in told)
+    names = remembered(f"imports/{_state_of(roots)}-{module}", found)
+    return frozenset(places[root].joinpath(file) for root, file in names)
 
 
 def _place(file: Path, places: dict[str, Path]) -> list[str]:
@@ -79,7 +79,7 @@ def _state_of(roots: tuple[Path, ...]) -> str:
 def _followed(module: str) -> set[Path]:
     """Source files of a module, of all that it imports, and their data, by reading them."""
     seen: set[str] = set()
-    found: set[Path] = set()
+    files: set[Path] = set()
     left = [module]
     while left:
         name = left.pop()
@@ -87,9 +87,9 @@ def _followed(module: str) -> set[Path]:
         if file is None or name in seen:
             continue
         seen.add(name)
-        found |= {file, *data_of(file)}
+        files |= {file, *data_of(file)}
         left += [*imported_by(name, file), _above(name)]
-    return found
+    return files
 
 
 def source_of(module: str) -> Path | None:

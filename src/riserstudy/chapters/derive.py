@@ -27,9 +27,9 @@ def derive(
     Its attribute ``parents`` tells tier, engine and digest of each of its sources, ``origins`` joins their
     origins: where a calibrated value went must stay known.
     """
-    plain, told, _ = unwrap(settings or {})
+    plain, given, _ = unwrap(settings or {})
     dataset: xr.Dataset = function_of(paper, "derived", name)(**datasets, **plain)
-    origins = {f"with.{path}": origin.status for path, origin in told.items()}
+    origins = {f"with.{path}": origin.status for path, origin in given.items()}
     if settings:
         dataset.attrs["settings"] = json.dumps(settings)
     for source in datasets.values():

@@ -28,8 +28,8 @@ def table_of(db: sqlite3.Connection, study: str) -> str | None:
     """The wide table of what is called a study, or like a wide table; None for anything else."""
     asked = "select table_name from studies where study = ? or table_name = ?"
     asked += " union select table_name from columns where table_name = ?"
-    found = ask(db, asked, (study, study, study)).rows
-    return str(found[0][0]) if found else None
+    rows = ask(db, asked, (study, study, study)).rows
+    return str(rows[0][0]) if rows else None
 
 
 def cells(

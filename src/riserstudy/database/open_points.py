@@ -88,21 +88,21 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
     import xarray as xr
 
     wanted = [int(point) for point in points]
-    found: dict[int, tuple[str, str, int]] = {}
+    places: dict[int, tuple[str, str, int]] = {}
     with opened(database) as db:
         asked = (
             "select study, path, position from points join studies using (study) where point = ?"
         )
         for point in wanted:
             for row in ask(db, asked, (point,)).rows:
-                found[point] = row
-    if not wanted or (missing := [point for point in wanted if point not in found]):
+                places[point] = row
+    if not wanted or (missing := [point for point in wanted if point not in places]):
         what = f"no point {missing[0]}" if wanted else "no points"
         raise InputError(database, "points", what, "allowed are numbers of table points")
     parts = []
-    for study, path in dict.fromkeys((found[point][0], found[point][1]) for point in wanted):
-        mine = [point for point in found if found[point][0] == study]
-        parts.append(_part(Path(database).parent / path, mine, [found[p][2] for p in mine], study))
+    for study, path in dict.fromkeys((places[point][0], places[point][1]) for point in wanted):
+        mine = [point for point in places if places[point][0] == study]
+        parts.append(_part(Path(database).parent / path, mine, [places[p][2] for p in mine], study))
     if len(parts) == 1:
         return parts[0].sel(point=wanted)
     # an axis that some studies have not is a variable while they are joined

@@ -131,8 +131,8 @@ def _lay(
         if leaf not in new:
             at[here] = -1
             continue
-        found = parameter(leaf, new[leaf], *_origin(leaf, status, why, "varied"))
-        at[here] = values.setdefault(found, len(values))
+        row = parameter(leaf, new[leaf], *_origin(leaf, status, why, "varied"))
+        at[here] = values.setdefault(row, len(values))
 
 
 def parameter(path: str, value: Any, origin: str, because: str) -> Parameter:
@@ -164,7 +164,7 @@ def _readers(path: str) -> list[tuple[Any, str]]:
     """How a scene reads text at a path, as its models say; several where it may be one of several."""
     kinds: list[tuple[Any, list[Any]]] = [(Scene, [])]
     for step in _steps(path):
-        kinds = [found for kind, _ in kinds for found in _into(kind, step)]
+        kinds = [inner for kind, _ in kinds for inner in _into(kind, step)]
     marks = [mark for _, metadata in kinds for mark in metadata]
     readers = [(mark.read, mark.name) for mark in marks if isinstance(mark, Unit)]
     percent = get_args(Percent)[1]

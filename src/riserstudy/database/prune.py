@@ -38,15 +38,15 @@ def unneeded(database: Path, config: Path) -> Unneeded:
         When the configuration cannot be meant.
     """
     keys = planned(config) | _spoken_of(database)
-    found = Unneeded()
+    superfluous = Unneeded()
     for held in store.everything():
         if held.key in keys:
-            found.needed += 1
+            superfluous.needed += 1
         elif held.key and _engine(held.key) == engine_digest():
-            found.strange.append(held)
+            superfluous.strange.append(held)
         else:
-            found.old.append(held)
-    return found
+            superfluous.old.append(held)
+    return superfluous
 
 
 def _engine(key: str) -> str | None:

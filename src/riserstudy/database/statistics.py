@@ -71,9 +71,9 @@ def _extreme(
     inner = variable.values.shape[1:]
     values = variable.values.reshape(len(variable.values), -1).astype(np.float64, copy=False)
     index = np.where(np.isnan(values), -np.inf, sign * values).argmax(axis=1)
-    found = values[np.arange(len(values)), index]
+    extreme = values[np.arange(len(values)), index]
     at = {}
     for name, place in zip(variable.within, np.unravel_index(index, inner), strict=True):
         if name in coordinates:
-            at[WHERE[name]] = np.where(np.isnan(found), np.nan, coordinates[name][place])
-    return found, at
+            at[WHERE[name]] = np.where(np.isnan(extreme), np.nan, coordinates[name][place])
+    return extreme, at

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from riserstudy.database.sources import File, Sources
 from riserstudy.database.write_study import About, marks
-from riserstudy.grading.grade import samples_told
+from riserstudy.grading.grade import samples_met
 from riserstudy.grading.models import published_path, read_published
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
@@ -103,7 +103,7 @@ def _rows(path: Path) -> list[dict[str, str]]:
 
 def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
     """A row of reproduction.csv with its share and what decides as columns."""
-    samples = samples_told(row["depends_on"] or row["note"])
+    samples = samples_met(row["depends_on"] or row["note"])
     met, every = samples or (None, None)
     return (
         *(row[name] for name in ("paper", "id", "figure", "kind", "statement")),

@@ -189,11 +189,11 @@ def _write_results(db: sqlite3.Connection, statistics: list[Statistic], first: i
 def _quantity_id(db: sqlite3.Connection, of: Statistic) -> int:
     about = (of.quantity, of.statistic, of.unit, of.long_name)
     asked = "select quantity_id from quantities where quantity = ? and statistic = ? and unit is ?"
-    found = db.execute(asked, about[:3]).fetchone()
-    if found is None:
+    row = db.execute(asked, about[:3]).fetchone()
+    if row is None:
         statement = "insert into quantities values (null, ?, ?, ?, ?) returning quantity_id"
-        found = db.execute(statement, about).fetchone()
-    number: int = found[0]
+        row = db.execute(statement, about).fetchone()
+    number: int = row[0]
     return number
 
 

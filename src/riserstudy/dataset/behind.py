@@ -51,18 +51,18 @@ def file_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Iterator[Scene
     InputError
         When the dataset was not simulated.
     """
-    told = provenance(dataset)
+    record = provenance(dataset)
     sets: dict[str, Any] = {}
     for axis, k in index.items():
         sets |= json.loads(dataset[axis].attrs["sets"])[str(dataset[axis][k].item())]
-    origins = {path: Origin(status, None) for path, status in told["origins"].items()}
+    origins = {path: Origin(status, None) for path, status in record["origins"].items()}
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in told["tables"].items():
+        for name, text in record["tables"].items():
             table = Path(folder, name)
             table.parent.mkdir(parents=True, exist_ok=True)
             table.write_bytes(text.encode())
         source = str(Path(folder) / "scene.yaml")
-        yield SceneFile(source, told["scene"], origins).with_values(sets, "axes")
+        yield SceneFile(source, record["scene"], origins).with_values(sets, "axes")
 
 
 def scene_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:

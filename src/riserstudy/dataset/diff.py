@@ -66,8 +66,8 @@ def changes(old: Path, new: Path) -> Changes:
     """
     tables = [_rows(path) for path in (old, new)]
     files = [_datasets(path) for path in (old, new)]
-    for path, rows, found in zip((old, new), tables, files, strict=True):
-        if not rows and not found:
+    for path, rows, paths in zip((old, new), tables, files, strict=True):
+        if not rows and not paths:
             allowed = f"allowed is a results folder, a dataset or a {TABLE}"
             raise InputError("diff", str(path), "no results", allowed)
     graded = list(_graded(*tables))

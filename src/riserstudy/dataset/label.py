@@ -68,16 +68,16 @@ def coordinates(arrays: dict[str, Any]) -> dict[str, Any]:
 def quantities(arrays: dict[str, Any]) -> dict[str, tuple[tuple[str, ...], str]]:
     """Quantities of a run: dimensions, and the name of the array; statics have short names too."""
     coords = coordinates(arrays)
-    found = {
+    named = {
         name: (dimensions(name, values), name)
         for name, values in arrays.items()
         if name not in coords and name != "l0" and not name.startswith(UNLABELLED)
     }
     if "time" not in arrays:
-        for name in [name for name in found if name.endswith("_static")]:
-            dims = found[name][0]
-            found[name.removesuffix("_static")] = (("s",) if "s_node" in dims else dims, name)
-    return found
+        for name in [name for name in named if name.endswith("_static")]:
+            dims = named[name][0]
+            named[name.removesuffix("_static")] = (("s",) if "s_node" in dims else dims, name)
+    return named
 
 
 def dimensions(name: str, values: Any) -> tuple[str, ...]:

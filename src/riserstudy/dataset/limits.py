@@ -42,11 +42,11 @@ def checked(file: SceneFile, scene: Scene, rows: list[dict[str, Any]]) -> list[C
     rows : extremes of the run, a row an output and place.
     """
     plain = "published" if scene.paper else "given"
-    found = []
+    each = []
     for k, limit in enumerate(scene.limits or []):
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
-        found.append(_one(scene, limit, rows, origin.status if origin else plain))
-    return found
+        each.append(_one(scene, limit, rows, origin.status if origin else plain))
+    return each
 
 
 def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) -> Checked:
@@ -56,11 +56,11 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
     names = [section.name for section in scene.riser]
     places = [limit.at] if limit.at else ["", *names]
     there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
-    told = [_demand(limit, row) for row in there]
-    if not told:
+    demands = [_demand(limit, row) for row in there]
+    if not demands:
         why = ", ".join(missing) or f"{limit.output} in this run"
         return Checked(*about, None, None, None, None, UNKNOWN, why, origin, unit)
-    demand, s, time = max(told, key=lambda one: use(limit.side, one[0], limit.allowable))
+    demand, s, time = max(demands, key=lambda one: use(limit.side, one[0], limit.allowable))
     share = use(limit.side, demand, limit.allowable)
     verdict = EXCEEDED if share > 1.0 else UNKNOWN if missing else WITHIN
     return Checked(*about, demand, share, s, time, verdict, ", ".join(missing), origin, unit)

@@ -50,8 +50,8 @@ def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:
     rows: list[list[Cell]] = []
     for name, s, unit, history in _histories(run, start):
         time = history["time"].values
-        told = record_statistics(time, history.values, exposure or float(time[-1] - time[0]))
-        rows.append([name, s, unit, *told])
+        record = record_statistics(time, history.values, exposure or float(time[-1] - time[0]))
+        rows.append([name, s, unit, *record])
     return Table(["output", "s", "unit", *OF_A_RECORD], ["", "m", "", *OF_A_RECORD.values()], rows)
 
 

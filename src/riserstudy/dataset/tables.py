@@ -151,11 +151,11 @@ def as_lines(rows: list[dict[str, Any]]) -> list[str]:
         where = "" if row["s"] is None else f" at s = {row['s']:.5g} m"
         when = "" if row["time"] is None else f" at t = {row['time']:.5g} s"
         use = f"{100 * row['utilisation']:.4g} %" if row["utilisation"] < 1e3 else "beyond all"
-        told = f"{factor * row['demand']:.5g} {unit}{where}{when}, {allowed}, use {use}"
+        text = f"{factor * row['demand']:.5g} {unit}{where}{when}, {allowed}, use {use}"
         verdict = row["verdict"] + (
             f", in part for want of {row['missing']}" if row["missing"] else ""
         )
-        lines.append(f"{what}: {told}: {verdict}")
+        lines.append(f"{what}: {text}: {verdict}")
     return lines
 
 

@@ -15,8 +15,8 @@ def without(*modules: str) -> Iterator[None]:
     loaded meanwhile goes on without them.
     """
     away = [name for name in modules if name not in sys.modules]
-    found = getattr(sys.modules.get("xarray.namedarray.utils"), "module_available", None)
-    forget = getattr(found, "cache_clear", lambda: None)
+    remembered = getattr(sys.modules.get("xarray.namedarray.utils"), "module_available", None)
+    forget = getattr(remembered, "cache_clear", lambda: None)
     sys.modules.update(dict.fromkeys(away))  # type: ignore[arg-type]  # as the import system has it
     forget()
     try:

@@ -57,11 +57,11 @@ def points(dataset: xr.Dataset, over: Sequence[str] = ()) -> list[tuple[str, xr.
     axes = [axis for axis in axes_of(dataset) if axis not in over]
     places = list(product(*(range(dataset.sizes[axis]) for axis in axes)))
     chosen = np.unique(np.linspace(0, len(places) - 1, min(MOST, len(places))).round().astype(int))
-    found = []
+    selected = []
     for k in chosen:
         point = dataset.isel(dict(zip(axes, places[k], strict=True)))
-        found.append((", ".join(_called(point[axis]) for axis in axes), point))
-    return found
+        selected.append((", ".join(_called(point[axis]) for axis in axes), point))
+    return selected
 
 
 def _called(value: xr.DataArray) -> str:
@@ -118,10 +118,10 @@ def present(dataset: xr.Dataset, names: Iterable[str]) -> list[str]:
     """
     wanted = list(names)
     ends = ("", *ENDINGS, SIZE)
-    found = [name for name in wanted if {name + end for end in ends} & set(dataset)]
-    if not found:
+    there = [name for name in wanted if {name + end for end in ends} & set(dataset)]
+    if not there:
         raise absent(dataset, wanted[0])
-    return found
+    return there
 
 
 def about(values: xr.DataArray) -> dict[str, str]:

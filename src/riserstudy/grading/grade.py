@@ -151,12 +151,12 @@ def weighed(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Weigh
         row = _row(paper, item, None, None, "not reproducible", "", [item.impossible, item.note])
         return Weighed(row, [])
     look = partial(_look, item, checks=checks, datasets=datasets)
-    found = look(item.reads)
-    base = found.at(item.base) if item.base else found
-    space = look(item.over) if item.over else found
+    looked = look(item.reads)
+    base = looked.at(item.base) if item.base else looked
+    space = look(item.over) if item.over else looked
     judged, left_out = space.granted(), ""
     if judged is not space:
-        left_out = _granted(judged.value.size, space.value.size)
+        left_out = _judged_in_words(judged.value.size, space.value.size)
         space = judged if judged.value.size else base
     simulated = float(base.value)
     if not math.isfinite(simulated):
@@ -238,26 +238,26 @@ def _case(item: Item, name: str, found: Found, about: xr.Dataset) -> str:
     low, high = float(found.value.min()), float(found.value.max())
     names = deciding(hits, about).names
     by = f", decided by {listed(map(input_name, names))}" if names else ""
-    return f"{name}: {low:.3g} to {high:.3g}{unit}, {_told(hits, words[0])}{by}."
+    return f"{name}: {low:.3g} to {high:.3g}{unit}, {_hits_in_words(hits, words[0])}{by}."
 
 
-def _told(hits: xr.DataArray, word: str) -> str:
+def _hits_in_words(hits: xr.DataArray, word: str) -> str:
     """How many samples are hits."""
     percent = f"{100 * float(hits.mean()):.0f} %{_band(hits)}"
     return f"{word} in {int(hits.sum())} of {hits.size} samples ({percent})"
 
 
-def _granted(judged: int, samples: int) -> str:
+def _judged_in_words(judged: int, samples: int) -> str:
     """How many samples a claim with a premise is judged by."""
     if not judged:
         return f"What it takes for granted is so in none of {samples} samples; judged by the base case."
     return f"Judged where what it takes for granted is so: {judged} of {samples} samples."
 
 
-def samples_told(text: str) -> tuple[int, int] | None:
+def samples_met(text: str) -> tuple[int, int] | None:
     """Hits and samples as a row tells them: at the start of a note, or behind what decides."""
-    found = re.search(r"(?:^|; )(?:[Mm]et|[Tt]rue) in (\d+) of (\d+) samples", text)
-    return (int(found[1]), int(found[2])) if found else None
+    counts = re.search(r"(?:^|; )(?:[Mm]et|[Tt]rue) in (\d+) of (\d+) samples", text)
+    return (int(counts[1]), int(counts[2])) if counts else None
 
 
 def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[ErratumRow]:
@@ -295,7 +295,7 @@ def _explained(
 ) -> tuple[str, str]:
     """What decides, and the share of the samples, as text."""
     word = "met" if item.kind == "number" else "true"
-    share = _told(hits, word)
+    share = _hits_in_words(hits, word)
     if verdict != "depends":
         return "", f"{share[0].upper()}{share[1:]}."
     names, why = deciding(hits, about)

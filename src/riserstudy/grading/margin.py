@@ -55,7 +55,7 @@ def everywhere(margin: xr.DataArray, dims: str | list[str]) -> xr.DataArray:
 
 def least(*margins: xr.DataArray) -> xr.DataArray:
     """The least of several conditions that must all be true."""
-    found, *others = margins
+    smallest, *others = margins
     for other in others:
-        found = xr.apply_ufunc(np.minimum, found, other)
-    return found
+        smallest = xr.apply_ufunc(np.minimum, smallest, other)
+    return smallest

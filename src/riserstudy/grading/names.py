@@ -21,10 +21,10 @@ def input_name(path: str) -> str:
 
 
 def _part(part: str) -> str:
-    found = _INDEX.match(part)
-    if not found:
+    indexed = _INDEX.match(part)
+    if not indexed:
         return part.replace("_", " ")
-    name, number = found[1], int(found[2]) + 1
+    name, number = indexed[1], int(indexed[2]) + 1
     return f"{'part' if name == 'sum' else _COUNTED.get(name, name)} {number}"
 
 

@@ -144,29 +144,29 @@ def shares_by_option(
     names : of the inputs.
     """
     known, true = inputs(outcome, about), outcome.values.ravel()
-    found: dict[str, dict[str, float]] = {}
+    shares: dict[str, dict[str, float]] = {}
     for name in names:
         values = known[name]
         options = list(dict.fromkeys(str(value) for value in values))
         if _numbers(np.array(options)) is None:
-            found[name] = {o: float(true[values.astype(str) == o].mean()) for o in options}
-    return found
+            shares[name] = {o: float(true[values.astype(str) == o].mean()) for o in options}
+    return shares
 
 
 def inputs(outcome: xr.DataArray, about: xr.Dataset) -> dict[str, NDArray[np.generic]]:
     """Values of every input in each cell of the outcome, flat: dimensions and what samples assumed."""
-    found: dict[str, xr.DataArray] = {}
+    varied: dict[str, xr.DataArray] = {}
     for dim in outcome.dims:
         name = str(dim)
         if name != "sample" and outcome.sizes[dim] > 1:
-            found[name] = outcome[name]
+            varied[name] = outcome[name]
     if "sample" in outcome.dims:
         for label, values in about.data_vars.items():
             if str(label).startswith("assumed_"):
-                found[str(values.attrs.get("long_name", label))] = values
+                varied[str(values.attrs.get("long_name", label))] = values
     return {
         name: values.broadcast_like(outcome).transpose(*outcome.dims).values.ravel()
-        for name, values in found.items()
+        for name, values in varied.items()
     }
 
 
@@ -204,8 +204,8 @@ def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:
     if len(unique) > MOST_GROUPS and numbers is not None:
         count = max(2, min(MOST_GROUPS, len(unique) // A_GROUP))
         places[np.argsort(numbers)] = np.arange(len(unique)) * count // len(unique)
-    found: NDArray[np.int64] = places[group]
-    return found
+    groups: NDArray[np.int64] = places[group]
+    return groups
 
 
 def _numbers(values: NDArray[np.generic]) -> NDArray[np.float64] | None:

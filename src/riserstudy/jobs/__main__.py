@@ -38,12 +38,12 @@ def hand_over(server: socket.socket, job: str, arguments: list[str]) -> bool:
 
 def end_of(server: socket.socket, job: str) -> int:
     """Wait for the exit status of a job that was taken."""
-    told = b""
+    text = b""
     with suppress(ConnectionError):
-        told = server.recv(16)
-    if not told:  # a crash, or the system's want of memory
+        text = server.recv(16)
+    if not text:  # a crash, or the system's want of memory
         print(f"riserstudy: the process of {job} was killed", file=sys.stderr)
-    return int(told or 1)
+    return int(text or 1)
 
 
 if __name__ == "__main__":

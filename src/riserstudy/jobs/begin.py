@@ -45,13 +45,13 @@ def begin(
         return [], []
     wanted = frozenset(outputs)
     damaged = seals.damaged(sorted(wanted))
-    told = _told(damaged, "not as written, and made anew when asked for")
+    lines = _listed(damaged, "not as written, and made anew when asked for")
     if at_work:
-        told += _other_tier(tier)
+        lines += _other_tier(tier)
         dropped = list(seals.dropped(papers, wanted))
         _remove(dropped)
-        told += _told(dropped, "no longer asked for, and removed")
-    return [file.as_posix() for file in damaged], told
+        lines += _listed(dropped, "no longer asked for, and removed")
+    return [file.as_posix() for file in damaged], lines
 
 
 def _is_alone() -> bool:
@@ -76,7 +76,7 @@ def _other_tier(tier: str) -> list[str]:
     return [f"results of tier {former} are replaced by those of {tier}"] if former != tier else []
 
 
-def _told(files: list[Path], why: str) -> list[str]:
+def _listed(files: list[Path], why: str) -> list[str]:
     """A line for each of a few files, and one for all others."""
     lines = [f"{file} is {why}" for file in files[:FEW]]
     return [*lines, *([f"{more} more files are {why}"] if (more := len(files) - FEW) > 0 else [])]

@@ -71,15 +71,15 @@ def free_values(study: Study) -> list[Free]:
     InputError
         When there are none.
     """
-    found = []
+    free = []
     for path, value in study.model.set.items():
         if isinstance(value, dict) and "calibrated" in value and "range" in value:
             low, high = (float(str(end).split()[0]) for end in value["range"])
             number, _, unit = str(value["calibrated"]).partition(" ")
-            found.append(Free(path, float(number), low, high, unit))
-    if not found:
+            free.append(Free(path, float(number), low, high, unit))
+    if not free:
         raise InputError(study.where, "set", "no calibrated values with a range", "add range")
-    return found
+    return free
 
 
 def with_values(study: Study, free: Sequence[Free], shares: Sequence[float]) -> Study:
@@ -94,20 +94,20 @@ def values_of(study: Study, items: Sequence[Item], derived: dict[str, Derived]) 
     """What simulations of a study give for printed numbers that are checked with it alone."""
     results = [run(study.grid.file(point.index).scene(), estimated=False) for point in study.plan]
     runs = dataset_of(study, results)
-    found = {}
+    values = {}
     for item in items:
         reads = {name: _read(study, of, derived, runs) for name, of in item.reads.items()}
         value = checks_of(study.paper)(item.check or "")(**reads, **item.options).value
         at = {dim: cell for dim, cell in item.base.items() if dim in value.dims}
-        found[item.id] = float(value.sel(at))
-    return found
+        values[item.id] = float(value.sel(at))
+    return values
 
 
 def _read(study: Study, name: str, derived: dict[str, Derived], runs: xr.Dataset) -> xr.Dataset:
     """A dataset that a check reads: derived from the study alone, or the study in place of its own."""
     if name in derived and derived[name].reads == [study.name]:
-        told = with_printed(derived[name].settings, CONFIG, study.paper)
-        return derive(study.paper, name, {study.name: runs}, told)
+        settings = with_printed(derived[name].settings, CONFIG, study.paper)
+        return derive(study.paper, name, {study.name: runs}, settings)
     return runs
 
 
@@ -130,17 +130,17 @@ def search(
         corner = np.array(best.shares)
         away = np.where(corner < 0.5, FIRST_STEP, -FIRST_STEP)
         simplex = np.vstack([corner, corner + np.diag(away)])
-        found = minimize(
+        minimum = minimize(
             miss,
             corner,
             method="Nelder-Mead",
             bounds=[(0.0, 1.0)] * len(corner),
             options={"maxfev": most, "initial_simplex": simplex, "xatol": 1e-3, "fatol": 1e-5},
         )
-        looks += int(found.nfev)
-        if found.fun >= best.miss:
+        looks += int(minimum.nfev)
+        if minimum.fun >= best.miss:
             break
-        best = Fit([float(x) for x in found.x], float(found.fun), looks)
+        best = Fit([float(x) for x in minimum.x], float(minimum.fun), looks)
     return best._replace(looks=looks)
 
 
@@ -165,9 +165,9 @@ def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], 
     fit = search(miss, [(one.start - one.low) / (one.high - one.low) for one in free], most)
     for one, share in zip(free, fit.shares, strict=True):
         print(f"{one.path}: {one.value(share)}")
-    found = values_of(with_values(study, free, fit.shares), items, derived)
+    reached = values_of(with_values(study, free, fit.shares), items, derived)
     for item in items:
-        print(f"{item.id}: {found[item.id]:.4g} {item.unit}, printed {item.published:g}")
+        print(f"{item.id}: {reached[item.id]:.4g} {item.unit}, printed {item.published:g}")
     print(f"worst miss {100.0 * fit.miss:.2f} % after {fit.looks} looks")
     return fit
 

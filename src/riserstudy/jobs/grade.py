@@ -20,10 +20,10 @@ def main(paper: str, graded: Path, errors: Path, margins: Path, sources: list[Pa
     """Read the sources, write the tables."""
     datasets = {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
     file = read_published(Path("config"), paper, datasets)
-    found = weigh(file, datasets, checks_of(paper))
-    rows = [item.row for item in found]
+    weights = weigh(file, datasets, checks_of(paper))
+    rows = [item.row for item in weights]
     write_whole(graded, table(rows, Row).encode())
-    each = (margin for item in found for margin in item.margins)
+    each = (margin for item in weights for margin in item.margins)
     write_whole(margins, table(each, Margin).encode())
     write_whole(errors, table(errata(file, datasets, checks_of(paper)), ErratumRow).encode())
     seal(graded, errors, margins)

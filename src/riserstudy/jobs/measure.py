@@ -20,8 +20,8 @@ def main(
     plan = Workplan.read(Path("config"), {"tier": tier, "papers": papers}, only=[])
     if plan.measured_digest(paper, study) != expect:
         sys.exit("scene, study or engine changed while the workflow was running; run it again")
-    found = measure(f"{paper} {study}", plan.measured(paper, study), plan.setting(threads))
-    write_dataset(found, target)
+    dataset = measure(f"{paper} {study}", plan.measured(paper, study), plan.setting(threads))
+    write_dataset(dataset, target)
     seal(target)
 
 

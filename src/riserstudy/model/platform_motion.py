@@ -60,10 +60,10 @@ def motions(platform: Platform, wave: Swell | Storm | None) -> Iterator[Effect]:
 def _response(response: Response, wave: Swell | Storm | None) -> Effect:
     if wave is None:
         raise TypeError("a response without wave")  # refused by the scene
-    found = harmonics(response, wave)
-    ramp = np.full(len(found.motion), response.ramp or 0.0)
-    index = np.array([MOTIONS.index(name) for name in found.motion])
-    record = Harmonic(index, found.amplitude, found.frequency, found.phase, ramp)
+    parts = harmonics(response, wave)
+    ramp = np.full(len(parts.motion), response.ramp or 0.0)
+    index = np.array([MOTIONS.index(name) for name in parts.motion])
+    record = Harmonic(index, parts.amplitude, parts.frequency, parts.phase, ramp)
     return Effect("platform motion", record, "platform.response")
 
 

@@ -97,11 +97,11 @@ def doubts(scene: Scene) -> list[str]:
     if not response or not wave:
         return []
     amplitude, frequency, _ = components_of(wave)
-    told = slips(response, scene.gravity or GRAVITY)
+    sentences = slips(response, scene.gravity or GRAVITY)
     if _beyond(response, frequency).any():
         held = "have no motion" if response.beyond == "zero" else "have that at their ends"
-        told.append(f"{_uncovered(response, amplitude, frequency)}; they {held}")
-    return told
+        sentences.append(f"{_uncovered(response, amplitude, frequency)}; they {held}")
+    return sentences
 
 
 def slips(response: Response, gravity: float) -> list[str]:
@@ -110,29 +110,29 @@ def slips(response: Response, gravity: float) -> list[str]:
     Long waves turn a platform by their slope, w^2 amplitude / g (gravity in m/s2), shorter ones by less;
     only near resonance by several times it. The median of a table is judged.
     """
-    told = []
+    sentences = []
     rows = response.operators
     slope = np.array([row.circular**2 / gravity for row in rows])
     for name in set(TILTS) & set(response.moving) - {"yaw"}:
         ratio = float(np.median([getattr(row, name) for row in rows] / slope))
         if ratio > STEEP:
-            told.append(
+            sentences.append(
                 f"platform.response.operators: {name} is {ratio:.3g} times the slope of the waves, by its "
                 "median: are the numbers degrees, under a heading that says radians?"
             )
     phases = np.abs([getattr(row, f"{name}_phase") for row in rows for name in response.moving])
     largest = float(phases.max())
     if largest > TURNS:
-        told.append(
+        sentences.append(
             f"platform.response.operators: phases reach {largest:.4g} rad: are the numbers degrees, under a "
             "heading that says radians?"
         )
     elif 0.0 < largest <= math.radians(math.pi) and len(set(phases.tolist())) > 2:
-        told.append(
+        sentences.append(
             f"platform.response.operators: no phase is above {math.degrees(largest):.3g} deg: are the "
             "numbers radians, under a heading that says degrees?"
         )
-    return told
+    return sentences
 
 
 def _beyond(response: Response, frequency: FloatArray) -> NDArray[np.bool_]:
@@ -178,11 +178,13 @@ def harmonics(response: Response, wave: Swell | Storm) -> Harmonics:
         raise InputError("scene", "platform.response.operators", outside, allowed)
     heading = (wave.heading if isinstance(wave, Wave) else response.heading) or 0.0
     share = np.where(beyond & (response.beyond == "zero"), 0.0, 1.0)
-    found = {name: share * operator(response, name, frequency, heading) for name in response.moving}
+    operators = {
+        name: share * operator(response, name, frequency, heading) for name in response.moving
+    }
     # cos(w t - e + phi) as a sine
     return Harmonics(
-        [name for name in found for _ in frequency],
-        np.concatenate([amplitude * np.abs(r) for r in found.values()]),
-        np.tile(frequency, len(found)),
-        np.concatenate([np.angle(r) - phase + 0.5 * math.pi for r in found.values()]),
+        [name for name in operators for _ in frequency],
+        np.concatenate([amplitude * np.abs(r) for r in operators.values()]),
+        np.tile(frequency, len(operators)),
+        np.concatenate([np.angle(r) - phase + 0.5 * math.pi for r in operators.values()]),
     )

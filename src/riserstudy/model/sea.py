@@ -19,7 +19,7 @@ def current_table(current: Current, water: Water | None) -> tuple[FloatArray, Fl
     """Elevations (m), rising, and speeds (m/s) where there is one direction, (k,); end values hold beyond."""
     if current.turns:
         raise TypeError("a current whose direction changes has no speed alone")
-    return _ended(current, *_told(current, water))
+    return _ended(current, *_as_table(current, water))
 
 
 def current_velocity(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
@@ -27,7 +27,7 @@ def current_velocity(current: Current, water: Water | None) -> tuple[FloatArray,
     if not current.turns:
         z, speed = current_table(current, water)
         return z, np.outer(_unit(current.towards), speed)
-    z, speed = _told(current, water)
+    z, speed = _as_table(current, water)
     if isinstance(current.profile, list):
         return _ended(current, z, _unit(np.array(current.directions)) * speed)
     velocity = np.outer(_unit(current.towards), speed)
@@ -50,7 +50,7 @@ def _ended(current: Current, z: FloatArray, values: FloatArray) -> tuple[FloatAr
     return np.concatenate([[z[0] - step], z, [z[-1] + step]]), np.pad(values, still)
 
 
-def _told(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
+def _as_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
     """Elevations and speeds; of parts that turn with depth none."""
     if isinstance(current.profile, list):
         elevations, speeds = current.table(water)

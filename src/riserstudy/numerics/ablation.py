@@ -49,8 +49,8 @@ def peaks(result: Result) -> Peaks:
     ends = ("_max", "_min") if "time" in arrays else ("_static",)
 
     def largest(name: str, rest: Array | float = 0.0) -> float:
-        found = [arrays[name + end] for end in ends if name + end in arrays]
-        return max((float(np.abs(values - rest).max()) for values in found), default=0.0)
+        sides = [arrays[name + end] for end in ends if name + end in arrays]
+        return max((float(np.abs(values - rest).max()) for values in sides), default=0.0)
 
     sideways = math.hypot(*(largest(name) for name in "xy"))
     length = float(arrays["s_node"][-1])

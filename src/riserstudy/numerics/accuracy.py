@@ -68,8 +68,8 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
         best, others = reference(file, ladder, setting.config, finest)
         about.append(best.about)
         change[i] = [best.change.get(q, np.nan) for q in QUANTITIES]
-        for other, found in others.items():
-            opinion[i, OPINIONS.index(other)] = [found.get(q, np.nan) for q in QUANTITIES]
+        for other, values in others.items():
+            opinion[i, OPINIONS.index(other)] = [values.get(q, np.nan) for q in QUANTITIES]
         for j, method in enumerate(methods.values()):
             given_up: dict[int, str] = {}
             for k in range(len(ladder.elements)):

@@ -41,8 +41,8 @@ def prices(file: SceneFile) -> Iterator[Price]:
         run(at_accuracy(file, f"{100 * REQUESTS[0]!r} %").scene())
     for share in REQUESTS:
         scene = at_accuracy(file, f"{100 * share!r} %").scene()
-        if told := forecast(scene):
-            yield Price(share, deciding(told.error), told.elements, told.step, told.seconds)
+        if price := forecast(scene):
+            yield Price(share, deciding(price.error), price.elements, price.step, price.seconds)
             continue
         started = clock.perf_counter()
         facts = run(scene).facts

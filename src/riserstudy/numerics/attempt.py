@@ -121,11 +121,11 @@ def judged(tried: Attempt, reference: Result | None) -> tuple[Outcome, float]:
 def largest(result: Result, name: str) -> float:
     """Largest size of a quantity over nodes and time; of positions, of what they move from rest."""
     arrays = result.arrays
-    found = [arrays[name + end] for end in ("_max", "_min") if name + end in arrays]
+    sides = [arrays[name + end] for end in ("_max", "_min") if name + end in arrays]
     rest: NDArray[np.float64] | float = 0.0
     if name in ("x", "y", "z"):
         rest = arrays.get(name + "_static", 0.0)
-    return max((float(np.abs(values - rest).max()) for values in found), default=0.0)
+    return max((float(np.abs(values - rest).max()) for values in sides), default=0.0)
 
 
 def mesh_of(scene: Scene, result: Result) -> Mesh:

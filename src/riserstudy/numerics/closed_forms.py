@@ -180,8 +180,8 @@ def rod_in_current(flow: Flow) -> Bent:
     share = np.linspace(0.0, 1.0, 400)
     guess = np.zeros((6, share.size))
     guess[1], guess[5] = share, flow.top / scale[5, 0]
-    found = solve_bvp(slope, ends, share, guess, tol=1e-9, max_nodes=200_000)
-    fine = found.sol(np.linspace(0.0, 1.0, 20_001)) * scale
+    solution = solve_bvp(slope, ends, share, guess, tol=1e-9, max_nodes=200_000)
+    fine = solution.sol(np.linspace(0.0, 1.0, 20_001)) * scale
     return Bent(float(np.abs(fine[0]).max()), float(np.abs(fine[3]).max()))
 
 

@@ -61,9 +61,9 @@ def costs(scene: Scene, mesh: Mesh, step: float | None) -> list[Cost]:
             program = np.tile(assemble([(function, record)], model.state), (REPEATED, 1))
             seconds[effect.name] = seconds.get(effect.name, 0.0) + many * _time_of(model, program)
             calls[effect.name] = calls.get(effect.name, 0) + many
-    found = [Cost(name, calls[name], spent / best) for name, spent in seconds.items()]
-    found.append(Cost(REST, 0, max(0.0, 1.0 - sum(cost.share for cost in found))))
-    return sorted(found, key=lambda cost: -cost.share)
+    rows = [Cost(name, calls[name], spent / best) for name, spent in seconds.items()]
+    rows.append(Cost(REST, 0, max(0.0, 1.0 - sum(cost.share for cost in rows))))
+    return sorted(rows, key=lambda cost: -cost.share)
 
 
 def _timed(scene: Scene, mesh: Mesh, step: float | None) -> tuple[float, dict[str, int]]:

@@ -30,29 +30,29 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
     import xarray as xr
 
     repeats = study.repeats[setting.tier]
-    found: dict[str, Ablation] = {}
+    ablations: dict[str, Ablation] = {}
     refused: dict[str, str] = {}
     spent: dict[str, list[Cost]] = {}
     free: dict[str, Freedom] = {}
     for name, file in bases(setting.studies, setting.tier):
         try:
-            one = found[name] = ablate(file, repeats, study.budget[setting.tier])
+            one = ablations[name] = ablate(file, repeats, study.budget[setting.tier])
             scene = one.file.scene()
             if scene.analysis.solver is None:
                 free[name] = freedom(scene, settle(scene, one.mesh)[0])
                 spent[name] = costs(scene, one.mesh, one.step)
         except RiserStudyError as error:
             refused[name] = str(error)
-    dataset = xr.Dataset(_changed(found) | _cost(found, spent) | kernels(setting.compiled))
-    dataset = dataset.assign_coords(scene=list(found), change=_labels())
+    dataset = xr.Dataset(_changed(ablations) | _cost(ablations, spent) | kernels(setting.compiled))
+    dataset = dataset.assign_coords(scene=list(ablations), change=_labels())
     for key in ("base_seconds", "elements", "unknowns"):
         values = {
-            "base_seconds": lambda n: found[n].seconds,
-            "elements": lambda n: len(found[n].mesh.l0),
+            "base_seconds": lambda n: ablations[n].seconds,
+            "elements": lambda n: len(ablations[n].mesh.l0),
             "unknowns": lambda n: free[n].unknowns if n in free else 0,
         }[key]
-        dataset[key] = ("scene", [values(name) for name in found])
-    dataset["freedom"] = ("scene", [free[n].because if n in free else "" for n in found])
+        dataset[key] = ("scene", [values(name) for name in ablations])
+    dataset["freedom"] = ("scene", [free[n].because if n in free else "" for n in ablations])
     for name, about in ABOUT.items():
         dataset[name].attrs = {"units": about[0], "long_name": about[1]}
     dataset.attrs = {"refused": json.dumps(refused)} | compiling(setting.compiled)

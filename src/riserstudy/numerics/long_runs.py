@@ -87,12 +87,12 @@ def candidates(
 
 def meshes(case: LongCase, scene: Scene) -> list[tuple[str, Mesh]]:
     """Even meshes, and those that a refinement would try."""
-    found = [("even", even(scene, n)) for n in case.elements]
+    named = [("even", even(scene, n)) for n in case.elements]
     mesh = coarsest_mesh(scene)
     for _ in range(case.graded):
-        found.append(("graded", mesh))
+        named.append(("graded", mesh))
         mesh = mesh.halved()
-    return found
+    return named
 
 
 def reference(case: LongCase, file: SceneFile) -> Result:
@@ -117,7 +117,7 @@ def row(
     name: str, case: LongCase, label: str, step: float, tried: Attempt, best: Result
 ) -> dict[str, Any]:
     """What came of a candidate."""
-    found = {
+    numbers = {
         "case": name,
         "candidate": label,
         "asked_step": step,
@@ -131,10 +131,10 @@ def row(
         "error_peak": math.nan,
     }
     if tried.result is None:
-        return found
+        return numbers
     facts = tried.result.facts
     peak = largest(best, "bending_moment")
-    return found | {
+    return numbers | {
         "elements": facts["elements"],
         "wall_seconds": facts.get("wall_seconds_min", tried.seconds),
         "cpu_seconds": facts.get("cpu_seconds", math.nan),

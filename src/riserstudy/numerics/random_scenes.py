@@ -133,10 +133,10 @@ def cheapest(
         if work * duration > spent:
             break
         mesh = even(scene, n)
-        found = attempt_on(stepped(one.file, {}, mesh, step), mesh, step, math.inf)
-        if found.result is None:
+        attempted = attempt_on(stepped(one.file, {}, mesh, step), mesh, step, math.inf)
+        if attempted.result is None:
             continue
-        error = max(measure.errors(found.result).values(), default=0.0)
+        error = max(measure.errors(attempted.result).values(), default=0.0)
         if error <= achieved:
             return mesh, step, error
         exhausted |= {level for level in levels if error > FALLEN * last.get(level, math.inf)}
@@ -198,10 +198,10 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
         "message": [one.message for one in drawn],
     }
     for kind in ("true", "estimated"):
-        found = [_told(one) if kind == "estimated" else one.true for one in drawn]
+        errors = [_estimated(one) if kind == "estimated" else one.true for one in drawn]
         for q in QUANTITIES:
-            data[f"{kind}_{q}"] = [of.get(q, math.nan) for of in found]
-        data[kind] = [max(of.values(), default=math.nan) for of in found]
+            data[f"{kind}_{q}"] = [of.get(q, math.nan) for of in errors]
+        data[kind] = [max(of.values(), default=math.nan) for of in errors]
     facts = [one.asked.facts if one.asked else {} for one in drawn]
     data["elements"] = [f.get("elements", 0) for f in facts]
     data["step"] = [f.get("step", math.nan) for f in facts]
@@ -220,10 +220,10 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
     return dataset
 
 
-def _told(one: Drawn) -> dict[str, float]:
+def _estimated(one: Drawn) -> dict[str, float]:
     """The estimate, of what the error is known of."""
-    told = one.asked.facts["error_estimate"] if one.asked else {}
-    return {q: told[q] for q in one.true if q in told}
+    estimate = one.asked.facts["error_estimate"] if one.asked else {}
+    return {q: estimate[q] for q in one.true if q in estimate}
 
 
 ABOUT = {

@@ -102,15 +102,15 @@ def opinions(file: SceneFile, ladder: Ladder) -> list[Attempt]:
     def one(on: Mesh, h: float, values: dict[str, object]) -> Attempt:
         return attempt_on(stepped(file, values, on, h), on, h, math.inf)
 
-    found = [
+    attempts = [
         one(finer, 0.5 * step, FOURTH),
         one(mesh, step, {"analysis.method": {"rho_inf": 0.9}}),
         one(finer, step, {"analysis.solver": "hermite", "analysis.method": AVERAGE}),
     ]
     if not massless(scene):
-        return [*found, Attempt(None, None, "lumping would show", 0.0)]
+        return [*attempts, Attempt(None, None, "lumping would show", 0.0)]
     exact = stepped(file, {"analysis.method": "explicit"}, mesh, step)
-    return [*found, attempt(lambda: outside(exact, mesh, RADAU, TOLERANCE))]
+    return [*attempts, attempt(lambda: outside(exact, mesh, RADAU, TOLERANCE))]
 
 
 def stored(path: Path) -> Reference:

@@ -100,15 +100,15 @@ def bases(studies: Sequence[Study], tier: str) -> Scenes:
     for all that studies set on it, the first with motion before statics, and for their options.
     """
     ordered = sorted(studies, key=lambda study: "duration" not in study.base.tree["analysis"])
-    found: dict[str, tuple[str, SceneFile]] = {}
+    scenes: dict[str, tuple[str, SceneFile]] = {}
     for study in ordered:
         kind = study.model.scene if tier == "preview" else ",".join(places(study.base.tree))
-        found.setdefault(kind, (f"{study.paper}/{study.name}", study.base))
+        scenes.setdefault(kind, (f"{study.paper}/{study.name}", study.base))
     for study in ordered if tier != "preview" else []:
         for label, file in _options(study):
             kind = ",".join(places(file.tree))
-            found.setdefault(kind, (f"{study.paper}/{study.name}: {label}", file))
-    yield from sorted(found.values(), key=lambda one: one[0].split("/")[0])
+            scenes.setdefault(kind, (f"{study.paper}/{study.name}: {label}", file))
+    yield from sorted(scenes.values(), key=lambda one: one[0].split("/")[0])
 
 
 def _options(study: Study) -> Scenes:

@@ -80,8 +80,8 @@ class Standard:
 
 
 @dataclass
-class Told:
-    """All that is told of one case."""
+class CaseResult:
+    """What became of one case by every method."""
 
     written: Rung
     estimate: float
@@ -90,7 +90,7 @@ class Told:
     rungs: dict[str, list[Rung]] = field(default_factory=dict)
 
 
-def tell(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> Told:
+def run_case(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> CaseResult:
     """Run one case by every method."""
     scene = file.scene()
     prescribed = scene.analysis.mesh is not None
@@ -102,13 +102,13 @@ def tell(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> Told
     facts = tried.result.facts if tried.result else {}
     estimate = deciding(facts.get("error_estimate", {}))
     written = Rung(facts.get("step", math.nan), outcome, error, tried)
-    told = Told(written, estimate, "\n".join(facts.get("warnings", [])), standard)
+    result = CaseResult(written, estimate, "\n".join(facts.get("warnings", [])), standard)
     if (
         standard.mesh is None
         or standard.step is None
         or outcome in (Outcome.UNSTABLE, Outcome.MISSED)
     ):
-        return told
+        return result
     for name, method in in_tier(study.methods, tier).items():
         explicit = method.set.get("analysis.method") == EXPLICIT
         if prescribed:
@@ -122,8 +122,8 @@ def tell(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> Told
         if explicit and not prescribed:
             limit = attempt_limit(own, mesh)
             steps = [limit * factor for factor in study.explicit_ladder] if limit else []
-        told.rungs[name] = [rung(own, mesh, h, budget, standard.reference) for h in steps]
-    return told
+        result.rungs[name] = [rung(own, mesh, h, budget, standard.reference) for h in steps]
+    return result
 
 
 def whole(scene: Scene) -> Scene:
@@ -210,39 +210,41 @@ def halfway(scene: Scene, standard: Standard) -> Attempt:
     return attempt_on(scene, finer, step, math.inf)
 
 
-def as_expected(case: Case, told: Told) -> tuple[bool, str]:
+def as_expected(case: Case, result: CaseResult) -> tuple[bool, str]:
     """Whether a case came out as a sound engine would have it; what else, in words."""
-    outcome, error = told.written.outcome, told.written.error
+    outcome, error = result.written.outcome, result.written.error
     if case.expect == "accurate":
         if outcome == Outcome.ACCURATE:
             return True, ""
-        why = told.written.tried.message or told.standard.why_not
+        why = result.written.tried.message or result.standard.why_not
         return False, f"{outcome}: {why or f'error {100 * error:.2g} %'}"
     if case.expect == "unstable":
         return outcome == Outcome.UNSTABLE, "" if outcome == Outcome.UNSTABLE else str(outcome)
     if outcome in (Outcome.REFUSED, Outcome.UNSTABLE, Outcome.ACCURATE):
         return True, ""
-    told_so = told.estimate > ACCURATE_TO or bool(told.warned)
-    says = f"error {100 * error:.2g} %, estimated {100 * told.estimate:.2g} %"
-    return told_so, "" if told_so else f"{outcome} and not said: {says}"
+    warned_so = result.estimate > ACCURATE_TO or bool(result.warned)
+    says = f"error {100 * error:.2g} %, estimated {100 * result.estimate:.2g} %"
+    return warned_so, "" if warned_so else f"{outcome} and not said: {says}"
 
 
 def stability(study: StabilityStudy, setting: Setting) -> xr.Dataset:
     """All cases, as a dataset over case, method and rung of the ladder."""
     cases = in_tier(study.cases, setting.tier)
-    one = partial(_told, study, setting.config, setting.tier)
-    told = dict(zip(cases, each(one, list(cases.items()), setting.threads), strict=True))
-    return tabulated(study, cases, told, setting.tier)
+    one = partial(_case_result, study, setting.config, setting.tier)
+    outcomes = dict(zip(cases, each(one, list(cases.items()), setting.threads), strict=True))
+    return tabulated(study, cases, outcomes, setting.tier)
 
 
-def _told(study: StabilityStudy, config: Path, tier: Tier, item: tuple[str, Case]) -> Told:
-    return tell(study, item[1], case_file(config, *item), tier)
+def _case_result(
+    study: StabilityStudy, config: Path, tier: Tier, item: tuple[str, Case]
+) -> CaseResult:
+    return run_case(study, item[1], case_file(config, *item), tier)
 
 
 def tabulated(
-    study: StabilityStudy, cases: dict[str, Case], told: dict[str, Told], tier: Tier
+    study: StabilityStudy, cases: dict[str, Case], results: dict[str, CaseResult], tier: Tier
 ) -> xr.Dataset:
-    """What was told, labelled."""
+    """The results of all cases, labelled."""
     import xarray as xr
 
     methods = list(in_tier(study.methods, tier))
@@ -253,7 +255,7 @@ def tabulated(
     best: dict[str, Any] = {name: np.full(shape[:2], np.nan) for name in BEST}
     best["outcome"] = np.full(shape[:2], str(Outcome.NOT_RUN), object)
     best["message"] = np.full(shape[:2], "", object)
-    for i, of_case in enumerate(told.values()):
+    for i, of_case in enumerate(results.values()):
         for j, method in enumerate(methods):
             rungs = of_case.rungs.get(method, [])
             for name, value in (summed_up(rungs) if rungs else unrun(of_case)).items():
@@ -273,18 +275,18 @@ def tabulated(
             dims[:2],
             values.astype(str) if values.dtype == object else values,
         )
-    data |= {name: ("case", values) for name, values in by_case(cases, told).items()}
+    data |= {name: ("case", values) for name, values in by_case(cases, results).items()}
     dataset = xr.Dataset(data, {"case": list(cases), "method": methods})
     for name, about in ABOUT.items():
         dataset[name].attrs = {"units": about[0], "long_name": about[1]}
     return dataset
 
 
-def by_case(cases: dict[str, Case], told: dict[str, Told]) -> dict[str, Any]:
-    """What is told once a case: its scene's own run, what was expected of it, the reference."""
-    verdicts = [as_expected(case, told[name]) for name, case in cases.items()]
-    written = [t.written for t in told.values()]
-    results = [w.tried.result for w in written]
+def by_case(cases: dict[str, Case], results: dict[str, CaseResult]) -> dict[str, Any]:
+    """What there is once a case: its scene's own run, what was expected of it, the reference."""
+    verdicts = [as_expected(case, results[name]) for name, case in cases.items()]
+    written = [t.written for t in results.values()]
+    runs = [w.tried.result for w in written]
     return {
         "about": [case.about for case in cases.values()],
         "family": [case.family for case in cases.values()],
@@ -293,14 +295,14 @@ def by_case(cases: dict[str, Case], told: dict[str, Told]) -> dict[str, Any]:
         "finding": [what for _, what in verdicts],
         "written_outcome": [str(w.outcome) for w in written],
         "written_message": [w.tried.message for w in written],
-        "written_warnings": [t.warned for t in told.values()],
+        "written_warnings": [t.warned for t in results.values()],
         "written_error": [w.error for w in written],
-        "written_estimate": [t.estimate for t in told.values()],
+        "written_estimate": [t.estimate for t in results.values()],
         "written_step": [w.step for w in written],
-        "written_elements": [len(r.arrays["l0"]) if r else 0 for r in results],
+        "written_elements": [len(r.arrays["l0"]) if r else 0 for r in runs],
         "written_seconds": [w.tried.seconds for w in written],
-        "reference_difference": [t.standard.doubt for t in told.values()],
-        "reference_missing": [t.standard.why_not for t in told.values()],
+        "reference_difference": [t.standard.doubt for t in results.values()],
+        "reference_missing": [t.standard.why_not for t in results.values()],
     }
 
 
@@ -321,11 +323,11 @@ def summed_up(rungs: list[Rung]) -> dict[str, Any]:
     }
 
 
-def unrun(told: Told) -> dict[str, Any]:
+def unrun(result: CaseResult) -> dict[str, Any]:
     """What to say of methods that had nothing to run."""
-    if told.written.tried.refused == Outcome.UNSTABLE:
-        return {"outcome": str(Outcome.UNSTABLE), "message": told.written.tried.message}
-    return {"message": told.standard.why_not or "statics has no time steps"}
+    if result.written.tried.refused == Outcome.UNSTABLE:
+        return {"outcome": str(Outcome.UNSTABLE), "message": result.written.tried.message}
+    return {"message": result.standard.why_not or "statics has no time steps"}
 
 
 def _audit(name: str) -> Any:

@@ -65,10 +65,10 @@ def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
 def beside_finest(peak: NDArray[np.float64]) -> NDArray[np.float64]:
     """Relative difference of peaks (scene, tier, quantity) from those of the finest tier that was run."""
     off = np.full_like(peak, np.nan)
-    for of, found in zip(peak, off, strict=True):
+    for of, change in zip(peak, off, strict=True):
         ran = np.flatnonzero(np.isfinite(of).any(axis=1))
         if len(ran):
-            found[ran[:-1]] = np.abs(of[ran[:-1]] / of[ran[-1]] - 1.0)
+            change[ran[:-1]] = np.abs(of[ran[:-1]] / of[ran[-1]] - 1.0)
     return off
 
 

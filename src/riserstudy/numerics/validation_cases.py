@@ -70,8 +70,8 @@ def _run(file: SceneFile, sets: Mapping[str, Any] | None = None) -> xr.Dataset:
 
 def _frequencies(file: SceneFile, motion: str, count: int) -> list[float]:
     """Natural frequencies of one kind (rad/s), the lowest first."""
-    found = modes_of(file.scene(), 15)
-    of = found["frequency"].values[found["motion"].values == motion]
+    modes = modes_of(file.scene(), 15)
+    of = modes["frequency"].values[modes["motion"].values == motion]
     return [2.0 * math.pi * float(f) for f in of[:count]]
 
 
@@ -80,7 +80,7 @@ def taut_beam(files: Files) -> Iterator[Row]:
     length, axial, bending = _pipe(files["S4a"])
     tension, mass = 2275e3, 1006.0
     stretch = 1.0 + tension / axial
-    found = _frequencies(files["S4a"], "lateral", 5)
+    frequencies = _frequencies(files["S4a"], "lateral", 5)
     for mode in (1, 5):
         exact = known.taut_beam_frequency(
             mode, length, tension / stretch, bending / stretch**2, mass
@@ -88,17 +88,17 @@ def taut_beam(files: Files) -> Iterator[Row]:
         what, number = "beam under tension", f"frequency {mode}"
         by = "k √((T + EI k²) / m), k = n π / L, lengths before stretching"
         because = FOURTH
-        yield Row(what, number, "rad/s", CLOSED, by, exact, found[mode - 1], 1e-6, because)
+        yield Row(what, number, "rad/s", CLOSED, by, exact, frequencies[mode - 1], 1e-6, because)
 
 
 def bar(files: Files) -> Iterator[Row]:
     """Axial waves of a hung bar."""
-    found = _frequencies(files["S4d"], "axial", 3)
+    frequencies = _frequencies(files["S4d"], "axial", 3)
     for mode in (1, 3):
         exact = known.bar_frequency(mode, 1800.0, 8.3505393e9, 318.0)
         what, by = "hung bar", "(n - 1/2) π / L √(EA / m)"
         number = f"axial frequency {mode}"
-        yield Row(what, number, "rad/s", CLOSED, by, exact, found[mode - 1], 1e-6, FOURTH)
+        yield Row(what, number, "rad/s", CLOSED, by, exact, frequencies[mode - 1], 1e-6, FOURTH)
 
 
 def _hung(**section: Any) -> SceneFile:
@@ -117,13 +117,21 @@ def _hung(**section: Any) -> SceneFile:
 def chain(_: Files) -> Iterator[Row]:
     """A hanging chain."""
     file = _hung(axial_stiffness="1e12 N", submerged_weight="2700 N/m", lateral_load="1e-9 N/m")
-    found = _frequencies(file, "lateral", 2)
+    frequencies = _frequencies(file, "lateral", 2)
     for mode in (1, 2):
         exact = known.hanging_chain_frequency(mode, 300.0, 2700.0, 320.0)
         what, by = "hanging chain", "j₀ₙ / 2 √(w / (m L)) (Bernoulli)"
         because = "second order at the free end, where tension vanishes; rounding beside EA"
         yield Row(
-            what, f"frequency {mode}", "rad/s", CLOSED, by, exact, found[mode - 1], 2e-5, because
+            what,
+            f"frequency {mode}",
+            "rad/s",
+            CLOSED,
+            by,
+            exact,
+            frequencies[mode - 1],
+            2e-5,
+            because,
         )
 
 
@@ -180,13 +188,13 @@ def own_weight(files: Files) -> Iterator[Row]:
         "validation",
     )
     exact = known.beam_on_varying_tension(length, top - weight * length, weight, bending, mass, 32)
-    found = _frequencies(file, "lateral", 1)[0]
+    lowest = _frequencies(file, "lateral", 1)[0]
     what, by = (
         "beam under its own weight and top tension",
         "(EI y′′)′′ - (T y′)′ = m ω² y, Chebyshev",
     )
     because = "the strain of the stiff pipe, 6e-7, and rounding of the fourth derivative"
-    yield Row(what, "frequency 1", "rad/s", SECOND, by, exact, found, 1e-5, because)
+    yield Row(what, "frequency 1", "rad/s", SECOND, by, exact, lowest, 1e-5, because)
 
 
 def loaded_beam(files: Files) -> Iterator[Row]:
@@ -195,11 +203,11 @@ def loaded_beam(files: Files) -> Iterator[Row]:
     tension = 2275e3
     stretch = 1.0 + tension / axial
     exact = known.taut_beam_under_load(length, tension / stretch, bending / stretch**2, 1.0)
-    found = _run(files["S4b"], {"riser[0].lateral_load": "1 N/m"})
+    run = _run(files["S4b"], {"riser[0].lateral_load": "1 N/m"})
     what, by = "beam under tension and an even load", "EI w′′′′ - T w′′ = q"
     because = FOURTH
-    x = float(found["x"].max())
-    moment = float(abs(found["bending_moment"]).sel(s=0.5 * length, method="nearest"))
+    x = float(run["x"].max())
+    moment = float(abs(run["bending_moment"]).sel(s=0.5 * length, method="nearest"))
     yield Row(what, "displacement", "m", CLOSED, by, exact.displacement, x, 1e-6, because)
     reference = stretch * exact.moment
     yield Row(what, "moment", "N m", CLOSED, by, reference, moment, 1e-6, because)
@@ -219,8 +227,8 @@ def cantilever(files: Files) -> Iterator[Row]:
 def cable(files: Files) -> Iterator[Row]:
     """An elastic catenary."""
     exact = known.elastic_catenary(850.0, 1000.0, 5e8, 700.0, 300.0)
-    found = _run(files["S4e"])
-    upper = float(found["effective_tension"].isel(s=-1))
+    run = _run(files["S4e"])
+    upper = float(run["effective_tension"].isel(s=-1))
     what, by = "elastic catenary", "Irvine, Cable Structures, 1981"
     because = "200 straight segments, second order"
     yield Row(what, "tension at the upper end", "N", CLOSED, by, exact.upper, upper, 2e-5, because)
@@ -232,13 +240,13 @@ def current(files: Files) -> Iterator[Row]:
     flow = known.Flow(length, axial, bending, 141.264, 0.5 * 1025.0 * 1.22, 1.0, 2275e3)
     exact = known.rod_in_current(flow)
     profile = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 600)]
-    found = _run(files["S1"], {"current.profile": profile})
+    run = _run(files["S1"], {"current.profile": profile})
     what, by = (
         "riser at rest in an even current",
         "the rod as a boundary value problem, by collocation",
     )
     because = "200 segments"
-    x, moment = float(found["x"].max()), float(np.abs(found["bending_moment"]).max())
+    x, moment = float(run["x"].max()), float(np.abs(run["bending_moment"]).max())
     yield Row(what, "displacement", "m", SECOND, by, exact.displacement, x, 1e-4, because)
     yield Row(what, "moment", "N m", SECOND, by, exact.moment, moment, 1e-4, because)
 
@@ -252,8 +260,8 @@ def towed(_: Files) -> Iterator[Row]:
         submerged_weight="500 N/m",
         drag={"coefficient": 1.0, "diameter": "1 m"},
     ).with_values({"water": water, "current.profile": profile}, "validation")
-    found = _run(file)
-    x, z = (float(found[name].isel(s=0)) for name in "xz")
+    run = _run(file)
+    x, z = (float(run[name].isel(s=0)) for name in "xz")
     exact = known.towed_angle(500.0, 0.5 * 1025.0, 1.0)
     by = "w sin α = q cos² α"
     what = "string that hangs in a current"
@@ -274,9 +282,9 @@ def pendulum(_: Files) -> Iterator[Row]:
     file = _hung(axial_stiffness="1e12 N", bending_stiffness="1e11 N*m^2", mass="300 kg/m")
     file = file.with_values(sets | {"riser[0].submerged_weight": "0 N/m"}, "validation")
     exact = known.compound_pendulum(30.0, 300.0, 1.2e6, 140e3, 3.0)
-    found = _frequencies(file, "lateral", 1)[0]
+    lowest = _frequencies(file, "lateral", 1)[0]
     what, by = "body below a rod", "√(W (L + a) / (M (L + a)² + m L³ / 3))"
-    yield Row(what, "frequency", "rad/s", CLOSED, by, exact, found, 1e-5, "the rod bends by 3e-6")
+    yield Row(what, "frequency", "rad/s", CLOSED, by, exact, lowest, 1e-5, "the rod bends by 3e-6")
 
 
 GAS = {"area": 0.1, "pressure": 150e5, "volume": 3.0, "exponent": 1.4}
@@ -384,21 +392,21 @@ def decay(_: Files) -> Iterator[Row]:
     run = _run(_above(section, top, analysis | {"mesh": {"elements": 1}}))
     z = run["z"].isel(s=-1).values - length
     peaks = _tops(z[100:])
-    found = math.log(peaks[0] / peaks[5]) / 5.0
+    decrement = math.log(peaks[0] / peaks[5]) / 5.0
     exact = known.decrement(ratio)
     what, by = "mass on a damped spring (Kelvin, Voigt)", "2 π ζ / √(1 - ζ²)"
     because = "steps of a 300th of the period, second order"
-    yield Row(what, "decrement", "1", CLOSED, by, exact, found, 3e-4, because)
+    yield Row(what, "decrement", "1", CLOSED, by, exact, decrement, 3e-4, because)
 
 
 def _tops(values: NDArray[np.float64]) -> list[float]:
     """Values at the tops of a swing, by the parabola through three."""
     middle = np.flatnonzero((values[1:-1] > values[:-2]) & (values[1:-1] >= values[2:])) + 1
-    found = []
+    tops = []
     for k in middle:
         a, b, c = values[k - 1 : k + 2]
-        found.append(float(b + (a - c) ** 2 / (8.0 * (2.0 * b - a - c))))
-    return found
+        tops.append(float(b + (a - c) ** 2 / (8.0 * (2.0 * b - a - c))))
+    return tops
 
 
 def methods(files: Files) -> Iterator[Row]:

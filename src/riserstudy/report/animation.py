@@ -236,9 +236,9 @@ def _axes(figure: go.Figure, motion: Motion) -> None:
         )
         return
     factor = _nice((high[1] - high[0]) * RISER_ASPECT / (wide[1] - wide[0]))
-    told = "" if factor == 1.0 else f", drawn {factor:g} times as large as z"
+    scale = "" if factor == 1.0 else f", drawn {factor:g} times as large as z"
     figure.update_xaxes(
-        title_text=f"x (m){told}", range=list(wide), constrain="domain", row=1, col=1,
+        title_text=f"x (m){scale}", range=list(wide), constrain="domain", row=1, col=1,
         domain=list(RISER),
     )  # fmt: skip
     figure.update_yaxes(

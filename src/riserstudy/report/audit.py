@@ -81,10 +81,10 @@ class Missed(NamedTuple):
 
 def audit(db: sqlite3.Connection) -> list[Row]:
     """A row a simulated dataset, in the order of the database."""
-    found: dict[str, list[dict[str, Any]]] = {}
+    by_text: dict[str, list[dict[str, Any]]] = {}
     for point in _points(db):
-        found.setdefault(point["study"], []).append(point)
-    return [_row(points) for points in found.values()]
+        by_text.setdefault(point["study"], []).append(point)
+    return [_row(points) for points in by_text.values()]
 
 
 def _points(db: sqlite3.Connection) -> list[dict[str, Any]]:
@@ -131,11 +131,11 @@ def warned(db: sqlite3.Connection) -> list[Warned]:
         for line in text.splitlines():
             where.setdefault(line, []).append(study)
     kinds = grouped(line for line, studies in where.items() for _ in studies)
-    found = []
+    warnings = []
     for text, lines, count in kinds:
         datasets = dict.fromkeys(study for line in lines for study in where[line])
-        found.append(Warned(text, count, list(datasets)))
-    return sorted(found, key=lambda one: -one.points)
+        warnings.append(Warned(text, count, list(datasets)))
+    return sorted(warnings, key=lambda one: -one.points)
 
 
 def missed(db: sqlite3.Connection) -> Missed:

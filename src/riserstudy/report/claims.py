@@ -80,8 +80,8 @@ class Claim(NamedTuple):
                 return sentence(f"{self.decided_by} decides it")
             return f"Decided by {self.decided_by}."
         if self.published:
-            found = f"{number(self.simulated)}{unit(self.unit)} for {number(self.published)}"
-            off = f"{found}{unit(self.unit)}: {share(self.error)} off"
+            text = f"{number(self.simulated)}{unit(self.unit)} for {number(self.published)}"
+            off = f"{text}{unit(self.unit)}: {share(self.error)} off"
             return off + (", with a fitted input." if self.verdict == "calibrated" else ".")
         if self.samples:
             every = {self.samples: f"all {self.samples}", 0: f"none of {self.samples}"}
@@ -99,14 +99,14 @@ def read_claims(path: Path) -> list[Claim]:
 
 def claim_of(row: dict[str, str]) -> Claim:
     """A row of the table, taken apart."""
-    by, _, told = row["depends_on"].partition("; ")
-    found = _SAMPLES.search(told) or _SAMPLES.match(row["note"])
-    low, high = (found[3], found[4]) if found else (None, None)
+    by, _, rest = row["depends_on"].partition("; ")
+    samples = _SAMPLES.search(rest) or _SAMPLES.match(row["note"])
+    low, high = (samples[3], samples[4]) if samples else (None, None)
     sentences = _SENTENCES.split(row["note"]) if row["note"] else []
     options = [_by_option(m) for text in sentences if (m := _BY_OPTION.match(text))]
     plain = [s for s in sentences if not _BY_OPTION.match(s) and not _SAMPLES.fullmatch(s)]
     if row.get("margin"):
-        plain.append(_margin_told(row["margin"], row["margin_low"], row["margin_high"]))
+        plain.append(_margin_text(row["margin"], row["margin_low"], row["margin_high"]))
     return Claim(
         paper=row["paper"],
         id=row["id"],
@@ -119,20 +119,20 @@ def claim_of(row: dict[str, str]) -> Claim:
         error=row["error"],
         verdict=row["verdict"],
         decided_by=by,
-        met=int(found[1]) if found else None,
-        samples=int(found[2]) if found else None,
+        met=int(samples[1]) if samples else None,
+        samples=int(samples[2]) if samples else None,
         band=(int(low), int(high)) if low and high else None,
         said=plain,
         options=options,
     )
 
 
-def _margin_told(margin: str, low: str, high: str) -> str:
+def _margin_text(margin: str, low: str, high: str) -> str:
     """How far the verdict is from turning; a difference over the larger of the two that are compared."""
-    told = f"Margin to the threshold {100 * float(margin):+.0f} %"
+    text = f"Margin to the threshold {100 * float(margin):+.0f} %"
     if not low:
-        return f"{told}."
-    return f"{told}, in nine of ten cases {100 * float(low):+.0f} to {100 * float(high):+.0f} %."
+        return f"{text}."
+    return f"{text}, in nine of ten cases {100 * float(low):+.0f} to {100 * float(high):+.0f} %."
 
 
 def _by_option(found: re.Match[str]) -> ByOption:

@@ -188,11 +188,12 @@ def _figures(
     }
     rests = _sets(db, "select paper, id, study from rests_on")
     reads = {
-        key[0]: found for key, found in _sets(db, "select figure, study from figure_reads").items()
+        key[0]: studies
+        for key, studies in _sets(db, "select figure, study from figure_reads").items()
     }
     behind = {
-        key[0]: found
-        for key, found in _sets(db, "select study, source from simulated_behind").items()
+        key[0]: studies
+        for key, studies in _sets(db, "select study, source from simulated_behind").items()
     }
     present = {path for (path,) in db.execute("select path from files")}
     images: dict[str, Path] = {}
@@ -232,17 +233,17 @@ def _figures(
 
 def _sets(db: sqlite3.Connection, sql: str) -> dict[tuple[str, ...], set[str]]:
     """The last column of a statement's rows by the others."""
-    found: dict[tuple[str, ...], set[str]] = {}
+    sets: dict[tuple[str, ...], set[str]] = {}
     for *key, value in db.execute(sql):
-        found.setdefault(tuple(key), set()).add(value)
-    return found
+        sets.setdefault(tuple(key), set()).add(value)
+    return sets
 
 
 def _figures_of(figures: list[Figure]) -> dict[str, list[tuple[str, str]]]:
     """Anchors and short names of the figures of each claim, by the claim's anchor."""
-    found: dict[str, list[tuple[str, str]]] = {}
+    by_dataset: dict[str, list[tuple[str, str]]] = {}
     for figure in figures:
         for claim in figure.claims:
             short = heading(figure.name, "").replace("Figure ", "Fig. ")
-            found.setdefault(claim.anchor, []).append((figure.anchor, short))
-    return found
+            by_dataset.setdefault(claim.anchor, []).append((figure.anchor, short))
+    return by_dataset

@@ -60,20 +60,20 @@ def hard_cases(stability: xr.Dataset) -> list[str]:
     outcomes = Counter(map(str, stability["written_outcome"].values))
     met, count = int(stability["as_expected"].sum()), stability.sizes["case"]
     ended = f"all {count}" if met == count else f"{met} of {count}"
-    told = listed(f"{number} {outcome}" for outcome, number in outcomes.most_common())
-    return [f"Hard cases that ended as expected: {ended} ({told})."]
+    text = listed(f"{number} {outcome}" for outcome, number in outcomes.most_common())
+    return [f"Hard cases that ended as expected: {ended} ({text})."]
 
 
 def known(validation: xr.Dataset) -> str:
     """How many numbers agree with what is known, and which do not."""
     holds = validation["holds"].values
     kinds = Counter(map(str, validation["kind"].values))
-    told = listed(counted(number, kind) for kind, number in kinds.items())
+    text = listed(counted(number, kind) for kind, number in kinds.items())
     met = f"all {len(holds)}" if holds.all() else f"{int(holds.sum())} of {len(holds)}"
     bad = validation.isel(row=~holds)
     named = [f"{n}, {q}" for n, q in zip(bad["name"].values, bad["quantity"].values, strict=True)]
     but = f"; not: {listed(named)}" if named else ""
-    return f"Numbers within their tolerance of what is known: {met} ({told}){but}."
+    return f"Numbers within their tolerance of what is known: {met} ({text}){but}."
 
 
 def stable_steps(steps: xr.Dataset) -> str:

@@ -146,8 +146,8 @@ def balances(energy: xr.Dataset) -> Table:
         for method in energy["method"].values:
             of = energy.sel({"case": case, "method": method})
             scale = max(float(abs(of[name]).max()) for name in ("exchanged", "stored"))
-            found = [float(abs(of[n]).max()) / scale for n in ("numerical", "unexplained")]
-            rows.append([Cell(str(case)), Cell(str(method)), *map(_share, found)])
+            shares = [float(abs(of[n]).max()) / scale for n in ("numerical", "unexplained")]
+            rows.append([Cell(str(case)), Cell(str(method)), *map(_share, shares)])
     about = "Largest values over time, as shares of the energy exchanged or stored."
     columns = ["Case", "Method", "Dissipated by the method", "Unexplained"]
     return Table("Energy", about, columns, {2, 3}, rows)

@@ -46,9 +46,10 @@ def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
 
 def _rows(dataset: xr.Dataset) -> list[LimitRow]:
     axes = [str(dim) for dim in dataset["point_key"].dims]
-    told = json.loads(dataset.attrs["limits"])
+    limits = json.loads(dataset.attrs["limits"])
     return [
-        _row(dataset.isel(limit=k).transpose(*axes, ...), axes, told[k]) for k in range(len(told))
+        _row(dataset.isel(limit=k).transpose(*axes, ...), axes, limits[k])
+        for k in range(len(limits))
     ]
 
 
@@ -82,8 +83,8 @@ def _row(of: xr.Dataset, axes: list[str], told: Mapping[str, str | float]) -> Li
 def _verdict(verdicts: np.ndarray) -> str:
     """Of all points: exceeded by how many, not evaluated by how many, else within."""
     counts = {word: int((verdicts == word).sum()) for word in (EXCEEDED, UNKNOWN)}
-    told = [f"{word} at {count}" for word, count in counts.items() if count]
-    return ", ".join(told) or "within at all"
+    words = [f"{word} at {count}" for word, count in counts.items() if count]
+    return ", ".join(words) or "within at all"
 
 
 def _value(value: xr.DataArray) -> str:

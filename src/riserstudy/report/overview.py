@@ -96,15 +96,15 @@ def findings(
     claims: list[Claim], files: dict[str, StudyFile], figures: list[Figure], images: dict[str, Path]
 ) -> list[Finding]:
     """The number or claim that each study file names first."""
-    found = []
+    rows = []
     for paper, file in files.items():
         for claim in (c for c in claims if c.paper == paper and c.id == file.finding):
             shown = next((f for f in figures if f.paper == paper and claim in f.claims), None)
             small = picture_of(images[shown.anchor], SMALL) if shown else None
-            found.append(
+            rows.append(
                 Finding(claim, title_of(files, paper), shown.anchor if shown else "", small)
             )
-    return found
+    return rows
 
 
 def tiles(figures: Iterable[Figure], images: dict[str, Path]) -> list[Tile]:

@@ -93,12 +93,12 @@ def claims_by_figure(
     rests : datasets by paper and id of a claim.
     reads : datasets by figure.
     """
-    found: dict[str, list[Claim]] = {name: [] for name in names}
+    claims_of: dict[str, list[Claim]] = {name: [] for name in names}
     for claim in claims:
         own = [name for name in names if belongs(claim, name)]
         if not own:
             behind = rests.get((claim.paper, claim.id), set())
             own = [name for name in names if behind & reads.get(name, set())]
         for name in own:
-            found[name].append(claim)
-    return found
+            claims_of[name].append(claim)
+    return claims_of

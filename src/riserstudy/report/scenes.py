@@ -59,12 +59,12 @@ def _table(
     title: str, datasets: dict[str, xr.Dataset], file: StudyFile, config: Path
 ) -> SceneTable:
     values = {name: _values(name, dataset, file, config) for name, dataset in datasets.items()}
-    paths = dict.fromkeys(path for found in values.values() for path in found)
+    paths = dict.fromkeys(path for parameters in values.values() for path in parameters)
     rows = []
     for path in paths:
         by_value: dict[tuple[str, str, str], list[str]] = {}
-        for name, found in values.items():
-            by_value.setdefault(found.get(path, ("–", "absent", "")), []).append(name)
+        for name, parameters in values.items():
+            by_value.setdefault(parameters.get(path, ("–", "absent", "")), []).append(name)
         single = len(by_value) == 1
         rows.append(
             (path, [Value(*v, "" if single else ", ".join(w)) for v, w in by_value.items()])

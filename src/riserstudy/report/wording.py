@@ -68,16 +68,20 @@ def grouped(warnings: Iterable[str]) -> list[tuple[str, list[str], int]]:
     for warning in warnings:
         kinds.setdefault(_NUMBER.sub("\0", warning), []).append(warning)
     return [
-        (_filled(kind, [_NUMBER.findall(w) for w in found]), list(dict.fromkeys(found)), len(found))
-        for kind, found in kinds.items()
+        (
+            _filled(kind, [_NUMBER.findall(w) for w in numbers]),
+            list(dict.fromkeys(numbers)),
+            len(numbers),
+        )
+        for kind, numbers in kinds.items()
     ]
 
 
 def _filled(kind: str, numbers: list[list[str]]) -> str:
     text, *rest = kind.split("\0")
     for place, after in enumerate(rest):
-        found = sorted({row[place] for row in numbers}, key=float)
-        text += (found[0] if len(found) == 1 else f"{found[0]} … {found[-1]}") + after
+        distinct = sorted({row[place] for row in numbers}, key=float)
+        text += (distinct[0] if len(distinct) == 1 else f"{distinct[0]} … {distinct[-1]}") + after
     return text
 
 

@@ -53,10 +53,10 @@ def is_known(path: str) -> bool:
     for name in re.sub(r"\[\d+\]", "", path).split("."):
         if not models:  # below plain data anything may stand
             return True
-        found = [m.model_fields[name].annotation for m in models if name in m.model_fields]
-        if not found:
+        kinds = [m.model_fields[name].annotation for m in models if name in m.model_fields]
+        if not kinds:
             return False
-        models = [model for annotation in found for model in _models(annotation)]
+        models = [model for annotation in kinds for model in _models(annotation)]
     return True
 
 

@@ -188,20 +188,20 @@ class Platform(Strict):
     def jolts(self) -> list[float]:
         """Times at which velocity or acceleration of a motion jumps (s)."""
         moving = [motion for _, motion in self.harmonics]
-        found = [t for motion in (*moving, self.cruise) if motion for t in motion.jolts]
+        times = [t for motion in (*moving, self.cruise) if motion for t in motion.jolts]
         if self.response:
-            found += [0.0, self.response.ramp or 0.0]
-        return found
+            times += [0.0, self.response.ramp or 0.0]
+        return times
 
     @property
     def sudden(self) -> list[tuple[str, str]]:
         """Lines by which a motion starts from rest with a speed, and the motion; time series aside."""
-        found = [(name, name) for name, motion in self.harmonics if motion.sudden]
+        names = [(name, name) for name, motion in self.harmonics if motion.sudden]
         if self.cruise and self.cruise.sudden:
-            found.append(("cruise", "surge"))
+            names.append(("cruise", "surge"))
         if self.response and self.response.ramp is None:
-            found += [("response", motion) for motion in self.response.moving]
-        return found
+            names += [("response", motion) for motion in self.response.moving]
+        return names
 
 
 class Point(Strict):
@@ -289,8 +289,8 @@ class Current(Strict):
         """Where it flows to at its points, from x towards y (rad), as its table has them; none by name."""
         points = self.profile if isinstance(self.profile, list) else []
         turn = math.pi if self.headings == "from" else 0.0
-        found = [self.towards if p.direction is None else p.direction + turn for p in points]
-        return found[::-1] if self.by_depth else found
+        angles = [self.towards if p.direction is None else p.direction + turn for p in points]
+        return angles[::-1] if self.by_depth else angles
 
     @property
     def leaves_plane(self) -> str:

@@ -83,17 +83,17 @@ def _reaches(scene: Parts) -> None:
     apart = math.hypot(upright, aside)
     joint = scene.top.telescopic_joint
     spare = (SLIDES if joint else STRETCH) * length + ROUNDED
-    told = f"bottom.elevation {bottom:g} m and top.elevation {top:g} m"
+    elevations = f"bottom.elevation {bottom:g} m and top.elevation {top:g} m"
     made = f"riser{' and top.telescopic_joint' if joint else ''} of {length:.6g} m"
     if length < upright - spare or (joint is None and length < apart - spare):
         raise ValueError(
-            f"{made} is too short between {told}, {apart:.6g} m apart; allowed is from "
+            f"{made} is too short between {elevations}, {apart:.6g} m apart; allowed is from "
             f"{upright - spare:.6g} m: check lengths, elevations and their units"
         )
     stiff = all(s.young_modulus or s.bending_stiffness for s in scene.riser)
     if stiff and aside < FAR * length and length > apart + spare:
         raise ValueError(
-            f"{made} is too long between {told}, {apart:.6g} m apart; allowed is up to "
+            f"{made} is too long between {elevations}, {apart:.6g} m apart; allowed is up to "
             f"{apart + spare:.6g} m: check lengths, elevations and their units"
         )
 
@@ -150,10 +150,10 @@ def covered(scene: Parts) -> None:
     flow, water, ends = scene.current, scene.water, span(scene)
     if flow is None or flow.beyond is not None:
         return
-    told = _told(scene)
-    if told is None:
+    where = _levels_of_current(scene)
+    if where is None:
         return
-    low, high = told
+    low, high = where
     if ends is None:  # a hanging riser of unsaid elevation
         return
     seabed, surface = (water.seabed, water.surface) if water else (None, None)
@@ -168,7 +168,7 @@ def covered(scene: Parts) -> None:
         )
 
 
-def _told(scene: Parts) -> tuple[float, float] | None:
+def _levels_of_current(scene: Parts) -> tuple[float, float] | None:
     """Elevations between which a current is told (m); None where the sea's own levels bound it."""
     flow, water = scene.current, scene.water
     if flow is None:

@@ -58,7 +58,7 @@ class SceneFile:
         tree = {k: _copied(v) if k in touched else v for k, v in self.tree.items()}
         origins = dict(self.origins)
         for path, value in overrides.items():
-            plain, found, faults = unwrap(value, path)
+            plain, statuses, faults = unwrap(value, path)
             if faults:
                 raise InputError(layer, *faults[0])
             if plain is None and not is_known(path):
@@ -66,7 +66,7 @@ class SceneFile:
                 raise InputError(layer, path, "unknown key, which null would take out", allowed)
             _set(tree, path, plain, layer)
             origins = {k: v for k, v in origins.items() if not (k + ".").startswith(path + ".")}
-            origins |= found
+            origins |= statuses
         return SceneFile(self.source, tree, origins, self.layers | dict.fromkeys(overrides, layer))
 
     def scene(self) -> Scene:

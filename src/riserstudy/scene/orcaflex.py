@@ -106,7 +106,7 @@ def _ends(line: Part, surface: float, depth: float) -> tuple[End, End]:
     rows, bending = line.rows(ENDS, 4), line.rows(BENDING, 1)
     if len(rows) != 2 or len(bending) != 2:
         raise line.refused(ENDS, f"{len(rows)} ends", "allowed are two, with bending stiffness")
-    found = []
+    ends = []
     for row, stiff in zip(rows, bending, strict=True):
         to, x, y, z = str(row[0]), *(float(v) for v in row[1:4])
         z += surface - depth if to == "Anchored" else 0.0
@@ -115,9 +115,9 @@ def _ends(line: Part, surface: float, depth: float) -> tuple[End, End]:
         if rotation != "free" and leaning:
             found_ = f"declination {leaning[0]} of an end that resists turning"
             raise line.refused(ENDS, found_, "allowed are 0 and 180: the end stands upright")
-        found.append(End(to, x, y, z, rotation))
+        ends.append(End(to, x, y, z, rotation))
     top = line.text("TopEnd")
-    upper, lower = found if top == "End A" else found[::-1]
+    upper, lower = ends if top == "End A" else ends[::-1]
     if lower.to not in ("Anchored", "Fixed"):
         raise line.refused(ENDS, f"lower end on {lower.to!r}", "allowed are Anchored and Fixed")
     return upper, lower
@@ -159,23 +159,23 @@ def _sections(deck: Part, line: Part, density: float) -> Iterator[dict[str, Any]
 def _properties(kind: Part, density: float) -> dict[str, Any]:
     outer, inner = kind.number("OD"), kind.number("ID")
     area = 0.25 * math.pi * (outer**2 - inner**2)
-    found: dict[str, Any] = {"outer_diameter": _q(outer, "m"), "inner_diameter": _q(inner, "m")}
+    fields: dict[str, Any] = {"outer_diameter": _q(outer, "m"), "inner_diameter": _q(inner, "m")}
     if kind.text("Category") == "Homogeneous pipe":
         mass = 1000.0 * kind.number("MaterialDensity") * area
-        found["young_modulus"] = _q(kind.number("E"), "kN/m^2")
-        found["mass"] = {"derived": _q(mass, "kg/m"), "from": "MaterialDensity and diameters"}
+        fields["young_modulus"] = _q(kind.number("E"), "kN/m^2")
+        fields["mass"] = {"derived": _q(mass, "kg/m"), "from": "MaterialDensity and diameters"}
     elif kind.text("Category") == "General":
         mass = 1000.0 * kind.number("MassPerUnitLength")
         kind.alike("EIx", "EIy")
-        found["bending_stiffness"] = _q(kind.number("EIx"), "kN*m^2")
-        found["axial_stiffness"] = _q(kind.number("EA"), "kN")
-        found["mass"] = _q(mass, "kg/m")
+        fields["bending_stiffness"] = _q(kind.number("EIx"), "kN*m^2")
+        fields["axial_stiffness"] = _q(kind.number("EA"), "kN")
+        fields["mass"] = _q(mass, "kg/m")
     else:
         raise kind.refused(
             "Category", kind.text("Category"), "allowed are General, Homogeneous pipe"
         )
     wet = (mass - density * 0.25 * math.pi * outer**2) * GRAVITY
-    found["submerged_weight"] = {
+    fields["submerged_weight"] = {
         "derived": _q(wet, "N/m"), "from": "mass per length less the water that OD displaces",
     }  # fmt: skip
     kind.alike("Cdx", "Cdy")
@@ -183,10 +183,10 @@ def _properties(kind: Part, density: float) -> dict[str, Any]:
     drag, added = kind.optional("Cdx"), kind.optional("Cax")
     wide = kind.optional("NormalDragLiftDiameter")
     if drag:
-        found["drag"] = {"coefficient": float(drag), "diameter": _q(float(wide or outer), "m")}
+        fields["drag"] = {"coefficient": float(drag), "diameter": _q(float(wide or outer), "m")}
     if added:
-        found["added_mass"] = {"coefficient": float(added), "diameter": _q(outer, "m")}
-    return found
+        fields["added_mass"] = {"coefficient": float(added), "diameter": _q(outer, "m")}
+    return fields
 
 
 def _top(deck: Part, line: Part, top: End, bottom: End, vessels: dict[str, Part]) -> dict[str, Any]:

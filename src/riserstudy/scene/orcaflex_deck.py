@@ -32,10 +32,10 @@ class Part:
 
     def value(self, key: str) -> Any:
         """A value that must be there."""
-        found = self.optional(key)
-        if found is None:
+        entry = self.optional(key)
+        if entry is None:
             raise self.refused(key, "missing", "nothing is guessed; write it into the deck")
-        return found
+        return entry
 
     def text(self, key: str) -> str:
         """A text that must be there."""
@@ -43,32 +43,32 @@ class Part:
 
     def number(self, key: str) -> float:
         """A number that must be there, in the unit of the deck."""
-        found = self.value(key)
-        if isinstance(found, bool) or not isinstance(found, int | float):
-            raise self.refused(key, repr(found), "allowed is a number")
-        return float(found)
+        entry = self.value(key)
+        if isinstance(entry, bool) or not isinstance(entry, int | float):
+            raise self.refused(key, repr(entry), "allowed is a number")
+        return float(entry)
 
     def values(self, key: str, count: int) -> list[Any]:
         """A list of so many values."""
-        found = self.value(key)
-        if not isinstance(found, list) or len(found) != count:
-            raise self.refused(key, repr(found), f"allowed are {count} values")
-        return found
+        entry = self.value(key)
+        if not isinstance(entry, list) or len(entry) != count:
+            raise self.refused(key, repr(entry), f"allowed are {count} values")
+        return entry
 
     def rows(self, key: str, least: int) -> list[list[Any]]:
         """Rows of a table of at least so many columns."""
-        found = self.value(key)
-        if not isinstance(found, list) or any(
-            not isinstance(row, list) or len(row) < least for row in found
+        entry = self.value(key)
+        if not isinstance(entry, list) or any(
+            not isinstance(row, list) or len(row) < least for row in entry
         ):
             raise self.refused(key, "no table", f"allowed are rows of {least} values or more")
-        return found
+        return entry
 
     def demand(self, key: str, wanted: Any) -> None:
         """See that an entry has the one value that a scene can say."""
-        found = self.value(key)
-        if found != wanted and str(found).lower() != {True: "yes", False: "no"}.get(wanted, wanted):
-            raise self.refused(key, str(found), f"allowed is {wanted}")
+        entry = self.value(key)
+        if entry != wanted and str(entry).lower() != {True: "yes", False: "no"}.get(wanted, wanted):
+            raise self.refused(key, str(entry), f"allowed is {wanted}")
 
     def alike(self, one: str, other: str) -> None:
         """See that both directions are alike, where the second is told."""
@@ -81,11 +81,13 @@ class Part:
 
     def parts(self, key: str) -> list[Part]:
         """Objects of a list within; none where there is no such list."""
-        found = self.optional(key) or []
-        if not isinstance(found, list):
+        entries = self.optional(key) or []
+        if not isinstance(entries, list):
             raise self.refused(key, "no list", "allowed is a list of objects")
-        names = [one.get("Name", k) if isinstance(one, dict) else k for k, one in enumerate(found)]
-        return self._kept(key, found, [f"{self.path}.{key}[{n}]".strip(".") for n in names])
+        names = [
+            one.get("Name", k) if isinstance(one, dict) else k for k, one in enumerate(entries)
+        ]
+        return self._kept(key, entries, [f"{self.path}.{key}[{n}]".strip(".") for n in names])
 
     def only(self, key: str) -> Part:
         """The one object of a list."""
@@ -101,12 +103,12 @@ class Part:
 
     def unused(self) -> list[str]:
         """Everything that nobody asked for, by its path with its value."""
-        found = []
+        names = []
         for key, value in self.data.items():
             if key in self.below:
-                found += [line for part in self.below[key] for line in part.unused()]
+                names += [line for part in self.below[key] for line in part.unused()]
             elif key not in self.taken:
                 text = " ".join(str(value).split())
                 text = text if len(text) <= MOST_SHOWN else f"{text[:MOST_SHOWN]} ..."
-                found.append(f"{self.path}.{key}: {text}".removeprefix("."))
-        return found
+                names.append(f"{self.path}.{key}: {text}".removeprefix("."))
+        return names

@@ -99,14 +99,14 @@ def _response(kind: Part, table: Part) -> dict[str, Any]:
                     f"{motion}_phase": f"{phase:.10g} {phases}",
                 }
             operators.append(operator)
-    found: dict[str, Any] = {"operators": operators, "phases": lead, "headings": "towards"}
+    response: dict[str, Any] = {"operators": operators, "phases": lead, "headings": "towards"}
     symmetry = _choice(kind, "Symmetry", SYMMETRY)
-    return found | ({"symmetry": symmetry} if symmetry else {})
+    return response | ({"symmetry": symmetry} if symmetry else {})
 
 
 def _choice(part: Part, key: str, of: dict[str, Any]) -> Any:
     """What one of a few words of a deck stands for."""
-    found = part.value(key)
-    if found not in of:
-        raise part.refused(key, str(found), f"allowed are {', '.join(of)}")
-    return of[found]
+    entry = part.value(key)
+    if entry not in of:
+        raise part.refused(key, str(entry), f"allowed are {', '.join(of)}")
+    return of[entry]

@@ -53,15 +53,15 @@ def unwrap(tree: Any, path: str = "") -> Unwrapped:
         origins: dict[str, Origin] = {}
         faults: list[tuple[str, str, str]] = []
         for key, value in tree.items():
-            plain[key], found, wrong = unwrap(value, f"{path}.{key}" if path else str(key))
-            origins |= found
+            plain[key], inner, wrong = unwrap(value, f"{path}.{key}" if path else str(key))
+            origins |= inner
             faults += wrong
         return plain, origins, faults
     if isinstance(tree, list):
         items = [unwrap(value, f"{path}[{k}]") for k, value in enumerate(tree)]
         merged: dict[str, Origin] = {}
-        for _, found, _ in items:
-            merged |= found
+        for _, inner, _ in items:
+            merged |= inner
         return [item[0] for item in items], merged, [f for item in items for f in item[2]]
     return tree, {}, []
 

@@ -76,13 +76,13 @@ class Parts(Strict):
         At the start they do where statics do not hold what acts then.
         """
         a = self.analysis
-        found = self.platform.jolts if self.platform else []
+        times = self.platform.jolts if self.platform else []
         sudden = self.vessel or (self.wave and self.wave.ramp is None)
         if sudden or a.start not in (None, "equilibrium"):
-            found.append(0.0)
+            times.append(0.0)
         if self.disconnect:
-            found.append(self.disconnect.at)
-        return sorted({t for t in found if t < (a.duration or 0.0)})
+            times.append(self.disconnect.at)
+        return sorted({t for t in times if t < (a.duration or 0.0)})
 
     @property
     def lateral(self) -> str:

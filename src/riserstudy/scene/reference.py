@@ -73,11 +73,11 @@ def scene_reference() -> str:
 
 def models(first: type[BaseModel] = Scene) -> list[type[BaseModel]]:
     """A model and every model below it, each after the one that first mentions it."""
-    found = [first]
+    reached = [first]
     for field in first.model_fields.values():
         for below in _models_in(field.annotation):
-            found += [model for model in models(below) if model not in found]
-    return found
+            reached += [model for model in models(below) if model not in reached]
+    return reached
 
 
 def _models_in(kind: Any) -> Iterator[Any]:

@@ -179,18 +179,18 @@ def _lines(path: Path) -> list[list[str]]:
 def _heading(path: Path, cells: Sequence[str], place: Place) -> tuple[list[str], list[str]]:
     """Names and units of the columns."""
     named = [m for m in map(_HEADING.fullmatch, cells) if m]
-    found, first = [m.group(1) for m in named], len(place.columns)
-    more = found[first:]
-    fits = len(found) == len(cells) >= first
+    columns, first = [m.group(1) for m in named], len(place.columns)
+    more = columns[first:]
+    fits = len(columns) == len(cells) >= first
     fits = fits and all(
-        name in allowed for name, allowed in zip(found, place.columns, strict=False)
+        name in allowed for name, allowed in zip(columns, place.columns, strict=False)
     )
     if not fits or len(set(more)) != len(more) or not set(more) <= set(place.optional):
         wanted = ", ".join(" or ".join(f"{n} (unit)" for n in names) for names in place.columns)
         wanted += f", and any of {', '.join(place.optional)}" if place.optional else ""
         shown = ", ".join(cells) if cells else "nothing"
         raise InputError(path, "line 1", repr(shown), f"allowed are the columns {wanted}")
-    return found, [m.group(2).strip() for m in named]
+    return columns, [m.group(2).strip() for m in named]
 
 
 def _number(path: Path, line: int, cell: str) -> str:

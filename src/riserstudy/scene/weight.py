@@ -48,19 +48,19 @@ def doubts(scene: Parts) -> list[str]:
     Whatever is fixed to a pipe displaces more water and not less: apart from its contents a section cannot
     weigh more than its mass less the water that its outer diameter displaces.
     """
-    found = []
+    sentences = []
     for k, section in enumerate(scene.riser):
         if None in (section.submerged_weight, section.mass, section.contents, scene.gravity):
             continue
         dry = (scene.gravity or 0.0) * (section.mass or 0.0)
         most = dry - (scene.gravity or 0.0) * (0.0 if _dips(scene, k) else _displaced(scene, k))
         if (section.submerged_weight or 0.0) > most + DOUBTED * dry:
-            found.append(
+            sentences.append(
                 f"riser[{k}].submerged_weight: {section.submerged_weight:.4g} N/m of {section.name!r} is "
                 f"more than its mass less the water that its outer diameter displaces, {most:.4g} N/m; "
                 "contents are added to it: leave out what is inside"
             )
-    return found
+    return sentences
 
 
 def _levels(scene: Parts, k: int) -> tuple[float, float] | None:

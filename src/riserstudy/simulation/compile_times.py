@@ -26,7 +26,7 @@ def while_compiling(work: Callable[[], None]) -> list[Compiled]:
 
 def own_times(events: list[tuple[float, Event]]) -> list[Compiled]:
     """Own time (s) of every compilation, from its begin and end and those nested within."""
-    found: list[Compiled] = []
+    times: list[Compiled] = []
     open_ones: list[list[Any]] = []  # name, begin, time of those within
     for moment, event in events:
         if event.is_start:
@@ -34,7 +34,7 @@ def own_times(events: list[tuple[float, Event]]) -> list[Compiled]:
             open_ones.append([f"{function.__module__}.{function.__name__}", moment, 0.0])
         elif open_ones:
             name, begin, within = open_ones.pop()
-            found.append(Compiled(name, moment - begin - within))
+            times.append(Compiled(name, moment - begin - within))
             if open_ones:
                 open_ones[-1][2] += moment - begin
-    return found
+    return times

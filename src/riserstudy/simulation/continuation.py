@@ -17,7 +17,7 @@ from riserstudy.solve.statics import Equilibrium, NoEquilibrium, find_equilibriu
 SMALLEST_PART = 1e-3  # of the way aside, down to which parts are halved
 
 
-class Found(NamedTuple):
+class Settled(NamedTuple):
     """A model at rest, and how it was found."""
 
     model: Model
@@ -44,7 +44,7 @@ def search(model: Model, mesh: Mesh) -> Equilibrium:
     return find_equilibrium(model.programs, model.state, model.fixed_at_rest, tolerance, current)
 
 
-def by_parts(scene: Scene, mesh: Mesh, elevation: float | None, lost: Lost) -> Found:
+def by_parts(scene: Scene, mesh: Mesh, elevation: float | None, lost: Lost) -> Settled:
     """The equilibrium of a riser whose top is aside: brought there in parts without current, which follows.
 
     Parameters
@@ -79,10 +79,10 @@ def by_parts(scene: Scene, mesh: Mesh, elevation: float | None, lost: Lost) -> F
             last, reached, part = model, share, 2.0 * part
         model = build(scene, mesh, elevation, d)
         _continue(model, last, (0.0, 0.0), mesh, scene)
-        found = search(model, mesh)
+        equilibrium = search(model, mesh)
     except NoEquilibrium as fault:
         raise _failed(scene, mesh, fault, reached) from None
-    return Found(model, found._replace(iterations=total + found.iterations))
+    return Settled(model, equilibrium._replace(iterations=total + equilibrium.iterations))
 
 
 def _aside(scene: Scene, share: float) -> tuple[float, float]:
@@ -131,7 +131,7 @@ def _failed(scene: Scene, mesh: Mesh, failure: NoEquilibrium, reached: float) ->
         depth = scene.soil.mudline - (scene.bottom.elevation or 0.0) - s
         where += f", {depth:.4g} m below the mudline"
         remedy = "the soil may be too weak, or the conductor too short: check soil, offset and top tension"
-    told = "".join(f" {part}" for part in under)
+    causes = "".join(f" {part}" for part in under)
     return SimulationError(
-        f"no static equilibrium: {failure.residual:.3g} N are left at {where}{told}; {remedy}"
+        f"no static equilibrium: {failure.residual:.3g} N are left at {where}{causes}; {remedy}"
     )

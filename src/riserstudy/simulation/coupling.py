@@ -69,13 +69,13 @@ def sides_of(scene: Scene, model: Model, steps: int) -> Sides:
     platform.s.r[:, :2] = s.r[:, [top]]
     platform.s.r[-1, 0] -= 1.0
 
-    told = ToldMotion(top, times.copy(), np.zeros((3, steps + 1, count)))
-    told.path[0] = s.r[:count, top]
+    motion = ToldMotion(top, times.copy(), np.zeros((3, steps + 1, count)))
+    motion.path[0] = s.r[:count, top]
     riser = model.extended(
-        [Effect("exchange", told, "vessel.coupling")], [(top, m + c) for c in range(count)]
+        [Effect("exchange", motion, "vessel.coupling")], [(top, m + c) for c in range(count)]
     )
     reaction = [model.probes[f"riser_reaction_{axis}"] for axis in "xy"[:count]]
-    return Sides(platform, lent, riser, told, reaction)
+    return Sides(platform, lent, riser, motion, reaction)
 
 
 def march_in_turns(

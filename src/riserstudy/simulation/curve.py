@@ -119,25 +119,25 @@ def at_stations(arrays: Arrays, places: FloatArray) -> Arrays:
     """
     of = curve_of(arrays)
     e, x = of.segment(places)
-    found: Arrays = {"s": places}
+    arrays_there: Arrays = {"s": places}
     axes = [name for name in "xyz" if name in arrays]
     moment = arrays.get("bending_moment")
     components = arrays.get("mesh_moment")
     for name in axes:
-        found[name] = of.straight(arrays[name], places)
+        arrays_there[name] = of.straight(arrays[name], places)
     if moment is not None and "mesh_flexibility" in arrays and {"x", "z"}.issubset(axes):
         bent = moment if components is None else components
         for name, sideways in _sag(arrays, axes, bent, e, x).items():
-            found[name] = found[name] + sideways
-    elif "x" in found:  # a beam of cubic elements
-        found["x"] = of.cubic(arrays["x"], places)
+            arrays_there[name] = arrays_there[name] + sideways
+    elif "x" in arrays_there:  # a beam of cubic elements
+        arrays_there["x"] = of.cubic(arrays["x"], places)
     if "effective_tension" in arrays:
-        found["effective_tension"] = of.straight(arrays["effective_tension"], places)
+        arrays_there["effective_tension"] = of.straight(arrays["effective_tension"], places)
     if components is not None:
-        found["bending_moment"] = np.linalg.norm(of.cubic(components, places), axis=1)
+        arrays_there["bending_moment"] = np.linalg.norm(of.cubic(components, places), axis=1)
     elif moment is not None:
-        found["bending_moment"] = of.cubic(moment, places)
-    return found
+        arrays_there["bending_moment"] = of.cubic(moment, places)
+    return arrays_there
 
 
 def _sag(

@@ -68,7 +68,7 @@ def _overpull(model: Model) -> float:
     return float(model.s.force[-1, 0])
 
 
-def told(scene: Scene, arrays: outputs.Arrays, facts: dict[str, Any]) -> None:
+def enter_lift(scene: Scene, arrays: outputs.Arrays, facts: dict[str, Any]) -> None:
     """Enter lift, clearance and re-contact into the facts, with a warning where the riser comes down.
 
     ``arrays`` hold time (s), lift (m) and its rate (m/s), (times,).

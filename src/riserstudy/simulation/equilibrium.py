@@ -52,9 +52,9 @@ def _equilibrium(
 ) -> tuple[Model, Equilibrium]:
     model = build(scene, mesh, elevation, d)
     try:
-        found = search(model, mesh)
+        equilibrium = search(model, mesh)
     except NoEquilibrium as failure:
-        model, found = by_parts(scene, mesh, elevation, Lost(model, failure))
+        model, equilibrium = by_parts(scene, mesh, elevation, Lost(model, failure))
     elevations = model.s.r[-1, : len(mesh.s)]
     lowest = float(elevations.min() - elevations[0])
     if scene.top.z == "free" and lowest < -1e-3 * float(mesh.l0.sum()):
@@ -62,12 +62,12 @@ def _equilibrium(
             f"the riser falls over: it would come to rest {-lowest:.4g} m below its lower end; "
             "the top tension does not carry its weight"
         )
-    if found.unstable or not _stands_sideways(scene, mesh, model, elevation):
+    if equilibrium.unstable or not _stands_sideways(scene, mesh, model, elevation):
         raise PhysicallyUnstable(
             "the static equilibrium is unstable, with lateral freedom counted: "
             "the riser buckles under its own weight; raise the top tension or hold the ends"
         )
-    return model, found
+    return model, equilibrium
 
 
 def _stands_sideways(scene: Scene, mesh: Mesh, model: Model, elevation: float | None) -> bool:

@@ -41,7 +41,7 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     values are those of the elements. Where one run tells every second, fourth, ... output of the other, those
     that both tell are compared. The scale is the largest value anywhere.
     """
-    found = {}
+    differences = {}
     histories = _histories(coarse.arrays, fine.arrays)
     for name, fields in (
         ("displacement", ("x", "y", "z")),
@@ -61,8 +61,8 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
             off = max(off, abs(peaks[1][0] - peaks[0][0]))
         rounding = _rounding(name, fine.arrays)
         if scale > rounding:
-            found[name] = off / scale if off > rounding else 0.0
-    return found
+            differences[name] = off / scale if off > rounding else 0.0
+    return differences
 
 
 def _rounding(name: str, arrays: Arrays) -> float:
@@ -100,12 +100,12 @@ def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
         places = fine["s"]
         low, up = _at(coarse, places), fine
     every = _every(coarse, fine)
-    found: dict[str, tuple[Array, Array]] = {}
+    pairs: dict[str, tuple[Array, Array]] = {}
     for field in ("x", "y", "z", "effective_tension", "bending_moment"):
         if field in up and field in low:
             away = [curve_of(run).straight(_zero(run, field), places) for run in (coarse, fine)]
-            found[field] = low[field][:: every[0]] - away[0], up[field][:: every[1]] - away[1]
-    return found
+            pairs[field] = low[field][:: every[0]] - away[0], up[field][:: every[1]] - away[1]
+    return pairs
 
 
 def _every(coarse: Arrays, fine: Arrays) -> tuple[int, int]:

@@ -29,15 +29,15 @@ def extremes(scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays) -> lis
     ----------
     histories : of outputs along the riser, (time, n + 1), beside those among the arrays.
     """
-    found = []
+    rows = []
     for name in ALONG:
         for where, nodes in _places(scene, mesh, name):
             if row := _along(name, where, nodes, arrays, histories):
-                found.append(row)
+                rows.append(row)
     for name in OVER_TIME:
         if row := _over_time(name, arrays):
-            found.append(row)
-    return found
+            rows.append(row)
+    return rows
 
 
 def _places(scene: Scene, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]]:

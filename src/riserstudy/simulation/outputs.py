@@ -126,20 +126,20 @@ def empty_record(arrays: Arrays, model: Model, output: Output, end: float, of: W
 def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Arrays:
     """Histories at places or nodes, and envelopes at all nodes."""
     names = quantities(model)
-    found: Arrays = {"time": record.time}
+    envelopes: Arrays = {"time": record.time}
     full: Arrays = {}
     for k, name in enumerate(names):
         full[name] = record.history[:, k, :]
-        found[name + "_max"], found[name + "_min"] = record.largest[k], record.smallest[k]
+        envelopes[name + "_max"], envelopes[name + "_min"] = record.largest[k], record.smallest[k]
     if "mesh_corner" in arrays:
-        found["mesh_moment_max"], found["mesh_moment_min"] = (
+        envelopes["mesh_moment_max"], envelopes["mesh_moment_min"] = (
             side[len(names), :-1] for side in (record.largest, record.smallest)
         )
     if len(names) < record.history.shape[1]:
         full["mesh_moment"] = record.history[:, len(names) :, :]
     if of.places is None:
-        return found | full | {"s": arrays["s_node"]}
-    return found | _at_places(arrays, full, of.nodes, of.places)
+        return envelopes | full | {"s": arrays["s_node"]}
+    return envelopes | _at_places(arrays, full, of.nodes, of.places)
 
 
 def _at_places(
@@ -164,26 +164,26 @@ def keep_stations(result: Result, stations: list[float] | None) -> None:
 
 def over_time(scene: Scene, model: Model, mesh: Mesh, record: Record, rest: AtRest) -> Arrays:
     """Angles, strokes, forces and motions over time."""
-    found = _angles(scene, model, mesh, record)
+    series = _angles(scene, model, mesh, record)
     if scene.top.tensioners:
         c = scene.top.tensioners.count
-        found["tensioner_stroke"] = record.probe[:, :c]
-        found["tensioner_force"] = record.probe[:, c : 2 * c]
-        found["stroke"] = record.probe[:, 0] - rest.reach[0]
+        series["tensioner_stroke"] = record.probe[:, :c]
+        series["tensioner_force"] = record.probe[:, c : 2 * c]
+        series["stroke"] = record.probe[:, 0] - rest.reach[0]
     elif scene.platform and scene.top.z == "free":
-        found["stroke"] = record.platform[:, 2] - (record.top[:, -1] - rest.top)
+        series["stroke"] = record.platform[:, 2] - (record.top[:, -1] - rest.top)
     if mesh.joint:
-        found["stroke"] = record.end[:, 1, -1] - rest.joint
+        series["stroke"] = record.end[:, 1, -1] - rest.joint
     for name, k in model.probes.items():
-        found[name] = record.probe[:, k]
+        series[name] = record.probe[:, k]
     if scene.vessel:
-        found["platform_surge"] = record.top[:, 0] - (scene.top.offset or 0.0)
+        series["platform_surge"] = record.top[:, 0] - (scene.top.offset or 0.0)
         turns_aside = len(model.s.dim) == 3
         if scene.vessel.sway:
-            found["platform_sway"] = record.top[:, int(turns_aside)] * turns_aside
+            series["platform_sway"] = record.top[:, int(turns_aside)] * turns_aside
         if scene.vessel.yaw and not turns_aside:
-            found["platform_yaw"] = np.zeros(len(record.time))
-    return found
+            series["platform_yaw"] = np.zeros(len(record.time))
+    return series
 
 
 def sizes(arrays: Arrays) -> Arrays:
@@ -197,19 +197,19 @@ def sizes(arrays: Arrays) -> Arrays:
 
 def peaks(arrays: Arrays) -> dict[str, Any]:
     """Largest bending moment on the curve and where it is."""
-    found = largest_moment(arrays)
-    if found is None:
+    peak = largest_moment(arrays)
+    if peak is None:
         return {}
-    return {"largest_bending_moment": found[0], "largest_bending_moment_s": found[1]}
+    return {"largest_bending_moment": peak[0], "largest_bending_moment_s": peak[1]}
 
 
 def of_tensioners(rig: Tensioners, arrays: Arrays) -> list[str]:
     """What there is to tell of laws left and stops touched, at rest and over time."""
-    told = leaves_table(rig, _reaches(arrays))
-    told += stops_touched(rig, arrays["tensioner_stroke_static"])
+    sentences = leaves_table(rig, _reaches(arrays))
+    sentences += stops_touched(rig, arrays["tensioner_stroke_static"])
     if "tensioner_stroke" in arrays:
-        told += stops_touched(rig, arrays["tensioner_stroke"], arrays["time"])
-    return told
+        sentences += stops_touched(rig, arrays["tensioner_stroke"], arrays["time"])
+    return sentences
 
 
 def _reaches(arrays: Arrays) -> FloatArray:

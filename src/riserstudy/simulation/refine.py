@@ -303,8 +303,8 @@ class Refinement:
             self.seen[self.way] = now
         self.last = self.finest = finer
         self.finest_mesh = self.mesh
-        told = self.seen[self.way].change if self.way in self.seen and not self._unknown else {}
-        finer.facts["error_estimate"] = {k: v for k, v in self.error.items() if k in told}
+        known = self.seen[self.way].change if self.way in self.seen and not self._unknown else {}
+        finer.facts["error_estimate"] = {k: v for k, v in self.error.items() if k in known}
         if not self._unknown:
             self.excess.append(self._excess(self.error))
             _give_up_buckling(self.scene, finer, self.excess)

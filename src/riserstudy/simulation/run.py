@@ -19,7 +19,7 @@ from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
 from riserstudy.simulation import audit, outputs
 from riserstudy.simulation.coupling import march_in_turns, sides_of
-from riserstudy.simulation.disconnect import march_through, told
+from riserstudy.simulation.disconnect import enter_lift, march_through
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.extremes import extremes
 from riserstudy.simulation.failure import why
@@ -193,10 +193,10 @@ def in_motion(
     audit.energy(facts, sums, before, after + taken, step)
     if coupling:
         audit.exchange(facts, coupling)
-    found = outputs.histories(arrays, model, record.value, of)
-    found |= outputs.over_time(scene, model, mesh, record.value, rest)
-    told(scene, found, facts)
-    return found
+    histories = outputs.histories(arrays, model, record.value, of)
+    histories |= outputs.over_time(scene, model, mesh, record.value, rest)
+    enter_lift(scene, histories, facts)
+    return histories
 
 
 def begin(scene: Scene, model: Model, mesh: Mesh) -> None:

@@ -33,12 +33,12 @@ def shear(arrays: Arrays, moment: FloatArray) -> FloatArray:
     of = curve_of(arrays)
     e = np.arange(len(of.s) - 1)
     above, below = of.low.of(moment, e), of.up.of(moment, e)
-    found = np.zeros(moment.shape)
-    found[..., :-1] = above
-    found[..., -1] = below[..., -1]
-    inner = found[..., 1:-1]
-    found[..., 1:-1] = np.where(np.abs(below[..., :-1]) > np.abs(inner), below[..., :-1], inner)
-    return found
+    force = np.zeros(moment.shape)
+    force[..., :-1] = above
+    force[..., -1] = below[..., -1]
+    inner = force[..., 1:-1]
+    force[..., 1:-1] = np.where(np.abs(below[..., :-1]) > np.abs(inner), below[..., :-1], inner)
+    return force
 
 
 def derived(
@@ -57,26 +57,26 @@ def derived(
     histories that envelopes are of, (time, n + 1).
     """
     foot = riser_foot(scene, mesh)
-    found: Arrays = {"lower_end_tension_static": arrays["effective_tension_static"][foot]}
+    forces: Arrays = {"lower_end_tension_static": arrays["effective_tension_static"][foot]}
     whole = "time" in arrays and len(arrays["s"]) == len(arrays["s_node"])
     if whole:
-        found["lower_end_tension"] = arrays["effective_tension"][:, foot]
+        forces["lower_end_tension"] = arrays["effective_tension"][:, foot]
     histories: Arrays = {}
     if "bending_moment_static" in arrays:
         rest = arrays["bending_moment_static"] if bent is None else bent
-        found["shear_force_static"] = _size(shear(arrays, rest), bent is not None)
+        forces["shear_force_static"] = _size(shear(arrays, rest), bent is not None)
         if whole:
             moment = arrays.get("mesh_moment", arrays["bending_moment"])
             histories["shear_force"] = _size(shear(arrays, moment), "mesh_moment" in arrays)
     if not all(wall_lacks(scene, section) for section in scene.riser):
-        found["von_mises_stress_static"] = _stress(scene, mesh, arrays, "_static")
+        forces["von_mises_stress_static"] = _stress(scene, mesh, arrays, "_static")
         if whole:
             histories["von_mises_stress"] = _stress(scene, mesh, arrays, "")
     for name, values in histories.items():
-        found |= {name + "_max": values.max(axis=0), name + "_min": values.min(axis=0)}
+        forces |= {name + "_max": values.max(axis=0), name + "_min": values.min(axis=0)}
         if name == "shear_force":
-            found[name + "_absmax"] = np.abs(values).max(axis=0)
-    return found, histories
+            forces[name + "_absmax"] = np.abs(values).max(axis=0)
+    return forces, histories
 
 
 def _stress(scene: Scene, mesh: Mesh, arrays: Arrays, ending: str) -> FloatArray:

@@ -33,8 +33,8 @@ def explicit_limit(scene: Scene, model: Model) -> float:
     for k in range(INSTANTS):
         move_to(model.programs, model.state, max(ramps) + max(periods) * k / INSTANTS)
         state.r[:], state.v[:] = kept[0], 0.0
-        found = float(stable_step(model.programs, model.state, model.fixed))
-        limit = min(limit, found) if math.isfinite(found) else limit
+        longest = float(stable_step(model.programs, model.state, model.fixed))
+        limit = min(limit, longest) if math.isfinite(longest) else limit
     move_to(model.programs, model.state, 0.0)
     for array, values in zip((state.r, state.v, state.a), kept, strict=True):
         np.copyto(array, values)

@@ -25,19 +25,19 @@ def coarsest_mesh(scene: Scene) -> Mesh:
     layers = [_end_layer(scene, model, probe, end) for end in (0, probe.ring - 1)]
     if scene.wave and scene.water:
         layers[1] = min(layers[1], depth_of_action(scene.wave, scene.water, scene.gravity or 0.0))
-    found = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]
+    fine = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]
     body = scene.bottom.body
     for k, section in enumerate(scene.riser):
         if section.corner_below or (k == 1 and body and body.reach):
             e = probe.foot(k)
             layer = _layer(stiffness(section).bending, _tension(model, e))
-            found.append(Layer(float(probe.s[e]), layer))
+            fine.append(Layer(float(probe.s[e]), layer))
     longest = {}
     if scene.soil:
         conductor = scene.riser[0]
         longest[0] = 0.5 * pile_length(scene.soil, conductor, stiffness(conductor).bending)
-    confined = longest or any(layer.length < math.inf for layer in found)
-    return graded(scene, found, longest=longest) if confined else probe
+    confined = longest or any(layer.length < math.inf for layer in fine)
+    return graded(scene, fine, longest=longest) if confined else probe
 
 
 def _at_rest(scene: Scene) -> tuple[Model, Mesh]:

@@ -66,14 +66,14 @@ def four_stresses(
 ) -> FloatArray:
     """Von Mises stress (Pa), (4, ...): outer and inner radius on the side in tension, then on the other."""
     own = tension + math.pi * (inside * wall.inner**2 - outside * wall.outer**2)
-    found = []
+    stresses = []
     for side in (1.0, -1.0):
         for radius in (wall.outer, wall.inner):
             axial = own / wall.area + side * np.abs(moment) * radius / wall.second_moment
             hoop, radial = lame(wall, inside, outside, radius)
             squares = (axial - hoop) ** 2 + (hoop - radial) ** 2 + (radial - axial) ** 2
-            found.append(np.sqrt(0.5 * squares))
-    return np.stack(found)
+            stresses.append(np.sqrt(0.5 * squares))
+    return np.stack(stresses)
 
 
 def lame(
@@ -98,7 +98,7 @@ def along_the_riser(
     elevation, tension, moment : of the nodes (m, N, N m), (..., n + 1).
     """
     inside, outside = pressures(scene, mesh, elevation)
-    found = np.full(elevation.shape, np.nan)
+    stresses = np.full(elevation.shape, np.nan)
     for k, section in enumerate(scene.riser):
         if wall_lacks(scene, section):
             continue
@@ -106,8 +106,8 @@ def along_the_riser(
         nodes = nodes_of(mesh, k)
         parts = (tension, moment, inside, outside)
         stress = von_mises(wall, *(values[..., nodes] for values in parts))
-        found[..., nodes] = np.fmax(found[..., nodes], stress)
-    return found
+        stresses[..., nodes] = np.fmax(stresses[..., nodes], stress)
+    return stresses
 
 
 def nodes_of(mesh: Mesh, section: int) -> slice:

@@ -127,8 +127,8 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
             break
         if sums.stop[0] != 0:
             return STOPPED
-        told = due(record, t + h * (1.0 - 1e-9))
-        if told:
+        written = due(record, t + h * (1.0 - 1e-9))
+        if written:
             copy(r0, s.r)
             copy(a0, s.a)
             halfway(s, h, v0)
@@ -139,7 +139,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
         power1 = accelerate(p, s, fixed)
         lost, given = flow(p, s)
         sums.count[EVALUATIONS] += 1
-        if told:
+        if written:
             halfway(s, h, v1)
         while due(record, t + h * (1.0 - 1e-9)):
             time = record.time[record.written[0]]

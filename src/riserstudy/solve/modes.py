@@ -161,15 +161,15 @@ def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
     highest, _ = _largest(stiff, model.mass)
     if highest <= 0.0:
         return math.inf
-    found, step = 2.0 / math.sqrt(highest), math.inf
-    while found < (1.0 - TIGHT) * step:
-        step = found
+    longest, step = 2.0 / math.sqrt(highest), math.inf
+    while longest < (1.0 - TIGHT) * step:
+        step = longest
         both = partial(_both, step, stiff, model.damping)
         _, x = _largest(both, model.mass)
         # for this direction alone steps may be longer than for all; in the end they may not
         square, rate = float(x @ stiff(x)), float(x @ (model.damping @ x))
-        found = 4.0 / (rate + math.sqrt(rate * rate + 4.0 * square))
-    return (1.0 - TIGHT) * min(found, step)
+        longest = 4.0 / (rate + math.sqrt(rate * rate + 4.0 * square))
+    return (1.0 - TIGHT) * min(longest, step)
 
 
 def _both(step, stiff, damping, x):

@@ -138,10 +138,10 @@ def _search(programs, state, fixed, tolerance) -> Equilibrium:
     s = state.value
     start = s.r.copy(), s.moment.copy()
     try:
-        found = _iterate(programs, state, fixed, tolerance, cautious=False)
-        if not found.unstable:
-            return found
-        bold = found, s.r.copy(), s.moment.copy()
+        equilibrium = _iterate(programs, state, fixed, tolerance, cautious=False)
+        if not equilibrium.unstable:
+            return equilibrium
+        bold = equilibrium, s.r.copy(), s.moment.copy()
     except NoEquilibrium:
         bold = None
     s.r[:], s.moment[:] = start
@@ -150,8 +150,8 @@ def _search(programs, state, fixed, tolerance) -> Equilibrium:
     except NoEquilibrium:
         if bold is None:
             raise
-        found, s.r[:], s.moment[:] = bold
-        return found
+        equilibrium, s.r[:], s.moment[:] = bold
+        return equilibrium
 
 
 def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:

@@ -144,8 +144,8 @@ class _Array:
         if self.writer.builder is None:
             return _Number(self.writer, None)
         context, builder = self.writer.context, self.writer.builder
-        found = context.unpack_value(builder, self.kind.dtype, self._pointer(place))
-        return _Number(self.writer, found)
+        value = context.unpack_value(builder, self.kind.dtype, self._pointer(place))
+        return _Number(self.writer, value)
 
     def __setitem__(self, place, x):
         if self.writer.builder is not None:

@@ -241,7 +241,7 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
 
 def _about(study: Study, results: list[Result]) -> dict[str, Any]:
     origins = study.base.origins
-    told = sum("error_estimate" in result.facts for result in results)
+    estimated = sum("error_estimate" in result.facts for result in results)
     effects = {name: why for r in results for name, why in r.facts["effects"].items()}
     return {
         "Conventions": "CF-1.11",
@@ -257,7 +257,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "origins": json.dumps({p: o.status for p, o in origins.items()}),
         "evidence": json.dumps({p: o.why for p, o in origins.items()}),
         "effects": json.dumps(effects),
-        "errors_estimated": f"{told} of {len(results)} points, chosen by their keys",
+        "errors_estimated": f"{estimated} of {len(results)} points, chosen by their keys",
         "history": history(f"simulated study {study.name} of {study.paper}, tier {study.tier}"),
     }
 

@@ -117,8 +117,8 @@ class Derived(Strict):
 
     @model_validator(mode="after")
     def _origins_are_whole(self) -> Self:
-        for path, found, allowed in unwrap(self.settings)[2]:
-            raise ValueError(f"with.{path}: {found}; {allowed}")
+        for path, fault, allowed in unwrap(self.settings)[2]:
+            raise ValueError(f"with.{path}: {fault}; {allowed}")
         return self
 
 

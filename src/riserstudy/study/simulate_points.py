@@ -84,8 +84,8 @@ def attempt(
     missing = [p for key, p in each_once.items() if lacks(study, p, stored(key))]
     tell(len(each_once) - len(missing))
     failures = {}
-    told = each(partial(_simulate, study), missing, processes)
-    for point, why in zip(missing, told, strict=True):
+    outcomes = each(partial(_simulate, study), missing, processes)
+    for point, why in zip(missing, outcomes, strict=True):
         tell(1)
         if why:
             failures[point.key] = why

@@ -115,10 +115,10 @@ def sweep(
         raise SimulationError("sweep: points vanished from the store; run it again")
     empty = _without_numbers(next(iter(results.values())))
     dataset = dataset_of(study, [results.get(p.key) or empty for p in points])
-    told = [str(failures.get(p.key, "")) for p in points]
+    reasons = [str(failures.get(p.key, "")) for p in points]
     shape = tuple(len(steps) for steps in study.axes.values())
     about = {"long_name": "why the point could not be completed, empty where it was"}
-    dataset["failure"] = (tuple(study.axes), np.array(told, dtype=object).reshape(shape), about)
+    dataset["failure"] = (tuple(study.axes), np.array(reasons, dtype=object).reshape(shape), about)
     return dataset
 
 
@@ -164,8 +164,8 @@ def _unit_at(file: SceneFile, path: str) -> str:
             value = value[int(step)]
         else:
             value = None
-    found = _QUANTITY.fullmatch(value) if isinstance(value, str) else None
-    return (found and found[1]) or "1"
+    quantity = _QUANTITY.fullmatch(value) if isinstance(value, str) else None
+    return (quantity and quantity[1]) or "1"
 
 
 def _without_numbers(result: Result) -> Result:

@@ -146,15 +146,15 @@ def pushed_in_harder(runs: xr.Dataset, amplitudes: list[float]) -> Found:
         "of the riser, x": moving["z"].isel(s=-1, drop=True)
         - rest["z_static"].isel(s_node=-1, drop=True),
     }
-    ratios, found = [], []
+    ratios, harder = [], []
     for away in ways.values():
         inward, outward = (_when(force, away, sign) for sign in (-1.0, 1.0))
         ratios.append(inward / abs(outward))
         smaller = above(away.max("time"), -away.min("time"))
-        found.append(everywhere(least(smaller, above(inward, abs(outward))), "heave_amplitude"))
+        harder.append(everywhere(least(smaller, above(inward, abs(outward))), "heave_amplitude"))
     names = xr.DataArray(list(ways), dims="displacement", name="displacement")
     ratio = xr.concat(ratios, names).isel(heave_amplitude=-1, drop=True)
-    return judged(ratio, xr.concat(found, names))
+    return judged(ratio, xr.concat(harder, names))
 
 
 def _when(force: xr.DataArray, away: xr.DataArray, sign: float) -> xr.DataArray:
@@ -274,18 +274,18 @@ def two_displacements(runs: xr.Dataset) -> dict[str, Any]:
     run = _model(runs, "gas law").sel(heave_amplitude=10.0).isel(s=-1)
     force = run["tensioner_force"].sum("cylinder") / 1e6
     places = {"x": run["z"] - float(runs["s"][-1]), "X": -run["tensioner_stroke"].isel(cylinder=0)}
-    found = {}
+    swings = {}
     for name, place in places.items():
-        found[f"{name}_low"] = float(force.isel(time=int(place.argmin("time"))))
-        found[f"{name}_high"] = float(force.isel(time=int(place.argmax("time"))))
-    found["lowest"] = float(places["x"].min())
-    return found
+        swings[f"{name}_low"] = float(force.isel(time=int(place.argmin("time"))))
+        swings[f"{name}_high"] = float(force.isel(time=int(place.argmax("time"))))
+    swings["lowest"] = float(places["x"].min())
+    return swings
 
 
 def kept_in_tension(settled: xr.Dataset, start: xr.Dataset, bare: xr.Dataset) -> dict[str, Any]:
     """Smallest tensions of the riser (MN) with the tensioner at 5 and 10 m, and without it at 5 m."""
     cases = {"settled": _model(settled, "gas law"), "start": _model(start, "gas law")}
-    told = {
+    facts = {
         f"{name}_{amplitude:g}": float(
             runs["effective_tension_min"].sel(heave_amplitude=amplitude).min() / 1e6
         )
@@ -293,7 +293,7 @@ def kept_in_tension(settled: xr.Dataset, start: xr.Dataset, bare: xr.Dataset) ->
         for amplitude in (5.0, 10.0)
     }
     pressed = bare["effective_tension_min"].sel(heave_amplitude=5.0).min()
-    return told | {"bare": -float(pressed) / 1e6}
+    return facts | {"bare": -float(pressed) / 1e6}
 
 
 def equilibria(law: xr.Dataset) -> dict[str, Any]:
@@ -333,9 +333,9 @@ def mass_places(runs: xr.Dataset) -> dict[str, Any]:
     top = runs.sel(heave_amplitude=5.0).isel(s_node=-1)
     zero = float(runs["s_node"][-1])
     words = {"at the ring": "ring", "along the riser": "riser"}
-    found = {}
+    changes = {}
     for place, word in words.items():
         run = top.sel(mass_place=place)
-        found[f"rest_{word}"] = float(run["z_static"]) - zero
-        found[f"swing_{word}"] = float(run["z_max"] - run["z_min"])
-    return found
+        changes[f"rest_{word}"] = float(run["z_static"]) - zero
+        changes[f"swing_{word}"] = float(run["z_max"] - run["z_min"])
+    return changes

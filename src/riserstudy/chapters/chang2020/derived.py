@@ -88,8 +88,8 @@ def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
     height = xr.DataArray(list(HEIGHTS), dims="height", name="height")
     quantity = xr.DataArray(list(QUANTITIES), dims="quantity", name="quantity")
     table = xr.concat(parts, height).expand_dims(quantity=quantity)
-    found = table.to_dataset(name="reduction").assign(sampled(open_choices))
-    return described(found, PAPER, "reduction of the oscillation over what the paper leaves open")
+    dataset = table.to_dataset(name="reduction").assign(sampled(open_choices))
+    return described(dataset, PAPER, "reduction of the oscillation over what the paper leaves open")
 
 
 def _spread(history: xr.DataArray) -> xr.DataArray:

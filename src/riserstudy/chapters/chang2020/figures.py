@@ -144,11 +144,11 @@ def fig08(
             bare = swing.pop("without tensioner")
             ax.set_title(meant, loc="right", fontsize="small")
             ax.set_ylabel(label)
-            told = [
+            reductions = [
                 f"{name[16:]} {100.0 * (1.0 - part / bare):.0f} %" for name, part in swing.items()
             ]
             ax.annotate(
-                f"swing less by: {', '.join(told)}; printed about {100.0 * reduced[quantity]:.0f} %",
+                f"swing less by: {', '.join(reductions)}; printed about {100.0 * reduced[quantity]:.0f} %",
                 (0.5, 0.97),
                 xycoords="axes fraction",
                 ha="center",
@@ -278,8 +278,8 @@ def _four(runs: xr.Dataset, quantity: str, label: str) -> Figure:
         )
         ax.axhline(rest, color=GREY, linewidth=0.8)
         ax.plot(run["time"], run[quantity], color=colour, linewidth=1.2)
-        told = "named in the text" if amplitude in NAMED else "assumed"
-        ax.set_title(f"platform {amplitude:g} m, {told}", loc="right", fontsize="small")
+        status = "named in the text" if amplitude in NAMED else "assumed"
+        ax.set_title(f"platform {amplitude:g} m, {status}", loc="right", fontsize="small")
         ax.locator_params(axis="y", nbins=5)
     figure.supylabel(label, fontsize="medium")
     axes[-1].set_xlabel(TIME + "; grey: equilibrium")
@@ -344,14 +344,14 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
     axes[0].set_ylabel("displacement from equilibrium (m)")
     key_below(figure, axes[0], 2)
     far = asymmetry.sel(reading="steady").isel(heave_amplitude=-1)
-    told = [
+    parts = [
         f"{float(far['displacement_up'].sel(tensioner_model=model)):.2f} m up and "
         f"{float(far['displacement_down'].sel(tensioner_model=model)):.2f} m down {words}"
         for model, words in (("gas law", "with the gas law"), ("linear", "with a line"))
     ]
     headline(
         figure,
-        f"Settled at {float(far['heave_amplitude']):g} m the riser moves {told[0]}, {told[1]}",
+        f"Settled at {float(far['heave_amplitude']):g} m the riser moves {parts[0]}, {parts[1]}",
     )
     return figure
 
@@ -540,9 +540,9 @@ def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
     key_below(figure, axes[0], 2)
     far = riser_mass.isel(s_node=-1).sel(heave_amplitude=5.0)
     swing = far["z_max"] - far["z_min"]
-    told = ", ".join(
+    swings = ", ".join(
         f"{float(swing.sel(mass_place=place)):.2f} m with its mass {place}"
         for place in swing["mass_place"].values
     )
-    headline(figure, f"Settled at 5 m the riser swings {told}")
+    headline(figure, f"Settled at 5 m the riser swings {swings}")
     return figure

@@ -109,8 +109,8 @@ def at(x: xr.DataArray, time: float) -> xr.DataArray:
 
 def deflects_at_mid_length(trends: xr.Dataset, within: float) -> Found:
     """The largest deflection lies near mid-length; value: its place."""
-    found = base(trends, "deflection_place")
-    return judged(found, below(abs(found - 0.5), within))
+    place = base(trends, "deflection_place")
+    return judged(place, below(abs(place - 0.5), within))
 
 
 def bends_near_the_ends(trends: xr.Dataset, within: float) -> Found:
@@ -167,10 +167,10 @@ def claims(trends: xr.Dataset, mid: float = 0.1, near: float = 0.1) -> xr.DataAr
 
 def margins(trends: xr.Dataset, mid: float, near: float) -> xr.DataArray:
     """How far each of them is from where it would turn."""
-    found = [deflects_at_mid_length(trends, mid), bends_near_the_ends(trends, near)]
+    checks = [deflects_at_mid_length(trends, mid), bends_near_the_ends(trends, near)]
     for name, grows in (("vibration", -1.0), ("stress", -1.0), ("deflection", 1.0), ("angle", 1.0)):
-        found.append(trend(trends, [name], "length", grows))
-    each = [f.margin for f in found if f.margin is not None]
+        checks.append(trend(trends, [name], "length", grows))
+    each = [f.margin for f in checks if f.margin is not None]
     return xr.concat(each, xr.DataArray(list(TOGETHER), dims="claim", name="claim"))
 
 
@@ -193,12 +193,12 @@ def grid_error(grid: xr.Dataset) -> xr.DataArray:
     """Relative error of largest deflection and largest moment, the larger of the two, of each grid."""
     sides = [abs(grid[f"bending_moment_{side}"]) for side in ("max", "min")]
     moment = xr.concat(sides, "side").max("side")
-    found = []
+    errors = []
     for values in (grid["x_max"], moment):
         largest = values.max("s_node")
         finest = largest.sel(element="2.5 m").sel(time_step=float(grid["time_step"].min()))
-        found.append(abs(largest / finest.drop_vars(["element", "time_step"]) - 1.0))
-    worst: xr.DataArray = xr.concat(found, "of").max("of")
+        errors.append(abs(largest / finest.drop_vars(["element", "time_step"]) - 1.0))
+    worst: xr.DataArray = xr.concat(errors, "of").max("of")
     return worst
 
 
@@ -207,8 +207,8 @@ def grid_error(grid: xr.Dataset) -> xr.DataArray:
 
 def deeper(trends: xr.Dataset) -> dict[str, Any]:
     """Largest deflection (m) of the three lengths."""
-    found = solved(trends["deflection_by_length"]).values
-    return dict(zip(("first", "second", "third"), map(float, found), strict=True))
+    deflections = solved(trends["deflection_by_length"]).values
+    return dict(zip(("first", "second", "third"), map(float, deflections), strict=True))
 
 
 def readings(table: xr.Dataset) -> dict[str, Any]:
@@ -250,54 +250,54 @@ def run_time(own: xr.Dataset) -> dict[str, Any]:
     seconds = float(own["solve_seconds"].sel(time_step=finest))
     a_step = seconds / (DURATION / finest)
     whole = a_step * DURATION / PAPER_STEP
-    found = {
+    times = {
         "milliseconds": 1e3 * a_step,
         "seconds": whole,
         "paper_milliseconds": 46 * 3.6e6 / 600_000,
     }
     if finest > PAPER_STEP:
         said = f"not run in this tier; by the time of a step, {whole:.0f} s"
-        return found | {"run": said}
+        return times | {"run": said}
     apart = []
     for runs in (own["x_max"].max("s_node"), own["bending_moment_max"].max("s_node")):
         short, long = (float(runs.sel(time_step=step)) for step in (finest, float(steps.max())))
         apart.append(abs(long / short - 1.0))
     longer = f"steps of {float(steps.max()):g} s give deflection and moment to {max(apart):.1g}"
-    return found | {"run": f"run as printed, {seconds:.0f} s; {longer} of them"}
+    return times | {"run": f"run as printed, {seconds:.0f} s; {longer} of them"}
 
 
 def settling(tides: xr.Dataset) -> dict[str, Any]:
     """Swing back (share) and settling time (s) of mid-length under two weak tides and the chosen one."""
     back = reciprocates(tides, 0.0).value
     time = settling_time(tides, SETTLED)
-    found: dict[str, Any] = {}
+    settled: dict[str, Any] = {}
     for name, tide in (("weakest", float(tides["tide"].min())), ("weak", 0.2), ("chosen", 0.75)):
         at = {"tide": tide}
-        found |= {
+        settled |= {
             f"{name}_tide": tide,
             f"{name}_back": float(back.sel(at)),
             f"{name}_time": float(time.sel(at)),
         }
-    return found
+    return settled
 
 
 def top_drift(table: xr.Dataset) -> dict[str, Any]:
     """Deflection (m), its place and the largest angle (deg) with the top held at three places."""
     offsets = table["top_offset"]
-    found: dict[str, Any] = {}
+    drifts: dict[str, Any] = {}
     for name, value in (
         ("against", float(offsets.min())),
         ("none", 0.0),
         ("along", float(offsets.max())),
     ):
         one = table.sel(top_offset=value)
-        found |= {
+        drifts |= {
             f"{name}_offset": value,
             f"{name}_deflection": float(one["deflection_by_offset"]),
             f"{name}_place": float(one["deflection_place_by_offset"]),
             f"{name}_angle": float(np.degrees(one["angle_by_offset"])),
         }
-    return found
+    return drifts
 
 
 def solvers(runs: xr.Dataset) -> dict[str, Any]:

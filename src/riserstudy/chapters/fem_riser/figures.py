@@ -132,10 +132,10 @@ def fig04(motion: xr.Dataset) -> Figure:
 def fig05(settled: xr.Dataset) -> Figure:
     """The base case."""
     figure = _envelopes({"2000 m, ratio 1.3, factor 0.7 (assumed)": settled}, (BLUE,))
-    found = measures(settled.sel(solver=BEAM))
-    place = float(found["deflection_place"])
+    measured = measures(settled.sel(solver=BEAM))
+    place = float(measured["deflection_place"])
     ends = [
-        float(found[f"{name}_from_{end}"])
+        float(measured[f"{name}_from_{end}"])
         for name in ("stress", "angle")
         for end in ("bottom", "top")
     ]

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr.DataArray:
     """Coordinate at which a curve first reaches a level, straight between points; infinite if never."""
     place = curve[along].values
-    found: xr.DataArray = xr.apply_ufunc(
+    times: xr.DataArray = xr.apply_ufunc(
         lambda c: _first(c, level, place), curve, input_core_dims=[[along]], vectorize=True
     )
-    return found
+    return times
 
 
 def _first(curve: NDArray[np.float64], level: float, place: NDArray[np.float64]) -> float:

@@ -62,13 +62,13 @@ def base_limited(**runs: xr.Dataset) -> xr.Dataset:
 
 def open_drive_off(open_runs: xr.Dataset, open_no_riser: xr.Dataset) -> xr.Dataset:
     """The same over samples of what the paper leaves open, and when each sample reaches each limit."""
-    found = measured(open_runs)
-    found["surge_alone"] = open_no_riser["platform_surge"].squeeze("below", drop=True)
-    found["limit_time"] = reached(found)
+    dataset = measured(open_runs)
+    dataset["surge_alone"] = open_no_riser["platform_surge"].squeeze("below", drop=True)
+    dataset["limit_time"] = reached(dataset)
     for name, values in open_runs.data_vars.items():
         if str(name).startswith("assumed_"):
-            found[name] = values
-    return described(found, PAPER, "drive-off over what the paper leaves open")
+            dataset[name] = values
+    return described(dataset, PAPER, "drive-off over what the paper leaves open")
 
 
 def open_as_printed(
@@ -81,10 +81,10 @@ def open_as_printed(
     deadline : printed time (s).
     one_in : of so many samples one is taken, at least one.
     """
-    found = open_drive_off(open_runs, open_no_riser)
-    off = abs(found["limit_time"].sel(heading="along", limit="upper flex joint") - deadline)
+    dataset = open_drive_off(open_runs, open_no_riser)
+    off = abs(dataset["limit_time"].sel(heading="along", limit="upper flex joint") - deadline)
     count = max(1, off.size // one_in)
-    return found.isel(sample=np.sort(np.argsort(off.values, kind="stable")[:count]))
+    return dataset.isel(sample=np.sort(np.argsort(off.values, kind="stable")[:count]))
 
 
 def _both_ways(runs: dict[str, xr.Dataset], kind: str) -> xr.Dataset:
@@ -101,19 +101,19 @@ def measured(run: xr.Dataset) -> xr.Dataset:
     """What figures and limits are read from, of runs of the platform with or without riser."""
     if "ufj_angle" not in run:
         return run[list(OF_THE_PLATFORM)].squeeze(drop=True)
-    found = run[[name for name in (*OF_THE_PLATFORM, *OF_THE_RISER) if name in run]]
+    dataset = run[[name for name in (*OF_THE_PLATFORM, *OF_THE_RISER) if name in run]]
     aside = run.get("platform_sway", 0.0)
-    found["platform_offset"] = np.hypot(run["platform_surge"], aside)
-    found["riser_force_x"] = -top_tension(run) * np.sin(run["ufj_angle"])
-    found["conductor_stress"] = run["largest_stress"]
+    dataset["platform_offset"] = np.hypot(run["platform_surge"], aside)
+    dataset["riser_force_x"] = -top_tension(run) * np.sin(run["ufj_angle"])
+    dataset["conductor_stress"] = run["largest_stress"]
     moment = run["bending_moment"]
-    found["wellhead_moment"] = moment.sel(s=WELLHEAD, method="nearest", drop=True)
+    dataset["wellhead_moment"] = moment.sel(s=WELLHEAD, method="nearest", drop=True)
     if "x" in run and run.sizes["s"] > 1:
         low = run["x"].sel(s=LOW, method="nearest", drop=True)
-        found["low_displacement"] = low - low.isel(time=0, drop=True)
+        dataset["low_displacement"] = low - low.isel(time=0, drop=True)
     if "effective_tension" in run and run.sizes["s"] > FEW:
-        found["riser_stress"] = riser_stress(run)
-    return found
+        dataset["riser_stress"] = riser_stress(run)
+    return dataset
 
 
 def riser_stress(run: xr.Dataset) -> xr.DataArray:
@@ -136,7 +136,7 @@ def riser_stress(run: xr.Dataset) -> xr.DataArray:
 def calibration(fits: xr.Dataset, deadline: float) -> xr.Dataset:
     """Upper flex joint at the printed time (s), and when it reaches its limit, over what can be fitted."""
     angle = abs(fits["ufj_angle"])
-    found = xr.Dataset(
+    dataset = xr.Dataset(
         {
             "ufj_angle": angle.interp(time=deadline).drop_vars("time"),
             "ufj_angle_absmax": angle.sel(time=slice(0.0, deadline)).max("time"),
@@ -148,7 +148,7 @@ def calibration(fits: xr.Dataset, deadline: float) -> xr.Dataset:
         "gain": to_si(vessel["thrusters"]["gain"], "kN/m"),
         "hull_drag": to_si(vessel["hull_drag"], "kN*s^2/m^2"),
     }
-    return described(found, PAPER, "fits to the one printed number").assign_attrs(fit)
+    return described(dataset, PAPER, "fits to the one printed number").assign_attrs(fit)
 
 
 # limits
@@ -168,7 +168,7 @@ def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr
     times = reached(runs)
     eds = xr.DataArray(seconds, dims="eds_time", coords={"eds_time": seconds})
     red, yellow = (watch_circle(runs, eds + more) for more in (0.0, to_si(preparing, "s")))
-    found = xr.Dataset(
+    dataset = xr.Dataset(
         {
             "limit_time": times,
             "limit_offset": at_time(runs["platform_offset"], times).where(np.isfinite(times)),
@@ -178,13 +178,13 @@ def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr
             **{f"yellow_{name}": values for name, values in yellow.items()},
         }
     )
-    found = described(found, PAPER, "point of disconnect and watch circles")
+    dataset = described(dataset, PAPER, "point of disconnect and watch circles")
     for colour in ("red", "yellow"):
-        found[f"{colour}_circle_outcome"].attrs |= {
+        dataset[f"{colour}_circle_outcome"].attrs |= {
             "flag_values": np.array([0, 1, 2], np.int8),
             "flag_meanings": MEANINGS,
         }
-    return found
+    return dataset
 
 
 def lag(late: xr.Dataset) -> xr.Dataset:
@@ -192,22 +192,26 @@ def lag(late: xr.Dataset) -> xr.Dataset:
 
     Over the share of its limit by which a quantity counts as having begun to respond.
     """
-    found = measured(late)
-    begins = xr.concat([starts(found, share) for share in BEGUN], xr.Variable("begun", list(BEGUN)))
+    dataset = measured(late)
+    begins = xr.concat(
+        [starts(dataset, share) for share in BEGUN], xr.Variable("begun", list(BEGUN))
+    )
     bottom = begins.sel(limit=list(BOTTOM)).min("limit")
-    found["lag"] = bottom - begins.sel(limit="upper flex joint", drop=True)
-    return described(found, PAPER, "what makes the bottom respond late")
+    dataset["lag"] = bottom - begins.sel(limit="upper flex joint", drop=True)
+    return described(dataset, PAPER, "what makes the bottom respond late")
 
 
 def losses(ref_0: xr.Dataset, drift: xr.Dataset) -> xr.Dataset:
     """Shares of the limits over time in a drive-off and in a drift-off, and when they are reached."""
     parts = []
     for name, run in (("drive-off", ref_0), ("drift-off", drift)):
-        found = measured(run)
-        part = xr.Dataset({"limit_share": shares(found), "platform_surge": found["platform_surge"]})
-        part["riser_force_x"] = found["riser_force_x"]
-        part["limit_time"] = reached(found)
-        part["riser_stress"] = found["riser_stress"]
+        dataset = measured(run)
+        part = xr.Dataset(
+            {"limit_share": shares(dataset), "platform_surge": dataset["platform_surge"]}
+        )
+        part["riser_force_x"] = dataset["riser_force_x"]
+        part["limit_time"] = reached(dataset)
+        part["riser_stress"] = dataset["riser_stress"]
         part["riser_tension"] = top_tension(run)
         parts.append(part.assign_coords(loss=name))
     joined = xr.concat(parts, "loss", join="outer", coords="minimal", compat="override")
@@ -216,9 +220,9 @@ def losses(ref_0: xr.Dataset, drift: xr.Dataset) -> xr.Dataset:
 
 def envelope(offsets: xr.Dataset) -> xr.Dataset:
     """Shares of the limits at rest, and the offset at which each is reached, over the current."""
-    found = xr.Dataset({"limit_share": shares(_at_rest(offsets))})
-    found["limit_offset"] = first_crossing(found["limit_share"], 1.0, along="offset")
-    return described(found, PAPER, "static offsets at which limits are reached")
+    dataset = xr.Dataset({"limit_share": shares(_at_rest(offsets))})
+    dataset["limit_offset"] = first_crossing(dataset["limit_share"], 1.0, along="offset")
+    return described(dataset, PAPER, "static offsets at which limits are reached")
 
 
 def _at_rest(rest: xr.Dataset) -> xr.Dataset:

@@ -65,14 +65,14 @@ def first_limit(times: xr.DataArray) -> xr.DataArray:
 def at_time(history: xr.DataArray, time: xr.DataArray) -> xr.DataArray:
     """Value of a history at times that may differ from run to run; its end value after its end."""
     within = time.clip(float(history["time"][0]), float(history["time"][-1]))
-    found: xr.DataArray = xr.apply_ufunc(
+    values: xr.DataArray = xr.apply_ufunc(
         lambda h, t: np.interp(t, history["time"].values, h),
         history,
         within,
         input_core_dims=[["time"], []],
         vectorize=True,
     )
-    return found
+    return values
 
 
 #: what a watch circle can be, by its flag

@@ -28,8 +28,8 @@ def at_depths(values: xr.DataArray, ring: xr.DataArray, depths: Sequence[float])
         When a run has no station there.
     """
     depth = xr.DataArray(list(depths), dims="depth", coords={"depth": list(depths)})
-    found: xr.DataArray = values.sel(s=(ring - depth).round(6))
-    return found.drop_vars("s")
+    below: xr.DataArray = values.sel(s=(ring - depth).round(6))
+    return below.drop_vars("s")
 
 
 def on_riser(values: xr.DataArray, ring: xr.DataArray, along: str = "s") -> xr.DataArray:

@@ -244,10 +244,10 @@ def forces(
         both.sel(calibration=f"8765 N by {counted}")
         for counted in ("all cylinders", "one cylinder")
     )
-    found = force["horizontal_force"].sel(surface_speed=1.0)
+    fastest = force["horizontal_force"].sel(surface_speed=1.0)
     printed = {0.2: slow, 0.6: middle, 1.0: fast}
     apart = [each / float(tuned.sel(surface_speed=u)) for u, each in printed.items()]
-    needed = fast / found  # of a drag coefficient of 1, to which the force is proportional
+    needed = fast / fastest  # of a drag coefficient of 1, to which the force is proportional
     return {
         "slow": float(tuned.sel(surface_speed=0.2)),
         "middle": float(tuned.sel(surface_speed=0.6)),
@@ -300,8 +300,8 @@ def left_out(roll: xr.Dataset, heave: xr.Dataset) -> dict[str, Any]:
         name: float(swing.sel(losses=of) / lossless - 1.0)
         for name, of in (("small", "967 N s/m a cylinder"), ("large", "10 kN s/m a cylinder"))
     }
-    told = varied(roll)
-    return changes | {name: told[name] for name in ("pistons", "pistons_slow")}
+    facts = varied(roll)
+    return changes | {name: facts[name] for name in ("pistons", "pistons_slow")}
 
 
 def baselines(readings: xr.Dataset, surge: xr.Dataset) -> dict[str, Any]:
@@ -311,17 +311,19 @@ def baselines(readings: xr.Dataset, surge: xr.Dataset) -> dict[str, Any]:
     """
     claims = {"Q2": moves_less(readings), "Q8": surges_less(surge), "Q9": lags(surge)}
     shares: dict[str, dict[str, float]] = {}
-    for claim, found in claims.items():
-        if found.true is None:
+    for claim, claim_shares in claims.items():
+        if claim_shares.true is None:
             raise TypeError(f"{claim} judges nothing")
-        rate = found.true.mean([dim for dim in found.true.dims if dim != "tensioner_model"])
+        rate = claim_shares.true.mean(
+            [dim for dim in claim_shares.true.dims if dim != "tensioner_model"]
+        )
         shares[claim] = {model: float(rate.sel(tensioner_model=model)) for model in WITHOUT}
     both = [m for m in WITHOUT if min(shares["Q2"][m], shares["Q8"][m]) >= ALMOST_ALWAYS]
-    told = [
+    sentences = [
         f"{claim} " + ", ".join(f"{model} {100 * share:.0f} %" for model, share in each.items())
         for claim, each in shares.items()
     ]
-    return {"shares": "; ".join(told), "both": " and ".join(both) or "none"}
+    return {"shares": "; ".join(sentences), "both": " and ".join(both) or "none"}
 
 
 def waves_on_the_riser(waves: xr.Dataset) -> dict[str, Any]:

@@ -71,7 +71,7 @@ def by_hermite_elements(beam: Beamlike, at: FloatArray) -> FloatArray:
     s = np.linspace(0.0, beam.length, ELEMENTS + 1)
     pull = beam.pull(s)
     whole = np.ones(ELEMENTS)
-    found = statics(
+    response = statics(
         Beam(
             s=s,
             bending_stiffness=np.full((ELEMENTS, 2), beam.stiffness),
@@ -84,7 +84,7 @@ def by_hermite_elements(beam: Beamlike, at: FloatArray) -> FloatArray:
             bottom=End(rotation_stiffness=beam.spring),
         )
     )
-    return np.interp(at, s, np.asarray(found.displacement))
+    return np.interp(at, s, np.asarray(response.displacement))
 
 
 def by_collocation(beam: Beamlike, at: FloatArray) -> FloatArray:
@@ -108,7 +108,7 @@ def by_collocation(beam: Beamlike, at: FloatArray) -> FloatArray:
         return np.array([low[0], low[2] - turning * low[1], high[0], high[2]])
 
     x = np.linspace(0.0, 1.0, 401)
-    found = solve_bvp(slopes, ends, x, np.zeros((4, x.size)), tol=1e-6, max_nodes=20000)
-    if not found.success:
-        raise RuntimeError(f"boundary value problem: {found.message}")
-    return np.asarray(beam.length * found.sol(at / beam.length)[0])
+    solution = solve_bvp(slopes, ends, x, np.zeros((4, x.size)), tol=1e-6, max_nodes=20000)
+    if not solution.success:
+        raise RuntimeError(f"boundary value problem: {solution.message}")
+    return np.asarray(beam.length * solution.sol(at / beam.length)[0])

@@ -46,25 +46,25 @@ def at_angle(runs: xr.DataArray, angle: float) -> xr.DataArray:
     """Values at an angle of the track (deg), over the speed of the current (m/s)."""
     if "track_angle" in runs.dims:
         return runs.sel(track_angle=angle, drop=True)
-    found = {}
+    by_speed = {}
     for label in runs["track"].values:
         degrees, _, speed = str(label).partition(" deg, ")
         if degrees == f"{angle:g}":
-            found[float(speed.split()[0])] = runs.sel(track=label, drop=True)
-    if not found:  # across the current its speed does not count
+            by_speed[float(speed.split()[0])] = runs.sel(track=label, drop=True)
+    if not by_speed:  # across the current its speed does not count
         return runs.sel(track=f"{angle:g} deg", drop=True)
-    speeds = xr.DataArray(list(found), dims="track_current", name="track_current")
-    return xr.concat(found.values(), speeds)
+    speeds = xr.DataArray(list(by_speed), dims="track_current", name="track_current")
+    return xr.concat(by_speed.values(), speeds)
 
 
 def misses_of_print(runs: xr.Dataset, heavy: float, light: float, moment: float) -> xr.Dataset:
     """Relative miss of every printed number, and of the ratio that two of them have."""
     x, m = distance(runs), largest(runs).sel(lmrp_mass=140.0, drop=True) / 1e3
     x_heavy, x_light = (x.sel(lmrp_mass=mass, drop=True) for mass in (140.0, 120.0))
-    found = {
+    ratios = {
         "x_heavy": x_heavy / heavy,
         "x_light": x_light / light,
         "moment": m / moment,
         "ratio": x_light / x_heavy / (light / heavy),
     }
-    return abs(xr.Dataset(found) - 1.0)
+    return abs(xr.Dataset(ratios) - 1.0)

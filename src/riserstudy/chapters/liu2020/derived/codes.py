@@ -42,17 +42,17 @@ def codes(check_riser: xr.Dataset) -> xr.Dataset:
     depth = xr.DataArray(np.linspace(0.0, length, 201), dims="depth", name="depth")
     at = length - depth
     ours = check_riser["x_static"].interp(s_node=at, method="cubic").drop_vars("s_node")
-    found = {"lumped masses": ours.assign_coords(depth=depth)}
+    curves = {"lumped masses": ours.assign_coords(depth=depth)}
     for name, solve in (
         ("Hermite elements", by_hermite_elements),
         ("collocation", by_collocation),
     ):
-        other = found["lumped masses"].copy(deep=True)
+        other = curves["lumped masses"].copy(deep=True)
         for place, scene in scenes_of(check_riser):
             other.loc[place] = solve(beamlike(scene), at.values)
-        found[name] = other
-    names = xr.DataArray(list(found), dims="code", name="code")
-    table = xr.concat(found.values(), names).to_dataset(name="displacement")
+        curves[name] = other
+    names = xr.DataArray(list(curves), dims="code", name="code")
+    table = xr.concat(curves.values(), names).to_dataset(name="displacement")
     table = table.squeeze("surface_speed", drop=True)
     table["codes_apart"] = _apart(table["displacement"])
     return described(table, PAPER, "displacement of the riser of Fig 10 by three methods")
@@ -71,9 +71,9 @@ def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
             by_collocation(beam, at),
         ]
         apart.loc[place] = _apart(xr.DataArray(curves, dims=("code", "depth")))
-    found = apart.squeeze("surface_speed", drop=True).to_dataset(name="codes_apart")
-    found = found.assign(sampled(check_open))
-    return described(found, PAPER, "difference of three methods over what the paper leaves open")
+    dataset = apart.squeeze("surface_speed", drop=True).to_dataset(name="codes_apart")
+    dataset = dataset.assign(sampled(check_open))
+    return described(dataset, PAPER, "difference of three methods over what the paper leaves open")
 
 
 def _apart(moved: xr.DataArray) -> xr.DataArray:

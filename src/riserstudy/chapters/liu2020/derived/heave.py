@@ -14,18 +14,18 @@ PAPER = "liu2020"
 
 def heave(heave_runs: xr.Dataset) -> xr.Dataset:
     """Amplitude of the axial force over (heave_amplitude, heave_period), gas law and linear."""
-    found = _axial_force(_at_ends(heave_runs, "gas law"))
+    dataset = _axial_force(_at_ends(heave_runs, "gas law"))
     linear = _axial_force(_at_ends(heave_runs, "linear"))
-    found["axial_force_amplitude_linear"] = linear["axial_force_amplitude"]
-    return described(found, PAPER, "amplitude of the axial force, platform heaving")
+    dataset["axial_force_amplitude_linear"] = linear["axial_force_amplitude"]
+    return described(dataset, PAPER, "amplitude of the axial force, platform heaving")
 
 
 def heave_readings(heave_open: xr.Dataset) -> xr.Dataset:
     """The same for every sample of what the paper leaves open."""
     ring = ring_of(heave_open).rename("s")
     ends = heave_open["effective_tension"].sel(s=xr.concat([xr.zeros_like(ring), ring], "end"))
-    found = _axial_force(ends.drop_vars("s").rename(end="s")).assign(sampled(heave_open))
-    return described(found, PAPER, "amplitude of the axial force over what the paper leaves open")
+    dataset = _axial_force(ends.drop_vars("s").rename(end="s")).assign(sampled(heave_open))
+    return described(dataset, PAPER, "amplitude of the axial force over what the paper leaves open")
 
 
 def _at_ends(runs: xr.Dataset, model: str) -> xr.DataArray:

@@ -29,15 +29,15 @@ def surge(surge_case: xr.Dataset) -> xr.Dataset:
     """Motion at four depths over (tensioner_model, depth), and when it begins."""
     riser = surge_case["x"].sel(s=surge_case["s"] <= RING + 1e-6)
     x = _between_nodes(riser)
-    found = _moved(x, lag_at(DEPTHS, riser, SURGE_PERIOD)).assign(arrival=first_at(x, ARRIVED))
-    return described(found, PAPER, "displacement under surge at four depths")
+    dataset = _moved(x, lag_at(DEPTHS, riser, SURGE_PERIOD)).assign(arrival=first_at(x, ARRIVED))
+    return described(dataset, PAPER, "displacement under surge at four depths")
 
 
 def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
     """The same for every sample of what the paper leaves open, once settled."""
     x = at_depths(surge_open["x"], ring_of(surge_open), DEPTHS)
-    found = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
-    return described(found, PAPER, "displacement under surge over what the paper leaves open")
+    dataset = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
+    return described(dataset, PAPER, "displacement under surge over what the paper leaves open")
 
 
 def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
@@ -48,8 +48,8 @@ def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
 def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
     """When roll is first felt at four depths."""
     riser = roll_case["x"].sel(s=roll_case["s"] <= RING + 1e-6, time=slice(0.0, 60.0))
-    found = xr.Dataset({"arrival": first_at(_between_nodes(riser), ARRIVED)})
-    return described(found, PAPER, "when roll is first felt")
+    dataset = xr.Dataset({"arrival": first_at(_between_nodes(riser), ARRIVED)})
+    return described(dataset, PAPER, "when roll is first felt")
 
 
 def roll_arrival(roll_start: xr.Dataset) -> xr.Dataset:
@@ -59,8 +59,8 @@ def roll_arrival(roll_start: xr.Dataset) -> xr.Dataset:
 
 def _arrivals(runs: xr.Dataset, title: str) -> xr.Dataset:
     x = at_depths(runs["x"], ring_of(runs), DEPTHS)
-    found = xr.Dataset({"arrival": first_at(x, ARRIVED)}).assign(sampled(runs))
-    return described(found, PAPER, title)
+    dataset = xr.Dataset({"arrival": first_at(x, ARRIVED)}).assign(sampled(runs))
+    return described(dataset, PAPER, title)
 
 
 def _between_nodes(riser: xr.DataArray) -> xr.DataArray:
@@ -143,10 +143,10 @@ def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
     high = runs["bending_moment_max"].max("s_node")
     low = runs["bending_moment_min"].min("s_node")
     largest = runs["largest_bending_moment"]
-    found = xr.Dataset(
+    dataset = xr.Dataset(
         {"largest_bending_moment": largest, "settling": abs(high + low) / (high - low)}
     )
-    made = described(found.assign(sampled(runs)), PAPER, title)
+    made = described(dataset.assign(sampled(runs)), PAPER, title)
     made["settling"].attrs["long_name"] = (
         "difference of largest and smallest moment over their sum, by size"
     )
@@ -174,8 +174,8 @@ def rao_table(rao_runs: xr.Dataset) -> xr.Dataset:
             }
         )
     label = xr.DataArray(list(units), dims="platform_unit", name="platform_unit")
-    found = xr.concat(units.values(), label).assign_coords(wave_period=period)
-    return described(found, PAPER, "response of three generic semi-submersibles")
+    dataset = xr.concat(units.values(), label).assign_coords(wave_period=period)
+    return described(dataset, PAPER, "response of three generic semi-submersibles")
 
 
 def rao(rao_runs: xr.Dataset) -> xr.Dataset:
@@ -193,15 +193,15 @@ def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
     for period in rao_open["wave_period"].values:  # one at a time, or histories fill the memory
         stress = fibre_stress(rao_open.sel(wave_period=period), ring)
         swings.append(half_swing(stress, float(period)).max(["s", "side"]))
-    found = _shared(xr.concat(swings, rao_open["wave_period"])).assign(sampled(rao_open))
-    return described(found, PAPER, "stress amplitude by motion over what the paper leaves open")
+    dataset = _shared(xr.concat(swings, rao_open["wave_period"])).assign(sampled(rao_open))
+    return described(dataset, PAPER, "stress amplitude by motion over what the paper leaves open")
 
 
 def waves(wave_runs: xr.Dataset) -> xr.Dataset:
     """Largest stress amplitude along the riser by all motions at once, waves on the riser or not."""
     swing = half_swing(fibre_stress(wave_runs), "wave_period").max(["s", "side"])
-    found = swing.to_dataset(name="stress_amplitude")
-    return described(found, PAPER, "stress amplitude in waves of 3 m that act on the riser too")
+    dataset = swing.to_dataset(name="stress_amplitude")
+    return described(dataset, PAPER, "stress amplitude in waves of 3 m that act on the riser too")
 
 
 def _shared(stress: xr.DataArray) -> xr.Dataset:
@@ -239,10 +239,10 @@ def storm(sea: xr.Dataset) -> xr.Dataset:
     """Histories of the sea's response with extremes, standard deviations and spectra over frequency."""
     run = sea.squeeze("tensioner_model", drop=True)
     interval = float(run["time"][1] - run["time"][0])
-    found: dict[str, xr.DataArray] = {}
+    records: dict[str, xr.DataArray] = {}
     for name in ("x", "effective_tension", "bending_moment", "stroke", "ufj_angle", "lfj_angle"):
         values = run[name]
-        found |= {
+        records |= {
             name: values,
             f"{name}_max": values.max("time"),
             f"{name}_min": values.min("time"),
@@ -253,5 +253,5 @@ def storm(sea: xr.Dataset) -> xr.Dataset:
         )
         dims = ["frequency" if dim == "time" else dim for dim in values.dims]
         spectrum = xr.DataArray(density, dims=dims, coords={"frequency": frequency})
-        found[f"{name}_spectrum"] = spectrum
-    return described(xr.Dataset(found), PAPER, "three hours of an irregular sea")
+        records[f"{name}_spectrum"] = spectrum
+    return described(xr.Dataset(records), PAPER, "three hours of an irregular sea")

@@ -26,14 +26,14 @@ def tension_readings(tension: xr.Dataset) -> xr.Dataset:
     pull = tension["tensioner_force_static"].sum("cylinder")
     lean = xr.DataArray(list(INCLINATIONS), dims="inclination", name="inclination")
     lean = lean.assign_coords(inclination=lean)
-    found = xr.Dataset({"top_tension": pull * np.cos(np.deg2rad(lean))})
-    return described(found, PAPER, "top tension at rest in every reading")
+    dataset = xr.Dataset({"top_tension": pull * np.cos(np.deg2rad(lean))})
+    return described(dataset, PAPER, "top tension at rest in every reading")
 
 
 def dat_force(statics: xr.Dataset) -> xr.Dataset:
     """Horizontal force of the tensioners on the ring over (counted, current_profile, surface_speed)."""
-    found = _force(statics.sel(tensioner_model=["gas law"])).squeeze("tensioner_model", drop=True)
-    return described(found.to_dataset(name="horizontal_force"), PAPER, "force of the tensioners")
+    dataset = _force(statics.sel(tensioner_model=["gas law"])).squeeze("tensioner_model", drop=True)
+    return described(dataset.to_dataset(name="horizontal_force"), PAPER, "force of the tensioners")
 
 
 def dat_force_calibrated(statics_calibrated: xr.Dataset) -> xr.Dataset:
@@ -44,23 +44,23 @@ def dat_force_calibrated(statics_calibrated: xr.Dataset) -> xr.Dataset:
         force.sel(calibration=calibration, counted=counted, drop=True)
         for calibration, counted in COUNTED.items()
     ]
-    found = xr.concat(parts, statics_calibrated["calibration"].sel(calibration=list(COUNTED)))
+    dataset = xr.concat(parts, statics_calibrated["calibration"].sel(calibration=list(COUNTED)))
     return described(
-        found.to_dataset(name="horizontal_force"), PAPER, "force of the tensioners, calibrated"
+        dataset.to_dataset(name="horizontal_force"), PAPER, "force of the tensioners, calibrated"
     )
 
 
 def statics_tuned(statics_calibrated: xr.Dataset) -> xr.Dataset:
     """Displacement, moments and force in the calibrated currents, by model of the tensioners."""
-    found = _at_rest(statics_calibrated)
-    return described(found, PAPER, "displacement and moments at rest, current calibrated")
+    dataset = _at_rest(statics_calibrated)
+    return described(dataset, PAPER, "displacement and moments at rest, current calibrated")
 
 
 def statics_readings(statics_open: xr.Dataset) -> xr.Dataset:
     """The same of every sample, over (sample, tensioner_model, surface_speed)."""
-    found = _at_rest(statics_open).assign(sampled(statics_open))
+    dataset = _at_rest(statics_open).assign(sampled(statics_open))
     return described(
-        found, PAPER, "displacement and moments at rest over what the paper leaves open"
+        dataset, PAPER, "displacement and moments at rest over what the paper leaves open"
     )
 
 

@@ -248,12 +248,12 @@ def fig23(rao: xr.Dataset) -> Figure:
     """Stress amplitude by each motion."""
     stress = rao["stress_amplitude"] / 1e6
     largest = stress.max(["wave_period", "platform_unit", "reference"])
-    told = ", ".join(
+    resonances = ", ".join(
         f"{float(largest.sel(motion=m)):.1f} MPa by {m}" for m in largest["motion"].values
     )
     figure = _by_motion(stress, "stress amplitude (MPa)")
     first = str(largest["motion"].values[int(largest.argmax("motion"))])
-    headline(figure, f"{first.capitalize()} stresses the riser most: up to {told}")
+    headline(figure, f"{first.capitalize()} stresses the riser most: up to {resonances}")
     return figure
 
 
@@ -262,9 +262,11 @@ def fig24(rao: xr.Dataset) -> Figure:
     share = 100.0 * rao["stress_share"]
     span = float(share["wave_period"].max() - share["wave_period"].min())
     mean = share.integrate("wave_period").mean(["platform_unit", "reference"]) / span
-    told = ", ".join(f"{m} {float(mean.sel(motion=m)):.0f} %" for m in mean["motion"].values)
+    shares = ", ".join(f"{m} {float(mean.sel(motion=m)):.0f} %" for m in mean["motion"].values)
     figure = _by_motion(share, "share of the stress amplitude (%)")
-    headline(figure, f"Share of the stress amplitude, mean over periods and generic units: {told}")
+    headline(
+        figure, f"Share of the stress amplitude, mean over periods and generic units: {shares}"
+    )
     return figure
 
 

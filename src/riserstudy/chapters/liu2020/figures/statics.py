@@ -203,12 +203,12 @@ def _at_rest(
             _by_depth(row[1], curve, line, colour, what, 3.5 if model == "gas law" else 1.3)
         cylinders = "one cylinder" if "one" in calibration else "all cylinders"
         force = tuned["horizontal_force"].sel(calibration=calibration, counted=cylinders)
-        told = [
+        lines = [
             f"{speed:g} m/s: {float(force.sel(surface_speed=speed)):.0f} N ({printed:.0f} N)"
             for speed, printed in zip(SPEEDS, forces, strict=True)
         ]
         row[0].annotate(
-            "pushed back by " + cylinders + " (printed):\n" + "\n".join(told),
+            "pushed back by " + cylinders + " (printed):\n" + "\n".join(lines),
             (0.97, 0.04),
             xycoords="axes fraction",
             ha="right",
@@ -275,11 +275,11 @@ def dat_force(
         ax.set_title(title, loc="right", fontsize="small")
     wide.set_yscale("log")
     wide.set_ylabel("horizontal force over the printed (-)")
-    found = dat_force_calibrated["horizontal_force"].sel(surface_speed=0.2).isel(calibration=0)
+    slowest = dat_force_calibrated["horizontal_force"].sel(surface_speed=0.2).isel(calibration=0)
     headline(
         figure,
         "Printed forces do not grow with the square of the speed: fitted at 1 m/s, "
-        f"that at 0.2 m/s comes out {100.0 * (float(found) / slow - 1.0):.1f} % too large",
+        f"that at 0.2 m/s comes out {100.0 * (float(slowest) / slow - 1.0):.1f} % too large",
     )
     key_below(figure, wide, 3)
     return figure

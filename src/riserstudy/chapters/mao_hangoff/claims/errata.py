@@ -40,11 +40,11 @@ def readings_near(
     within : share of a number that counts as near.
     """
     misses = misses_of_print(runs, heavy, light, moment)
-    told: dict[str, Any] = {str(name): _near(miss, within) for name, miss in misses.items()}
+    near: dict[str, Any] = {str(name): _near(miss, within) for name, miss in misses.items()}
     worst = misses.to_dataarray("number").max("number")
     three = misses[list(PRINTED)].to_dataarray("number").max("number").stack(reading=worst.dims)
     least = three.isel(reading=int(three.argmin("reading")))
-    return told | {
+    return near | {
         "count": worst.size,
         "printed_ratio": light / heavy,
         "all": _near(worst, within),
@@ -71,14 +71,17 @@ def _of_reading(labels: tuple[str, ...]) -> str:
 def lighter(runs: xr.Dataset, heavy: float, light: float) -> dict[str, Any]:
     """Distance x (m) for the three masses of Fig 10, and how much it grows from 140 to 120 t."""
     x = distance(runs)
-    found = {f"x{mass:g}": float(x.sel(lmrp_mass=mass)) for mass in (120.0, 130.0, 140.0)}
-    return found | {"growth": found["x120"] / found["x140"] - 1.0, "printed": light / heavy - 1.0}
+    distances = {f"x{mass:g}": float(x.sel(lmrp_mass=mass)) for mass in (120.0, 130.0, 140.0)}
+    return distances | {
+        "growth": distances["x120"] / distances["x140"] - 1.0,
+        "printed": light / heavy - 1.0,
+    }
 
 
 def variants(runs: xr.Dataset) -> dict[str, Any]:
     """Of every variant: x (m), M (kN m), its depth (m) and the moment at the joint (kN m)."""
     over_s = moments(runs)
-    found: dict[str, Any] = {}
+    facts: dict[str, Any] = {}
     names = {
         "base": "base",
         "paper": "mesh and step of the paper",
@@ -101,11 +104,11 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
     top, x = at_top(over_s), distance(runs)
     for short, name in names.items():
         one = over_s.sel(variant=name)
-        found[f"x_{short}"] = float(x.sel(variant=name))
-        found[f"m_{short}"] = float(one.max()) / 1e3
-        found[f"d_{short}"] = float(over_s["s"][-1] - one.idxmax("s"))
-        found[f"t_{short}"] = float(top.sel(variant=name)) / 1e3
-    return found
+        facts[f"x_{short}"] = float(x.sel(variant=name))
+        facts[f"m_{short}"] = float(one.max()) / 1e3
+        facts[f"d_{short}"] = float(over_s["s"][-1] - one.idxmax("s"))
+        facts[f"t_{short}"] = float(top.sel(variant=name)) / 1e3
+    return facts
 
 
 def tracks(runs: xr.Dataset) -> dict[str, Any]:
@@ -174,8 +177,8 @@ def nearest_found(runs: xr.Dataset, heavy: float, light: float, moment: float) -
     """Distances (m) and moment (kN m) of what a continuous search found nearest, and its worst miss."""
     x, m = distance(runs), largest(runs).sel(lmrp_mass=140.0, drop=True) / 1e3
     misses = misses_of_print(runs, heavy, light, moment)[list(PRINTED)].to_dataarray("number")
-    found = {
+    facts = {
         f"x_{name}": float(x.sel(lmrp_mass=mass))
         for name, mass in (("heavy", 140.0), ("light", 120.0))
     }
-    return found | {"m_heavy": float(m), "worst": float(misses.max())}
+    return facts | {"m_heavy": float(m), "worst": float(misses.max())}

@@ -132,12 +132,12 @@ def harmonic(z: xr.DataArray, heave: xr.Dataset) -> xr.Dataset:
         terms = np.concatenate(
             [slow, np.cos(w * t.values)[:, None], np.sin(w * t.values)[:, None]], 1
         )
-        found = np.linalg.lstsq(terms, z, rcond=None)[0]
-        wave = z - slow @ found[:3]
-        left = z - terms @ found
+        fitted = np.linalg.lstsq(terms, z, rcond=None)[0]
+        wave = z - slow @ fitted[:3]
+        left = z - terms @ fitted
         share = 1.0 - float(left @ left) / float(wave @ wave)
-        drift = float((slow[-1] - slow[0]) @ found[:3]) / float(t[-1])
-        return float(np.hypot(*found[3:])), drift, share
+        drift = float((slow[-1] - slow[0]) @ fitted[:3]) / float(t[-1])
+        return float(np.hypot(*fitted[3:])), drift, share
 
     amplitude, drift, share = xr.apply_ufunc(
         fit,

@@ -48,8 +48,8 @@ def all_numbers(
     runs: xr.Dataset, heavy: float, light: float, moment: float, within: float
 ) -> Found:
     """Whether one reading meets the three numbers within a share; value: its worst miss."""
-    found = misses_of_print(runs, heavy, light, moment)
-    worst = xr.concat([found[name] for name in PRINTED], "number").max("number")
+    misses = misses_of_print(runs, heavy, light, moment)
+    worst = xr.concat([misses[name] for name in PRINTED], "number").max("number")
     return judged(worst, below(worst, within))
 
 

@@ -73,12 +73,12 @@ def speed_limits(
 
 def _at_the_keel(steady: xr.Dataset, keel: float) -> xr.DataArray:
     """Distance of the riser from below the joint, at the keel (m)."""
-    found = []
+    angles = []
     for length in steady["riser_length"].values:
         x = steady["x"].sel(riser_length=length).dropna("s")
         edge = float(x["s"][-1]) - keel
-        found.append(abs(x.interp(s=edge) - x.isel(s=-1, drop=True)).drop_vars("s"))
-    return xr.concat(found, steady["riser_length"])
+        angles.append(abs(x.interp(s=edge) - x.isel(s=-1, drop=True)).drop_vars("s"))
+    return xr.concat(angles, steady["riser_length"])
 
 
 def _first_reached(use: FloatArray, speed: FloatArray) -> tuple[float, float]:

@@ -20,12 +20,12 @@ def readings(readings: xr.Dataset, heavy: float, light: float, moment: float) ->
 
     ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
     """
-    found = _numbers(readings)
+    numbers = _numbers(readings)
     figure, axes = _beside_print(heavy, light, moment)
-    flows = list(found["flow"].values)
-    for weight, colour in _coloured(found["riser_weight"]).items():
+    flows = list(numbers["flow"].values)
+    for weight, colour in _coloured(numbers["riser_weight"]).items():
         for mark, flow in zip(MARKS, flows, strict=False):
-            one = found.sel(riser_weight=weight, flow=flow)
+            one = numbers.sel(riser_weight=weight, flow=flow)
             style: dict[str, Any] = {"color": colour, "marker": mark, "ls": "none", "ms": 4}
             axes[0].plot(one["x"], one["moment"], **style)
             axes[1].plot(one["x"], one["ratio"], **style)
@@ -42,14 +42,14 @@ def readings(readings: xr.Dataset, heavy: float, light: float, moment: float) ->
 
 def open_choices(open_lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
     """Samples of all that is open beside the printed numbers, as ``readings`` has them."""
-    found = _numbers(open_lmrp_mass)
+    numbers = _numbers(open_lmrp_mass)
     figure, axes = _beside_print(heavy, light, moment)
     weights = open_lmrp_mass["assumed_riser_weight"]
     for weight, colour in _coloured(weights).items():
-        one = found.sel(sample=weights == weight)
+        one = numbers.sel(sample=weights == weight)
         axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=3, label=str(weight))
         axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
-    _around_print(axes, found, heavy, moment)
+    _around_print(axes, numbers, heavy, moment)
     key_below(figure, axes[0], 2)
     headline(figure, "Samples of all that is open, beside the printed numbers (dashed)")
     return figure

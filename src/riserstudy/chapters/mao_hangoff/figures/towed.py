@@ -172,16 +172,16 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
 def fig11(current_speed: xr.Dataset) -> Figure:
     """The same for three speeds of the current, in two profiles."""
     figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), "current {:g} m/s")
-    told = _changes(as_drawn(current_speed), "current_speed", 1.0, 1.2)
-    headline(figure, f"A current of 1.2 m/s along the track instead of 1 m/s: {told}")
+    change = _changes(as_drawn(current_speed), "current_speed", 1.0, 1.2)
+    headline(figure, f"A current of 1.2 m/s along the track instead of 1 m/s: {change}")
     return figure
 
 
 def fig12(platform_speed: xr.Dataset) -> Figure:
     """The same for three speeds of the platform, in two profiles."""
     figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), "platform {:g} kn")
-    told = _changes(as_drawn(platform_speed), "platform_speed", 2.4, 2.6)
-    headline(figure, f"A platform that makes 2.6 kn instead of 2.4 kn: {told}")
+    change = _changes(as_drawn(platform_speed), "platform_speed", 2.4, 2.6)
+    headline(figure, f"A platform that makes 2.6 kn instead of 2.4 kn: {change}")
     return figure
 
 
@@ -241,22 +241,22 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
 def fig14(riser_length: xr.Dataset) -> Figure:
     """The same for three lengths of riser."""
     figure = _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
-    told = _changes(riser_length, "riser_length", 1200.0, 1800.0)
-    headline(figure, f"A riser of 1800 m instead of 1200 m: {told} (printed: all grow)")
+    change = _changes(riser_length, "riser_length", 1200.0, 1800.0)
+    headline(figure, f"A riser of 1800 m instead of 1200 m: {change} (printed: all grow)")
     return figure
 
 
 def _changes(runs: xr.Dataset, axis: str, first: float, last: float) -> str:
     """How displacement, largest moment and largest rise of the LMRP change along an axis."""
     ends = [runs.sel({axis: value}, method="nearest") for value in (first, last)]
-    found = {
+    ratios = {
         "displacement": [abs(run["lmrp_displacement"].sel(time=STATED)) for run in ends],
         "largest moment": [run["bending_moment_size"].max("s") for run in ends],
         "largest rise": [run["lmrp_rise"].max("time") for run in ends],
     }
     return ", ".join(
         f"{name} {100.0 * (float(new) / float(old) - 1.0):+.0f} %"
-        for name, (old, new) in found.items()
+        for name, (old, new) in ratios.items()
     )
 
 

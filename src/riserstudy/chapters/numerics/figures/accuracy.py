@@ -87,9 +87,9 @@ def asked(accuracy: xr.Dataset) -> Figure:
     for k, scene in enumerate(drawn):
         of = accuracy.isel(request=np.flatnonzero(accuracy["request_scene"].values == scene))
         colour = COLOURS[k % len(COLOURS)]
-        worst, told = (_largest(of, kind) for kind in ("reached", "estimated"))
+        worst, estimated = (_largest(of, kind) for kind in ("reached", "estimated"))
         left.plot(of["requested"], worst, "o-", color=colour, ms=4, label=scene)
-        left.plot(of["requested"], told, "x:", color=colour, ms=4)
+        left.plot(of["requested"], estimated, "x:", color=colour, ms=4)
         right.plot(of["requested"], of["request_seconds"], "o-", color=colour, ms=4)
         change = float(accuracy["reference_change"].sel(scene=scene).max())
         if change == change:

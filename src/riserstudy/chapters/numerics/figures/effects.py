@@ -45,8 +45,8 @@ def decisions(effects: xr.Dataset) -> tuple[int, int]:
     """How often the engine left freedom out that no line calls for, and how often that was wrong."""
     if DECIDED not in effects["change"]:
         return 0, 0
-    found = change(effects).sel(change=DECIDED).dropna("scene")
-    return found.size, int((found > TOLERANCE).sum())
+    changes = change(effects).sel(change=DECIDED).dropna("scene")
+    return changes.size, int((changes > TOLERANCE).sum())
 
 
 def chosen(effects: xr.Dataset) -> list[str]:

@@ -62,9 +62,9 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
         here = (of["family"] == family).values & judged
         values = np.sort(ratio.values[here])
         none = int(np.isnan(values).sum())
-        told = f"{none} of {here.sum()}: none cheaper" if here.any() else "none judged"
+        text = f"{none} of {here.sum()}: none cheaper" if here.any() else "none judged"
         ax.annotate(
-            told if none or not here.any() else "", (0.98, k), xycoords=("axes fraction", "data"),
+            text if none or not here.any() else "", (0.98, k), xycoords=("axes fraction", "data"),
             ha="right", va="center", fontsize="x-small",
         )  # fmt: skip
         ax.plot(

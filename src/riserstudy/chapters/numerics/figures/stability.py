@@ -39,14 +39,14 @@ def stability(stability: xr.Dataset) -> Figure:
 
 def ended(stability: xr.Dataset) -> list[str]:
     """How each case ended, in the words of the key."""
-    found = []
+    ends = []
     for outcome, met in zip(
         map(str, stability["written_outcome"].values), stability["as_expected"].values, strict=True
     ):
         kinds = {"accurate": ACCURATE, "stable but inaccurate": FLAGGED}
         end = kinds.get(outcome, REFUSED if outcome.startswith("refused") else UNJUDGED)
-        found.append(end if met else WRONG)
-    return found
+        ends.append(end if met else WRONG)
+    return ends
 
 
 def answer(stability: xr.Dataset) -> str:
