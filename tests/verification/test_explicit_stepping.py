@@ -7,7 +7,7 @@ from reference import DATA
 from scipy.interpolate import CubicSpline
 from scipy.linalg import eigh
 
-import riserstudy.simulation.run
+import riserstudy.simulation.stable_step
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import even
 from riserstudy.simulation.equilibrium import settle
@@ -57,7 +57,7 @@ def test_the_predicted_stable_step_is_the_true_one_to_a_tenth_and_never_unsafe(
     name, elements, damping, monkeypatch
 ):
     step = limit(name, elements, **damping)
-    monkeypatch.setattr(riserstudy.simulation.run, "explicit_limit", lambda *of: np.inf)
+    monkeypatch.setattr(riserstudy.simulation.stable_step, "explicit_limit", lambda *of: np.inf)
     values = EXPLICIT | damping | {"analysis__duration": "20 s"}
     calm = march(name, elements, 0.5 * step, **values).arrays["effective_tension"]
     safe = march(name, elements, 0.99 * step, **values).arrays["effective_tension"]
