@@ -11,7 +11,7 @@ from riserstudy.chapters.draw import draw
 from riserstudy.chapters.numerics.figures.stability import ENDS, ended
 from riserstudy.numerics.attempt import Outcome
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
-from riserstudy.numerics.stability import stability, tell
+from riserstudy.numerics.stability import run_case, stability
 from riserstudy.numerics.stable_step import stable_step
 from riserstudy.report.engine import engine
 from riserstudy.study.measured import StabilityStudy
@@ -59,7 +59,7 @@ def test_longer_steps_have_larger_errors_and_take_fewer_iterations(few):
 def test_a_run_of_more_node_steps_than_the_budget_is_a_row_too():
     tight = STUDY.model_copy(update={"explicit_budget": 10.0})
     case = STUDY.cases["surge"]
-    told = tell(tight, case, case_file(CONFIG, "surge", case), "preview")
+    told = run_case(tight, case, case_file(CONFIG, "surge", case), "preview")
     assert {rung.outcome for rung in told.rungs["explicit"]} == {Outcome.TOO_LONG}
 
 
