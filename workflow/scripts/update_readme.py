@@ -32,9 +32,10 @@ def table(rows: list[dict[str, str]]) -> str:
     for row in rows:
         counts.setdefault((row["paper"], row["kind"]), Counter())[row["verdict"]] += 1
     lines = [f"| | {' | '.join(VERDICTS)} |", "|---" * (len(VERDICTS) + 1) + "|"]
-    for (paper, kind), found in counts.items():
-        cells = " | ".join(str(found[verdict] or "–") for verdict in VERDICTS)
-        lines.append(f"| {paper}, {sum(found.values())} {kind}s | {cells} |")
+    for (paper, kind), verdicts in counts.items():
+        cells = " | ".join(str(verdicts[verdict] or "–") for verdict in VERDICTS)
+        number = sum(verdicts.values())
+        lines.append(f"| {paper}, {number} {kind}{'s' if number > 1 else ''} | {cells} |")
     return "\n".join(lines) + "\n"
 
 
