@@ -33,8 +33,8 @@ def test_the_same_numbers_come_from_the_dataset_alone(dataset, amplitude):
     assert found.place == {"surge_amplitude": float(amplitude)}
     assert found.engines[0] == found.engines[1]
     assert {"x", "bending_moment", "effective_tension_max", "smallest_tension"} <= {*found.changes}
-    # stored by kernels that were compiled apart from these, sums may round otherwise; errors and residuals are
-    # differences of numbers that are nearly the same
+    # stored by kernels that were compiled apart from these, sums may round otherwise; errors and residuals
+    # are differences of numbers that are nearly the same
     changed = {name: change for name, change in found.changes.items() if change > 1e-9}
     assert changed.keys() <= {"error_tension", "unexplained_energy"}
     assert all(change < 1e-5 for change in changed.values())
