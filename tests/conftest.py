@@ -1,5 +1,8 @@
 """Shared by all tests; being here, it also lets them import ``strategies``."""
 
+import sys
+
+import pytest
 from hypothesis import HealthCheck, settings
 
 # Seeded by the test itself, so that a run can be repeated; no deadline, since kernels may compile.
@@ -11,3 +14,21 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.too_slow],
 )
 settings.load_profile("riserstudy")
+
+
+@pytest.fixture
+def commands(monkeypatch, capsys):
+    """Runs commands of the command line; exit code, output and messages."""
+    from riserstudy.cli import main  # other tests need not load it
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["riserstudy", *map(str, arguments)])
+        try:
+            main()
+            code = 0
+        except SystemExit as done:
+            code = done.code or 0
+        said = capsys.readouterr()
+        return code, said.out, said.err
+
+    return run

@@ -11,7 +11,6 @@ from pathlib import Path
 import pytest
 import xarray as xr
 
-from riserstudy.cli import main
 from riserstudy.simulation.compile import compile_once
 
 SCENES = Path(__file__).parents[1] / "config" / "scenes"
@@ -20,21 +19,10 @@ QUICK = ["--set", "analysis.duration=30 s"]
 
 
 @pytest.fixture
-def command(monkeypatch, capsys):
+def command(commands):
     """Run a command here; its exit code, output and messages, without that of compiling."""
     compile_once(lambda _: None)
-
-    def run(*arguments):
-        monkeypatch.setattr(sys, "argv", ["riserstudy", *map(str, arguments)])
-        try:
-            main()
-            code = 0
-        except SystemExit as done:
-            code = done.code or 0
-        said = capsys.readouterr()
-        return code, said.out, said.err
-
-    return run
+    return commands
 
 
 def test_a_run_writes_its_dataset_and_says_how_good_it_is(command, tmp_path):

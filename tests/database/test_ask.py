@@ -12,27 +12,15 @@ import pytest
 import workspace
 
 from riserstudy import query
-from riserstudy.cli import main
 from riserstudy.database.ask import ask, opened
 from riserstudy.errors import InputError
 from riserstudy.study import store
 
 
 @pytest.fixture
-def command(here, monkeypatch, capsys):
+def command(here, commands):
     """Run a command in the workspace; its exit code, output and messages."""
-
-    def run(*arguments):
-        monkeypatch.setattr(sys, "argv", ["riserstudy", *map(str, arguments)])
-        try:
-            main()
-            code = 0
-        except SystemExit as done:
-            code = done.code or 0
-        said = capsys.readouterr()
-        return code, said.out, said.err
-
-    return run
+    return commands
 
 
 def rows(command, *arguments):

@@ -1,32 +1,19 @@
 """What differs from the digests is told, and only what nothing needs is removed."""
 
 import random
-import sys
 
 import pytest
 import workspace
 from ruamel.yaml import YAML
 
-from riserstudy.cli import main
 from riserstudy.database.verify import verify
 from riserstudy.study import store
 
 
 @pytest.fixture
-def command(mine, monkeypatch, capsys):
+def command(mine, commands):
     """Run a command in a workspace of one's own; its exit code, output and messages."""
-
-    def run(*arguments):
-        monkeypatch.setattr(sys, "argv", ["riserstudy", *map(str, arguments)])
-        try:
-            main()
-            code = 0
-        except SystemExit as done:
-            code = done.code or 0
-        said = capsys.readouterr()
-        return code, said.out, said.err
-
-    return run
+    return commands
 
 
 def points():

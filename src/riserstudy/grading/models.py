@@ -175,6 +175,18 @@ def published_path(config: Path, paper: str) -> Path:
     return config / "published" / f"{paper}.yaml"
 
 
+def printed_of(config: Path, paper: str) -> PublishedFile:
+    """All that a paper printed.
+
+    Raises
+    ------
+    InputError
+        When its file cannot be meant.
+    """
+    path = published_path(config, paper)
+    return check(PublishedFile, read_yaml(path, keep=True), path)
+
+
 def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
     """The checked file of a paper.
 
@@ -184,7 +196,7 @@ def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
         When it cannot be meant, or needs a dataset that is not ``known``.
     """
     path = published_path(config, paper)
-    file = check(PublishedFile, read_yaml(path, keep=True), path)
+    file = printed_of(config, paper)
     for name in file.datasets:
         if name not in known:
             allowed = "allowed are " + ", ".join(sorted(known))

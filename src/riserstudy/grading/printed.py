@@ -11,9 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
-from riserstudy.grading.models import PrintedInput, PublishedFile, published_path
-from riserstudy.scene.check import check
-from riserstudy.scene.load import SceneFile, read_yaml
+from riserstudy.grading.models import PrintedInput, PublishedFile, printed_of, published_path
+from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import plain_values
 
 
@@ -26,18 +25,6 @@ def printed_inputs(config: Path, paper: str) -> list[PrintedInput]:
         When the file cannot be meant.
     """
     return printed_of(config, paper).inputs if published_path(config, paper).exists() else []
-
-
-def printed_of(config: Path, paper: str) -> PublishedFile:
-    """All that a paper printed.
-
-    Raises
-    ------
-    InputError
-        When its file cannot be meant.
-    """
-    path = published_path(config, paper)
-    return check(PublishedFile, read_yaml(path, keep=True), path)
 
 
 def with_printed(
