@@ -1,0 +1,77 @@
+"""The commands of ``riserstudy``, thin: each calls what it is named for.
+
+A command is a function in the module of its group and a line in ``COMMANDS``, in the order of the help.
+"""
+
+from __future__ import annotations
+
+import atexit
+import gc
+import sys
+from typing import Any
+
+import typer
+
+from riserstudy.cli import analyse, files, outputs, results, simulate
+from riserstudy.errors import RiserStudyError, shown
+
+OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothing refers to
+
+COMMANDS = (
+    simulate.run,
+    simulate.check,
+    outputs.plot,
+    outputs.table,
+    outputs.statistics,
+    simulate.rerun,
+    analyse.cost,
+    analyse.effects,
+    analyse.advise,
+    analyse.modes,
+    files.draw,
+    files.import_deck,
+    files.new,
+    files.schema,
+    results.results,
+    results.sql,
+    results.verify,
+    results.prune,
+    results.diff,
+)
+NAMES: dict[Any, str] = {files.import_deck: "import"}  # that are no names of functions
+
+app = typer.Typer(
+    name="riserstudy",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="Simulate deepwater drilling risers, and look at what was simulated.",
+)
+for command in COMMANDS:
+    app.command(NAMES.get(command))(command)
+
+
+def main() -> None:
+    """Run the command line; errors go to stderr in one line, with their exit code."""
+    _collect_seldom()
+    try:
+        if status := app(standalone_mode=False):  # of a command that ends with one
+            sys.exit(status)
+    except typer.Exit as done:
+        sys.exit(done.exit_code)
+    except (typer.Abort, KeyboardInterrupt):
+        sys.exit(130)
+    except RiserStudyError as error:
+        print(f"riserstudy: {error}", file=sys.stderr)
+        sys.exit(error.exit_code)
+    except Exception as error:
+        if hasattr(error, "format_message"):  # a usage error of the command line itself
+            print(f"riserstudy: command line: {shown(error.format_message())}", file=sys.stderr)
+            sys.exit(2)
+        raise
+
+
+def _collect_seldom() -> None:
+    """Have what is loaded looked through seldom, and not once more at the end: that takes half a second."""
+    gc.set_threshold(*OBJECTS)
+    atexit.register(gc.freeze)

@@ -1,0 +1,161 @@
+"""Of what a run returned: plot, table, statistics."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from riserstudy.cli.shared import (
+    AtOption,
+    SetOption,
+    check_writable,
+    compile_kernels,
+    place_of,
+    say_warnings,
+    scene_of,
+)
+from riserstudy.errors import InputError
+
+
+class PlotKind(StrEnum):
+    """Plots of a run."""
+
+    RANGE = "range"
+    TIME_SERIES = "time-series"
+    SHAPE = "shape"
+
+
+def plot(
+    dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png")
+    ],
+    kind: Annotated[PlotKind, typer.Option(help="which plot")] = PlotKind.RANGE,
+    of: Annotated[
+        list[str] | None,
+        typer.Option(help="quantity to show: bending_moment; again for more", metavar="NAME"),
+    ] = None,
+    at: AtOption = None,
+) -> None:
+    """Draw one run: ranges along the riser with its limits, time series, or its shape."""
+    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.place import place
+    from riserstudy.figures import save
+    from riserstudy.figures.run import draw
+
+    of_run = opened(dataset)
+    check_writable(output, dataset)
+    if output.suffix not in (".png", ".pdf", ".svg"):
+        allowed = "allowed are .png, .pdf and .svg"
+        raise InputError("--output", str(output), f"no figure {output.suffix!r}", allowed)
+    save(draw(kind.value, of_run.isel(place(of_run, place_of(at))), of), output)
+
+
+class TableKind(StrEnum):
+    """Tables of a run."""
+
+    STACK_UP = "stack-up"
+    EXTREMES = "extremes"
+    TIME_SERIES = "time-series"
+    LIMITS = "limits"
+
+
+def table(
+    source: Annotated[
+        Path, typer.Argument(help="scene (YAML), or the dataset of its run", metavar="SCENE.yaml")
+    ],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="table to write", metavar="OUT.csv")
+    ],
+    kind: Annotated[TableKind, typer.Option(help="which table")] = TableKind.EXTREMES,
+    settings: SetOption = None,
+) -> None:
+    """Write a table as CSV: stack-up, extremes, time series, or limits with their use.
+
+    A scene is simulated for all but the stack-up; a dataset (OUT.nc) is read.
+    """
+    from riserstudy.dataset import tables
+
+    stored = source.suffix == ".nc"
+    if stored and settings:
+        raise InputError("--set", settings[0], "a dataset was simulated", "allowed with a scene")
+    file = None if stored else scene_of(source, settings)
+    check_writable(output, source)
+    if output.suffix != ".csv":
+        found = f"no table {output.suffix!r}"
+        raise InputError("--output", str(output), found, "allowed is .csv")
+    if file is None:
+        made = _table_of_run(kind.value, source)
+    elif kind is TableKind.STACK_UP:
+        made = tables.table_of(kind.value, file.scene(), None)
+    else:
+        from riserstudy.simulation.simulate import simulate
+
+        compile_kernels()
+        dataset = simulate(file)
+        say_warnings(dataset)
+        made = tables.table_of(kind.value, None, dataset)
+    tables.write_csv(made, output)
+
+
+def _table_of_run(kind: str, source: Path) -> Any:
+    """A table from the dataset of one run."""
+    from riserstudy.dataset import tables
+    from riserstudy.dataset.behind import scene_behind
+    from riserstudy.dataset.diff import opened
+
+    dataset = opened(source)
+    if "point_key" in dataset:
+        allowed = "allowed is the dataset of one run; `riserstudy results` lists points of studies"
+        raise InputError(source, "", "a study", allowed)
+    return tables.table_of(kind, scene_behind(dataset, {}), dataset)
+
+
+def statistics(
+    dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="table to write", metavar="OUT.csv")
+    ],
+    start: Annotated[
+        str, typer.Option(help="leave out what is before: 200 s", metavar="TIME")
+    ] = "0 s",
+    exposure: Annotated[
+        str | None,
+        typer.Option(help="time for which extremes are told: 3 h; absent: the record's"),
+    ] = None,
+    over: Annotated[
+        str | None, typer.Option(help="axis of seeds: extremes by Gumbel", metavar="AXIS")
+    ] = None,
+    at: AtOption = None,
+) -> None:
+    """Statistics in an irregular sea as CSV: mean, deviation, most probable extremes; Gumbel over seeds."""
+    from riserstudy.dataset import statistics_tables, tables
+    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.place import place
+    from riserstudy.scene.units import to_si
+
+    of_run = opened(dataset)
+    check_writable(output, dataset)
+    if output.suffix != ".csv":
+        raise InputError("--output", str(output), f"no table {output.suffix!r}", "allowed is .csv")
+    if over and exposure:
+        allowed = "over seeds extremes are those of the duration: leave it out"
+        raise InputError("--exposure", exposure, "given with --over", allowed)
+    times = {}
+    for option, text in (("--start", start), ("--exposure", exposure)):
+        try:
+            times[option] = None if text is None else to_si(text, "s")
+        except ValueError as fault:
+            raise InputError(option, str(text), str(fault), "allowed is such as 3 h") from None
+    begin = times["--start"] or 0.0
+    if over:
+        apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
+        index = {axis: k for axis, k in place(apart, place_of(at)).items() if axis != over}
+        made = statistics_tables.over_seeds(of_run.isel(index), over, begin)
+    else:
+        run = of_run.isel(place(of_run, place_of(at)))
+        made = statistics_tables.of_a_run(run, begin, times["--exposure"])
+    tables.write_csv(made, output)

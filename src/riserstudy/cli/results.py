@@ -1,0 +1,195 @@
+"""Results of studies: results, sql, verify, prune, diff."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from riserstudy.errors import InputError
+
+ResultsOption = Annotated[Path, typer.Option("--results", help="results folder", metavar="FOLDER")]
+
+CsvOption = Annotated[
+    Path | None, typer.Option("--csv", help="write it to a file instead", metavar="FILE.csv")
+]
+
+JsonOption = Annotated[bool, typer.Option("--json", help="print JSON")]
+
+IN_RESULTS = Path("results")
+
+
+def results(
+    names: Annotated[
+        list[str] | None,
+        typer.Argument(
+            help="a study, or words that points must contain", metavar="[STUDY | FILTER...]"
+        ),
+    ] = None,
+    where: Annotated[
+        str | None, typer.Option(help="which points: 'heave_amplitude > 3'", metavar="CONDITION")
+    ] = None,
+    columns: Annotated[
+        str | None, typer.Option(help="what to show of them", metavar="A,B,...")
+    ] = None,
+    sort: Annotated[
+        str | None, typer.Option(help="by which columns; -A from the largest", metavar="A,B,...")
+    ] = None,
+    csv: CsvOption = None,
+    as_json: JsonOption = False,
+    folder: ResultsOption = IN_RESULTS,
+) -> None:
+    """List studies; the points of one, with what they found; or points by words.
+
+    By words: key, study, place on its axes, scene, engine, time and effects of every point that has them all.
+    """
+    from riserstudy.database import listing
+    from riserstudy.database.ask import NAME, opened
+
+    words = names or []
+    with opened(folder / NAME) as db:
+        table = listing.table_of(db, words[0]) if len(words) == 1 else None
+        if table is None and (where or columns or sort):
+            found = f"no study {' '.join(words)!r}" if words else "no study"
+            raise InputError("results", "", found, "allowed is one that `riserstudy results` lists")
+        if table is not None:
+            parts = [re.split(r"\s*,\s*", part.strip()) if part else [] for part in (columns, sort)]
+            answer = listing.cells(db, table, parts[0] or None, where, parts[1])
+            units = listing.units(db, table)
+        else:
+            answer = listing.points(db, words) if words else listing.studies(db)
+            units = {}
+    _show(answer, csv, as_json, units)
+
+
+def sql(
+    statement: Annotated[str, typer.Argument(help="one select", metavar="STATEMENT")],
+    csv: CsvOption = None,
+    as_json: JsonOption = False,
+    folder: ResultsOption = IN_RESULTS,
+) -> None:
+    """Ask the results database; nothing can be changed by it."""
+    from riserstudy.database.ask import NAME, ask, opened
+
+    with opened(folder / NAME) as db:
+        answer = ask(db, statement)
+    _show(answer, csv, as_json)
+
+
+def _show(
+    answer: Any, csv: Path | None, as_json: bool, units: dict[str, str] | None = None
+) -> None:
+    import os
+
+    from riserstudy.database import show
+
+    if csv is not None:
+        show.write_csv(answer, csv)
+        return
+    lines = [show.as_json(answer)] if as_json else show.as_table(answer, units)
+    try:
+        for line in lines:
+            print(line)
+        sys.stdout.flush()
+    except BrokenPipeError:  # whoever reads has enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def verify(folder: ResultsOption = IN_RESULTS) -> None:
+    """Compare every dataset, figure, table and stored point with the digest it had.
+
+    Exit status 1 where something differs.
+    """
+    from riserstudy.database.ask import NAME
+    from riserstudy.database.verify import verify as verified
+
+    verdict = verified(folder / NAME)
+    for line in verdict.wrong:
+        print(line)
+    print(f"{len(verdict.wrong)} faults in {verdict.files} files and {verdict.points} points")
+    if verdict.gone:
+        print(f"{verdict.gone} points are not in this store; their datasets do without them")
+    if verdict.wrong:
+        raise typer.Exit(1)
+
+
+def prune(
+    every: Annotated[
+        bool,
+        typer.Option("--all", help="also points of this engine that no study here refers to"),
+    ] = False,
+    yes: Annotated[bool, typer.Option("--yes", help="do not ask")] = False,
+    config: Annotated[
+        Path, typer.Option(help="folder of the configuration", metavar="FOLDER")
+    ] = Path("config"),
+    folder: ResultsOption = IN_RESULTS,
+) -> None:
+    """Remove stored points that nothing needs, once their size was told and it was agreed to.
+
+    Those of other engines, of former formats, or damaged. Where studies of several folders share a store,
+    ``--all`` takes what only the others need.
+    """
+    from riserstudy.database.ask import NAME
+    from riserstudy.database.prune import unneeded
+    from riserstudy.study import store
+
+    superfluous = unneeded(folder / NAME, config)
+    size = {
+        name: sum(h.bytes for h in getattr(superfluous, name)) / 1e6 for name in ("old", "strange")
+    }
+    print(f"needed: {superfluous.needed} points")
+    print(
+        f"of other engines or formats, or damaged: {len(superfluous.old)} files, {size['old']:.1f} MB"
+    )
+    print(
+        f"of this engine, but of no study here: {len(superfluous.strange)} files, {size['strange']:.1f} MB"
+    )
+    going = [*superfluous.old, *(superfluous.strange if every else [])]
+    if not going:
+        print("nothing to remove")
+        return
+    if not yes and not typer.confirm(f"remove {len(going)} files?"):
+        raise typer.Exit(1)
+    for held in going:
+        store.remove(held)
+    print(f"{len(going)} files removed, {sum(held.bytes for held in going) / 1e6:.1f} MB")
+
+
+def diff(
+    old: Annotated[Path, typer.Argument(help="results folder, dataset or table", metavar="OLD")],
+    new: Annotated[Path, typer.Argument(help="the same, made anew", metavar="NEW")],
+) -> None:
+    """Say what changed between two sets of results: published numbers, verdicts, every dataset.
+
+    Exit status 1 where something did.
+    """
+    from rich.console import Console
+    from rich.table import Table
+
+    from riserstudy.dataset.diff import changes
+
+    changed = changes(old, new)
+    console = Console(markup=False)
+    if not console.is_terminal:
+        console.width = 160  # a file has no width to wrap at
+    if changed.graded:
+        table = Table("number or claim", "", "old", "new")
+        for one in changed.graded:
+            table.add_row(*one)
+        console.print(table)
+    if changed.varied:
+        table = Table("dataset", "variable", "largest change", "")
+        for name, variable, change, why in changed.varied:
+            table.add_row(name, variable, "" if why else f"{change:.2g}", why)
+        console.print(table)
+    print(
+        f"{len({one.item for one in changed.graded})} of {changed.rows} numbers and claims changed"
+    )
+    print(
+        f"{len(changed.varied)} of {changed.variables} variables changed, by {changed.largest:.2g} at most"
+    )
+    if changed.graded or changed.varied:
+        raise typer.Exit(1)
