@@ -7,19 +7,25 @@ from html.parser import HTMLParser
 
 import pytest
 
+from riserstudy.database.ask import opened
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources as Built
 from riserstudy.report import render, write_report
-from riserstudy.report.claims import claim_of
+from riserstudy.report.claims import read_claims
 from riserstudy.report.contents import Sources
 from riserstudy.report.wording import grouped, seconds, share
 
 REPRODUCTION = """\
-paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,note
+paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,margin,margin_low,margin_high,note
 chang2020,A1,14,number,a <b>bold</b> number,0.3,0.538921,m,0.7964,depends,\
-"the phase; met in 1 of 4 samples (25 %)","Met by phase: early (50 %); late, or never (0 %). A note."
-chang2020,A2,14,claim,a claim,,1.5,1,,holds,,True in 256 of 256 samples (100 %). Base case: 1.5.
-other2021,B1,,claim,of another,,,1,,not reproducible,,nothing said
+"the phase; met in 1 of 4 samples (25 %)",,,,"Met by phase: early (50 %); late, or never (0 %). A note."
+chang2020,A2,14,claim,a claim,,1.5,1,,holds,,0.25,,,True in 256 of 256 samples (100 %). Base case: 1.5.
+chang2020,A10,14,claim,open,,0,1,,depends,"the flow; true in 200 of 256 samples (78 %, 73 to 83 %)",\
+0.1,-0.02,0.3,"True by flow: along, 1 m/s (69 %); against (100 %). Base case: 3, true. As in A1."
+chang2020,A4,14,claim,open too,,-1e-300,1,,depends,no single input or pair; true in 3 of 8 samples (38 %),,,,
+other2021,B1,,claim,of another,,,1,,not reproducible,,,,,nothing said
+other2021,B0,2,number,nearly met,-3.14159e+06,-3.14159e+06,N,0,reproduced,,,,,\
+"Met in 254 of 256 samples (99 %, 97 to 100 %)."
 """
 ERRATA = """\
 paper,id,where,printed,reading,simulation
@@ -135,7 +141,7 @@ def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
 def test_bars_count_what_the_tables_hold(sources):
     bar = re.search(r'<div class="bar".*?</div>', render(sources), re.DOTALL)[0]
     parts = re.findall(r'data-verdict="([^"]*)" title="(\d+)', bar)
-    assert parts == [("holds", "1"), ("depends", "1")]
+    assert parts == [("holds", "1"), ("depends", "3")]
 
 
 def test_how_many_points_miss_a_tolerance_is_counted_from_the_database(sources):
@@ -152,20 +158,57 @@ def test_how_many_points_miss_a_tolerance_is_counted_from_the_database(sources):
     assert said in text
 
 
-def test_a_row_of_the_table_is_taken_apart():
-    row = dict.fromkeys(("id", "figure", "statement", "published", "simulated", "error"), "")
-    row |= {"paper": "p", "kind": "claim", "unit": "1", "verdict": "depends"}
-    row["depends_on"] = "the flow; true in 200 of 256 samples (78 %, 73 to 83 %)"
-    row["note"] = (
-        "True by flow: along, 1 m/s (69 %); against (100 %). Base case: 3, true. As in A1."
-    )
-    found = claim_of(row)
-    assert (found.met, found.samples, found.band) == (200, 256, (73, 83))
-    assert found.options[0].shares == [("along, 1 m/s", 69), ("against", 100)]
-    assert found.said == ["Base case: 3, true.", "As in A1."]
-    assert found.why == "Decided by the flow."
-    row["depends_on"] = "no single input or pair; true in 3 of 8 samples (38 %)"
-    assert claim_of(row).why == "No single input or pair decides it."
+@pytest.fixture(scope="module")
+def claims(sources):
+    with opened(sources.database) as db:
+        return read_claims(db)
+
+
+def test_numbers_and_claims_are_those_of_the_graded_table(claims):
+    """To the last digit, in its order; the report reads the database alone."""
+    rows = [*csv.DictReader(REPRODUCTION.splitlines())]
+    assert len(rows) == len(claims)
+    for row, claim in zip(rows, claims, strict=True):
+        for name in ("paper", "id", "figure", "kind", "statement", "unit", "verdict"):
+            assert getattr(claim, name) == row[name]
+        for name in ("published", "simulated", "error"):
+            assert getattr(claim, name) == (float(row[name]) if row[name] else None)
+        told = re.search(r"in (\d+) of (\d+) samples", row["depends_on"] or row["note"])
+        assert [claim.met, claim.samples] == ([*map(int, told.groups())] if told else [None, None])
+        assert claim.decided_by == row["depends_on"].split(";")[0]
+
+
+def test_bands_options_margins_and_notes_are_told_apart(claims):
+    found = {claim.id: claim for claim in claims}
+    assert [found[one].band for one in ("A1", "A2", "A10", "B0")] == [
+        None,
+        None,
+        (73, 83),
+        (97, 100),
+    ]
+    assert found["A10"].options[0].shares == [("along, 1 m/s", 69), ("against", 100)]
+    assert found["A10"].said == [
+        "Base case: 3, true.",
+        "As in A1.",
+        "Margin to the threshold +10 %, in nine of ten cases -2 to +30 %.",
+    ]
+    assert found["A2"].said == ["Base case: 1.5.", "Margin to the threshold +25 %."]
+    assert found["B0"].said == []
+    assert found["A10"].why == "Decided by the flow."
+    assert found["A4"].why == "No single input or pair decides it."
+    assert found["B0"].why == "-3.142e+06 N for -3.142e+06 N: 0 % off."
+
+
+def test_the_report_needs_no_table_but_the_database(sources, tmp_path):
+    results = tmp_path / "results"
+    shutil.copytree(sources.folder, results)
+    for path in results.rglob("*.csv"):
+        path.unlink()
+    bare = Sources(sources.config, sources.papers, results / "results.sqlite", sources.compiled)
+    for name, where in {"with": sources, "without": bare}.items():
+        write_report(where, tmp_path / f"{name}.html")
+    assert (tmp_path / "with.html").read_bytes() == (tmp_path / "without.html").read_bytes()
+    assert "says this" in (tmp_path / "with.html").read_text()  # an erratum's simulation
 
 
 def test_the_same_files_give_the_same_page(sources, tmp_path):

@@ -1,6 +1,6 @@
 """As a new user: an empty environment, the wheel, a folder of one's own, `snakemake`.
 
-Times are told, and held to five minutes by the clock unless other work fills the machine.
+Times are told, and held to five minutes by the clock unless other work takes a part of the machine meanwhile.
 """
 
 import os
@@ -12,6 +12,7 @@ import time
 import venv
 from pathlib import Path
 
+import psutil
 import pytest
 import xarray as xr
 from ruamel.yaml import YAML
@@ -26,6 +27,13 @@ def processors():
     """Time that processes which have ended took of processors (s)."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
+
+
+def others():
+    """Time that processors spent on what neither we nor our processes that have ended did (s)."""
+    spent = psutil.cpu_times()
+    ours = resource.getrusage(resource.RUSAGE_SELF)
+    return sum(spent) - spent.idle - spent.iowait - ours.ru_utime - ours.ru_stime - processors()
 
 
 class User:
@@ -54,7 +62,7 @@ class User:
 
 @pytest.mark.slow
 def test_a_new_user_has_a_report_of_an_own_study(tmp_path):
-    busy = os.getloadavg()[0] > 1.0
+    before = others()
     user = User(tmp_path)
     wheels = tmp_path / "wheels"
     pip = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation"]
@@ -85,5 +93,6 @@ def test_a_new_user_has_a_report_of_an_own_study(tmp_path):
         f"{step} {clock:.0f} s ({work:.0f})" for step, (clock, work) in user.times.items()
     )
     clock, work = (sum(times) for times in zip(*user.times.values(), strict=True))
-    print(f"\n{told}; in all {clock:.0f} s ({work:.0f} s of processors)")
-    assert clock < LIMIT or busy
+    elsewhere = others() - before
+    print(f"\n{told}; in all {clock:.0f} s ({work:.0f} s of processors; others {elsewhere:.0f} s)")
+    assert clock < LIMIT or elsewhere > 0.1 * clock

@@ -137,6 +137,8 @@ create table numbers_and_claims (
     error real,
     verdict text not null,
     share real check (share between 0 and 1),  -- of the samples that meet it
+    share_low real check (share_low between 0 and 1),  -- its 95 % interval, where samples are many
+    share_high real check (share_high between 0 and 1),
     met integer,
     samples integer,
     decided_by text not null,

@@ -103,15 +103,14 @@ def _rows(path: Path) -> list[dict[str, str]]:
 
 def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
     """A row of reproduction.csv with its share and what decides as columns."""
-    samples = samples_met(row["depends_on"] or row["note"])
-    met, every = samples or (None, None)
+    met, samples, low, high = samples_met(row["depends_on"] or row["note"])
     return (
         *(row[name] for name in ("paper", "id", "figure", "kind", "statement")),
         *(_number(row[name]) for name in ("published", "simulated")),
         row["unit"],
         _number(row["error"]),
         row["verdict"],
-        *(met / every if met is not None and every else None, met, every),
+        *(met / samples if met is not None and samples else None, low, high, met, samples),
         row["depends_on"].partition(";")[0],
         *(_number(row.get(name, "")) for name in ("margin", "margin_low", "margin_high")),
         row["note"],

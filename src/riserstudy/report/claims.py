@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 import re
+import sqlite3
 from collections import Counter
-from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+from riserstudy.grading.grade import SAMPLES_MET
 from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
@@ -19,9 +19,12 @@ VERDICTS = {
     "not reproducible": "the paper does not say enough",
 }
 ENOUGH = 100  # samples from which a share has an interval
-_SAMPLES = re.compile(
-    r"(?:[Mm]et|[Tt]rue) in (\d+) of (\d+) samples \(\d+ %(?:, (\d+) to (\d+) %)?\)\.?"
+#: columns of the database that a claim has under the same name
+AS_IT_IS = (
+    *("paper", "id", "figure", "kind", "statement", "published", "simulated", "unit", "error"),
+    *("verdict", "decided_by", "met", "samples"),
 )
+_SAMPLES = re.compile(rf"{SAMPLES_MET}\.?")
 _SENTENCES = re.compile(r"(?<=[.?])\s+(?=[A-Z0-9])")
 _BY_OPTION = re.compile(r"^(Met|True) by ([^:]+): (.+)\.$")
 _OPTION = re.compile(r"^(.*) \((\d+) %\)$")
@@ -46,10 +49,10 @@ class Claim(NamedTuple):
     figure: str
     kind: str
     statement: str
-    published: str
-    simulated: str
+    published: float | None
+    simulated: float | None
     unit: str
-    error: str
+    error: float | None
     verdict: str
     decided_by: str
     met: int | None
@@ -79,7 +82,7 @@ class Claim(NamedTuple):
             if self.decided_by.startswith("no "):
                 return sentence(f"{self.decided_by} decides it")
             return f"Decided by {self.decided_by}."
-        if self.published:
+        if self.published is not None:
             text = f"{number(self.simulated)}{unit(self.unit)} for {number(self.published)}"
             off = f"{text}{unit(self.unit)}: {share(self.error)} off"
             return off + (", with a fitted input." if self.verdict == "calibrated" else ".")
@@ -89,50 +92,35 @@ class Claim(NamedTuple):
         return "True with a fitted input." if self.verdict == "calibrated" else ""
 
 
-def read_claims(path: Path) -> list[Claim]:
-    """All rows of ``reproduction.csv``, none when it is not there."""
-    if not path.is_file():
-        return []
-    with path.open(newline="", encoding="utf-8") as file:
-        return [claim_of(row) for row in csv.DictReader(file)]
+def read_claims(db: sqlite3.Connection) -> list[Claim]:
+    """All numbers and claims of the results database, in the order of its tables."""
+    cursor = db.execute("select * from numbers_and_claims order by rowid")
+    names = [column[0] for column in cursor.description]
+    return [_claim_of(dict(zip(names, row, strict=True))) for row in cursor]
 
 
-def claim_of(row: dict[str, str]) -> Claim:
-    """A row of the table, taken apart."""
-    by, _, rest = row["depends_on"].partition("; ")
-    samples = _SAMPLES.search(rest) or _SAMPLES.match(row["note"])
-    low, high = (samples[3], samples[4]) if samples else (None, None)
+def _claim_of(row: dict[str, Any]) -> Claim:
+    """A row of the database, its note taken apart."""
     sentences = _SENTENCES.split(row["note"]) if row["note"] else []
     options = [_by_option(m) for text in sentences if (m := _BY_OPTION.match(text))]
     plain = [s for s in sentences if not _BY_OPTION.match(s) and not _SAMPLES.fullmatch(s)]
-    if row.get("margin"):
+    if row["margin"] is not None:
         plain.append(_margin_text(row["margin"], row["margin_low"], row["margin_high"]))
+    low, high = row["share_low"], row["share_high"]
     return Claim(
-        paper=row["paper"],
-        id=row["id"],
-        figure=row["figure"],
-        kind=row["kind"],
-        statement=row["statement"],
-        published=row["published"],
-        simulated=row["simulated"],
-        unit=row["unit"],
-        error=row["error"],
-        verdict=row["verdict"],
-        decided_by=by,
-        met=int(samples[1]) if samples else None,
-        samples=int(samples[2]) if samples else None,
-        band=(int(low), int(high)) if low and high else None,
+        **{name: row[name] for name in AS_IT_IS},
+        band=(round(100 * low), round(100 * high)) if low is not None else None,
         said=plain,
         options=options,
     )
 
 
-def _margin_text(margin: str, low: str, high: str) -> str:
+def _margin_text(margin: float, low: float | None, high: float | None) -> str:
     """How far the verdict is from turning; a difference over the larger of the two that are compared."""
-    text = f"Margin to the threshold {100 * float(margin):+.0f} %"
-    if not low:
+    text = f"Margin to the threshold {100 * margin:+.0f} %"
+    if low is None or high is None:
         return f"{text}."
-    return f"{text}, in nine of ten cases {100 * float(low):+.0f} to {100 * float(high):+.0f} %."
+    return f"{text}, in nine of ten cases {100 * low:+.0f} to {100 * high:+.0f} %."
 
 
 def _by_option(found: re.Match[str]) -> ByOption:

@@ -1,8 +1,7 @@
-"""What the report tells, gathered from the results database, tables, datasets and study files."""
+"""What the report tells, gathered from the results database, datasets and study files."""
 
 from __future__ import annotations
 
-import csv
 import json
 import sqlite3
 from collections.abc import Iterator
@@ -37,7 +36,7 @@ class Sources:
     ----------
     config : folder with the study files.
     papers : in the order of the report.
-    database : of the results; figures, datasets and tables lie beside it, by the paths that it holds.
+    database : of the results; figures and datasets lie beside it, by the paths that it holds.
     compiled : marker that holds the time of the cold compile.
     """
 
@@ -82,8 +81,8 @@ def contents(sources: Sources) -> dict[str, Any]:
     import xarray as xr
 
     files = {paper: read_studies(sources.config, paper) for paper in sources.papers}
-    claims = read_claims(sources.folder / "reproduction.csv")
     with opened(sources.database) as db:
+        claims, errata = read_claims(db), _errata(db)
         paths: dict[str, str] = dict(db.execute("select study, path from studies").fetchall())
         # histories are large, and but few of them are looked at
         datasets = {
@@ -108,7 +107,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         "verdicts": VERDICTS,
         "numbers": [claim for claim in claims if claim.kind == "number"],
         "claims": [claim for claim in claims if claim.kind != "number"],
-        "chapters": [*_chapters(files, claims, figures, datasets, tables, sources.folder)],
+        "chapters": [*_chapters(files, claims, errata, figures, datasets, tables)],
         "short": {paper: short_of(files, paper) for paper in sources.papers},
         "figures_of": _figures_of(figures),
         "engine": engine(measured),
@@ -119,23 +118,21 @@ def contents(sources: Sources) -> dict[str, Any]:
     }
 
 
-def _table(path: Path) -> list[dict[str, str]]:
-    """Rows of a table, none when it is not there."""
-    if not path.is_file():
-        return []
-    with path.open(newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+def _errata(db: sqlite3.Connection) -> list[dict[str, str]]:
+    """Rows of the table of errata, in its order."""
+    cursor = db.execute("select * from errata order by rowid")
+    names = [column[0] for column in cursor.description]
+    return [dict(zip(names, row, strict=True)) for row in cursor]
 
 
 def _chapters(
     files: dict[str, StudyFile],
     claims: list[Claim],
+    errata: list[dict[str, str]],
     figures: list[Figure],
     datasets: dict[Any, xr.Dataset],
     tables: dict[str, list[SceneTable]],
-    folder: Path,
 ) -> Iterator[Chapter]:
-    errata = _table(folder / "errata.csv")
     for paper, file in files.items():
         yield Chapter(
             paper,
