@@ -12,7 +12,7 @@ from typing import Any
 
 import typer
 
-from riserstudy.cli import analyse, files, outputs, results, simulate
+from riserstudy.cli import analyse, design, files, outputs, results, simulate
 from riserstudy.errors import RiserStudyError, shown
 
 OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothing refers to
@@ -28,6 +28,7 @@ COMMANDS = (
     analyse.effects,
     analyse.advise,
     analyse.modes,
+    design.tension,
     files.draw,
     files.import_deck,
     files.new,

@@ -123,6 +123,9 @@ class Section(Strict):
     ``contents`` add 2153.4 N/m. The 2714.1 N/m of steel and sea water inside are given without contents,
     or as 874.7 N/m with contents of 1025 kg/m^3. With mass, both diameters, contents, gravity and
     water a weight that is absent follows (above the water without the water displaced); else it is refused.
+
+    ``buoyancy_lift``: what buoyancy modules lift in water beyond their own weight, which ``submerged_weight``
+    has taken off. It moves nothing; the minimum tension counts steel and modules apart. Absent: not known.
     """
 
     name: str
@@ -137,6 +140,7 @@ class Section(Strict):
     mass: Annotated[u.MassPerLength, POSITIVE] | None = None
     wall_density: Annotated[u.Density, POSITIVE] | None = None
     submerged_weight: u.ForcePerLength | None = None
+    buoyancy_lift: Annotated[u.ForcePerLength, NOT_NEGATIVE] | None = None
     lateral_load: u.ForcePerLength | None = None
     drag: Drag | None = None
     tangential_drag: TangentialDrag | None = None

@@ -1,0 +1,1 @@
+"""Derived of the chapter, a file a subject."""

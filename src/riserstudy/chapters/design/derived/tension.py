@@ -1,0 +1,103 @@
+"""Design, tension: minimum tension by formula and engine, and the window of the setting."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.dataset.describe import described, scenes_of
+from riserstudy.design import tension
+from riserstudy.design.tension import Rig, Tolerances
+from riserstudy.design.window import window
+from riserstudy.scene.models import Scene
+from riserstudy.scene.units import to_si
+
+PAPER = "design"
+FLOORS = ("minimum tension", "LMRP lift-off")
+WEIGHED = Tolerances(1.0, 1.0)
+
+
+def minimum_tension(muds: xr.Dataset, weight: float, buoyancy: float) -> xr.Dataset:
+    """Tension that keeps every point of the riser from going slack, by the formula and by the engine.
+
+    Parameters
+    ----------
+    muds : risers at rest over ``mud_weight``.
+    weight, buoyancy : tolerances of steel and of modules.
+    """
+    from riserstudy.design import engine_tension  # which loads kernels
+
+    tolerances = Tolerances(weight, buoyancy)
+    by_formula, by_engine, at, elevation = [], [], [], np.empty(0)
+    for _, scene in scenes_of(muds):
+        by_formula.append(tension.needed(scene, tolerances))
+        slack = engine_tension.needed(scene, tolerances)
+        by_engine.append(slack.tension)
+        at.append(slack.s)
+        elevation = tension.columns_above(scene).elevation
+    mud = muds["mud_weight"]
+    along = xr.DataArray(
+        np.array(by_formula),
+        dims=("mud_weight", "elevation"),
+        coords={"mud_weight": mud, "elevation": elevation},
+    )
+    made = xr.Dataset({"carrying_tension_along": along, "carrying_tension": along.max("elevation")})
+    made["governing_elevation"] = along["elevation"][along.argmax("elevation")].drop_vars(
+        "elevation"
+    )
+    made["carrying_tension_engine"] = ("mud_weight", np.array(by_engine))
+    made["slack_s"] = ("mud_weight", np.array(at))
+    return described(made, PAPER, "minimum tension by formula and engine")
+
+
+def tension_window(
+    muds: xr.Dataset, overpull: str, dynamic_limit: str, share: float, **settings: Any
+) -> xr.Dataset:
+    """Floors and ceilings of the setting over mud weight and units failed, and the gap.
+
+    Parameters
+    ----------
+    overpull : effective tension wanted between LMRP and stack, with its unit.
+    dynamic_limit, share : dynamic tension limit of all units, and how much of it a setting may be.
+    settings : ``weight``, ``buoyancy``: tolerances; ``units``, ``failed`` (a list), ``tension_ratio``,
+        ``fleet_angle``: of the tensioners.
+    """
+    tolerances = Tolerances(settings["weight"], settings["buoyancy"])
+    failed = list(settings["failed"])
+    shape = (muds.sizes["mud_weight"], len(failed))
+    floors = np.zeros((*shape, len(FLOORS)))
+    ceiling, gap = np.zeros(shape), np.zeros(shape)
+    for i, (_, scene) in enumerate(scenes_of(muds)):
+        needed = float(tension.needed(scene, tolerances).max())
+        off = lift_off(scene, to_si(overpull, "N"))
+        for j, n in enumerate(failed):
+            of = window(needed, off, _rig(settings, n), to_si(dynamic_limit, "N"), share)
+            floors[i, j] = [of.floors[name] for name in FLOORS]
+            ceiling[i, j], gap[i, j] = of.ceilings[of.ceiling], of.gap
+    over = ("mud_weight", "failed_units")
+    coords = {"mud_weight": muds["mud_weight"], "failed_units": failed, "floor": list(FLOORS)}
+    made = xr.Dataset(
+        {
+            "setting_floor": ((*over, "floor"), floors),
+            "setting_ceiling": (over, ceiling),
+            "setting_gap": (over, gap),
+        },
+        coords,
+    )
+    return described(made, PAPER, "window of the tension setting")
+
+
+def lift_off(scene: Scene, overpull: float) -> float:
+    """Vertical tension (N) that leaves an overpull (N) with the LMRP hanging, weights as told."""
+    body = scene.bottom.body
+    if body is None or scene.water is None:
+        raise ValueError("not evaluated: bottom.body")
+    weight = body.weight(scene.gravity or 0.0, scene.water.density)
+    return float(tension.needed(scene, WEIGHED)[0]) + weight + overpull
+
+
+def _rig(settings: dict[str, Any], failed: int) -> Rig:
+    angle = to_si(settings["fleet_angle"], "rad")
+    return Rig(settings["units"], failed, settings["tension_ratio"], angle)

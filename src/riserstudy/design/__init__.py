@@ -1,0 +1,1 @@
+"""What is signed before a riser is run: tension, offsets, watch circles."""

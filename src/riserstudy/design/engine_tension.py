@@ -1,0 +1,98 @@
+"""The same minimum tension by the engine: the top tension at which the riser is slack nowhere at rest."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.design import tension as formula
+from riserstudy.design.tension import (
+    Tolerances,
+    carrying_tension,
+    columns_above,
+    mud_above_the_riser,
+)
+from riserstudy.model.mesh import prescribed
+from riserstudy.scene.models import Scene
+from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.outputs import at_rest
+from riserstudy.simulation.starting_mesh import coarsest_mesh
+
+FloatArray = NDArray[np.float64]
+EXACT = 1e-10  # share of the tension that counts as slack
+PLENTY = 1.5  # of the formula's tension, from which on it falls
+MOST = 20  # equilibria
+
+
+class Slack(NamedTuple):
+    """Where and at which top tension a riser at rest comes slack."""
+
+    tension: float  # N
+    s: float  # m from the bottom
+    left: float  # effective tension that is left there (N)
+
+
+def lacks(scene: Scene) -> list[str]:
+    """What a scene lacks that the engine needs beside the formula."""
+    joint = scene.top.telescopic_joint
+    told = scene.top.tension is not None or (joint and joint.tension is not None)
+    return [] if told else ["top.tension or top.telescopic_joint.tension"]
+
+
+def needed(scene: Scene, tolerances: Tolerances) -> Slack:
+    """Smallest top tension at which no point of a riser at rest is slack.
+
+    The tension falls by what is left at the slackest point until nothing is left there.
+
+    Raises
+    ------
+    SimulationError
+        When no equilibrium is found.
+    """
+    heavy = _with_tolerances(scene, tolerances)
+    tension = PLENTY * float(formula.needed(scene, tolerances).max())
+    for _ in range(MOST):
+        s, left = along(with_tension(heavy, tension))
+        slackest = int(left.argmin())
+        if abs(left[slackest]) <= EXACT * tension:
+            break
+        tension -= float(left[slackest])
+    above = mud_above_the_riser(scene)
+    return Slack(tension + above, float(s[slackest]), float(left[slackest]))
+
+
+def along(scene: Scene) -> tuple[FloatArray, FloatArray]:
+    """Places from the bottom (m) and effective tension (N) of a riser at rest, each (nodes,).
+
+    Raises
+    ------
+    SimulationError
+        When no equilibrium is found.
+    """
+    elements = scene.analysis.mesh and scene.analysis.mesh.elements
+    mesh = prescribed(scene, elements) if elements else coarsest_mesh(scene)
+    model, _ = settle(scene, mesh)
+    return mesh.s, at_rest(scene, model, mesh)["effective_tension_static"]
+
+
+def with_tension(scene: Scene, tension: float) -> Scene:
+    """The scene with another constant tension (N), where it has one."""
+    joint = scene.top.telescopic_joint
+    changed: dict[str, Any] = {"tension": tension}
+    if joint and joint.tension is not None:
+        changed = {"telescopic_joint": joint.model_copy(update=changed)}
+    return scene.model_copy(update={"top": scene.top.model_copy(update=changed)})
+
+
+def _with_tolerances(scene: Scene, tolerances: Tolerances) -> Scene:
+    """The scene with weights of steel and lifts of modules off by their tolerances."""
+    of = columns_above(scene)
+    steel, lift, water = (-np.diff(values) for values in (of.steel, of.lift, of.water))
+    weights = carrying_tension(steel, lift, -water, tolerances)
+    sections = [
+        section.model_copy(update={"submerged_weight": weight / section.total_length})
+        for section, weight in zip(scene.riser, weights.tolist(), strict=True)
+    ]
+    return scene.model_copy(update={"riser": sections})
