@@ -55,7 +55,7 @@ def sea(d: int, above: int = STRETCHED) -> Wave:
     heading = np.array([0.6, 0.8][: d - 1])
     return Wave(
         np.array([1.5, 2.0]), np.array([0.8, 0.5]), np.array([0.07, 0.03]), np.array([0.3, -1.0]),
-        heading, 45.0, 60.0, 9.0, above,
+        heading, 45.0, 60.0, 9.0, above, np.zeros((3, 2)),
     )  # fmt: skip
 
 

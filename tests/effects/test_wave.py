@@ -8,7 +8,7 @@ from surroundings import N
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
 from riserstudy.model.model import Effect, Model, Unknowns
-from riserstudy.model.sea import components, jonswap, wave_number
+from riserstudy.model.sea import components, components_of, jonswap, wave_number
 from riserstudy.scene.sea import IrregularSea
 from riserstudy.solve.evaluate import shape_of
 
@@ -156,3 +156,38 @@ def test_the_spectrum_is_that_of_another_library(enhancement):
 def test_the_peak_stands_over_that_of_pierson_and_moskowitz_by_the_enhancement(enhancement):
     w = np.array([0.7])
     assert jonswap(w, 0.7, enhancement) / jonswap(w, 0.7, 1.0) == pytest.approx(enhancement)
+
+
+def summed_directly(wave, x, z, t):
+    """Velocity, rate and shear of a sea, (2,) each, by the formulas and the library's functions."""
+    k, w, a = wave.number, wave.frequency, wave.amplitude * wave.frequency
+    angle = k * x - w * t + wave.phase
+    height = z - wave.surface + wave.depth
+    u = a * np.exp(k * (height - wave.depth)) * (1 + np.exp(-2 * k * height))
+    v = a * np.exp(k * (height - wave.depth)) * (1 - np.exp(-2 * k * height))
+    u, v = (b / (1 - np.exp(-2 * k * wave.depth)) for b in (u, v))
+    cosine, sine = np.cos(angle), np.sin(angle)
+    return np.array([
+        [(u * cosine).sum(), (v * sine).sum()],
+        [(w * u * sine).sum(), (-w * v * cosine).sum()],
+        [(k * v * cosine).sum(), (k * u * sine).sum()],
+    ])  # fmt: skip
+
+
+@pytest.mark.parametrize("depth", [15.0, 1000.0])
+@pytest.mark.parametrize("t", [3.0, 10_800.0])
+def test_two_hundred_components_are_the_direct_sum(depth, t):
+    storm = IrregularSea.model_validate({
+        "significant_height": "7 m", "peak_period": "12 s", "peak_enhancement": 3.3,
+        "components": 200, "seed": 3, "above_mean_level": "none",
+    })  # fmt: skip
+    amplitude, frequency, phase = components_of(storm)
+    number = np.array([wave_number(w, depth, 9.81) for w in frequency])
+    sea = Sea(amplitude=amplitude, frequency=frequency, number=number, phase=phase, depth=depth,
+              heading=np.array([1.0]), scratch=np.zeros((3, 200)))  # fmt: skip
+    for x, share in ((0.0, 0.0), (-17.3, 0.01), (250.0, 0.3), (4.0, 0.999)):
+        z = 45.0 - share * depth
+        flow = np.array(sea.at(x, z, t))
+        exact = summed_directly(sea.record, x, z, t)
+        size = abs(summed_directly(sea.record, 0.0, 45.0, t)).max(axis=1, keepdims=True)
+        assert (abs(flow - exact) / size).max() < 1e-10  # phases of 1e5 rad are known to 1e-11

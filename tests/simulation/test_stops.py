@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from riserstudy import load_scene, simulate
-from riserstudy.model.tensioner_law import stops_touched
+from riserstudy.model.stops import stops_touched
 
 HEAVE = Path(__file__).parents[2] / "config/scenes/chang2020/heave.yaml"
 STOPS = {"shortest": "-2 m", "longest": "2 m", "stop_stiffness": "50 MN/m"}

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.effects.registry import Called, register, taken_out
+from riserstudy.solve.elementary import sine_and_cosine
 from riserstudy.solve.jit import inner
 
 
@@ -62,18 +63,32 @@ def drive_position(position, s):
 @inner
 def drive_harmonic(harmonic, s):
     """Add displacement, velocity, acceleration of the harmonic motions."""
-    t = s.clock[0]
-    for k in range(harmonic.motion.shape[0]):
-        w, a, m = harmonic.frequency[k], harmonic.amplitude[k], harmonic.motion[k]
+    motion, frequency, ramp = harmonic.motion, harmonic.frequency, harmonic.ramp
+    t, first = s.clock[0], 0
+    while first < motion.shape[0]:
+        after = first  # of those that move alike and grow alike, whose sums are taken together
+        while (
+            after < motion.shape[0]
+            and motion[after] == motion[first]
+            and ramp[after] == ramp[first]
+        ):
+            after += 1
+        place = speed = acceleration = 0.0
+        for k in range(first, after):
+            sine, cosine = sine_and_cosine(frequency[k] * t + harmonic.phase[k])
+            place += harmonic.amplitude[k] * sine
+            speed += harmonic.amplitude[k] * frequency[k] * cosine
+            acceleration -= harmonic.amplitude[k] * frequency[k] * frequency[k] * sine
         grown, rate, bend = 1.0, 0.0, 0.0
-        if t < harmonic.ramp[k]:
-            p = pi / harmonic.ramp[k]
+        if t < ramp[first]:
+            p = pi / ramp[first]
             grown = 0.5 * (1.0 - cos(p * t))
             rate, bend = 0.5 * p * sin(p * t), 0.5 * p * p * cos(p * t)
-        sine, cosine = sin(w * t + harmonic.phase[k]), cos(w * t + harmonic.phase[k])
-        s.platform[0, m] += a * sine * grown
-        s.platform[1, m] += a * (w * cosine * grown + sine * rate)
-        s.platform[2, m] += a * (-w * w * sine * grown + 2.0 * w * cosine * rate + sine * bend)
+        m = motion[first]
+        s.platform[0, m] += place * grown
+        s.platform[1, m] += speed * grown + place * rate
+        s.platform[2, m] += acceleration * grown + 2.0 * speed * rate + place * bend
+        first = after
     return 0.0
 
 

@@ -1,8 +1,9 @@
 r"""Tension of a telescopic joint held constant along its axis, by tensioners of unlimited reach.
 
-.. math:: T = T_0 + k\,\max(0, \ell - \ell_{stop})
+.. math:: T = T_0 + k\,[\max(0, \ell - \ell_{out}) + \min(0, \ell - \ell_{in})]
 
-with a stop at full stroke where there is one.
+with a stop where it is drawn out, one where its barrels meet, or both. Stops are springs: they give back all
+that they take up. A joint that collapses on its stop pushes: the tension along it may be compression.
 
 References
 ----------
@@ -23,13 +24,20 @@ class SlidingTension(NamedTuple):
 
     segment: int
     tension: float  # T_0 (N)
-    stop: float  # length at which the stop touches (m), infinite for none
-    stiffness: float  # of the stop (N/m)
+    longest: float  # length at which the outer stop touches (m), infinite for none
+    shortest: float  # length at which the inner stop touches (m), 0 for none
+    stiffness: float  # of the stops (N/m)
+
+
+@inner
+def _beyond(joint, s):
+    length = s.length[joint.segment]
+    return max(length - joint.longest, 0.0) + min(length - joint.shortest, 0.0)
 
 
 @inner
 def _tension(joint, s):
-    return joint.tension + joint.stiffness * max(s.length[joint.segment] - joint.stop, 0.0)
+    return joint.tension + joint.stiffness * _beyond(joint, s)
 
 
 @inner
@@ -42,11 +50,11 @@ def force(joint, s):
 
 @inner
 def tangent(joint, s):
-    """The stop along the joint, T / length across it."""
+    """The stops along the joint, T / length across it."""
     e = joint.segment
     t, unit = at(s.dim, s.tangent, e), unity(s.dim)
     along = outer(t, t)
-    stop = joint.stiffness if s.length[e] > joint.stop else 0.0
+    stop = joint.stiffness if _beyond(joint, s) != 0.0 else 0.0
     string = mul(_tension(joint, s) * s.inverse_length[e], sub(unit, along))
     plus_block(s.k_segment, e, add(mul(stop, along), string))
     return 0.0
@@ -54,15 +62,14 @@ def tangent(joint, s):
 
 @inner
 def energy(joint, s):
-    """Work stored in tensioners and stop (J)."""
-    length = s.length[joint.segment]
-    beyond = max(length - joint.stop, 0.0)
-    return joint.tension * length + 0.5 * joint.stiffness * beyond * beyond
+    """Work stored in tensioners and stops (J)."""
+    beyond = _beyond(joint, s)
+    return joint.tension * s.length[joint.segment] + 0.5 * joint.stiffness * beyond * beyond
 
 
 register(
     SlidingTension,
-    Called("sliding tension", "top.telescopic_joint.tension"),
+    Called("sliding tension", "top.telescopic_joint.tension or stop"),
     string=force,
     tangent=tangent,
     potential=energy,

@@ -10,6 +10,7 @@ distance x along the heading, z up from the mean level and :math:`\theta = k x -
 
 and the derivatives by time. All grow by a half cosine over the ramp, whose own rate is part of the
 acceleration. Up to and at t = 0 the sea is calm: statics know no waves.
+Sums are direct, component by component.
 
 Linear theory ends at the mean level. Above it there is no water (none), or water that moves as at the
 mean level up to the surface (constant), or the whole profile is stretched from bed to surface (Wheeler
@@ -25,16 +26,18 @@ produced by irregular waves", *Journal of Petroleum Technology* 22, 359-367.
 
 from __future__ import annotations
 
-from math import cos, exp, pi, sin
+from math import cos, pi, sin
 from typing import NamedTuple
 
 import numpy as np
 
 from riserstudy.effects.registry import Called, put_in, register, taken_out
+from riserstudy.solve.elementary import exponential, sine_and_cosine, within_a_turn
 from riserstudy.solve.jit import inner
 
 NONE, CONSTANT, STRETCHED = 0, 1, 2
 DEEP = 37.0  # k times depth below which exp(-kz) is rounding
+BED, SPEED, ANGLE = 0, 1, 2  # rows of what belongs to a component at a time
 
 
 class Wave(NamedTuple):
@@ -49,6 +52,7 @@ class Wave(NamedTuple):
     depth: float  # of the water (m)
     ramp: float  # (s), 0 for none
     above: int  # NONE, CONSTANT or STRETCHED
+    scratch: np.ndarray  # (3, c) exp(-2kd); a w / (1 - exp(-2kd)) (m/s); phase at the time (rad)
 
 
 @inner
@@ -70,33 +74,56 @@ def drive(wave, s):
     grown, rate = growth(wave, t)
     if grown == 0.0 and rate == 0.0:
         return 0.0
-    _immerse(wave, s, t, grown)
-    for k in range(wave.amplitude.shape[0]):
-        number, w = wave.number[k], wave.frequency[k]
-        # cosh and sinh k(z+d) over sinh kd, without overflow at any depth
-        bed = exp(-2.0 * number * wave.depth)
-        share = 1.0 / (1.0 - bed)
-        speed, now = wave.amplitude[k] * w * share, wave.phase[k] - w * t
-        for i in range(s.l0.shape[0] + 1):
-            squeeze = s.density[0, i]
-            z = (s.r[up, i] - wave.surface + wave.depth) * squeeze - wave.depth
-            z = min(z, 0.0) if squeeze > 0.0 else 0.0  # at the surface, but for rounding
-            if -number * z > DEEP:
-                continue
-            near = exp(number * z)
-            far = bed / near
-            even, odd = near + far, near - far
-            angle = number * _along(wave, s, i) + now
-            sine, cosine = speed * sin(angle), speed * cos(angle)
-            slope = number * squeeze * grown
-            for c in range(up):
-                s.water[c, i] += wave.heading[c] * grown * even * cosine
-                s.shear[c, i] += wave.heading[c] * slope * odd * cosine
-                s.water_rate[c, i] += wave.heading[c] * even * (grown * w * sine + rate * cosine)
-            s.water[up, i] += grown * odd * sine
-            s.shear[up, i] += slope * even * sine
-            s.water_rate[up, i] += odd * (rate * sine - grown * w * cosine)
+    _at_the_time(wave, t)
+    _immerse(wave, s, grown)
+    for i in range(s.l0.shape[0] + 1):
+        squeeze = s.density[0, i]
+        z = (s.r[up, i] - wave.surface + wave.depth) * squeeze - wave.depth
+        z = min(z, 0.0) if squeeze > 0.0 else 0.0  # at the surface, but for rounding
+        along, upwards = _sums(wave, _along(wave, s, i), z)
+        slope = squeeze * grown
+        for c in range(up):
+            s.water[c, i] += wave.heading[c] * grown * along[0]
+            s.shear[c, i] += wave.heading[c] * slope * along[1]
+            s.water_rate[c, i] += wave.heading[c] * (grown * along[2] + rate * along[0])
+        s.water[up, i] += grown * upwards[0]
+        s.shear[up, i] += slope * upwards[1]
+        s.water_rate[up, i] += grown * upwards[2] + rate * upwards[0]
     return 0.0
+
+
+@inner
+def _at_the_time(wave, t):
+    """Fill what belongs to a component and a time, whatever the place."""
+    here = wave.scratch
+    for k in range(wave.amplitude.shape[0]):
+        bed = exponential(max(-2.0 * wave.number[k] * wave.depth, -2.0 * DEEP))
+        here[BED, k] = bed
+        here[SPEED, k] = wave.amplitude[k] * wave.frequency[k] / (1.0 - bed)
+        here[ANGLE, k] = within_a_turn(wave.phase[k] - wave.frequency[k] * t)
+
+
+@inner
+def _sums(wave, x, z):
+    """Velocity, its change with elevation, and rate of the fully grown waves: along the heading, upwards."""
+    here, number, frequency = wave.scratch, wave.number, wave.frequency
+    last = number.shape[0]
+    while last > 0 and number[last - 1] * z < -DEEP:
+        last -= 1  # the shortest waves come last: none of them reaches so deep
+    u = u_slope = u_rate = w = w_slope = w_rate = 0.0
+    for k in range(last):
+        # cosh and sinh k(z+d) over sinh kd, without overflow at any depth
+        near = exponential(max(number[k] * z, -DEEP))
+        far = here[BED, k] / near
+        even, odd = here[SPEED, k] * (near + far), here[SPEED, k] * (near - far)
+        sine, cosine = sine_and_cosine(number[k] * x + here[ANGLE, k])
+        u += even * cosine
+        u_slope += number[k] * odd * cosine
+        u_rate += frequency[k] * even * sine
+        w += odd * sine
+        w_slope += number[k] * even * sine
+        w_rate -= frequency[k] * odd * cosine
+    return (u, u_slope, u_rate), (w, w_slope, w_rate)
 
 
 @inner
@@ -109,7 +136,7 @@ def _along(wave, s, i):
 
 
 @inner
-def _immerse(wave, s, t, grown):
+def _immerse(wave, s, grown):
     """By how much heights over the bed are squeezed at the nodes, into ``s.density``; 0 out of the water.
 
     The height of the water over the mean level is added to ``s.level`` where something asks for it.
@@ -128,9 +155,8 @@ def _immerse(wave, s, t, grown):
             x = _along(wave, s, i)
             eta = 0.0
             for k in range(components):
-                eta += wave.amplitude[k] * cos(
-                    wave.number[k] * x - wave.frequency[k] * t + wave.phase[k]
-                )
+                _, cosine = sine_and_cosine(wave.number[k] * x + wave.scratch[ANGLE, k])
+                eta += wave.amplitude[k] * cosine
             eta *= grown
             s.level[i] += eta
             if wave.above == STRETCHED:

@@ -174,7 +174,7 @@ def wave_of(
     number = np.array([wave_number(w, depth, gravity) for w in frequency])
     return Wave(
         amplitude, frequency, number, phase, heading,
-        water.surface, depth, sea.ramp or 0.0, ABOVE[sea.above_mean_level],
+        water.surface, depth, sea.ramp or 0.0, ABOVE[sea.above_mean_level], np.zeros((3, len(amplitude))),
     )  # fmt: skip
 
 

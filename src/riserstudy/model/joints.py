@@ -34,11 +34,12 @@ def guides(of: Layout) -> Iterator[Effect]:
 
 
 def sliding_joint(of: Layout) -> Iterator[Effect]:
-    """A telescopic joint under its own constant tension."""
+    """A telescopic joint under its own constant tension, or with stops."""
     joint = of.scene.top.telescopic_joint
-    if joint and joint.tension:
+    if joint and (joint.tension or joint.stop):
         record = sliding_tension(joint, of.last - 1)
-        yield Effect("sliding tension", record, "top.telescopic_joint.tension")
+        line = "tension" if joint.tension else "stop"
+        yield Effect("sliding tension", record, f"top.telescopic_joint.{line}")
 
 
 def stress_gauge(of: Layout, report: Report) -> Iterator[Effect]:
@@ -60,11 +61,7 @@ def gauge(section: Section, mesh: Mesh, k: int, probe: int) -> StressGauge:
 
 
 def sliding_tension(joint: TelescopicJoint, segment: int) -> SlidingTension:
-    """Constant tension of the telescopic joint, which is one segment."""
-    stop = joint.stop
-    return SlidingTension(
-        segment,
-        joint.tension or 0.0,
-        joint.length + stop.stroke if stop else math.inf,
-        stop.stiffness if stop else 0.0,
-    )
+    """Constant tension and stops of the telescopic joint, which is one segment."""
+    shortest, longest = joint.reach
+    stiffness = joint.stop.stiffness if joint.stop else 0.0
+    return SlidingTension(segment, joint.tension or 0.0, longest, shortest, stiffness)

@@ -64,30 +64,6 @@ def leaves_table(rig: Tensioners, reach: FloatArray) -> list[str]:
     ]
 
 
-def stops_touched(rig: Tensioners, reach: FloatArray, time: FloatArray | None = None) -> list[str]:
-    """A warning when cylinders are at their end stops.
-
-    Parameters
-    ----------
-    reach : of the cylinders, (c,) at rest or (k, c) over time (m).
-    time : (k,) of the outputs (s); contact between two of them is not seen.
-    """
-    if rig.stroke is None:
-        return []
-    beyond = np.maximum(reach - rig.stroke.longest, rig.stroke.shortest - reach)
-    force = rig.stroke.stop_stiffness * np.maximum(beyond, 0.0) * np.array(rig.working)
-    if not force.any():
-        return []
-    if time is None:
-        return [f"stroke: stop touched at rest, largest force {force.max():.3g} N a cylinder"]
-    first = float(time[force.any(axis=1).argmax()])
-    apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""
-    return [
-        f"stroke: stop touched, first at t = {first:.6g} s, largest force {force.max():.3g} N a "
-        f"cylinder; as far as outputs{apart} from t = {time[0]:.6g} s on tell"
-    ]
-
-
 def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:
     """Tension at mid-stroke (N) and stiffness (N/m) of one cylinder made linear; gravity acts on pistons.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
@@ -108,10 +109,21 @@ class Bottom(Strict):
 
 
 class JointStop(Strict):
-    """Stop of a telescopic joint that is drawn out: by how much beyond its length, and its stiffness."""
+    """Stops of a telescopic joint: how far it goes out and in from its length, and their stiffness.
 
-    stroke: Annotated[u.Length, POSITIVE]
+    ``stroke``: outwards; ``collapse``: inwards, where the barrels meet and push. Absent: none that way. Both
+    are elastic: what touches leaves as fast as it came.
+    """
+
+    stroke: Annotated[u.Length, POSITIVE] | None = None
+    collapse: Annotated[u.Length, POSITIVE] | None = None
     stiffness: Annotated[u.Stiffness, POSITIVE]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.stroke is None and self.collapse is None:
+            raise ValueError("needs stroke (outwards), collapse (inwards) or both")
+        return self
 
 
 class TelescopicJoint(Strict):
@@ -120,7 +132,7 @@ class TelescopicJoint(Strict):
     ``length`` is from ring to top with the platform at rest; outer and inner barrel bend as one.
     ``tension``: tensioners pull with it along the joint, whatever its length. Absent stop: none. The mass
     of the outer barrel is that of ``top.body``, at the ring; the inner one moves with the platform. Stops
-    both ways are those of tensioners' ``stroke``.
+    of the joint and the ``stroke`` of tensioners are apart: a rig may have both.
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -130,11 +142,19 @@ class TelescopicJoint(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if self.stop and self.tension is None:
+        if self.stop and self.stop.collapse and self.stop.collapse >= self.length:
             raise ValueError(
-                "a stop of the joint needs its tension; tensioners have their own stroke"
+                f"stop.collapse {self.stop.collapse:g} m: must be less than the joint's length, "
+                f"{self.length:g} m"
             )
         return self
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Shortest and longest length before a stop touches (m); 0 and infinite without one."""
+        stop = self.stop
+        shortest = self.length - stop.collapse if stop and stop.collapse else 0.0
+        return shortest, self.length + stop.stroke if stop and stop.stroke else math.inf
 
 
 class TensionLoss(Strict):

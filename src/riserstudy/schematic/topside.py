@@ -49,7 +49,9 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
     pipe = geometry.scene.riser[-1].outer_diameter or 0.06 * view.symbol
     view.box((x, low), SLEEVE * pipe, 0.55 * (high - low))
     view.box((x, low + 0.55 * (high - low)), pipe, 0.45 * (high - low), facecolor="white")
-    stop = f", stop at {joint.stop.stroke:+.3g} m" if joint.stop else ""
+    stops = joint.stop and {1: joint.stop.stroke, -1: joint.stop.collapse}
+    places = [f"{sign * by:+.3g} m" for sign, by in (stops or {}).items() if by]
+    stop = f", stop at {' and '.join(places)}" if places else ""
     text = f"telescopic joint: {joint.length:.4g} m{stop}"
     view.name(text, (x + 0.5 * pipe, low + 0.7 * (high - low)))
     if joint.tension:

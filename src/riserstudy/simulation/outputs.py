@@ -13,8 +13,10 @@ from riserstudy.model.bending import flexibility
 from riserstudy.model.layout import AXES, corners, layout_of, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
-from riserstudy.model.tensioner_law import leaves_table, stops_touched
+from riserstudy.model.stops import joint_stops_touched, stops_touched
+from riserstudy.model.tensioner_law import leaves_table
 from riserstudy.scene.analysis import Output
+from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.simulation.curve import at_stations, curve_of, largest_moment
@@ -209,6 +211,15 @@ def of_tensioners(rig: Tensioners, arrays: Arrays) -> list[str]:
     sentences += stops_touched(rig, arrays["tensioner_stroke_static"])
     if "tensioner_stroke" in arrays:
         sentences += stops_touched(rig, arrays["tensioner_stroke"], arrays["time"])
+    return sentences
+
+
+def of_joint(joint: TelescopicJoint, arrays: Arrays) -> list[str]:
+    """What there is to tell of the stops of a telescopic joint that touch, at rest and over time."""
+    rest = joint.length + arrays["stroke_static"]
+    sentences = joint_stops_touched(joint, rest.reshape(1))
+    if "stroke" in arrays:
+        sentences += joint_stops_touched(joint, rest + arrays["stroke"][:, None], arrays["time"])
     return sentences
 
 

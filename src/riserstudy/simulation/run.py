@@ -110,13 +110,15 @@ def march(
 
 
 def finish(scene: Scene, mesh: Mesh, result: Result) -> Result:
-    """Enter forces, stresses, extremes and what there is to tell of tensioners into a run of `march`."""
+    """Enter forces, stresses, extremes and what there is to tell of strokes into a run of `march`."""
     started = clock.perf_counter()
     arrays, facts = result.arrays, result.facts
     if rig := scene.top.tensioners:
         facts["warnings"] += outputs.of_tensioners(rig, arrays)
         if "tensioner_stroke" in arrays:
             facts["largest_stroke"] = float(abs(arrays["tensioner_stroke"]).max())
+    if joint := scene.top.telescopic_joint:
+        facts["warnings"] += outputs.of_joint(joint, arrays)
     facts |= outputs.peaks(arrays)
     arrays |= outputs.sizes(arrays)
     if scene.analysis.solver != "hermite":

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.typing.templates import AbstractTemplate, infer_global, signature
@@ -45,6 +46,11 @@ def unrolled(function):
 def root(x):
     """Square root."""
     return x.root() if isinstance(x, _Number) else math.sqrt(x)
+
+
+def floor(x):
+    """Largest whole number that is not above."""
+    return x.floor() if isinstance(x, _Number) else np.floor(x)
 
 
 def _kind(result):
@@ -122,6 +128,9 @@ class _Number:
 
     def root(self):
         return self._intrinsic("llvm.sqrt")
+
+    def floor(self):
+        return self._intrinsic("llvm.floor")
 
     def _intrinsic(self, name):
         builder = self.writer.builder

@@ -1,0 +1,63 @@
+"""Contact with stops, of tensioners and of a telescopic joint, as far as outputs tell of it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.scene.ends import TelescopicJoint
+from riserstudy.scene.tensioners import Tensioners
+
+FloatArray = NDArray[np.float64]
+
+
+def stops_touched(rig: Tensioners, reach: FloatArray, time: FloatArray | None = None) -> list[str]:
+    """A warning when cylinders are at their end stops.
+
+    Parameters
+    ----------
+    reach : of the cylinders, (c,) at rest or (k, c) over time (m).
+    time : (k,) of the outputs (s); contact between two of them is not seen.
+    """
+    if rig.stroke is None:
+        return []
+    beyond = np.maximum(reach - rig.stroke.longest, rig.stroke.shortest - reach)
+    force = rig.stroke.stop_stiffness * np.maximum(beyond, 0.0) * np.array(rig.working)
+    return _told("stroke", force, " a cylinder", time)
+
+
+def joint_stops_touched(
+    joint: TelescopicJoint, length: FloatArray, time: FloatArray | None = None
+) -> list[str]:
+    """Warnings when a telescopic joint is at a stop, one for each.
+
+    Parameters
+    ----------
+    length : of the joint, (1,) at rest or (k, 1) over time (m).
+    time : (k,) of the outputs (s); contact between two of them is not seen.
+    """
+    if joint.stop is None:
+        return []
+    shortest, longest = joint.reach
+    beyond = {"drawn out": length - longest, "collapsed": shortest - length}
+    return [
+        sentence
+        for how, over in beyond.items()
+        for sentence in _told(
+            f"telescopic joint {how}", joint.stop.stiffness * np.maximum(over, 0.0), "", time
+        )
+    ]
+
+
+def _told(what: str, force: FloatArray, each: str, time: FloatArray | None) -> list[str]:
+    """A sentence on forces (N), the columns over time, where there is any."""
+    if not force.any():
+        return []
+    if time is None:
+        return [f"{what}: stop touched at rest, largest force {force.max():.3g} N{each}"]
+    first = float(time[force.any(axis=1).argmax()])
+    apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""
+    return [
+        f"{what}: stop touched, first at t = {first:.6g} s, largest force {force.max():.3g} N{each}; "
+        f"as far as outputs{apart} from t = {time[0]:.6g} s on tell"
+    ]
