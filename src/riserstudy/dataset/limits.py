@@ -53,17 +53,29 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
     about = (limit.output, limit.at or "", limit.mode, limit.side, limit.allowable)
     unit = UNITS[limit.output]
     missing = lacks(scene, limit)
-    names = [section.name for section in scene.riser]
-    places = [limit.at] if limit.at else ["", *names]
-    there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
-    demands = [_demand(limit, row) for row in there]
-    if not demands:
+    asked = demand_of(scene, limit, rows)
+    if asked is None:
         why = ", ".join(missing) or f"{limit.output} in this run"
         return Checked(*about, None, None, None, None, UNKNOWN, why, origin, unit)
-    demand, s, time = max(demands, key=lambda one: use(limit.side, one[0], limit.allowable))
+    demand, s, time = asked
     share = use(limit.side, demand, limit.allowable)
     verdict = EXCEEDED if share > 1.0 else UNKNOWN if missing else WITHIN
     return Checked(*about, demand, share, s, time, verdict, ", ".join(missing), origin, unit)
+
+
+def demand_of(
+    scene: Scene, limit: Limit, rows: list[dict[str, Any]]
+) -> tuple[float, float | None, float | None] | None:
+    """Value, place (m) and time (s) at which most of a limit is used; None where no row tells it.
+
+    Parameters
+    ----------
+    rows : extremes of a run, a row an output and place.
+    """
+    places = [limit.at] if limit.at else ["", *(section.name for section in scene.riser)]
+    there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
+    demands = [_demand(limit, row) for row in there]
+    return max(demands, key=lambda one: use(limit.side, one[0], limit.allowable), default=None)
 
 
 def _demand(limit: Limit, row: Mapping[str, Any]) -> tuple[float, float | None, float | None]:
@@ -88,3 +100,9 @@ def use(side: str, demand: float, allowable: float) -> float:
     if allowable < 0.0 and side == "largest":  # stays below a negative value
         return math.inf if demand >= 0.0 else allowable / demand
     return max(0.0, demand / allowable)
+
+
+def label(one: Checked | Limit) -> str:
+    """A limit in words: mode, side, output and place."""
+    place = f" at {one.at}" if one.at else ""
+    return f"{one.mode}: {one.side} {one.output}{place}"

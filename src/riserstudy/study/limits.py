@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from riserstudy.dataset.limits import Checked, checked
+from riserstudy.dataset.limits import checked, label
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.study.study import Study
@@ -55,9 +55,3 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
 
 def _places(study: Study) -> list[tuple[int, ...]]:
     return [point.index for point in study.plan]
-
-
-def label(one: Checked) -> str:
-    """A limit in words: mode, side, output and place."""
-    place = f" at {one.at}" if one.at else ""
-    return f"{one.mode}: {one.side} {one.output}{place}"

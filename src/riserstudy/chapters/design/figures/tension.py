@@ -70,9 +70,9 @@ def _answer(tension_window: xr.Dataset) -> str:
         int(n): heaviest(tension_window.sel(failed_units=n)) for n in tension_window.failed_units
     }
     always = [n for n, end in ends.items() if end is None]
-    said = [f"up to {max(always)} units out in every mud"] if always else []
-    said += [f"{n} out up to {end:.0f} kg/m³" for n, end in ends.items() if end is not None]
-    return "There is a tension setting with " + ", with ".join(said)
+    said = [f"in every mud with up to {max(always)} of the units out"] if always else []
+    said += [f"up to {end:.0f} kg/m³ with {n} out" for n, end in ends.items() if end is not None]
+    return "There is a tension setting " + ", ".join(said)
 
 
 def heaviest(at: xr.Dataset) -> float | None:

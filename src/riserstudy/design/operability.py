@@ -1,0 +1,149 @@
+"""Offsets at which limits are reached, to both sides of the well: found on risers at rest, limit by limit.
+
+Waves count by a dynamic allowance: what they add to the static value of an output. Limits are held by it
+but for means, which have none.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq, minimize_scalar
+
+from riserstudy.dataset.limits import demand_of
+from riserstudy.errors import SimulationError
+from riserstudy.model.mesh import prescribed
+from riserstudy.scene.limit_inputs import lacks
+from riserstudy.scene.limits import Limit
+from riserstudy.scene.models import Scene
+from riserstudy.simulation.run import single
+from riserstudy.simulation.starting_mesh import coarsest_mesh
+
+NODES = 9  # offsets at which a search begins, alike for all limits
+CLOSE = 0.05  # m, to which an offset is found
+
+
+class Offsets(NamedTuple):
+    """Offsets (m) between which a limit is kept.
+
+    Infinite: not reached within the search; not a number: exceeded at every offset, or not evaluated for
+    want of what ``missing`` says.
+    """
+
+    low: float
+    high: float
+    missing: str = ""
+
+
+def offsets(scene: Scene, reach: float, allowances: Mapping[str, float]) -> list[Offsets]:
+    """The offsets between which each limit of a scene is kept.
+
+    Parameters
+    ----------
+    scene : with limits, its top held or with a vessel's offset.
+    reach : how far to either side is looked (m).
+    allowances : dynamic allowance by output, in the SI unit of its limit; absent: none.
+    """
+    at = AtRest(scene)
+    return [_between(at, limit, reach, allowances) for limit in scene.limits or []]
+
+
+class AtRest:
+    """A scene at rest at offsets of its top, each computed once and shared by all limits."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        elements = scene.analysis.mesh and scene.analysis.mesh.elements
+        self.mesh = prescribed(scene, elements) if elements else coarsest_mesh(scene)
+        self.rows: dict[float, list[dict[str, Any]]] = {}  # extremes by offset
+        self.lost: dict[float, str] = {}  # why there is no equilibrium, by offset
+
+    def extremes(self, offset: float) -> list[dict[str, Any]]:
+        """Extremes of the outputs at an offset (m).
+
+        Raises
+        ------
+        SimulationError
+            When no equilibrium is found.
+        """
+        if offset in self.lost:
+            raise SimulationError(self.lost[offset])
+        if offset not in self.rows:
+            top = self.scene.top.model_copy(update={"offset": offset})
+            moved = self.scene.model_copy(update={"top": top})
+            try:
+                self.rows[offset] = single(moved, self.mesh, None).facts["extremes"]
+            except SimulationError as failure:
+                self.lost[offset] = str(failure)
+                raise
+        return self.rows[offset]
+
+
+def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, float]) -> Offsets:
+    """The offsets between which one limit is kept."""
+    if missing := lacks(at.scene, limit):
+        return Offsets(math.nan, math.nan, ", ".join(missing))
+    over = partial(excess, at, limit, allowances.get(limit.output, 0.0))
+    for offset in np.linspace(-reach, reach, NODES).tolist():
+        with suppress(SimulationError):
+            at.extremes(offset)
+    if not at.rows:
+        return Offsets(math.nan, math.nan, "a static equilibrium")
+    try:
+        tried = sorted(at.rows)
+        inside = min(tried, key=over)
+        if over(inside) > 0.0:
+            inside = _least(over, inside, tried)
+        if over(inside) > 0.0:
+            return Offsets(math.nan, math.nan)
+        return Offsets(_edge(over, inside, at, -1), _edge(over, inside, at, 1))
+    except SimulationError as failure:
+        return Offsets(math.nan, math.nan, f"a static equilibrium ({failure})")
+
+
+def excess(at: AtRest, limit: Limit, allowance: float, offset: float) -> float:
+    """By how much a limit is exceeded at an offset (m), in the SI unit of its output; below zero: kept.
+
+    Raises
+    ------
+    SimulationError
+        When no equilibrium is found there.
+    """
+    asked = demand_of(at.scene, limit, at.extremes(offset))
+    if asked is None:
+        raise SimulationError(f"no {limit.output} at an offset of {offset:g} m")
+    if limit.side == "mean":
+        return asked[0] - limit.allowable
+    if limit.side == "smallest":
+        return limit.allowable + allowance - asked[0]
+    return asked[0] + allowance - limit.allowable
+
+
+def _least(over: Callable[[float], float], near: float, tried: list[float]) -> float:
+    """Offset (m) at which a limit is exceeded least, about one that is the best of those tried."""
+    k = tried.index(near)
+    ends = tried[max(k - 1, 0)], tried[min(k + 1, len(tried) - 1)]
+    return float(minimize_scalar(over, bounds=ends, method="bounded", options={"xatol": CLOSE}).x)
+
+
+def _edge(over: Callable[[float], float], inside: float, at: AtRest, side: int) -> float:
+    """The first offset (m) to a side of one inside at which a limit is reached; infinite where it is not.
+
+    Raises
+    ------
+    SimulationError
+        When there is an offset without equilibrium before that.
+    """
+    last = inside
+    for offset in sorted([*at.rows, *at.lost], key=lambda one: side * one):
+        if side * (offset - inside) <= 0.0:
+            continue
+        if over(offset) > 0.0:
+            return float(brentq(over, last, offset, xtol=CLOSE))
+        last = offset
+    return side * math.inf

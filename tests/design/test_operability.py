@@ -1,0 +1,132 @@
+"""Offsets at which limits are reached: a closed form, runs at what was found, and what cannot be told."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+from riserstudy import load_scene
+from riserstudy.dataset.limits import demand_of
+from riserstudy.design.operability import CLOSE, AtRest, _between, offsets
+
+SCENE = Path(__file__).parents[2] / "config/scenes/design/riser.yaml"
+
+
+def scene(*limits, **changed):
+    told = [{"mode": "drilling", **limit} for limit in limits]
+    return load_scene(SCENE, **{"limits": told, **changed}).scene()
+
+
+def angle_by_closed_form(offset):
+    """Angle (rad) over a lower flex joint, hinge above: constant tension, uniform load, small angles."""
+    tension, bending, length, load = 2e6, 1.4e8, 1000.0, 150.0
+    stiffness = math.degrees(127e3)
+    k = math.sqrt(tension / bending)
+    pinned = offset / length + load * length / (2.0 * tension) * (
+        1.0 - math.tanh(0.5 * k * length) / (0.5 * k * length)
+    )
+    return pinned / (1.0 + stiffness / tension * (k / math.tanh(k * length) - 1.0 / length))
+
+
+def test_both_offsets_are_those_of_the_closed_form(tmp_path):
+    loaded = tmp_path / "loaded.yaml"
+    loaded.write_text(
+        """
+title: constant tension and uniform load
+riser:
+  - name: riser
+    length: 1000 m
+    axial_stiffness: 1e10 N
+    bending_stiffness: 1.4e8 N*m^2
+    lateral_load: 150 N/m
+bottom: {hold: wellhead, elevation: 0 m, rotation: {stiffness: 127 kN*m/deg}}
+top: {x: held, z: free, tension: 2 MN, rotation: free}
+limits: [{output: lfj_angle, largest: 2 deg, mode: drilling}]
+analysis: {mesh: {elements: 400, layers: {bottom: 8 m, top: 8 m}}}
+""",
+        "utf-8",
+    )
+    (found,) = offsets(load_scene(loaded).scene(), 100.0, {})
+    at_zero, slope = (
+        angle_by_closed_form(0.0),
+        angle_by_closed_form(1.0) - angle_by_closed_form(0.0),
+    )
+    allowable = math.radians(2.0)
+    assert found.high == pytest.approx((allowable - at_zero) / slope, abs=2.0 * CLOSE)
+    # the form is for small slopes, true to half their square: at the top those of offset and load add up
+    largest_slope = 87.0 / 1000.0 + 150.0 * 1000.0 / (2.0 * 2e6)
+    expected = (-allowable - at_zero) / slope
+    assert found.low == pytest.approx(expected, rel=0.5 * largest_slope**2)
+    assert math.degrees(angle_by_closed_form(30.0)) == pytest.approx(2.67710, abs=1e-5)
+
+
+def test_a_run_at_an_offset_that_was_found_uses_all_of_its_limit():
+    limits = (
+        {"output": "lfj_angle", "largest": "4 deg"},
+        {"output": "ufj_angle", "mean": "2 deg"},
+        {"output": "stroke", "largest": "6 m"},
+        {"output": "von_mises_stress", "largest": "200 MPa"},
+    )
+    riser = scene(*limits, **{"current.profile.surface_speed": "1 m/s"})
+    for limit, found in zip(riser.limits, offsets(riser, 240.0, {}), strict=True):
+        for offset in (found.low, found.high):
+            demand = demand_of(riser, limit, AtRest(riser).extremes(offset))[0]
+            assert demand == pytest.approx(limit.allowable, rel=2e-3)  # 5 cm of 40 m and more
+
+
+def test_an_allowance_is_taken_off_all_but_means():
+    allowance = {"lfj_angle": math.radians(1.0)}
+    four, mean = offsets(
+        scene(
+            {"output": "lfj_angle", "largest": "4 deg"}, {"output": "lfj_angle", "mean": "4 deg"}
+        ),
+        240.0,
+        allowance,
+    )
+    three, plain = offsets(
+        scene(
+            {"output": "lfj_angle", "largest": "3 deg"}, {"output": "lfj_angle", "mean": "4 deg"}
+        ),
+        240.0,
+        {},
+    )
+    assert four.high == pytest.approx(three.high, abs=CLOSE)
+    assert mean.high == pytest.approx(plain.high, abs=CLOSE)
+    assert mean.high > four.high + 10.0
+
+
+def test_a_floor_is_raised_by_its_allowance():
+    floor = {"output": "effective_tension", "smallest": "2.2 MN"}
+    assert offsets(scene(floor), 100.0, {})[0].high == math.inf
+    assert math.isnan(offsets(scene(floor), 100.0, {"effective_tension": 3e5})[0].high)
+
+
+def test_a_gap_between_the_first_offsets_is_found():
+    strong = {"current.profile.surface_speed": "1.5 m/s"}
+    (narrow,) = offsets(scene({"output": "lfj_angle", "mean": "0.1 deg"}, **strong), 240.0, {})
+    assert 0.0 < narrow.high - narrow.low < 60.0 / 4.0
+
+
+def test_what_is_not_reached_or_never_kept_or_not_told_is_told_apart():
+    never_reached, never_kept, not_told = offsets(
+        scene(
+            {"output": "von_mises_stress", "largest": "5 GPa"},
+            {"output": "von_mises_stress", "largest": "1 MPa"},
+            {"output": "tensioner_stroke", "largest": "5 m"},
+        ),
+        100.0,
+        {},
+    )
+    assert (never_reached.low, never_reached.high) == (-math.inf, math.inf)
+    assert math.isnan(never_kept.low)
+    assert never_kept.missing == ""
+    assert not_told.missing == "top.tensioners"
+
+
+def test_an_offset_without_equilibrium_is_told_and_taken_for_no_limit():
+    riser = scene({"output": "lfj_angle", "largest": "4 deg"})
+    at = AtRest(riser)
+    at.lost[60.0] = "no static equilibrium: for this test"
+    both = _between(at, riser.limits[0], 240.0, {})
+    assert math.isnan(both.high)
+    assert "for this test" in both.missing
