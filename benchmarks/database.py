@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -103,6 +104,8 @@ def lay_out(points: int, studies: int) -> list[str]:
     figure = {"caption": "none", "reads": [names[0]], "plot": "lines"}
     tree = {"paper": "invented", "studies": dict.fromkeys(names, study), "figures": {"one": figure}}
     Path("config/studies").mkdir(parents=True)
+    Path("config", SCENE).parent.mkdir(parents=True)
+    shutil.copy(ROOT / "config" / SCENE, Path("config", SCENE))  # plots are checked against it
     YAML().dump(json.loads(json.dumps(tree)), Path("config/studies/invented.yaml"))
     for seed, name in enumerate(names):
         invent(name, points // studies, seed)

@@ -5,6 +5,7 @@ import subprocess
 from collections import Counter
 from pathlib import Path
 
+import make_locks
 import pytest
 
 ROOT = Path(__file__).parents[2]
@@ -77,6 +78,28 @@ def test_uv_is_asked_for_a_python_where_none_serves(tmp_path):
     done = with_python(tmp_path)
     assert (done.returncode, done.stdout) == (0, "ran\n")
     assert "uv brings 3.13" in done.stderr
+
+
+def test_where_uv_brings_none_its_reason_and_the_other_remedy_are_told(tmp_path):
+    program(tmp_path / "python3", "exit 1")
+    program(tmp_path / "uv", 'case "$2" in install) echo no network >&2; exit 2;; *) exit 2;; esac')
+    done = with_python(tmp_path)
+    assert done.returncode == 1
+    assert "no network" in done.stderr
+    assert "your system's package" in done.stderr.splitlines()[-1]
+
+
+@pytest.mark.parametrize(
+    ("answer", "told"),
+    [
+        ("exit 0", "has a wheel"),
+        ("echo immutables has no usable wheels >&2; exit 1", "no wheel for Python 3.14 yet"),
+        ("echo no network >&2; exit 2", "not known: no network"),
+    ],
+)
+def test_a_lock_says_whether_the_next_python_has_become_possible(tmp_path, answer, told):
+    uv = program(tmp_path / "uv", f'read asked; [ "$asked" = immutables ] || exit 9; {answer}')
+    assert told in make_locks.about_next_python(uv)
 
 
 def test_where_there_is_no_uv_both_remedies_are_named(tmp_path):

@@ -13,6 +13,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 UV = "uv==0.13.8"
+#: the next Python, and the dependency of Snakemake that has no wheel for it
+NEXT = "3.14"
+WITHOUT_WHEEL = "immutables"
 OPTIONS = (
     "--quiet",
     "--universal",
@@ -38,6 +41,31 @@ def main() -> None:
         for group in ("build", "bench", "slurm"):
             agree = ("--constraints", "requirements.lock")
             run(*uv, f"--group={group}", *agree, f"--output-file={group}.lock")
+        print(about_next_python(tools / "uv"))
+
+
+def about_next_python(uv: Path) -> str:
+    """Whether the one dependency that keeps newer Pythons out still does."""
+    asked = (
+        uv,
+        "pip",
+        "compile",
+        "--quiet",
+        f"--python-version={NEXT}",
+        "--only-binary=:all:",
+        "-",
+    )
+    found = subprocess.run(
+        [str(word) for word in asked], input=WITHOUT_WHEEL, text=True, capture_output=True
+    )
+    if not found.returncode:
+        return (
+            f"{WITHOUT_WHEEL} has a wheel for Python {NEXT} now: raise requires-python in pyproject.toml,"
+            " and the range in workflow/scripts/with_python.sh; try make test-pythons."
+        )
+    if WITHOUT_WHEEL not in found.stderr:
+        return f"Whether Python {NEXT} has become possible is not known: {found.stderr.strip()}"
+    return f"{WITHOUT_WHEEL} has no wheel for Python {NEXT} yet."
 
 
 def run(*command: object) -> None:

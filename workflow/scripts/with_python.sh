@@ -26,10 +26,13 @@ done
 
 if [ -z "$PYTHON" ] && command -v uv >/dev/null; then
     shift
-    python=$(uv python find '>=3.11,<3.14' 2>/dev/null) || {
+    # among its own, too: a name on the path with nothing behind ends the first search
+    python=$(uv python find '>=3.11,<3.14' 2>/dev/null) ||
+        python=$(uv python find --managed-python '>=3.11,<3.14' 2>/dev/null) || {
         echo "No Python 3.11, 3.12 or 3.13 here: uv brings 3.13." >&2
-        uv python install --quiet 3.13 && python=$(uv python find 3.13)
+        uv python install 3.13 && python=$(uv python find --managed-python 3.13)
     } && exec "$python" "$@"
+    echo "riserstudy: uv brought no Python, see above; let it reach the network, or install your system's package of Python 3.11, 3.12 or 3.13" >&2
     exit 1
 fi
 if [ -n "$lacking" ]; then

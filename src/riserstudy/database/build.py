@@ -25,7 +25,7 @@ SCHEMA = Path(__file__).with_name("schema.sql")
 #: made when all rows are there: three times as fast
 INDEXES = """
 create index if not exists points_by_key on points (key);
-create index if not exists result_values_by_quantity on result_values (quantity_id, value);
+create index if not exists result_values_by_quantity on result_values (quantity_id);
 create index if not exists point_parameters_by_value on point_parameters (value_id, point);
 pragma analysis_limit = 400;
 analyze;
