@@ -11,20 +11,21 @@ from riserstudy.figures.envelope import envelope
 from riserstudy.figures.time_series import time_series
 from riserstudy.study.read import read_studies
 
-SCENE = Path(__file__).parents[2] / "config/scenes/bench/s2c.yaml"
+SCENES = Path(__file__).parents[2] / "config/scenes"
+SCENE = SCENES / "bench/s2c.yaml"
 MOVING = {"duration": "2 s", "output": {"interval": "1 s"}, "mesh": {"elements": 4}, "step": "1 s"}
 
 
-def read(folder, figure=None, keep=None, axis=None, analysis=MOVING):
+def read(folder, figure=None, keep=None, axis=None, analysis=MOVING, scene=SCENE):
     """The study file of one study with one figure, or with what is drawn where none is asked for."""
     config = folder / "config"
     (config / "studies").mkdir(parents=True)
     study = {"scene": "s2c.yaml", "caption": "a", "set": {"analysis": analysis}, "keep": keep}
-    study["axes"] = {"kind": axis or {"one": {}, "other": {"platform.surge.amplitude": "1 m"}}}
+    study["axes"] = {"kind": axis or {"one": {}, "other": {"gravity": "9.8 m/s^2"}}}
     tree = {"paper": "own", "studies": {"runs": study}}
     if figure:
         tree["figures"] = {"shown": {"caption": "b", "reads": ["runs"], **figure}}
-    (config / "s2c.yaml").write_bytes(SCENE.read_bytes())
+    (config / "s2c.yaml").write_bytes(scene.read_bytes())
     with (config / "studies/own.yaml").open("w") as file:
         YAML(typ="safe").dump(tree, file)
     return read_studies(config, "own").figures
@@ -48,6 +49,8 @@ def read(folder, figure=None, keep=None, axis=None, analysis=MOVING):
         ("lines", "z", ["z_max"], "'z' is not kept"),
         ("lines", "x_static", ["x"], "'x_static' is not kept"),
         ("lines", "von_mises_stress", None, "no section whose wall is told"),
+        ("lines", "thrust_y_static", None, "has no value at rest"),
+        ("envelope", "effective_tension_absmax", None, "its sign means something"),
     ],
 )
 def test_what_a_plot_cannot_show_is_refused_at_planning(tmp_path, plot, quantity, keep, said):
@@ -56,6 +59,28 @@ def test_what_a_plot_cannot_show_is_refused_at_planning(tmp_path, plot, quantity
     assert refused.value.where.endswith("config/studies/own.yaml")
     assert "figures.shown.of" in str(refused.value)
     assert said in str(refused.value)
+
+
+VESSEL = SCENES / "liu2017/ref_0.yaml"  # in the plane, with thrusters ahead alone
+
+
+@pytest.mark.parametrize(
+    "quantity, what",
+    [
+        ("platform_speed_y", "vessel with load or motion out of the plane"),
+        ("riser_reaction_y_min", "vessel with load or motion out of the plane"),
+        ("thrust_y", "vessel.thrusters and vessel.sway"),
+        ("thrust_moment_absmax", "vessel.thrusters.yaw"),
+    ],
+)
+def test_what_a_platform_in_the_plane_does_not_tell_is_refused(tmp_path, quantity, what):
+    with pytest.raises(InputError, match=f"whose scene has no {what}"):
+        read(tmp_path, {"plot": "lines", "of": [quantity]}, scene=VESSEL)
+
+
+@pytest.mark.parametrize("quantity", ["platform_surge", "thrust_x", "environment_force_x_max"])
+def test_what_it_tells_is_not(tmp_path, quantity):
+    read(tmp_path, {"plot": "lines", "of": [quantity]}, scene=VESSEL)
 
 
 @pytest.mark.parametrize(

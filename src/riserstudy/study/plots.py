@@ -34,7 +34,9 @@ USUAL: dict[Plot, tuple[str, ...]] = {
     "time series": ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z"),
 }
 SIDES = ("_max", "_min", "_absmax")
-_VESSEL = ("platform_", "thrust_", "riser_reaction_", "environment_force_")
+_AHEAD = ("platform_speed", "riser_reaction", "environment_force")
+#: what is told over time alone, not at rest
+_MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift")
 
 #: outputs that only some scenes call for, with what these have, and whether a scene has it
 CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
@@ -67,6 +69,31 @@ CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
         "analysis.output.stress_in",
         lambda s: bool(s.analysis.output and s.analysis.output.stress_in),
     ),
+    (("platform_surge", *(f"{name}_x" for name in _AHEAD)), "vessel", lambda s: bool(s.vessel)),
+    (
+        tuple(f"{name}_y" for name in _AHEAD),
+        "vessel with load or motion out of the plane",
+        lambda s: bool(s.vessel and s.spatial),
+    ),
+    (("platform_sway",), "vessel.sway", lambda s: bool(s.vessel and s.vessel.sway)),
+    (("platform_yaw",), "vessel.yaw", lambda s: bool(s.vessel and s.vessel.yaw)),
+    (("thrust_x",), "vessel.thrusters", lambda s: bool(s.vessel and s.vessel.thrusters)),
+    (
+        ("thrust_y",),
+        "vessel.thrusters and vessel.sway with load or motion out of the plane",
+        lambda s: bool(s.vessel and s.vessel.thrusters and s.vessel.sway and s.spatial),
+    ),
+    (
+        ("thrust_moment",),
+        "vessel.thrusters.yaw with load or motion out of the plane",
+        lambda s: bool(
+            s.vessel
+            and s.vessel.thrusters
+            and s.vessel.thrusters.yaw
+            and s.vessel.yaw
+            and s.spatial
+        ),
+    ),
 )
 
 
@@ -98,6 +125,10 @@ def unshown(plot: Plot, quantity: str, study: Study) -> str:
         return f"has no values along the riser; allowed are {', '.join(ALONG)}"
     if plot == "time series" and (quantity != stem or stem in ALONG[-2:]):
         return "has no history; lines and envelopes show extremes"
+    if quantity.endswith("_static") and stem.startswith(_MOVING):
+        return "has no value at rest"
+    if plot == "envelope" and quantity.endswith("_absmax") and stem not in SIGNED:
+        return "has no largest size along the riser: its sign means something"
     if not _is_kept(plot, quantity, stem, study):
         kept = study.model.keep
         has = (
@@ -106,7 +137,7 @@ def unshown(plot: Plot, quantity: str, study: Study) -> str:
             else "at rest it has no extremes"
         )
         return f"is not kept; {has}"
-    return _uncalled(plot, stem, study)
+    return _uncalled(plot, quantity, stem, study)
 
 
 def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
@@ -131,14 +162,14 @@ def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
     return there(quantity, stem)
 
 
-def _uncalled(plot: Plot, stem: str, study: Study) -> str:
+def _uncalled(plot: Plot, quantity: str, stem: str, study: Study) -> str:
     """What no run of a study has, for it to return a quantity; "" where one may have it."""
     scenes = [*_scenes(study)]
     if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):
         return f"has no history: the runs of {study.name!r} are at rest"
     needs = [(what, has) for stems, what, has in CALLED_FOR if stem in stems]
-    if stem.startswith(_VESSEL):
-        needs.append(("vessel", lambda s: s.vessel is not None))
+    if quantity == "stroke_static":
+        needs.append(("top.telescopic_joint", lambda s: s.top.telescopic_joint is not None))
     for what, has in needs:
         if scenes and not any(has(scene) for scene in scenes):
             return f"is not returned by runs of {study.name!r}, whose scene has no {what}"
