@@ -5,8 +5,9 @@ import subprocess
 from collections import Counter
 from pathlib import Path
 
-import make_locks
 import pytest
+
+import make_locks
 
 ROOT = Path(__file__).parents[2]
 LOCKS = sorted(ROOT.glob("*.lock"))
@@ -90,7 +91,7 @@ def test_where_uv_brings_none_its_reason_and_the_other_remedy_are_told(tmp_path)
 
 
 @pytest.mark.parametrize(
-    ("answer", "told"),
+    "answer, told",
     [
         ("exit 0", "has a wheel"),
         ("echo immutables has no usable wheels >&2; exit 1", "no wheel for Python 3.14 yet"),
