@@ -12,6 +12,7 @@ from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.ends import Body
 from riserstudy.scene.limits import UNITS
 from riserstudy.scene.models import Scene
+from riserstudy.scene.riser import Section
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -30,30 +31,38 @@ class Table(NamedTuple):
 def stack_up(scene: Scene) -> Table:
     """The riser from the top down: joints, diameters, weights dry and in water, uplift, sums from the top.
 
-    The uplift of a section or body is what its dry weight loses in water, contents apart. A telescopic
-    joint above the ring hangs on the deck and is left out.
+    Dry and wet weight of a section are those of its pipe, modules and lines together; its uplift is what its
+    dry weight loses in water, contents apart. Modules and lines stand beside, dry, and the lift of modules
+    beyond their own weight. A telescopic joint above the ring hangs on the deck and is left out.
     """
     columns = {
         "section": "", "joints": "", "length": "m", "upper end": "m", "outer diameter": "m",
         "inner diameter": "m", "mass": "kg/m", "dry weight": "kN", "wet weight": "kN", "uplift": "kN",
         "contents": "kN", "wet weight from the top": "kN", "with contents from the top": "kN",
+        "lines, dry": "kN", "modules, dry": "kN", "lift of modules": "kN",
     }  # fmt: skip
     gravity = scene.gravity
     sums = [0.0, 0.0]
     upper = _upper_end(scene)
     rows: list[list[Cell]] = []
 
-    def add(about: list[Cell], dry: float | None, wet: float | None, inside: float) -> None:
+    def add(
+        about: list[Cell],
+        dry: float | None,
+        wet: float | None,
+        inside: float,
+        parts: list[Cell],
+    ) -> None:
         sums[0] += wet or 0.0
         sums[1] += (wet or 0.0) + inside
         uplift = None if dry is None or wet is None else dry - wet
-        rows.append([*about, dry, wet, uplift, inside, *sums])
+        rows.append([*about, dry, wet, uplift, inside, *sums, *parts])
 
     def add_body(body: Body | None, at: float | None) -> None:
         if body:
             dry = body.mass * gravity / 1e3 if gravity else None
             wet = body.weight(gravity or 0.0, scene.water.density if scene.water else 0.0) / 1e3
-            add([body.name, None, None, at, None, None, None], dry, wet, 0.0)
+            add([body.name, None, None, at, None, None, None], dry, wet, 0.0, [None] * 3)
 
     add_body(scene.top.body, upper)
     for section in reversed(scene.riser):
@@ -63,10 +72,21 @@ def stack_up(scene: Scene) -> Table:
         dry = section.mass * gravity * length / 1e3 if section.mass and gravity else None
         wet = None if each is None else each * length / 1e3
         inside = section.contents_mass * (gravity or 0.0) * length / 1e3
-        add([section.name, joints, length, upper, *diameters, section.mass], dry, wet, inside)
+        about = [section.name, joints, length, upper, *diameters, section.mass]
+        add(about, dry, wet, inside, _parts(section, gravity))
         upper = None if upper is None else upper - length
     add_body(scene.bottom.body, upper)
     return Table(list(columns), list(columns.values()), rows)
+
+
+def _parts(section: Section, gravity: float | None) -> list[Cell]:
+    """Dry weight of lines and of modules, and what modules lift beyond theirs (kN); None without."""
+    total = (gravity or 0.0) * section.total_length / 1e3
+    lines = total * sum(x.all_mass for x in section.lines) if section.lines else None
+    count = section.joints.count if section.joints else 1
+    modules = (gravity or 0.0) * count * section.modules.mass / 1e3 if section.modules else None
+    lift = section.buoyancy_lift
+    return [lines, modules, None if lift is None else lift * section.total_length / 1e3]
 
 
 def _upper_end(scene: Scene) -> float | None:

@@ -57,7 +57,8 @@ def gauge(section: Section, mesh: Mesh, k: int, probe: int) -> StressGauge:
     fibre = 32.0 * outer / (math.pi * (outer**4 - inner**4))
     first = mesh.foot(k)
     last = first + int((mesh.section == k).sum())
-    return StressGauge(first, last, section.wall_area, fibre, probe)
+    axial, bending = section.pipe_shares
+    return StressGauge(first, last, section.wall_area / axial, bending * fibre, probe)
 
 
 def sliding_tension(joint: TelescopicJoint, segment: int) -> SlidingTension:

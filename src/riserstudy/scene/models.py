@@ -13,7 +13,7 @@ from pydantic import model_validator
 from riserstudy.scene.ends import TensionLoss
 from riserstudy.scene.fitting import fit
 from riserstudy.scene.parts import Parts
-from riserstudy.scene.weight import weighed
+from riserstudy.scene.weight import dressed, weighed
 
 
 class Scene(Parts):
@@ -26,7 +26,7 @@ class Scene(Parts):
     def fitted(self) -> Self:
         """The scene with what follows from its parts; ValueError where they do not fit together."""
         fit(self)
-        return self._loaded()._weighed()._carried()._valved()._with_rigid_body()
+        return self._loaded()._weighed()._dressed()._carried()._valved()._with_rigid_body()
 
     def _valved(self) -> Self:
         """The scene with the tension that valves leave after the release."""
@@ -64,6 +64,8 @@ class Scene(Parts):
             return self
         if self.gravity is None or not all(s.mass for s in self.riser):
             raise ValueError("buoyancy needs gravity, and the mass of every section")
+        if any(s.modules or s.lines for s in self.riser):
+            raise ValueError("give buoyancy, or modules and lines of sections, not both")
         if any(s.submerged_weight is not None for s in self.riser) or self.top.tension is not None:
             raise ValueError("give buoyancy, or submerged_weight and top.tension, not both")
         if self.top.z != "free" or self.top.tensioners:
@@ -75,6 +77,11 @@ class Scene(Parts):
     def _weighed(self) -> Self:
         """The scene with the weights that follow from masses, diameters and contents."""
         riser = weighed(self)
+        return self if riser is self.riser else self.model_copy(update={"riser": riser})
+
+    def _dressed(self) -> Self:
+        """The scene with what modules and lines add to the pipe."""
+        riser = dressed(self)
         return self if riser is self.riser else self.model_copy(update={"riser": riser})
 
     def _with_rigid_body(self) -> Self:

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient, Strict
+from riserstudy.scene.dressed import Line, Modules
 
 RIGID = 1e3  # bending stiffness of what does not bend, over that beside it
 
@@ -126,6 +127,10 @@ class Section(Strict):
 
     ``buoyancy_lift``: what buoyancy modules lift in water beyond their own weight, which ``submerged_weight``
     has taken off. It moves nothing; the minimum tension counts steel and modules apart. Absent: not known.
+
+    ``modules`` and ``lines`` are told apart from the pipe: mass, weight and stiffness of the section are then
+    those of the pipe alone, and theirs are added. Their lift is ``buoyancy_lift``; where any section has
+    modules, those without have none. Diameters for drag and added mass are those told, of all together.
     """
 
     name: str
@@ -141,6 +146,8 @@ class Section(Strict):
     wall_density: Annotated[u.Density, POSITIVE] | None = None
     submerged_weight: u.ForcePerLength | None = None
     buoyancy_lift: Annotated[u.ForcePerLength, NOT_NEGATIVE] | None = None
+    modules: Modules | None = None
+    lines: Annotated[list[Line], Field(min_length=1)] | None = None
     lateral_load: u.ForcePerLength | None = None
     drag: Drag | None = None
     tangential_drag: TangentialDrag | None = None
@@ -175,6 +182,12 @@ class Section(Strict):
             raise ValueError("needs young_modulus with diameters, or axial_stiffness")
         if self.contents and self.inner_diameter is None:
             raise ValueError("contents need inner_diameter")
+        if (self.modules or self.lines) and not (self.mass or self.wall_density):
+            raise ValueError("modules and lines need the mass of the pipe, or its wall_density")
+        if self.modules and self.buoyancy_lift is not None:
+            raise ValueError("give modules or buoyancy_lift, not both: modules tell their lift")
+        if len({line.name for line in self.lines or []}) < len(self.lines or []):
+            raise ValueError("lines: names must differ")
         if self.wall_density:
             return self.model_copy(update={"mass": self.wall_density * self.wall_area})
         return self
@@ -194,7 +207,24 @@ class Section(Strict):
 
     @property
     def elasticity(self) -> tuple[float, float]:
-        """EA (N) and EI (N m2), 0 for a string."""
+        """EA (N) and EI (N m2) of pipe and lines, 0 for a string."""
+        axial, bending = self.pipe_elasticity
+        if not bending:
+            return axial, bending
+        more = [line.elasticity for line in self.lines or []]
+        return axial + sum(a for a, _ in more), bending + sum(b for _, b in more)
+
+    @property
+    def pipe_shares(self) -> tuple[float, float]:
+        """Shares of tension and bending moment that the pipe takes, the rest being the lines'."""
+        if not self.lines:
+            return 1.0, 1.0
+        own, whole = self.pipe_elasticity, self.elasticity
+        return own[0] / whole[0], own[1] / whole[1] if whole[1] else 1.0
+
+    @property
+    def pipe_elasticity(self) -> tuple[float, float]:
+        """EA (N) and EI (N m2) of the pipe alone, 0 for a string."""
         if self.young_modulus is None:
             return self.axial_stiffness or 0.0, self.bending_stiffness or 0.0
         outer, inner = self.outer_diameter or 0.0, self.inner_diameter or 0.0

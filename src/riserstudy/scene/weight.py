@@ -10,6 +10,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from riserstudy.scene.dressed import carried
+
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
     from riserstudy.scene.riser import Section
@@ -39,6 +41,39 @@ def weighed(scene: Parts) -> list[Section]:
             )
         weight = (scene.gravity or 0.0) * ((section.mass or 0.0) - _displaced(scene, k))
         sections[k] = section.model_copy(update={"submerged_weight": weight})
+    return sections
+
+
+def dressed(scene: Parts) -> list[Section]:
+    """The sections, each with mass and weight of its pipe, modules and lines together.
+
+    Raises
+    ------
+    ValueError
+        Where gravity or the weight of a pipe is missing, or where a section is in the water in part.
+    """
+    if not any(section.modules or section.lines for section in scene.riser):
+        return scene.riser
+    if scene.gravity is None:
+        raise ValueError("modules and lines of riser sections need gravity")
+    modular = any(section.modules for section in scene.riser)
+    sections = list(scene.riser)
+    for k, section in enumerate(scene.riser):
+        if section.submerged_weight is None:
+            raise ValueError(
+                f"modules and lines need riser[{k}].submerged_weight, that of the pipe"
+            )
+        bare = section.buoyancy_lift is None and modular
+        more: dict[str, float] = {"buoyancy_lift": 0.0} if bare else {}
+        if section.modules or section.lines:
+            adds = carried(section, scene.gravity, _water_around(scene, k))
+            more |= {
+                "mass": (section.mass or 0.0) + adds.mass,
+                "submerged_weight": section.submerged_weight + adds.weight,
+            }
+            if section.modules:
+                more["buoyancy_lift"] = adds.lift
+        sections[k] = section.model_copy(update=more)
     return sections
 
 
@@ -90,6 +125,18 @@ def _displaced(scene: Parts, k: int) -> float:
     ValueError
         Where only a part of the section is under water.
     """
+    outside = 0.25 * math.pi * (scene.riser[k].outer_diameter or 0.0) ** 2
+    return _water_around(scene, k) * outside
+
+
+def _water_around(scene: Parts, k: int) -> float:
+    """Density of the water around a section (kg/m3), 0 above it.
+
+    Raises
+    ------
+    ValueError
+        Where only a part of the section is under water.
+    """
     if scene.water is None:
         return 0.0
     levels, surface = _levels(scene, k), scene.water.surface
@@ -98,7 +145,7 @@ def _displaced(scene: Parts, k: int) -> float:
             return 0.0
         raise ValueError(
             f"riser section {scene.riser[k].name!r} reaches from {levels[0]:g} m to {levels[1]:g} m through "
-            f"the surface at {surface:g} m, and its weight is to follow from its diameters; split it at the "
-            f"surface, or give riser[{k}].submerged_weight"
+            f"the surface at {surface:g} m, and its weight is to follow from its parts; split it at the "
+            f"surface, or give riser[{k}].submerged_weight of the whole, without modules and lines"
         )
-    return scene.water.density * 0.25 * math.pi * (scene.riser[k].outer_diameter or 0.0) ** 2
+    return scene.water.density

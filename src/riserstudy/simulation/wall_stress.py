@@ -104,7 +104,8 @@ def along_the_riser(
             continue
         wall = Wall(0.5 * (section.outer_diameter or 0.0), 0.5 * (section.inner_diameter or 0.0))
         nodes = nodes_of(mesh, k)
-        parts = (tension, moment, inside, outside)
+        axial, bending = section.pipe_shares
+        parts = (axial * tension, bending * moment, inside, outside)
         stress = von_mises(wall, *(values[..., nodes] for values in parts))
         stresses[..., nodes] = np.fmax(stresses[..., nodes], stress)
     return stresses

@@ -1,0 +1,114 @@
+"""What the pipe of a joint carries: buoyancy modules, choke and kill lines.
+
+Their mass, weight and stiffness are told apart from the pipe's, and added to it once a scene is whole.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.scene import units as u
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Strict
+
+if TYPE_CHECKING:
+    from riserstudy.scene.riser import Section
+
+
+class Modules(Strict):
+    """Buoyancy modules of one joint; a section without ``joints`` counts as one.
+
+    ``lift``: what they lift in water beyond their own weight. Out of the water their mass weighs.
+    """
+
+    mass: Annotated[u.Mass, POSITIVE]
+    lift: Annotated[u.Force, NOT_NEGATIVE]
+
+
+class Line(Strict):
+    """Choke, kill, booster or hydraulic lines along the pipe, ``count`` equal ones; absent count: one.
+
+    Mass is given, or that of a wall of some density. ``contents``: density of what is inside; it moves
+    with the line. Absent: nothing. Lines with a modulus bend beside the pipe, each about its own axis.
+    Their ``tension`` is ``shared``, by the stiffnesses of pipe and lines, or they are ``sliding`` in their
+    ends and take none. What pressure in a line does to the tension of the pipe is left out.
+    """
+
+    name: str
+    count: Annotated[int, Field(ge=1, le=100), WHOLE] | None = None
+    outer_diameter: Annotated[u.Length, POSITIVE]
+    inner_diameter: Annotated[u.Length, NOT_NEGATIVE]
+    mass: Annotated[u.MassPerLength, POSITIVE] | None = None
+    wall_density: Annotated[u.Density, POSITIVE] | None = None
+    contents: Annotated[u.Density, POSITIVE] | None = None
+    young_modulus: Annotated[u.Modulus, POSITIVE] | None = None
+    tension: Literal["shared", "sliding"] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.inner_diameter >= self.outer_diameter:
+            raise ValueError(
+                f"inner_diameter {self.inner_diameter:g} m must be smaller than "
+                f"outer_diameter {self.outer_diameter:g} m"
+            )
+        if (self.mass is None) == (self.wall_density is None):
+            raise ValueError("needs one of mass and wall_density")
+        if (self.young_modulus is None) != (self.tension is None):
+            raise ValueError("young_modulus and tension ('shared' or 'sliding') come together")
+        return self
+
+    @property
+    def number(self) -> int:
+        """How many there are."""
+        return self.count or 1
+
+    @property
+    def wall_area(self) -> float:
+        """Cross section of the walls of all (m2)."""
+        return self.number * _disc(self.outer_diameter) - self.number * _disc(self.inner_diameter)
+
+    @property
+    def all_mass(self) -> float:
+        """Mass of all with what is inside (kg/m)."""
+        own = (self.wall_density or 0.0) * self.wall_area + self.number * (self.mass or 0.0)
+        return own + (self.contents or 0.0) * self.number * _disc(self.inner_diameter)
+
+    @property
+    def outside(self) -> float:
+        """Cross section of the water that all displace (m2)."""
+        return self.number * _disc(self.outer_diameter)
+
+    @property
+    def elasticity(self) -> tuple[float, float]:
+        """EA (N) and EI (N m2) that all add to the pipe's."""
+        modulus = self.young_modulus or 0.0
+        second = math.pi / 64.0 * (self.outer_diameter**4 - self.inner_diameter**4)
+        axial = modulus * self.wall_area if self.tension == "shared" else 0.0
+        return axial, modulus * self.number * second
+
+
+class Carried(NamedTuple):
+    """Mass (kg/m), weight (N/m) and lift of modules beyond their own weight (N/m) of what a pipe carries."""
+
+    mass: float
+    weight: float
+    lift: float
+
+
+def carried(section: Section, gravity: float, water: float) -> Carried:
+    """What modules and lines of a section add, in gravity (m/s2) and water (kg/m3; 0 above it)."""
+    lines = section.lines or []
+    mass, outside = sum(line.all_mass for line in lines), sum(line.outside for line in lines)
+    weight = gravity * (mass - water * outside)
+    if section.modules is None:
+        return Carried(mass, weight, 0.0)
+    each = section.joints.length if section.joints else section.total_length
+    own = section.modules.mass / each
+    lift = section.modules.lift / each if water else 0.0
+    return Carried(mass + own, weight + (-lift if water else gravity * own), lift)
+
+
+def _disc(diameter: float) -> float:
+    return 0.25 * math.pi * diameter**2
