@@ -4,18 +4,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.liu2017.crossing import first_crossing
-from riserstudy.chapters.liu2017.limits import (
-    CIRCLE,
-    LIMITS,
-    NEVER,
-    TOO_LATE,
-    first_limit,
-    reached,
-    shares,
-    starts,
-    watch_circle,
-)
+from riserstudy.chapters.liu2017.limits import LIMITS, reached, shares, starts
+from riserstudy.dataset.crossing import first_crossing, first_limit
+from riserstudy.design.watch_circles import CIRCLE, NEVER, TOO_LATE, watch_circle
 
 TIME = np.arange(0.0, 101.0)
 
@@ -53,13 +44,14 @@ def test_the_first_limit_is_named():
     "before, outcome, radius", [(20.0, CIRCLE, 60.0), (50.0, TOO_LATE, 0.0), (60.0, TOO_LATE, 0.0)]
 )
 def test_a_watch_circle_is_as_early_as_the_disconnect_is_long(before, outcome, radius):
-    circle = watch_circle(runs(**{"upper flex joint": 0.02}), before)
+    found = runs(**{"upper flex joint": 0.02})
+    circle = watch_circle(reached(found).min("limit"), found["platform_offset"], before)
     assert int(circle["circle_outcome"]) == outcome
     assert float(circle["circle_radius"]) == pytest.approx(radius)
 
 
 def test_where_no_limit_is_reached_every_offset_is_allowed():
-    circle = watch_circle(runs(), 60.0)
+    circle = watch_circle(reached(runs()).min("limit"), runs()["platform_offset"], 60.0)
     assert int(circle["circle_outcome"]) == NEVER
     assert float(circle["circle_radius"]) == pytest.approx(200.0)
 

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riserstudy.chapters.liu2017.crossing import first_crossing
-from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, at_time, reached, shares, starts
+from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
+from riserstudy.dataset.crossing import at_time, first_crossing
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere, least
 

@@ -12,19 +12,16 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riserstudy.chapters.liu2017.crossing import first_crossing
 from riserstudy.chapters.liu2017.limits import (
     BOTTOM,
     LIMITS,
-    MEANINGS,
-    at_time,
-    first_limit,
     reached,
     shares,
     starts,
-    watch_circle,
 )
+from riserstudy.dataset.crossing import at_time, first_crossing, first_limit
 from riserstudy.dataset.describe import described
+from riserstudy.design.watch_circles import MEANINGS, watch_circle
 from riserstudy.scene.units import to_si
 
 PAPER = "liu2017"
@@ -167,13 +164,14 @@ def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr
     runs = runs.assign_coords(environment_heading=headings["environment_heading"].astype(float))
     times = reached(runs)
     eds = xr.DataArray(seconds, dims="eds_time", coords={"eds_time": seconds})
-    red, yellow = (watch_circle(runs, eds + more) for more in (0.0, to_si(preparing, "s")))
+    first, offset = times.min("limit"), runs["platform_offset"]
+    red, yellow = (watch_circle(first, offset, eds + more) for more in (0.0, to_si(preparing, "s")))
     dataset = xr.Dataset(
         {
             "limit_time": times,
-            "limit_offset": at_time(runs["platform_offset"], times).where(np.isfinite(times)),
+            "limit_offset": at_time(offset, times).where(np.isfinite(times)),
             "first_limit": first_limit(times),
-            "disconnect_time": times.min("limit"),
+            "disconnect_time": first,
             **{f"red_{name}": values for name, values in red.items()},
             **{f"yellow_{name}": values for name, values in yellow.items()},
         }

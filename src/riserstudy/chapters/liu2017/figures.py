@@ -13,16 +13,9 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.chapters.liu2017.crossing import first_crossing
-from riserstudy.chapters.liu2017.limits import (
-    BOTTOM,
-    LIMITS,
-    TOO_LATE,
-    first_limit,
-    reached,
-    shares,
-    starts,
-)
+from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
+from riserstudy.dataset.crossing import first_crossing, first_limit
+from riserstudy.design.watch_circles import TOO_LATE
 from riserstudy.figures.style import COLOURS, GREY, PRINTED, WIDTH, key_below, panels
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}

@@ -6,13 +6,12 @@ import json
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from riserstudy.chapters.mao_hangoff.towed import at_top
+from riserstudy.dataset.crossing import first_crossing
 from riserstudy.dataset.describe import described
 from riserstudy.scene.units import to_si
 
-FloatArray = NDArray[np.float64]
 PAPER = "mao_hangoff"
 KNOT = 1852.0 / 3600.0  # m/s
 
@@ -58,14 +57,11 @@ def speed_limits(
     }
     names = xr.DataArray(list(used), dims="limit", name="limit")
     use = xr.concat(list(used.values()), names, coords="minimal", compat="override")
-    speed, governing = xr.apply_ufunc(
-        _first_reached,
-        use,
-        use["platform_speed"],
-        input_core_dims=[["limit", "platform_speed"], ["platform_speed"]],
-        output_core_dims=[[], []],
-        vectorize=True,
-    )
+    reached = first_crossing(use, 1.0, along="platform_speed")
+    first, fastest = reached.min("limit"), float(use["platform_speed"][-1])
+    none = np.isinf(first)
+    speed = first.where(~none, fastest)
+    governing = reached.argmin("limit").where(~none, -1).astype(float)
     made = xr.Dataset({"use_of_limit": use, "speed_limit": speed, "governing_limit": governing})
     made["speed_through_water"] = speed + use["current_speed"] / KNOT
     return described(made, PAPER, "largest steady speed within limits")
@@ -81,23 +77,6 @@ def _at_the_keel(steady: xr.Dataset, keel: float) -> xr.DataArray:
     return xr.concat(angles, steady["riser_length"])
 
 
-def _first_reached(use: FloatArray, speed: FloatArray) -> tuple[float, float]:
-    """Speed at which a limit is first used up, and which one; the highest speed and -1 for none."""
-    first, which = float(speed[-1]), -1
-    for k, row in enumerate(use):
-        over = np.flatnonzero(row > 1.0)
-        if not len(over):
-            continue
-        j = int(over[0])
-        reached = float(speed[0])
-        if j:
-            share = (1.0 - row[j - 1]) / (row[j] - row[j - 1])
-            reached = float(speed[j - 1] + share * (speed[j] - speed[j - 1]))
-        if reached < first or which < 0:
-            first, which = min(first, reached), k
-    return first, float(which)
-
-
 def tension_limits(hang_off: xr.Dataset) -> xr.Dataset:
     """Range of tension at the top, and the heave amplitude at which tension is first lost (m).
 
@@ -106,30 +85,13 @@ def tension_limits(hang_off: xr.Dataset) -> xr.Dataset:
     high, low = hang_off["effective_tension_max"], hang_off["effective_tension_min"]
     lowest = low.min("s_node")
     rest = hang_off["effective_tension_static"].min("s_node").isel(heave_amplitude=0, drop=True)
-    lost = xr.apply_ufunc(
-        _first_below_zero,
-        rest,
-        lowest,
-        lowest["heave_amplitude"],
-        input_core_dims=[[], ["heave_amplitude"], ["heave_amplitude"]],
-        vectorize=True,
-    )
+    from_rest = xr.concat([rest.expand_dims(heave_amplitude=[0.0]), lowest], "heave_amplitude")
+    lost = first_crossing(-from_rest, 0.0, along="heave_amplitude")
     made = xr.Dataset(
         {
             "tension_range": at_top(high, "s_node") - at_top(low, "s_node"),
             "smallest_tension": lowest,
-            "heave_that_loses_tension": lost,
+            "heave_that_loses_tension": lost.where(np.isfinite(lost)),
         }
     )
     return described(made, PAPER, "tension in heave, soft and hard hang-off")
-
-
-def _first_below_zero(rest: float, lowest: FloatArray, amplitude: FloatArray) -> float:
-    """Amplitude at which the lowest tension is zero, on straight lines from that at rest."""
-    tension, heave = np.append(rest, lowest), np.append(0.0, amplitude)
-    below = np.flatnonzero(tension < 0.0)
-    if not len(below):
-        return float("nan")
-    j = int(below[0])
-    share = tension[j - 1] / (tension[j - 1] - tension[j])
-    return float(heave[j - 1] + share * (heave[j] - heave[j - 1]))

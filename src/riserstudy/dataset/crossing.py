@@ -1,0 +1,49 @@
+"""Where a curve first reaches a level, what reaches it first, and what else is there then."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+
+def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr.DataArray:
+    """Coordinate at which a curve first reaches a level, straight between points; infinite if never."""
+    place = curve[along].values
+    times: xr.DataArray = xr.apply_ufunc(
+        lambda c: _first(c, level, place), curve, input_core_dims=[[along]], vectorize=True
+    )
+    return times
+
+
+def first_limit(times: xr.DataArray) -> xr.DataArray:
+    """Name of the limit that is reached first, "none" where none is.
+
+    ``times`` over ``limit`` and more, infinite where it is never reached.
+    """
+    names = times["limit"].astype(object).isel(limit=times.argmin("limit"))
+    return names.drop_vars("limit").where(np.isfinite(times.min("limit")), "none").astype(str)
+
+
+def at_time(history: xr.DataArray, time: xr.DataArray) -> xr.DataArray:
+    """Value of a history at times that may differ from run to run; its end value after its end."""
+    within = time.clip(float(history["time"][0]), float(history["time"][-1]))
+    values: xr.DataArray = xr.apply_ufunc(
+        lambda h, t: np.interp(t, history["time"].values, h),
+        history,
+        within,
+        input_core_dims=[["time"], []],
+        vectorize=True,
+    )
+    return values
+
+
+def _first(curve: NDArray[np.float64], level: float, place: NDArray[np.float64]) -> float:
+    over = np.flatnonzero(curve >= level)
+    if len(over) == 0:
+        return np.inf
+    k = int(over[0])
+    if k == 0:
+        return float(place[0])
+    share = (level - curve[k - 1]) / (curve[k] - curve[k - 1])
+    return float(place[k - 1] + share * (place[k] - place[k - 1]))
