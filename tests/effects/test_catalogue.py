@@ -5,8 +5,9 @@ import pytest
 from riserstudy.effects.catalogue import catalogue, changes
 from riserstudy.effects.registry import NAMES, ROLES, Called, call, register
 from riserstudy.model.build import build
+from riserstudy.model.draining import draining
 from riserstudy.model.mesh import even
-from riserstudy.model.release import fading
+from riserstudy.model.release import fading, stack_contact
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.warm_up import scenes
 
@@ -16,11 +17,15 @@ WITHOUT_A_RECORD = {"lateral freedom"}
 def built():
     """Effects of small scenes, before and after what lets go."""
     for scene in [scene for group in scenes().values() for scene in group]:
-        model = build(scene, even(scene, 4), ring_elevation=100.0)
+        mesh = even(scene, 4)
+        model = build(scene, mesh, ring_elevation=100.0)
         yield from model.effects
         if scene.disconnect:
             model.s.moment[:] = 1.0
             yield from fading(model, 0.5, 0.2)
+            yield from stack_contact(scene)
+            if scene.disconnect.drain:
+                yield from draining(scene, mesh, model)
 
 
 BUILT = list(built())

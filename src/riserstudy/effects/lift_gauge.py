@@ -33,6 +33,10 @@ def probe(gauge, s):
 
 register(
     LiftGauge,
-    Called("lift gauge", "disconnect", example={"disconnect": {"at": "0.5 s", "over": "0.2 s"}}),
+    Called(
+        "lift gauge",
+        "disconnect",
+        example={"disconnect": {"at": "0.5 s", "over": "0.2 s", "stack": {"stiffness": "1 MN/m"}}},
+    ),
     probe=probe,
 )

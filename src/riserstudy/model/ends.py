@@ -29,7 +29,7 @@ def ends(of: Layout) -> Iterator[Effect]:
         load = np.zeros(of.d)
         load[-1] = top.tension
         yield Effect("constant tension", DeadLoad(ring, load), "top.tension")
-        if loss := top.tension_loss:
+        if (loss := top.tension_loss) and loss.over:
             lost = TensionLoss(ring, -loss.share * load, loss.at, loss.over)
             yield Effect("tension loss", lost, "top.tension_loss")
     if top.lateral_force and of.d > 1:

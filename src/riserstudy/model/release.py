@@ -1,4 +1,4 @@
-"""A model whose lower end is let go: the same state, without what held it."""
+"""A model part of which is let go: the same state, without what held it or pulled."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from riserstudy.effects.dead_load import DeadLoad
 from riserstudy.effects.fading_moment import FadingMoment
 from riserstudy.effects.flex_joint import FlexJoint
 from riserstudy.effects.lift_gauge import LiftGauge
+from riserstudy.effects.stack_contact import StackContact
 from riserstudy.effects.support import Support
 from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.model.layout import Layout
 from riserstudy.model.model import Effect, Model, Report
+from riserstudy.scene.models import Scene
 from riserstudy.solve.evaluate import forces_and_tangent, shape_of
 
 LIFT = ("lift", "lift_rate")  # what the gauge reports
@@ -25,12 +27,19 @@ def lift_gauge(of: Layout, report: Report) -> Iterator[Effect]:
         yield Effect("lift gauge", LiftGauge(of.bottom, report(*LIFT)), "disconnect")
 
 
-def released(model: Model, fading: Sequence[Effect] = ()) -> Model:
+def stack_contact(scene: Scene) -> Iterator[Effect]:
+    """What the lower end may come down on."""
+    if scene.disconnect and (stack := scene.disconnect.stack):
+        contact = StackContact(scene.bottom.elevation or 0.0, stack.stiffness)
+        yield Effect("stack contact", contact, "disconnect.stack")
+
+
+def released(model: Model, more: Sequence[Effect] = ()) -> Model:
     """The model in the same state with its lower end free, and moments that belong to that.
 
-    ``fading``: what still holds it for a while.
+    ``more``: what acts from now on, such as what still holds it for a while.
     """
-    kept = [e for e in model.effects if not _at_the_lower_end(e.record)] + list(fading)
+    kept = [e for e in model.effects if not _at_the_lower_end(e.record)] + list(more)
     moments = range(model.unknowns.moments)
     fixed = [(int(node), int(u)) for node, u in model.fixed if node > 0]
     freed = Model(model.unknowns, kept, [*fixed, *((0, u) for u in moments)])

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.effects import recoil_valve as throttle
 from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.cylinder_damping import CylinderDamping
 from riserstudy.effects.cylinders_in_space import CylindersInSpace
@@ -22,6 +23,9 @@ from riserstudy.model.layout import Layout
 from riserstudy.model.model import Effect
 from riserstudy.model.platform_motion import centre
 from riserstudy.model.tensioner_law import linear_law, table_law
+from riserstudy.scene import tensioners as scene_tensioners
+from riserstudy.scene.disconnect import RecoilValve
+from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Arrangement, Tensioners
 
 GAS_FIELDS = ("area", "pressure", "volume")
@@ -32,7 +36,8 @@ def tensioners(of: Layout) -> Iterator[Effect]:
     rig, ring = of.scene.top.tensioners, of.mesh.ring
     if rig is None:
         return
-    yield from laws(rig, of.gravity)
+    valve = of.scene.disconnect and of.scene.disconnect.recoil_valve
+    yield from laws(rig, of.gravity, recoil_valve(rig, valve, of.scene) if valve else [])
     yield from pistons(rig, ring, of.d)
     elevation = of.bottom + of.mesh.riser_length
     if rig.mid_stroke == "riser in equilibrium" and of.ring is not None:
@@ -45,8 +50,11 @@ def tensioners(of: Layout) -> Iterator[Effect]:
     yield in_space(rig, rig.arrangement, ring, elevation, about, bend)
 
 
-def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
-    """How each cylinder pulls, with the gravity (m/s2) that acts on pistons."""
+def laws(rig: Tensioners, gravity: float, throttled: Iterable[Effect] = ()) -> Iterator[Effect]:
+    """How each cylinder pulls, with the gravity (m/s2) that acts on pistons.
+
+    ``throttled``: what acts on the pull of the gas alone.
+    """
     each = np.array(rig.working)
     record: Any
     if rig.gas and not rig.linearised:
@@ -79,6 +87,7 @@ def laws(rig: Tensioners, gravity: float) -> Iterator[Effect]:
         tension, slope = linear_law(rig, gravity)
         why = "top.tensioners.linearised" if rig.any_gas else "top.tensioners.linear"
         yield Effect("linear tensioner", LinearSpring(tension * each, slope * each), why)
+    yield from throttled
     if rig.damper:
         record = CylinderDamping(rig.damper * each)
         yield Effect("tensioner damping", record, "top.tensioners.damping")
@@ -93,6 +102,29 @@ def outside(force: NDArray[np.float64], name: str, why: str) -> Iterator[Effect]
     """What the pressure around takes off the pull of gas, (cylinders,), N."""
     if np.any(force):
         yield Effect(name, LinearSpring(-force, np.zeros(len(force))), why)
+
+
+def recoil_valve(rig: Tensioners, valve: RecoilValve, scene: Scene) -> Iterator[Effect]:
+    """The valves between cylinders and their gas."""
+    gas, release = rig.any_gas, scene.disconnect
+    if gas is None or release is None:
+        return  # refused by the scene
+    area = gas.high.area if isinstance(gas, scene_tensioners.TwoChamberGas) else gas.area
+    each = np.array(rig.working)
+    residual = np.full(rig.count, valve.residual)
+    residual[valve.failed or []] = 1.0
+    record = throttle.RecoilValve(
+        resistance=each
+        * 0.5
+        * valve.oil_density
+        * area**3
+        / (valve.discharge * valve.opening) ** 2,
+        residual=residual,
+        start=release.at + (valve.delay or 0.0),
+        over=valve.over,
+        added=np.zeros(rig.count),
+    )
+    yield Effect("recoil valve", record, "disconnect.recoil_valve")
 
 
 def pistons(rig: Tensioners, ring: int, directions: int) -> Iterator[Effect]:

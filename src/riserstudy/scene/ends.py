@@ -158,11 +158,11 @@ class TelescopicJoint(Strict):
 
 
 class TensionLoss(Strict):
-    """A share of the top tension that is lost from one moment on, smoothly within another time."""
+    """A share of the top tension that is lost at a time, smoothly within another. Absent over: at once."""
 
     share: Annotated[float, Field(gt=0.0, le=1.0)]
     at: Annotated[u.Time, NOT_NEGATIVE]
-    over: Annotated[u.Time, POSITIVE]
+    over: Annotated[u.Time, POSITIVE] | None = None
 
 
 class Top(Strict):

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 from riserstudy.scene.forcing import Shape
 from riserstudy.scene.geometry import closes, covered
 from riserstudy.scene.limit_inputs import limits_fit
+from riserstudy.scene.tensioners import TwoChamberGas
 
 if TYPE_CHECKING:
+    from riserstudy.scene.disconnect import RecoilValve
     from riserstudy.scene.parts import Parts
 
 
@@ -74,6 +76,7 @@ def fit(scene: Parts) -> None:
     covered(scene)
     limits_fit(scene)
     _disconnect(scene)
+    _events(scene)
 
 
 def _sea(scene: Parts) -> None:
@@ -173,18 +176,69 @@ def _exchange(scene: Parts) -> None:
 
 
 def _disconnect(scene: Parts) -> None:
-    if scene.disconnect is None:
+    release = scene.disconnect
+    if release is None:
         return
-    a = scene.analysis
     if scene.bottom.hold != "wellhead":
         raise ValueError("disconnect needs 'bottom.hold: wellhead', which lets go")
-    if a.duration is None or not scene.disconnect.at < a.duration:
-        raise ValueError("disconnect.at must be before the end of analysis.duration")
-    if a.method == "explicit" or a.solver:
-        raise ValueError("disconnect needs an implicit method of lumped masses")
-    if scene.vessel and scene.vessel.coupling:
-        raise ValueError("disconnect does not go with vessel.coupling; leave coupling out")
     if scene.bottom.body and scene.bottom.body.reach:
         raise ValueError("disconnect needs a body at a point: leave out bottom.body's reach")
-    if scene.disconnect.valve and (scene.top.tension is None or scene.top.tension_loss):
+    if release.valve and (scene.top.tension is None or scene.top.tension_loss):
         raise ValueError("disconnect.valve needs top.tension, without a tension_loss of its own")
+    if release.recoil_valve:
+        _throttled(scene, release.recoil_valve)
+    if release.drain:
+        _drains(scene)
+
+
+def _throttled(scene: Parts, valve: RecoilValve) -> None:
+    """A recoil valve has gas behind it, and bottles that are part of it."""
+    rig = scene.top.tensioners
+    gas = rig.any_gas if rig else None
+    if rig is None or gas is None or rig.linearised:
+        raise ValueError(
+            "disconnect.recoil_valve needs tensioners with gas or two_chamber_gas, not linearised"
+        )
+    if valve.failed and max(valve.failed) >= rig.count:
+        raise ValueError(
+            f"disconnect.recoil_valve.failed: {valve.failed} of {rig.count} cylinders; they count from 0"
+        )
+    volume = (gas.high if isinstance(gas, TwoChamberGas) else gas).volume
+    if valve.isolation and not valve.isolation.volume < volume:
+        raise ValueError(
+            f"disconnect.recoil_valve.isolation.volume {valve.isolation.volume:g} m^3 leaves none of the "
+            f"{volume:g} m^3 of a cylinder's gas"
+        )
+
+
+def _drains(scene: Parts) -> None:
+    """Contents that run out are one column from the lower end upwards, under a sea of known level."""
+    filled = [(s.contents, s.inner_diameter) for s in scene.riser if s.contents]
+    if not filled or any(s.contents for s in scene.riser[len(filled) :]):
+        raise ValueError("disconnect.drain needs contents in sections from the lowest one upwards")
+    if len({(c.density, c.level, bore) for c, bore in filled}) > 1:
+        raise ValueError(
+            "disconnect.drain needs the same contents and bore in all sections with contents"
+        )
+    if scene.water is None or scene.water.surface is None:
+        raise ValueError(
+            "disconnect.drain needs water.surface: the sea stands against the contents"
+        )
+
+
+def _events(scene: Parts) -> None:
+    """What happens at a time of the run does so before its end, in a march that can stop for it."""
+    a, rig = scene.analysis, scene.top.tensioners
+    if rig and rig.failing and a.duration is None:
+        raise ValueError("top.tensioners.failing needs analysis.duration: statics are before it")
+    if not scene.events:
+        return
+    what = "disconnect" if scene.disconnect else "top.tension_loss or tensioners.failing at once"
+    if a.duration is None or not scene.events[-1] < a.duration:
+        raise ValueError(
+            f"{what} at {scene.events[-1]:g} s: must be before the end of analysis.duration"
+        )
+    if a.method == "explicit" or a.solver:
+        raise ValueError(f"{what} needs an implicit method of lumped masses")
+    if scene.vessel and scene.vessel.coupling:
+        raise ValueError(f"{what} does not go with vessel.coupling; leave coupling out")

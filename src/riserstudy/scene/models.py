@@ -12,6 +12,7 @@ from pydantic import model_validator
 
 from riserstudy.scene.ends import TensionLoss
 from riserstudy.scene.fitting import fit
+from riserstudy.scene.forcing import Translation
 from riserstudy.scene.parts import Parts
 from riserstudy.scene.weight import dressed, weighed
 
@@ -26,7 +27,22 @@ class Scene(Parts):
     def fitted(self) -> Self:
         """The scene with what follows from its parts; ValueError where they do not fit together."""
         fit(self)
-        return self._loaded()._weighed()._dressed()._carried()._valved()._with_rigid_body()
+        return self._loaded()._weighed()._dressed()._carried()._timed()._valved()._with_rigid_body()
+
+    def _timed(self) -> Self:
+        """The scene with the time of the release that a phase of heave stands for."""
+        release = self.disconnect
+        if release is None or release.phase is None:
+            return self
+        heave = self.platform.heave if self.platform else None
+        if not isinstance(heave, Translation):
+            raise ValueError("disconnect.phase needs platform.heave, one harmonic")
+        timed = release.timed(heave.period, heave.phase or 0.0)
+        if not timed.at < (self.analysis.duration or 0.0):
+            raise ValueError(
+                f"disconnect: its phase comes at {timed.at:g} s, not before the end of analysis.duration"
+            )
+        return self.model_copy(update={"disconnect": timed})
 
     def _valved(self) -> Self:
         """The scene with the tension that valves leave after the release."""

@@ -80,9 +80,21 @@ class Parts(Strict):
         sudden = self.vessel or (self.wave and self.wave.ramp is None)
         if sudden or a.start not in (None, "equilibrium"):
             times.append(0.0)
-        if self.disconnect:
-            times.append(self.disconnect.at)
+        times += self.events
         return sorted({t for t in times if t < (a.duration or 0.0)})
+
+    @property
+    def events(self) -> list[float]:
+        """Times at which a part of the system is no longer what it was (s), in order."""
+        release, loss, rig = self.disconnect, self.top.tension_loss, self.top.tensioners
+        times = [release.at] if release else []
+        if release and release.recoil_valve and (shut := release.recoil_valve.isolation):
+            times.append(release.at + shut.after)
+        if loss and loss.over is None:
+            times.append(loss.at)
+        if rig and rig.failing:
+            times.append(rig.failing.at)
+        return sorted(set(times))
 
     @property
     def lateral(self) -> str:

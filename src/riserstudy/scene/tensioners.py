@@ -141,13 +141,21 @@ class Arrangement(Strict):
         return [first + spacing * c for c in range(count)]
 
 
+class Failing(Strict):
+    """Cylinders, counted from 0, that pull nothing from a time of the run on: lines that part."""
+
+    at: Annotated[u.Time, POSITIVE]
+    cylinders: Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=1)]
+
+
 class Tensioners(Strict):
     """Equal cylinders between ring and deck. Absent damping or stroke: none, no stops.
 
     ``table``: any other law, pull over reach of one cylinder, joined smoothly and monotonically, or by
     straight lines with ``interpolation: linear``; beyond its ends it goes on straight, with a warning.
 
-    Absent arrangement: they stay upright. ``failed`` cylinders, counted from 0, pull nothing.
+    Absent arrangement: they stay upright. ``failed`` cylinders, counted from 0, pull nothing. Absent
+    failing: none fails during the run.
     """
 
     count: Annotated[int, Field(ge=1, le=1000), WHOLE]
@@ -163,9 +171,14 @@ class Tensioners(Strict):
     stroke: Stroke | None = None
     arrangement: Arrangement | None = None
     failed: list[Annotated[int, Field(ge=0)]] | None = None
+    failing: Failing | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
+        if self.failing and max(self.failing.cylinders) >= self.count:
+            raise ValueError(
+                f"failing.cylinders: {self.failing.cylinders} of {self.count}; they count from 0"
+            )
         wrong = [c for c in self.failed or [] if c >= self.count]
         if wrong or len(set(self.failed or [])) == self.count:
             raise ValueError(f"failed: {self.failed} of {self.count} cylinders; they count from 0")

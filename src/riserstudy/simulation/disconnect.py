@@ -1,4 +1,4 @@
-"""March through the release of the lower end, and what the riser did above the stack."""
+"""The release of the lower end, and what the riser did above the stack."""
 
 from __future__ import annotations
 
@@ -7,59 +7,43 @@ from typing import Any
 import numpy as np
 
 from riserstudy.errors import SimulationError
+from riserstudy.model.draining import draining, flow_of
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
-from riserstudy.model.release import fading, released
+from riserstudy.model.release import fading, released, stack_contact
 from riserstudy.scene.models import Scene
 from riserstudy.simulation import outputs
-from riserstudy.simulation.time_stepping import march_on
 from riserstudy.solve.evaluate import energies, forces_and_tangent
-from riserstudy.solve.program import Frozen
-from riserstudy.solve.sums import DONE, Sums
 
 STILL = 1e-6  # share of the tension above the connector that is rounding
 TOUCHING = 1e-6  # lift that is contact (m)
 
 
-def march_through(
-    scene: Scene,
-    model: Model,
-    mesh: Mesh,
-    step: float,
-    record: Frozen,
-    sums: Sums,
-    facts: dict[str, Any],
-) -> tuple[Model, int, float]:
-    """March to the release and on from it, by steps of ``step`` (s).
-
-    Returns the model as it ends, DONE or why it stopped, and the energy that the release took out of the
-    account (J); the facts gain what of it is the joint's at the lower end.
+def let_go(scene: Scene, mesh: Mesh, facts: dict[str, Any], model: Model) -> Model:
+    """The model without what holds its lower end; the facts gain the energy (J) of the joint there.
 
     Raises
     ------
     SimulationError
-        When the riser stands on the stack at the release.
+        When the riser stands on the stack at the release and nothing would hold it there.
     """
-    if scene.disconnect is None:
-        return model, march_on(scene, model, mesh, step, record, sums), 0.0
-    at = scene.disconnect.at
-    outcome = march_on(scene, model, mesh, step, record, sums, until=at)
-    if outcome != DONE:
-        return model, outcome, 0.0
+    release = scene.disconnect
+    if release is None:
+        raise TypeError("nothing lets go")  # asked before
     pull = _overpull(model)
-    if pull < -STILL * float(abs(model.s.segment).max()):
+    if release.stack is None and pull < -STILL * float(abs(model.s.segment).max()):
         raise SimulationError(
-            f"disconnect: at {at:g} s the riser stands on the stack with {-pull:.4g} N, and would fall: "
-            "raise top.tension or take another moment"
+            f"disconnect: at {release.at:g} s the riser stands on the stack with {-pull:.4g} N, and would "
+            "fall: raise top.tension, take another moment, or give disconnect.stack"
         )
     before = energies(model.programs, model.state)[0]
     freed = released(model)
     facts["taken_by_the_release"] = before - energies(freed.programs, freed.state)[0]
-    if over := scene.disconnect.over:
-        freed = released(model, fading(model, at, over))
-    taken = before - energies(freed.programs, freed.state)[0]
-    outcome = march_on(scene, freed, mesh, step, record, sums, since=at)
-    return freed, outcome, float(taken)
+    facts["overpull"] = pull
+    more = [*stack_contact(scene), *draining(scene, mesh, model)]
+    if release.over:
+        more += fading(model, release.at, release.over)
+    return released(model, more) if more else freed
 
 
 def _overpull(model: Model) -> float:
@@ -88,7 +72,13 @@ def enter_lift(scene: Scene, arrays: outputs.Arrays, facts: dict[str, Any]) -> N
     below = np.flatnonzero(lift < -TOUCHING)
     if len(below):
         facts["recontact_time"] = float(time[below[0]])
-        facts["warnings"].append(
-            f"disconnect: the lower end is back on the stack at {time[below[0]]:.4g} s, and "
-            f"{-lift.min():.3g} m below it later: it is not stopped there, what follows is not to be believed"
-        )
+        told = f"disconnect: the lower end is back on the stack at {time[below[0]]:.4g} s"
+        if scene.disconnect.stack is None:
+            told += (
+                f", and {-lift.min():.3g} m below it later: nothing stops it there, what follows is not "
+                "to be believed; disconnect.stack would"
+            )
+        facts["warnings"].append(told)
+    if column := flow_of(scene):
+        facts["contents_speed_max"] = float(abs(column.speed).max())
+        facts["contents_top_min"] = float(column.top.min())

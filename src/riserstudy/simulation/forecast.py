@@ -35,7 +35,7 @@ def forecast(scene: Scene) -> Forecast | None:
     """
     a = scene.analysis
     piece = _longest_ramp(scene) + PERIODS * period(scene)
-    if a.duration is None or a.output is None or scene.disconnect or a.duration < LONG * piece:
+    if a.duration is None or a.output is None or scene.events or a.duration < LONG * piece:
         return None
     if scene.vessel or scene.top.tension_loss:
         return None  # what happens later is another motion than that of the first periods

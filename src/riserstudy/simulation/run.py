@@ -19,8 +19,9 @@ from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
 from riserstudy.simulation import audit, outputs
 from riserstudy.simulation.coupling import march_in_turns, sides_of
-from riserstudy.simulation.disconnect import enter_lift, march_through
+from riserstudy.simulation.disconnect import enter_lift
 from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.events import march_through
 from riserstudy.simulation.extremes import extremes
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.section_forces import derived

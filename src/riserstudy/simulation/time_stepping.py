@@ -19,7 +19,7 @@ from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 from riserstudy.solve.sums import DONE
 
 RHO_INF = 0.8  # default spectral radius
-STIFF = "ESDIRK4"  # default where an end lets go: the waves that it sends die out in its stages
+STIFF = "ESDIRK4"  # default with events: the waves that they send die out in its stages
 NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
 ITERATIONS, HALVINGS = 12, 6  # of a step, at most
 GRADED = 4  # steps that a graded start replaces
@@ -73,7 +73,7 @@ def method_of(
 ) -> tuple[Any, Callable[..., int]]:
     """What describes a march of so many steps (s) by the scene's implicit method, and what marches."""
     a = scene.analysis
-    start, stepped = _method(a.method or (STIFF if scene.disconnect else None))
+    start, stepped = _method(a.method or (STIFF if scene.events else None))
     tolerance = (a.newton_tolerance or NEWTON) * float(mesh.l0.sum())
     return start(step, count, tolerance, ITERATIONS, HALVINGS, graded), stepped
 

@@ -70,6 +70,14 @@ _TURNS: Tree = {
     "thrusters": _THRUST | {"yaw": {"gain": "1e8 N*m/rad"}},
     "coupling": _COUPLED,
 }
+_LET_GO: Tree = {
+    "at": "0.4 s",
+    "over": "0.1 s",
+    "recoil_valve": {"oil_density": "900 kg/m^3", "opening": "1 m^2", "discharge": 0.7}
+    | {"residual": 0.5, "over": "0.2 s"},
+    "drain": {"friction": 0.02},
+    "stack": {"stiffness": "10 MN/m"},
+}
 _HEAVE: Tree = {"amplitude": "1 m", "period": "10 s"}
 _ANALYSIS: Tree = {
     "duration": "1 s",
@@ -115,6 +123,7 @@ def scenes() -> dict[str, list[Scene]]:
         "top": axial["top"] | {"x": "free", "lateral_force": "1 N"},
         "platform": axial["platform"],
         "bottom": axial["bottom"] | {"rotation": "fixed"},
+        "disconnect": _LET_GO,
     }
     pistons = axial | {
         "gravity": "9.81 m/s^2",

@@ -1,0 +1,72 @@
+r"""The recoil valve of a tensioner: oil that is throttled on its way between cylinder and bottles.
+
+.. math::
+
+   \Delta F = \frac{\rho A^3}{2\,(C_d A_v)^2}\; \dot x\,|\dot x|, \qquad
+   A_v(t) = A_{v0} \Big[\epsilon + (1 - \epsilon)\,\tfrac12\Big(1 + \cos\pi\,\frac{t - t_0}{\tau}\Big)\Big]
+
+on a cylinder of reach x, for t_0 < t < t_0 + tau; open before, at the residual opening afterwards. A pull
+is never negative: where the gas cannot push the oil as fast as the piston goes, the cylinder pulls nothing,
+the gas is taken to follow the piston, and its work is lost in the valve.
+
+References
+----------
+Elementary: the pressure drop of an orifice, Bernoulli's law with a coefficient of discharge.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.registry import Called, register
+from riserstudy.solve.jit import inner
+from riserstudy.solve.state import DISSIPATED, VELOCITY
+
+
+class RecoilValve(NamedTuple):
+    """One valve a cylinder; it acts on what the gas pulls, so its law comes after that of the gas."""
+
+    resistance: np.ndarray  # (c,) of the open valve (N s2/m2)
+    residual: np.ndarray  # (c,) share of the opening that is left, 1 where the valve fails to close
+    start: float  # t_0 (s)
+    over: float  # tau (s), above 0
+    added: np.ndarray  # (c,) what was last added to the pull (N)
+
+
+@inner
+def _resistance(valve, s, c):
+    """Resistance of a valve as far as it is open by now."""
+    phase = pi * min(max((s.clock[0] - valve.start) / valve.over, 0.0), 1.0)
+    opening = valve.residual[c] + (1.0 - valve.residual[c]) * 0.5 * (1.0 + cos(phase))
+    return valve.resistance[c] / (opening * opening)
+
+
+@inner
+def force(valve, s):
+    """The pressure drop on the piston, at most all that the gas pulls."""
+    for c in range(valve.resistance.shape[0]):
+        resistance, rate = _resistance(valve, s, c), s.reach_rate[c]
+        added = resistance * rate * abs(rate)
+        gas = max(s.pull[c], 0.0)
+        if added <= -gas:
+            added = -gas
+            s.k_pull[c] = 0.0
+        else:
+            s.k_pull[c] += s.rate[VELOCITY] * 2.0 * resistance * abs(rate)
+        s.pull[c] += added
+        valve.added[c] = added
+    return 0.0
+
+
+@inner
+def power(valve, s):
+    """Power dissipated in the oil (W); after `force`."""
+    for c in range(valve.resistance.shape[0]):
+        s.flow[DISSIPATED] += valve.added[c] * s.reach_rate[c]
+    return 0.0
+
+
+register(RecoilValve, Called("recoil valve", "disconnect.recoil_valve"), law=force, power=power)

@@ -1,0 +1,104 @@
+"""Models in which something stops to pull: cylinders, bottles, a part of the tension."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from riserstudy.effects.cylinder_damping import CylinderDamping
+from riserstudy.effects.dead_load import DeadLoad
+from riserstudy.effects.end_stop import EndStop
+from riserstudy.effects.gas_spring import GasSpring
+from riserstudy.effects.linear_spring import LinearSpring
+from riserstudy.effects.recoil_valve import RecoilValve
+from riserstudy.effects.tabulated_law import TabulatedLaw
+from riserstudy.effects.two_chamber_gas import TwoChamberGas
+from riserstudy.errors import SimulationError
+from riserstudy.model.model import Effect, Model
+from riserstudy.solve.evaluate import shape_of
+
+#: what of a law is a cylinder's own strength
+STRENGTH: dict[type, tuple[str, ...]] = {
+    GasSpring: ("area",),
+    TwoChamberGas: ("high_area", "low_area", "weight"),
+    LinearSpring: ("tension", "stiffness"),
+    TabulatedLaw: ("working",),
+    CylinderDamping: ("damping",),
+    EndStop: ("stiffness",),
+    RecoilValve: ("resistance",),
+}
+
+
+def without_cylinders(model: Model, cylinders: list[int]) -> Model:
+    """The model in the same state, some of whose cylinders pull nothing."""
+
+    def changed(record: Any) -> Any:
+        values = {name: getattr(record, name).copy() for name in STRENGTH.get(type(record), ())}
+        for value in values.values():
+            value[cylinders] = 0.0
+        return record._replace(**values)
+
+    return _changed(model, changed)
+
+
+def without_tension(model: Model, share: float) -> Model:
+    """The model in the same state, that a share of its constant tension no longer pulls."""
+
+    def changed(effect: Effect) -> Effect:
+        if not (isinstance(effect.record, DeadLoad) and effect.because == "top.tension"):
+            return effect
+        return effect._replace(
+            record=effect.record._replace(load=(1.0 - share) * effect.record.load)
+        )
+
+    return _like(model, [changed(effect) for effect in model.effects])
+
+
+def without_bottles(model: Model, volume: float) -> Model:
+    """The model in the same state, with a volume (m3) of each cylinder's gas shut off.
+
+    Pressure goes on from where it is, on the gas that is left.
+
+    Raises
+    ------
+    SimulationError
+        When that is no gas at all.
+    """
+    shape_of(model.programs, model.state)
+    reach = model.s.reach.copy()
+
+    def shut(area: Any, pressure: Any, full: Any, exponent: Any) -> tuple[Any, Any]:
+        now = full - area * reach
+        if np.any(now <= volume):
+            raise SimulationError(
+                f"disconnect.recoil_valve.isolation: shuts off {volume:g} m^3 of {float(now.min()):.4g} m^3 "
+                "of gas that a cylinder has by then; take less"
+            )
+        left = full - volume
+        return pressure * (full / now) ** exponent * ((now - volume) / left) ** exponent, left
+
+    def changed(record: Any) -> Any:
+        if isinstance(record, GasSpring):
+            pressure, left = shut(record.area, record.pressure, record.volume, record.exponent)
+            return record._replace(pressure=pressure, volume=left)
+        if isinstance(record, TwoChamberGas):
+            pressure, left = shut(
+                record.high_area, record.high_pressure, record.high_volume, record.exponent
+            )
+            return record._replace(high_pressure=pressure, high_volume=left)
+        return record
+
+    return _changed(model, changed)
+
+
+def _changed(model: Model, change: Callable[[Any], Any]) -> Model:
+    return _like(model, [e._replace(record=change(e.record)) for e in model.effects])
+
+
+def _like(model: Model, effects: list[Effect]) -> Model:
+    fixed = [(int(node), int(unknown)) for node, unknown in model.fixed]
+    other = Model(model.unknowns, effects, fixed)
+    other.take_state(model)
+    return other

@@ -1,0 +1,71 @@
+"""March through a scene and what happens in it: at each event the march ends a step and goes on anew."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any, NamedTuple
+
+from riserstudy.model.failing import without_bottles, without_cylinders, without_tension
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Model
+from riserstudy.scene.models import Scene
+from riserstudy.simulation.disconnect import let_go
+from riserstudy.simulation.time_stepping import march_on
+from riserstudy.solve.evaluate import energies
+from riserstudy.solve.program import Frozen
+from riserstudy.solve.sums import DONE, Sums
+
+Facts = dict[str, Any]
+
+
+class Event(NamedTuple):
+    """What is no longer as it was from a time on."""
+
+    at: float  # s
+    change: Callable[[Model], Model]  # into a model in the same state
+
+
+def events_of(scene: Scene, mesh: Mesh, facts: Facts) -> Iterator[Event]:
+    """The events of a scene; what is to be told of them goes into the facts."""
+    release, loss, rig = scene.disconnect, scene.top.tension_loss, scene.top.tensioners
+    if release:
+        yield Event(release.at, partial(let_go, scene, mesh, facts))
+        if release.recoil_valve and (shut := release.recoil_valve.isolation):
+            yield Event(release.at + shut.after, partial(without_bottles, volume=shut.volume))
+    if loss and loss.over is None:
+        yield Event(loss.at, partial(without_tension, share=loss.share))
+    if rig and rig.failing:
+        yield Event(rig.failing.at, partial(without_cylinders, cylinders=rig.failing.cylinders))
+
+
+def march_through(
+    scene: Scene,
+    model: Model,
+    mesh: Mesh,
+    step: float,
+    record: Frozen,
+    sums: Sums,
+    facts: Facts,
+) -> tuple[Model, int, float]:
+    """March by steps of ``step`` (s), from event to event.
+
+    Returns the model as it ends, DONE or why it stopped, and the energy that the events took out of the
+    account (J).
+
+    Raises
+    ------
+    SimulationError
+        When an event cannot happen in the state that it meets.
+    """
+    taken, since = 0.0, 0.0
+    for event in sorted(events_of(scene, mesh, facts), key=lambda event: event.at):
+        if event.at > since:
+            outcome = march_on(scene, model, mesh, step, record, sums, since, event.at)
+            if outcome != DONE:
+                return model, outcome, taken
+        before = energies(model.programs, model.state)[0]
+        model = event.change(model)
+        taken += float(before - energies(model.programs, model.state)[0])
+        since = event.at
+    return model, march_on(scene, model, mesh, step, record, sums, since), taken

@@ -1,0 +1,72 @@
+"""Draining contents: a case, and the plain version."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+from surroundings import L0, Case, N
+
+from riserstudy.effects.added_mass import AddedMass
+from riserstudy.effects.draining import Draining
+from riserstudy.effects.weight import Weight
+
+BORE, CONTENTS, SEA, GRAVITY = 0.19, 1400.0, 1025.0, 9.81
+FOOT = np.append(0.0, np.cumsum(L0)[:-1])
+FULL = BORE * CONTENTS * L0
+
+
+def held(level, water):
+    """Mass inside the segments, sampled at ten thousand places each."""
+    place = FOOT[:, None] + L0[:, None] * (np.arange(10_000) + 0.5) / 10_000
+    density = np.where(place < water, SEA, np.where(place < level, CONTENTS, 0.0))
+    return BORE * L0 * density.mean(axis=1)
+
+
+def draining(record, s):
+    time = s.clock[0]
+    top, water, rate = (
+        np.interp(time, record.time, row) for row in (record.top, record.water, record.acceleration)
+    )
+    push = held(top, water) * rate * s.tangent
+    out = np.zeros_like(s.force)
+    out[:, :N] += 0.5 * push
+    out[:, 1 : N + 1] += 0.5 * push
+    return {"force": out}
+
+
+@cache
+def others(d: int) -> tuple[Weight, AddedMass]:
+    """What the column writes: each case has one set of arrays."""
+    return Weight(d - 1, np.zeros(N + 1)), AddedMass(FULL.copy(), -FULL, 0)
+
+
+def _column(d: int) -> Draining:
+    weight, inside = others(d)
+    time = 1.0 + 0.5 * np.arange(14)
+    return Draining(
+        time=time,
+        acceleration=5.0 - time,
+        top=55.0 - 0.4 * (time - 1.0) ** 2,
+        water=np.maximum(3.0 * (time - 3.0), 0.0),
+        foot=FOOT,
+        bore=np.full(N, BORE),
+        densities=(CONTENTS, SEA),
+        gravity=GRAVITY,
+        mass=FULL.copy(),
+        change=np.zeros(N),
+        full=FULL,
+        load=weight.load,
+        dead=np.linspace(-3e5, -1e5, N + 1),
+        inside=inside.mass,
+        minus=inside.minus,
+    )
+
+
+CASES = {
+    Draining: Case(_column, lambda d: list(others(d))),
+}
+
+PLAIN = {
+    Draining: [("string", draining)],
+}
