@@ -73,3 +73,15 @@ def test_a_dataset_gives_the_tables_of_its_scene_without_a_run(tmp_path, monkeyp
             command("table", run, "-o", out, *words)
         assert ended.value.code == 2
     assert "analysis.duration" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["table", "run"])
+def test_workbooks_are_refused_with_what_serves_instead(command, tmp_path, monkeypatch, capsys):
+    scene = tmp_path / "pulled.yaml"
+    scene.write_text(json.dumps(PULLED))
+    monkeypatch.setattr("sys.argv", ["riserstudy", command, str(scene), "-o", f"{tmp_path}/a.xlsx"])
+    with pytest.raises(SystemExit):
+        main()
+    said = capsys.readouterr().err
+    assert ".csv" in said
+    assert "workbooks need a library that riserstudy does not bring" in said

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from riserstudy.cli.shared import SceneArgument, SetOption, check_writable, scene_of
+from riserstudy.cli.shared import SceneArgument, SetOption, check_csv, check_writable, scene_of
 from riserstudy.errors import InputError
 
 
@@ -32,15 +32,30 @@ def draw(
 
 
 def import_deck(
-    deck: Annotated[Path, typer.Argument(help="OrcaFlex text model", metavar="DECK.yml")],
-    output: Annotated[
-        Path, typer.Option("-o", "--output", help="scene to write", metavar="SCENE.yaml")
+    deck: Annotated[
+        Path,
+        typer.Argument(
+            help="OrcaFlex text model; WAMIT's .4, or Capytaine's dataset with an RAO",
+            metavar="DECK.yml",
+        ),
     ],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "-o", "--output", help="scene to write; of operators a table", metavar="SCENE.yaml"
+        ),
+    ],
+    length: Annotated[
+        str | None, typer.Option(help="ULEN of WAMIT's body, for .4: 1 m", metavar="LENGTH")
+    ] = None,
 ) -> None:
-    """Make a scene of a deck: the OrcaFlex text model of a vertical riser.
+    """Make a scene of a deck, the OrcaFlex text model of a vertical riser, or a table of a platform's RAOs.
 
     Everything that is not in the scene is named; what would make it another riser is refused.
     """
+    if deck.suffix in (".4", ".nc"):
+        _import_operators(deck, output, length)
+        return
     from riserstudy.scene.orcaflex import as_text, read_deck
 
     deck_scene = read_deck(deck)
@@ -49,6 +64,37 @@ def import_deck(
     for line in deck_scene.left_out:
         print(f"left out: {line}")
     print(f"{output} is written; {len(deck_scene.left_out)} entries of the deck are not in it")
+
+
+def _import_operators(source: Path, output: Path, length: str | None) -> None:
+    """The table of operators that a file of WAMIT or Capytaine holds."""
+    from riserstudy.scene import rao_files
+    from riserstudy.scene.units import to_si
+
+    if not source.is_file():
+        raise InputError(source, "", "no such file", "allowed is a file that exists")
+    check_writable(output, source)
+    check_csv(output)
+    if source.suffix == ".nc":
+        operators = rao_files.from_capytaine(source)
+    elif length is None:
+        allowed = "allowed is --length '1 m', or what the .gdf file has as ULEN"
+        raise InputError("--length", "", "missing: rotations are made dimensionless by it", allowed)
+    else:
+        try:
+            ulen = to_si(length, "m")
+        except ValueError as error:
+            raise InputError("--length", length, str(error), "allowed is a length: 1 m") from None
+        if not ulen > 0.0:
+            raise InputError("--length", length, "not above 0", "allowed is a length: 1 m")
+        operators = rao_files.from_wamit(source, ulen)
+    rao_files.write_table(operators, output)
+    for line in operators.left_out:
+        print(f"left out: {line}")
+    print(f"{output} is written; in a scene: {rao_files.lines_of_scene(operators, output)}")
+    print(
+        "Motions are those of the origin of the body's axes: give it as platform.centre_of_rotation"
+    )
 
 
 def new(folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER")]) -> None:

@@ -11,6 +11,7 @@ import typer
 from riserstudy.cli.shared import (
     AtOption,
     SetOption,
+    check_csv,
     check_writable,
     compile_kernels,
     place_of,
@@ -84,9 +85,7 @@ def table(
         raise InputError("--set", settings[0], "a dataset was simulated", "allowed with a scene")
     file = None if stored else scene_of(source, settings)
     check_writable(output, source)
-    if output.suffix != ".csv":
-        found = f"no table {output.suffix!r}"
-        raise InputError("--output", str(output), found, "allowed is .csv")
+    check_csv(output)
     if file is None:
         made = _table_of_run(kind.value, source)
     elif kind is TableKind.STACK_UP:
@@ -139,8 +138,7 @@ def statistics(
 
     of_run = opened(dataset)
     check_writable(output, dataset)
-    if output.suffix != ".csv":
-        raise InputError("--output", str(output), f"no table {output.suffix!r}", "allowed is .csv")
+    check_csv(output)
     if over and exposure:
         allowed = "over seeds extremes are those of the duration: leave it out"
         raise InputError("--exposure", exposure, "given with --over", allowed)

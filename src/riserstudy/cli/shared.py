@@ -79,6 +79,15 @@ def check_writable(output: Path, scene: Path) -> None:
         raise InputError("--output", str(output), reason, "allowed is another file") from None
 
 
+def check_csv(output: Path) -> None:
+    """Refuse a table that would not be CSV."""
+    if output.suffix != ".csv":
+        allowed = "allowed is .csv, which spreadsheets open"
+        if output.suffix in (".xlsx", ".xls"):
+            allowed += "; workbooks need a library that riserstudy does not bring"
+        raise InputError("--output", str(output), f"no table {output.suffix!r}", allowed)
+
+
 def place_of(at: list[str] | None) -> dict[str, str]:
     """Values by axis, as text."""
     given = [one.partition("=") for one in at or []]

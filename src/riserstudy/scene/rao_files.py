@@ -1,0 +1,217 @@
+"""Response amplitude operators from the files of diffraction codes, as the table that a scene reads.
+
+WAMIT's ``.4`` (columns period, heading, mode, modulus, phase, real and imaginary part) and the netCDF that
+Capytaine's datasets are saved as. Both tell where waves go to; WAMIT's phases lead the crest at the origin,
+Capytaine's, whose time goes as exp(-i w t), lag it. Axes are those of scenes: x, y to port of it, z up.
+
+References
+----------
+WAMIT, Inc., WAMIT User Manual, chapters 3 and 4: motions are made dimensionless by the length ULEN.
+Ancellin and Dias 2019, Capytaine: a Python-based linear potential flow solver, Journal of Open Source
+Software 4(36), 1341.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from riserstudy.errors import InputError
+from riserstudy.scene.rao import MOTIONS
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+ROUNDED = (
+    2e-3  # share by which modulus and phase may differ from real and imaginary part, as printed
+)
+FREQUENCIES = {
+    "omega": ("frequency", "rad/s"),
+    "freq": ("frequency", "Hz"),
+    "period": ("period", "s"),
+}
+
+
+class Operators(NamedTuple):
+    """A table of operators, as a scene reads it."""
+
+    columns: list[str]  # with their units
+    rows: list[list[float]]
+    phases: str  # lead or lag
+    left_out: list[str]
+
+
+class Row(NamedTuple):
+    """One number of a ``.4`` file."""
+
+    period: float  # s
+    heading: float  # deg
+    mode: int  # 1 to 6: surge ... yaw
+    value: complex  # leads where its angle is positive
+
+
+def from_wamit(path: Path, length: float) -> Operators:
+    """Operators of a ``.4`` file; the length ULEN of its body (m).
+
+    Raises
+    ------
+    InputError
+        When it is no such file, contradicts itself, or is not complete.
+    """
+    rows = [*_rows_of_wamit(path)]
+    waves = [row for row in rows if math.isfinite(row.period) and row.period > 0.0]
+    left_out = [
+        f"period {p:g}: no wave"
+        for p in sorted({r.period for r in rows} - {r.period for r in waves})
+    ]
+    left_out += [
+        f"mode {m}: no motion of a platform" for m in sorted({r.mode for r in waves if r.mode > 6})
+    ]
+    values = {(r.heading, r.period, r.mode): r.value for r in waves if r.mode <= 6}
+    if not values:
+        raise InputError(path, "", "no motions", "allowed are the modes 1 to 6 at periods above 0")
+    if len(values) < sum(row.mode <= 6 for row in waves):
+        raise InputError(path, "", "a line stands twice", "allowed is one for each wave and mode")
+    headings = sorted({heading for heading, _, _ in values})
+    periods = sorted({period for _, period, _ in values})
+    modes = sorted({mode for *_, mode in values})
+    table = []
+    for heading in headings:
+        for period in periods:
+            cells = [period, heading]
+            for mode in modes:
+                if (heading, period, mode) not in values:
+                    found = f"no mode {mode} at {heading:g} deg and {period:g} s"
+                    raise InputError(path, "", found, "allowed is a file with all of them")
+                value = values[heading, period, mode] / (length if mode > 3 else 1.0)
+                cells += [abs(value), math.degrees(cmath.phase(value))]
+            table.append(cells)
+    names = [MOTIONS[mode - 1] for mode in modes]
+    return Operators(["period (s)", "heading (deg)", *_columns(names)], table, "lead", left_out)
+
+
+def _rows_of_wamit(path: Path) -> list[Row]:
+    rows: list[Row] = []
+    for number, line in enumerate(path.read_text("utf-8", "replace").splitlines(), 1):
+        words = line.split()
+        try:
+            cells = [float(word.replace("D", "E").replace("d", "e")) for word in words]
+        except ValueError:
+            if rows:
+                raise InputError(
+                    path, f"line {number}", line.strip()[:40], "allowed are numbers"
+                ) from None
+            continue  # a heading
+        if not cells:
+            continue
+        if len(cells) != 7 or cells[2] != int(cells[2]):
+            allowed = "allowed are period, heading, mode, modulus, phase, real and imaginary part"
+            raise InputError(path, f"line {number}", f"{len(cells)} numbers", allowed)
+        value, told = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
+        if abs(value - told) > ROUNDED * abs(value) + 1e-6:
+            found = f"modulus and phase tell {told:.4g}, real and imaginary part {value:.4g}"
+            raise InputError(path, f"line {number}", found, "allowed is that both tell the same")
+        rows.append(Row(cells[0], cells[1], int(cells[2]), value))
+    return rows
+
+
+def from_capytaine(path: Path) -> Operators:
+    """Operators of a dataset of Capytaine that has an ``RAO``.
+
+    Raises
+    ------
+    InputError
+        When there is none, or it is of several bodies.
+    """
+    import xarray as xr
+
+    try:
+        dataset = xr.load_dataset(path)
+    except (OSError, ValueError) as error:
+        raise InputError(
+            path, "", f"no netCDF ({error})"[:80], "allowed is a dataset of Capytaine"
+        ) from None
+    if "RAO" not in dataset:
+        allowed = "allowed is a dataset with capytaine.post_pro.rao(dataset) as its variable RAO"
+        raise InputError(path, "RAO", "missing", allowed)
+    rao = _complex(path, dataset["RAO"])
+    by = next((name for name in FREQUENCIES if name in rao.dims), None)
+    if by is None or "radiating_dof" not in rao.dims:
+        allowed = "allowed are radiating_dof, wave_direction and one of omega, freq, period"
+        raise InputError(path, "RAO", f"over {', '.join(map(str, rao.dims))}", allowed)
+    dofs = _motions(path, [str(name) for name in rao["radiating_dof"].values])
+    directed = "wave_direction" in rao.coords
+    if "wave_direction" not in rao.dims:
+        rao = rao.expand_dims("wave_direction")
+    extra = set(rao.dims) - {"radiating_dof", "wave_direction", by}
+    if extra:
+        raise InputError(
+            path, "RAO", f"over {sorted(map(str, extra))[0]}, too", "allowed is one value"
+        )
+    rao = rao.transpose("wave_direction", by, "radiating_dof")
+    waves = rao[by].values
+    good = np.isfinite(waves) & (waves > 0.0)
+    left_out = [f"{by} {wave:g}: no wave" for wave in waves[~good]]
+    left_out += [
+        f"{name}: no motion of a platform" for name, motion in dofs.items() if motion is None
+    ]
+    left_out += [f"variable {name}" for name in dataset.data_vars if name != "RAO"]
+    taken = [k for k, motion in enumerate(dofs.values()) if motion]
+    table: list[list[float]] = []
+    for heading, plane in zip(np.degrees(rao["wave_direction"].values), rao.values, strict=True):
+        for wave, values in zip(waves[good], plane[good], strict=True):
+            cells = [x for v in values[taken] for x in (abs(v), math.degrees(cmath.phase(v)))]
+            table.append([float(wave)] + [float(heading)] * directed + [*map(float, cells)])
+    name, unit = FREQUENCIES[by]
+    heads = [f"{name} ({unit})"] + ["heading (deg)"] * directed
+    return Operators([*heads, *_columns([m for m in dofs.values() if m])], table, "lag", left_out)
+
+
+def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
+    """The operators as complex numbers, which netCDF keeps as two."""
+    if "complex" not in rao.dims:
+        return rao.astype(complex)
+    parts = [str(part) for part in rao["complex"].values] if "complex" in rao.coords else []
+    if sorted(parts) != ["im", "re"]:
+        raise InputError(path, "RAO", f"parts {parts}", "allowed are re and im along complex")
+    return rao.sel(complex="re", drop=True) + 1j * rao.sel(complex="im", drop=True)
+
+
+def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
+    """Which motion each degree of freedom is, None for others; names may begin with that of one body."""
+    bodies = {name.rpartition("__")[0] for name in names}
+    if len(bodies) > 1:
+        raise InputError(path, "radiating_dof", f"{len(bodies)} bodies", "allowed is one")
+    short = {name: name.rpartition("__")[2].lower() for name in names}
+    if not set(short.values()) & set(MOTIONS):
+        raise InputError(
+            path, "radiating_dof", ", ".join(names), f"allowed are {', '.join(MOTIONS)}"
+        )
+    return {name: one if one in MOTIONS else None for name, one in short.items()}
+
+
+def _columns(motions: list[str]) -> list[str]:
+    units = {name: "m/m" if name in MOTIONS[:3] else "rad/m" for name in motions}
+    return [x for name in motions for x in (f"{name} ({units[name]})", f"{name}_phase (deg)")]
+
+
+def write_table(found: Operators, target: Path) -> None:
+    """Write operators as the CSV table that ``platform.response.operators`` reads."""
+    import csv
+
+    with target.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(found.columns)
+        writer.writerows([f"{cell:.10g}" for cell in row] for row in found.rows)
+
+
+def lines_of_scene(found: Operators, target: Path) -> str:
+    """What the scene says beside the table."""
+    headed = ", headings: towards" if "heading (deg)" in found.columns else ""
+    return (
+        f"platform.response: {{operators: {{file: {target.name}}}, phases: {found.phases}{headed}}}"
+    )

@@ -1,0 +1,197 @@
+"""Operators of diffraction codes: a platform in a scene moves as the code's own formula says."""
+
+import cmath
+import math
+import sys
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.cli import main
+from riserstudy.errors import InputError
+from riserstudy.model.rao import harmonics
+from riserstudy.scene.load import SceneFile
+
+PERIODS, HEADINGS = (8.0, 12.0, 16.0), (0.0, 45.0, 90.0)
+MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+
+
+def made_up(motion, period, heading):
+    """A complex number for each: none is like another."""
+    k = MOTIONS.index(motion)
+    size = (0.1 + 0.05 * k) * period / 10.0 * (0.02 if k > 2 else 1.0)
+    return cmath.rect(size, math.radians(20.0 * k + 5.0 * period + 0.3 * heading))
+
+
+def wamit(path, length=1.0, skip=(), change=lambda row: row):
+    """The file, with rotations made dimensionless by the length."""
+    lines = ["  PER  BETA  I  MOD  PHA  RE  IM"]
+    for period in (*PERIODS, -1.0):
+        for heading in HEADINGS:
+            for k, motion in enumerate((*MOTIONS, "mode 7")):
+                if motion in skip:
+                    continue
+                scale = length if k > 2 else 1.0
+                value = scale * made_up(motion, period, heading) if k < 6 else 1j
+                row = [
+                    period,
+                    heading,
+                    k + 1,
+                    abs(value),
+                    math.degrees(cmath.phase(value)),
+                    value.real,
+                    value.imag,
+                ]
+                lines.append(
+                    " ".join(f"{x:.6E}" if k != 2 else str(x) for k, x in enumerate(change(row)))
+                )
+    path.write_text("\n".join(lines))
+    return path
+
+
+def capytaine(path, by="omega", body="", **changes):
+    """A dataset as Capytaine's are saved: real and imaginary parts along a dimension."""
+    waves = np.sort({"omega": 2.0 * np.pi / np.array(PERIODS), "period": np.array(PERIODS)}[by])
+    periods = 2.0 * np.pi / waves if by == "omega" else waves
+    values = np.array(
+        [[[made_up(m, p, h) for m in MOTIONS] + [1j] for h in HEADINGS] for p in periods]
+    )
+    parts = np.stack([values.real, values.imag])
+    coordinates = {
+        "complex": ["re", "im"], by: waves, "wave_direction": np.radians(HEADINGS),
+        "radiating_dof": [body + name.capitalize() for name in (*MOTIONS, "bulge")],
+    }  # fmt: skip
+    rao = xr.DataArray(parts, coordinates, ("complex", by, "wave_direction", "radiating_dof"))
+    xr.Dataset({"RAO": rao, "added_mass": 1.0} | changes).to_netcdf(path)
+    return path
+
+
+def imported(source, *words):
+    target = source.with_suffix(".csv")
+    sys.argv = ["riserstudy", "import", str(source), "-o", str(target), *words]
+    main()
+    return target
+
+
+def moved(table, phases, motion, period, heading):
+    """What a scene with that table has the platform do in a wave of 1 m, over time."""
+    tree = {
+        "title": "platform", "gravity": "9.81 m/s^2",
+        "water": {"density": "1025 kg/m^3", "surface": "0 m", "seabed": "-500 m"},
+        "riser": [{"name": "rope", "length": "480 m", "axial_stiffness": "1e9 N",
+                   "submerged_weight": "1 N/m"}],
+        "bottom": {"hold": "wellhead", "elevation": "-480 m"},
+        "top": {"x": "platform", "z": "platform", "elevation": "0 m"},
+        "platform": {
+            "centre_of_rotation": {"elevation": "0 m"},
+            "response": {
+                "operators": {"file": table.name}, "phases": phases, "headings": "towards",
+                "wave": {"amplitude": "1 m", "period": f"{period} s"}, "heading": f"{heading} deg",
+            },
+        },
+        "analysis": {},
+    }  # fmt: skip
+    response = SceneFile(str(table.parent / "scene.yaml"), tree).scene().platform.response
+    parts = harmonics(response, response.wave)
+    k = parts.motion.index(motion)
+    time = np.linspace(0.0, 30.0, 61)
+    return time, parts.amplitude[k] * np.sin(parts.frequency[k] * time + parts.phase[k])
+
+
+CASES = [("heave", 12.0, 0.0), ("pitch", 8.0, 45.0), ("sway", 16.0, 90.0), ("yaw", 12.0, 45.0)]
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("length", [1.0, 80.0])
+def test_wamit_moves_as_the_real_part_with_time_forward(tmp_path, case, length):
+    """Its motions are Re(x exp(i w t)) of waves cos(w t - k x)."""
+    table = imported(wamit(tmp_path / "semi.4", length), "--length", f"{length} m")
+    time, motion = moved(table, "lead", *case)
+    exact = (made_up(*case) * np.exp(2j * np.pi * time / case[1])).real
+    np.testing.assert_allclose(
+        motion, exact, atol=2e-5 * abs(exact).max()
+    )  # six digits are printed
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("by", ["omega", "period"])
+@pytest.mark.parametrize("body", ["", "semi__"])
+def test_capytaine_moves_as_the_real_part_with_time_backward(tmp_path, case, by, body):
+    """Its motions are Re(X exp(-i w t)) of waves cos(k x - w t)."""
+    table = imported(capytaine(tmp_path / "semi.nc", by, body))
+    time, motion = moved(table, "lag", *case)
+    exact = (made_up(*case) * np.exp(-2j * np.pi * time / case[1])).real
+    np.testing.assert_allclose(motion, exact, atol=1e-8)
+
+
+def test_what_is_left_out_is_named_with_what_the_scene_says_beside(tmp_path, capsys):
+    imported(wamit(tmp_path / "semi.4"), "--length", "1 m")
+    said = capsys.readouterr().out
+    assert "left out: period -1: no wave" in said
+    assert "left out: mode 7" in said
+    assert "phases: lead, headings: towards" in said
+    imported(capytaine(tmp_path / "semi.nc"))
+    said = capsys.readouterr().out
+    assert "left out: semi__bulge" in said or "left out: Bulge: no motion" in said
+    assert "left out: variable added_mass" in said
+    assert "phases: lag, headings: towards" in said
+
+
+def test_motions_that_a_file_does_not_have_are_not_in_the_table(tmp_path):
+    table = imported(wamit(tmp_path / "semi.4", skip=("sway", "yaw")), "--length", "1 m")
+    head = table.read_text().splitlines()[0]
+    assert "surge (m/m)" in head
+    assert "sway" not in head
+
+
+@pytest.mark.parametrize(
+    "change, why",
+    [
+        (lambda row: [*row[:4], -row[4], *row[5:]], "both tell the same"),
+        (lambda row: row[:5], "5 numbers"),
+        (lambda row: [8.0, 0.0, *row[2:]], "stands twice"),
+    ],
+)
+def test_a_file_that_contradicts_itself_is_refused(tmp_path, change, why):
+    with pytest.raises(SystemExit):
+        imported(wamit(tmp_path / "semi.4", change=change), "--length", "1 m")
+    from riserstudy.scene.rao_files import from_wamit
+
+    with pytest.raises(InputError, match=why):
+        from_wamit(tmp_path / "semi.4", 1.0)
+
+
+def test_a_file_without_all_modes_everywhere_is_refused(tmp_path):
+    from riserstudy.scene.rao_files import from_wamit
+
+    source = wamit(tmp_path / "semi.4")
+    source.write_text(
+        "\n".join(source.read_text().splitlines()[:3] + source.read_text().splitlines()[4:])
+    )
+    with pytest.raises(InputError, match="no mode 3 at 0 deg and 8 s"):
+        from_wamit(source, 1.0)
+
+
+def test_rotations_of_wamit_need_its_length(tmp_path, capsys):
+    with pytest.raises(SystemExit):
+        imported(wamit(tmp_path / "semi.4"))
+    assert "dimensionless" in capsys.readouterr().err
+
+
+def test_a_dataset_without_operators_or_of_two_bodies_is_refused(tmp_path):
+    from riserstudy.scene.rao_files import from_capytaine
+
+    xr.Dataset({"added_mass": 1.0}).to_netcdf(tmp_path / "bare.nc")
+    with pytest.raises(InputError, match=r"post_pro\.rao"):
+        from_capytaine(tmp_path / "bare.nc")
+    both = xr.load_dataset(capytaine(tmp_path / "one.nc"))
+    names = [
+        f"{'a' if k < 3 else 'b'}__{name}" for k, name in enumerate(both["radiating_dof"].values)
+    ]
+    both.assign_coords(radiating_dof=names).to_netcdf(tmp_path / "two.nc")
+    with pytest.raises(InputError, match="2 bodies"):
+        from_capytaine(tmp_path / "two.nc")
+    (tmp_path / "text.nc").write_text("no netCDF")
+    with pytest.raises(InputError, match="no netCDF"):
+        from_capytaine(tmp_path / "text.nc")
