@@ -26,11 +26,10 @@ def operability(rests: xr.Dataset, reach: str, allowances: dict[str, str]) -> xr
     """
     from riserstudy.design.operability import offsets  # which loads kernels
 
-    allowed = {name: to_si(str(value), UNITS[name]) for name, value in allowances.items()}
     found, labels = [], []
     for _, scene in scenes_of(rests):
         labels = [label(limit) for limit in scene.limits or []]
-        found.append([each[:2] for each in offsets(scene, to_si(reach, "m"), allowed)])
+        found.append([each[:2] for each in offsets(scene, to_si(reach, "m"), allowed(allowances))])
     over = [str(dim) for dim in rests["point_key"].dims]
     values = np.array(found).reshape(*rests["point_key"].shape, len(labels), len(SIDES))
     coords = {dim: rests[dim] for dim in over}
@@ -43,6 +42,11 @@ def operability(rests: xr.Dataset, reach: str, allowances: dict[str, str]) -> xr
     made.attrs["reach"] = to_si(reach, "m")
     kept = dict(made.attrs)
     return described(made, PAPER, "offsets at which limits are reached").assign_attrs(kept)
+
+
+def allowed(allowances: dict[str, str]) -> dict[str, float]:
+    """Dynamic allowances in the SI units of their limits, from those with units."""
+    return {name: to_si(str(value), UNITS[name]) for name, value in allowances.items()}
 
 
 def envelopes(limits: xr.DataArray) -> xr.Dataset:
