@@ -8,7 +8,10 @@ from numpy.typing import NDArray
 
 
 def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr.DataArray:
-    """Coordinate at which a curve first reaches a level, straight between points; infinite if never."""
+    """Coordinate at which a curve first reaches a level, in the coordinate's unit; infinite if never.
+
+    Straight between points; the level is in the unit of the curve.
+    """
     place = curve[along].values
     times: xr.DataArray = xr.apply_ufunc(
         lambda c: _first(c, level, place), curve, input_core_dims=[[along]], vectorize=True

@@ -51,6 +51,6 @@ def _answer(circles: xr.Dataset) -> str:
         "" if in_time.all() else "; in stronger ones even a yellow alarm at the start is too late"
     )
     return (
-        f"Adrift in {speed:g} m/s, {takes} leaves time with the yellow alarm within {yellow:.0f} m of the well "
-        f"and the red one within {red:.0f} m{more}"
+        f"Adrift in {speed:g} m/s, {takes} leaves time with the yellow alarm within {yellow:.0f} m of the "
+        f"well and the red one within {red:.0f} m{more}"
     )
