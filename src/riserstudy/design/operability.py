@@ -7,7 +7,7 @@ but for means, which have none.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple
@@ -23,6 +23,7 @@ from riserstudy.scene.limits import Limit
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import coarsest_mesh
+from riserstudy.study.processes import each
 
 NODES = 9  # offsets at which a search begins, alike for all limits
 CLOSE = 0.05  # m, to which an offset is found
@@ -51,6 +52,14 @@ def offsets(scene: Scene, reach: float, allowances: Mapping[str, float]) -> list
     """
     at = AtRest(scene)
     return [_between(at, limit, reach, allowances) for limit in scene.limits or []]
+
+
+def chart(
+    scenes: Sequence[Scene], reach: float, allowances: Mapping[str, float], processes: int = 1
+) -> list[list[Offsets]]:
+    """The same of several scenes, such as currents and muds, in several processes."""
+    task = partial(offsets, reach=reach, allowances=allowances)
+    return list(each(task, scenes, processes))
 
 
 class AtRest:
