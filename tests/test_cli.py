@@ -6,6 +6,7 @@ import re
 import resource
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -259,11 +260,38 @@ def test_a_long_run_is_priced_and_announced(command, tmp_path, monkeypatch):
     assert "segments, step" in told
 
 
-def test_effects_tells_what_is_on_and_why(command):
+def test_effects_tells_what_is_on_and_what_could_be(command):
     code, out, _ = command("effects", SURGE)
     assert code == 0
     assert "added mass" in out
-    assert "no top.tensioners" in out
+    assert "could be" in next(line for line in out.splitlines() if "no current" in line)
+    assert "no top.tensioners" not in out
+    assert "Free in the plane of x and z (platform.surge)." in out
+    code, whole, _ = command("effects", SURGE, "--all", "--times")
+    assert code == 0
+    assert "no top.tensioners" in whole
+    assert "Timed on" in whole
+
+
+def test_advise_says_first_what_could_go_and_what_is_missing(command):
+    short = [
+        "--set",
+        "analysis.duration=5 s",
+        "--set",
+        "analysis.step=0.1 s",
+        "--set",
+        "analysis.mesh.elements=10",
+    ]
+    code, out, _ = command("advise", SURGE, *short)
+    assert code == 0
+    could, missing = out.index("Could go, one at a time:"), out.index("would change the answer:")
+    assert could < missing < out.index("without surge")
+    assert "medians of 5 runs" in out
+
+
+def test_the_version_is_that_of_the_package(command):
+    code, out, _ = command("--version")
+    assert (code, out.strip()) == (0, f"riserstudy {version('riserstudy')}")
 
 
 def test_modes_prints_the_lowest_frequencies(command, tmp_path):

@@ -92,7 +92,7 @@ def test_advice_keeps_what_decides_and_lets_go_what_does_not():
     verdicts = {row.label: row.verdict for row in advice(light).rows}
     assert verdicts["without weight"] == COULD_GO
     assert verdicts["without drag"] == NEEDED
-    assert verdicts["with current (0.25 m/s from bottom to top)"] == MISSING
+    assert verdicts["with current"] == MISSING
 
 
 def test_a_scene_that_cannot_run_has_a_ledger_without_times():

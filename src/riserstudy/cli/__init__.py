@@ -8,10 +8,11 @@ from __future__ import annotations
 import atexit
 import gc
 import sys
-from typing import Any
+from typing import Annotated, Any
 
 import typer
 
+import riserstudy
 from riserstudy.cli import analyse, design, files, outputs, results, simulate
 from riserstudy.errors import RiserStudyError, shown
 
@@ -46,8 +47,25 @@ app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
-    help="Simulate deepwater drilling risers, and look at what was simulated.",
 )
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        print(f"riserstudy {riserstudy.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def about(
+    version: Annotated[
+        bool,
+        typer.Option("--version", is_eager=True, callback=_version, help="print the version"),
+    ] = False,
+) -> None:
+    """Simulate deepwater drilling risers, and look at what was simulated."""
+
+
 for command in COMMANDS:
     app.command(NAMES.get(command))(command)
 

@@ -42,27 +42,48 @@ def cost(
         requests.plot(prices, str(file.tree["title"]), plot)
 
 
-def effects(scene: SceneArgument, settings: SetOption = None) -> None:
-    """Say which effects a scene has, because of which line, and what each costs."""
+def effects(
+    scene: SceneArgument,
+    settings: SetOption = None,
+    every: Annotated[
+        bool, typer.Option("--all", help="also those that need more than this scene has")
+    ] = False,
+    times: Annotated[
+        bool, typer.Option("--times", help="also what share of a run each takes")
+    ] = False,
+) -> None:
+    """Say which effects a scene has, because of which line, and which it could call for.
+
+    What each changes and costs is told by ``advise``.
+    """
     from rich.console import Console
     from rich.table import Table
 
     from riserstudy.model.active_effects import ledger
-    from riserstudy.numerics.effect_shares import priced
+    from riserstudy.numerics.effect_shares import could_have, priced, solved_for
 
     file = scene_of(scene, settings)
-    rows = ledger(file.scene())
-    compile_kernels()
-    price = priced(file)
-    table = Table("effect", "", "because of", "time", title=str(file.tree["title"]))
-    for row in rows:
-        share = price.share.get(row.name)
-        spent = f"{100 * share:.1f} %" if share is not None else ""
-        style = None if row.on else "dim"
-        table.add_row(row.name, "on" if row.on else "off", row.because, spent, style=style)
+    rows, could = ledger(file.scene()), could_have(file)
     console = Console(markup=False)
+    share = {}
+    if times:
+        compile_kernels()
+        price = priced(file)
+        share = {name: f"{100 * part:.1f} %" for name, part in price.share.items()}
+    table = Table("effect", "", "because of", *(["time"] if times else []))
+    table.title = str(file.tree["title"])
+    for row in rows:
+        word = "on" if row.on else "could be" if row.name in could else "off"
+        if every or word != "off":
+            cells = (row.name, word, row.because, *([share.get(row.name, "")] if times else []))
+            table.add_row(*cells, style=None if row.on else "dim")
     console.print(table)
-    for line in price.said:
+    off = sum(not row.on and row.name not in could for row in rows)
+    counts = f"{sum(row.on for row in rows)} of {len(rows)} effects are on"
+    more = "" if every or not off else f"; --all lists {off} that need more than this scene has"
+    console.print(f"{counts}{more}.", highlight=False)
+    console.print(f"Free {solved_for(file)}.", highlight=False)
+    for line in price.said[:1] if times else []:
         console.print(line, highlight=False)
 
 
@@ -72,18 +93,23 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     from rich.table import Table
 
     from riserstudy.numerics.advice import advice
+    from riserstudy.simulation.show import shown
 
     file = scene_of(scene, settings)
     compile_kernels()
-    given = advice(file)
-    columns = ("displacement", "moment", "tension", "run time")
+    with shown(True) as tell:
+        given = advice(file, lambda what: tell(what, 0.0) if tell else None)
+    console = Console(markup=False)
+    for line in given.said:
+        console.print(line, highlight=False)
+    columns = ("displ.", "moment", "tension", "run time")
     table = Table("change", *columns, "verdict", title=str(file.tree["title"]))
     for row in given.rows:
         table.add_row(row.label, *row.changes, row.verdict, style=None if row.counts else "dim")
-    console = Console(markup=False)
     console.print(table)
-    for line in given.said:
-        console.print(line, highlight=False)
+    for row in given.rows:
+        if row.because:
+            console.print(f"{row.label}: {row.because}", highlight=False, style="dim")
 
 
 def modes(

@@ -1,13 +1,15 @@
 """What each effect changes and costs: a scene with and without it, on one mesh, with one step.
 
-Times are of runs in turn, the whole round repeated, and the shortest of each is taken: what else the
-machine does falls on all of them alike.
+Times are of runs in turn, the whole round repeated, and the median of each is taken: what else the
+machine does falls on all of them alike. A first run, which loads kernels, is not timed.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from statistics import median
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -66,31 +68,54 @@ def straight(result: Result) -> Array:
     return arrays["z_static"] if "time" in arrays else arrays["z_static"][0] + arrays["s_node"]
 
 
+@dataclass(kw_only=True)
+class Measured:
+    """Peaks of a run, and the times of its repeats."""
+
+    peaks: Peaks | None = None
+    times: list[float] = field(default_factory=list)  # s
+
+    @property
+    def seconds(self) -> float:
+        """Median of the times (s); infinite where nothing was timed."""
+        return median(self.times) if self.times else math.inf
+
+    @property
+    def scatter(self) -> float:
+        """Half of the range of the times, relative to their median."""
+        return 0.5 * (max(self.times) - min(self.times)) / self.seconds if self.times else 0.0
+
+
 @dataclass
-class Changed:
+class Changed(Measured):
     """A scene with one effect changed, and what that made of it."""
 
     change: Change
     because: str = ""
-    peaks: Peaks | None = None
-    seconds: float = math.inf
     message: str = ""
 
 
 @dataclass
-class Ablation:
+class Ablation(Measured):
     """A scene, its mesh and step, and all changes of it."""
 
     file: SceneFile
     mesh: Mesh
     step: float | None
-    peaks: Peaks | None = None
-    seconds: float = math.inf
     changed: list[Changed] = field(default_factory=list)
 
 
-def ablate(file: SceneFile, repeats: int, budget: float) -> Ablation:
+#: is told what is run next
+Tell = Callable[[str], None]
+
+
+def ablate(file: SceneFile, repeats: int, budget: float, tell: Tell = lambda _: None) -> Ablation:
     """Every fitting change of a scene, on one mesh with one step.
+
+    Parameters
+    ----------
+    repeats : timed runs of each.
+    budget : node-steps of a run.
 
     Raises
     ------
@@ -102,26 +127,31 @@ def ablate(file: SceneFile, repeats: int, budget: float) -> Ablation:
     step = scene.analysis.step
     base = Ablation(file, mesh, step)
     runs: list[tuple[Ablation | Changed, Scene]] = [(base, scene)]
-    for change, other in fitting(file):
+    every = list(fitting(file))
+    for k, (change, other) in enumerate(every, 1):
+        tell(f"{k} of {len(every)} changes: {change.label}")
         changed = Changed(change, change.because or "")
         base.changed.append(changed)
         try:
             runs.append((changed, other.scene()))
-            measure(*runs[-1], mesh, step)
+            measure(*runs[-1], mesh, step, timed=False)
         except RiserStudyError as error:
             changed.message = str(error)
             runs = [pair for pair in runs if pair[0] is not changed]
-    for _ in range(repeats):
+    measure(base, scene, mesh, step, timed=False)
+    for k in range(repeats):
+        tell(f"timing {len(runs)} runs, round {k + 1} of {repeats}")
         for of, which in runs:
             measure(of, which, mesh, step)
     return base
 
 
-def measure(of: Ablation | Changed, scene: Scene, mesh: Mesh, step: float | None) -> None:
-    """One run, its peaks, and its time if it is the shortest so far."""
+def measure(of: Measured, scene: Scene, mesh: Mesh, step: float | None, timed: bool = True) -> None:
+    """One run, its peaks, and its time."""
     result = single(scene, mesh, step)
     of.peaks = peaks(result)
-    of.seconds = min(of.seconds, float(result.facts["solve_seconds"]))
+    if timed:
+        of.times.append(float(result.facts["solve_seconds"]))
 
 
 def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:

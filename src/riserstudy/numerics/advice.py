@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from riserstudy.numerics.ablation import Ablation, Changed, ablate
+from riserstudy.numerics.ablation import Ablation, Changed, Tell, ablate
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import DISPLACEMENT, MOMENT
 
-REPEATS = 2  # rounds of timed runs
+REPEATS = 5  # rounds of timed runs, of which the median counts
 BUDGET = 5e5  # node-steps a run; longer scenes are cut short
 COULD_GO, NEEDED = "could go", "needed"
 MISSING, NOT_MISSED = "would change the answer", "not missed"
@@ -20,6 +20,7 @@ class Row(NamedTuple):
     """One change of the scene: what it does to the peaks and the run time, and what follows."""
 
     label: str
+    because: str
     changes: list[str]
     verdict: str
     counts: bool
@@ -32,8 +33,12 @@ class Advice(NamedTuple):
     said: list[str]
 
 
-def advice(file: SceneFile) -> Advice:
+def advice(file: SceneFile, tell: Tell = lambda _: None) -> Advice:
     """Change every effect of a scene in turn.
+
+    Parameters
+    ----------
+    tell : is told what is run next.
 
     Raises
     ------
@@ -41,22 +46,26 @@ def advice(file: SceneFile) -> Advice:
         When the scene itself cannot be run.
     """
     limits = asked(file.scene())
-    base = ablate(file, REPEATS, BUDGET)
+    base = ablate(file, REPEATS, BUDGET, tell)
     rows = [row(base, changed, limits) for changed in base.changed]
     order = (COULD_GO, MISSING, NEEDED, NOT_MISSED)
     rows.sort(key=lambda r: order.index(r.verdict) if r.verdict in order else len(order))
-    go = [f"{r.label} ({r.changes[-1]} run time)" for r in rows if r.verdict == COULD_GO]
+    go = [f"{r.label} (run time {r.changes[-1]})" for r in rows if r.verdict == COULD_GO]
     missing = [r.label.removeprefix("with ") for r in rows if r.verdict == MISSING]
     limit = f"{100 * limits[0]:g} % of displacement, {100 * limits[1]:g} % of moment and tension"
     before, after = (f.scene().analysis.duration for f in (file, base.file))
-    cut = [f"Judged over the first {after:.4g} s of {before:.4g} s."] if before != after else []
+    step = f", step {base.step:.3g} s" if base.step else ""
+    cut = f", over the first {after:.4g} s of {before:.4g} s" if before != after else ""
+    probe = (
+        f"Judged on {len(base.mesh.l0)} segments{step}{cut}; times are medians of {REPEATS} runs."
+    )
     return Advice(
         rows,
         [
-            *cut,
-            f"Accuracy asked for: {limit}.",
             f"Could go, one at a time: {', '.join(go) or 'nothing'}.",
             f"Missing, and would change the answer: {', '.join(missing) or 'nothing'}.",
+            f"An answer changes where it changes by more than {limit}.",
+            probe,
         ],
     )
 
@@ -69,11 +78,9 @@ def asked(scene: Scene) -> tuple[float, float, float]:
 
 def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) -> Row:
     """What a change does, in words."""
-    label = changed.change.label
-    if changed.because:
-        label += f" ({changed.because})"
+    label, because = changed.change.label, changed.because
     if changed.peaks is None or base.peaks is None or changed.message:
-        return Row(label, ["", "", "", ""], f"cannot be run: {changed.message}", False)
+        return Row(label, because, ["", "", "", ""], f"cannot be run: {changed.message}", False)
     sizes = base.peaks.change_to(changed.peaks)
     lost = math.isnan(changed.peaks.moment) and base.peaks.moment > 0.0
     small = not lost and all(
@@ -83,9 +90,16 @@ def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) ->
         verdict = COULD_GO if small else NEEDED
     else:
         verdict = NOT_MISSED if small else MISSING
-    time = changed.seconds / base.seconds - 1.0
-    shown = [percent(value) for value in (*sizes, time)]
-    return Row(label, shown, verdict, verdict in (COULD_GO, MISSING))
+    shown = [*map(percent, sizes), longer(base, changed)]
+    return Row(label, because, shown, verdict, verdict in (COULD_GO, MISSING))
+
+
+def longer(base: Ablation, changed: Changed) -> str:
+    """Change of the run time, as far as it stands out of the scatter of repeats."""
+    ratio = changed.seconds / base.seconds
+    if abs(ratio - 1.0) <= max(base.scatter, changed.scatter):
+        return "as before"
+    return f"{ratio:.2g} times" if ratio >= 2.0 else percent(ratio - 1.0)
 
 
 def percent(value: float) -> str:

@@ -1,16 +1,36 @@
-"""The ledger of a scene with prices: share of run time by effect, what is solved for, and why."""
+"""The ledger of a scene: what is solved for and why, what it could call for, share of run time by effect."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
+from riserstudy.effects.catalogue import catalogue
 from riserstudy.errors import SimulationError
+from riserstudy.model.build import build
 from riserstudy.numerics.ablation import fixed
+from riserstudy.numerics.changes import fitting
 from riserstudy.numerics.effect_cost import REST, costs, freedom
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.equilibrium import settle
 
 BUDGET = 5e5  # node-steps a timed run; shares do not depend on how long it is
+
+
+def could_have(file: SceneFile) -> set[str]:
+    """Effects that a scene lacks and could call for as it is, by name."""
+    added = {change.label for change, _ in fitting(file) if change.kind == "added"}
+    return {
+        name
+        for name, effect in catalogue().items()
+        if any(change.label in added for change in effect.changes)
+    }
+
+
+def solved_for(file: SceneFile) -> str:
+    """Directions in which a scene is free, and what makes it so."""
+    scene = file.scene()
+    model = build(scene, fixed(file, BUDGET)[1], ring_elevation=0.0)
+    return freedom(scene, model).because.partition(":")[0]
 
 
 class Prices(NamedTuple):
@@ -37,7 +57,8 @@ def priced(file: SceneFile) -> Prices:
     unknowns, because = freedom(scene, model)
     step = f", step {scene.analysis.step:.4g} s" if scene.analysis.step else ""
     said = [
-        f"{len(mesh.l0)} segments{step}; the solver and all else takes {100 * share.pop(REST):.0f} %",
+        f"Timed on {len(mesh.l0)} segments{step}; the solver and all else takes "
+        f"{100 * share.pop(REST):.0f} %.",
         f"{unknowns} degrees of freedom: {because}",
     ]
     return Prices(share, said)

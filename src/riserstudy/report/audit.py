@@ -1,20 +1,31 @@
-"""Whether runs may be believed, asked of the results database: errors, energy, warnings, times."""
+"""Whether runs may be believed, asked of the results database: errors, energy, warnings, times.
+
+An error counts where it is one of what the study keeps: what a run computes and nobody stores reaches no
+figure and no verdict.
+"""
 
 from __future__ import annotations
 
 import sqlite3
+from collections import Counter
 from typing import Any, NamedTuple
 
-from riserstudy.report.wording import grouped, listed, share
+from riserstudy.report.wording import counted, grouped, listed, share
+from riserstudy.study.models import StudyFile, StudyModel
 
 TOLERANCE = 0.01  # estimated error above which a point counts as off, where none is asked for
 ROUNDING = 1e-9  # above a tolerance that is none
-ERRORS = ("displacement", "moment", "tension")
+#: which error tells how good a variable is, by how its name begins; that of displacement tells the rest
+TOLD_BY = {
+    "moment": ("bending_moment", "largest_stress"),
+    "tension": ("effective_tension", "largest_stress", "tensioner_force", "riser_reaction"),
+}
+ERRORS = ("displacement", *TOLD_BY)
+UNSAID = "one mesh and one step serve all points of a study"
 #: points with whether a mesh is prescribed; the largest of the errors that are estimated
 POINTS = f"""
 with prescribed as (select distinct point from parameters where path like 'analysis.mesh.%')
 select points.*, point in prescribed as fixed,
-  max(coalesce(error_displacement, 0), coalesce(error_moment, 0), coalesce(error_tension, 0)) as error,
   coalesce(cast(replace(accuracy, '%', '') as real) / 100, {TOLERANCE}) as tolerance,
   studies.paper, studies.name, studies.caption
 from points join studies using (study)
@@ -30,6 +41,8 @@ class Row(NamedTuple):
     points: int
     energy: float
     errors: dict[str, float]
+    counts: list[str]  # errors of what is kept
+    because: str  # why they may be large
     off: int  # points whose error is above the tolerance
     fixed: bool  # mesh and step prescribed
     warned: int
@@ -57,6 +70,8 @@ class Missed(NamedTuple):
     off: int
     asked: int  # points that ask for an accuracy
     asked_off: int
+    estimated: int  # points with mesh and step prescribed that tell an error
+    reasons: list[tuple[str, int, list[str]]]  # why of those that miss: points and datasets
     worst: float
     where: str
     verdicts: list[tuple[str, str]]  # paper and id of numbers and claims that rest on one
@@ -72,25 +87,59 @@ class Missed(NamedTuple):
             else f"All {self.asked} points that ask for an accuracy are estimated to reach it"
         )
         fixed, prescribed = self.off - self.asked_off, self.points - self.asked
+        told = f"Mesh and step of {prescribed} points are prescribed; {self.estimated} of these tell an error"
+        if not fixed:
+            return f"{asked}. {told}, of {share(TOLERANCE)} at most."
         return (
-            f"{asked}. Of the {prescribed} points whose mesh and step are prescribed, by a paper or for all "
-            f"samples of a study, {fixed} have an estimated error above {share(TOLERANCE)}; the largest is "
-            f"{share(self.worst)}, in {self.where}."
+            f"{asked}. {told}, and in {fixed} it is above {share(TOLERANCE)} of a quantity that is kept: "
+            f"{'; '.join(map(_reason, self.reasons))}. "
+            f"The largest is {share(self.worst)}, in {self.where}."
         )
 
 
-def audit(db: sqlite3.Connection) -> list[Row]:
+def _reason(reason: tuple[str, int, list[str]]) -> str:
+    why, points, datasets = reason
+    where = listed(datasets) if len(datasets) < 3 else counted(len(datasets), "dataset")
+    return f"{points} because {why} ({where})"
+
+
+def audit(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[Row]:
     """A row a simulated dataset, in the order of the database."""
     by_text: dict[str, list[dict[str, Any]]] = {}
-    for point in _points(db):
+    for point in _points(db, files):
         by_text.setdefault(point["study"], []).append(point)
     return [_row(points) for points in by_text.values()]
 
 
-def _points(db: sqlite3.Connection) -> list[dict[str, Any]]:
+def told_by(keep: list[str] | None) -> list[str]:
+    """Errors that count for a study: of what it keeps, all where it keeps everything."""
+    if keep is None:
+        return list(ERRORS)
+    names = {
+        error: [name for name in keep if name.startswith(begins)]
+        for error, begins in TOLD_BY.items()
+    }
+    others = set(keep).difference(*names.values())
+    return [*(["displacement"] if others else []), *(error for error, of in names.items() if of)]
+
+
+def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[dict[str, Any]]:
+    """Points with the largest of the errors that count, and why it may be large."""
     cursor = db.execute(POINTS)
     names = [column[0] for column in cursor.description]
-    return [dict(zip(names, row, strict=True)) for row in cursor]
+    points = [dict(zip(names, row, strict=True)) for row in cursor]
+    for point in points:
+        study = _study(files, point)
+        point["counts"] = told_by(study.keep if study else None)
+        told = {name: point[f"error_{name}"] for name in point["counts"]}
+        point["told"] = any(error is not None for error in told.values())
+        point["error"] = max((error or 0.0 for error in told.values()), default=0.0)
+        point["because"] = study.error_because if study and study.error_because else UNSAID
+    return points
+
+
+def _study(files: dict[str, StudyFile], point: dict[str, Any]) -> StudyModel | None:
+    return files[point["paper"]].studies.get(point["name"]) if point["paper"] in files else None
 
 
 def _misses(point: dict[str, Any]) -> bool:
@@ -99,7 +148,8 @@ def _misses(point: dict[str, Any]) -> bool:
 
 def _largest(point: dict[str, Any]) -> str:
     """The quantity that errs most."""
-    return max(ERRORS, key=lambda name: point[f"error_{name}"] or 0.0)
+    counts: list[str] = point["counts"]
+    return max(counts, key=lambda name: point[f"error_{name}"] or 0.0)
 
 
 def _row(points: list[dict[str, Any]]) -> Row:
@@ -115,6 +165,8 @@ def _row(points: list[dict[str, Any]]) -> Row:
         points=len(points),
         energy=largest("unexplained_energy"),
         errors={name: largest(f"error_{name}") for name in ERRORS},
+        counts=first["counts"],
+        because=first["because"] if first["because"] != UNSAID else "",
         off=sum(map(_misses, points)),
         fixed=all(p["fixed"] for p in points),
         warned=sum(bool(p["warnings"]) for p in points),
@@ -138,9 +190,9 @@ def warned(db: sqlite3.Connection) -> list[Warned]:
     return sorted(warnings, key=lambda one: -one.points)
 
 
-def missed(db: sqlite3.Connection) -> Missed:
-    """How many points miss the tolerance, and which verdicts rest on one."""
-    points = _points(db)
+def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
+    """How many points miss the tolerance, why, and which verdicts rest on one."""
+    points = _points(db, files)
     off = [p for p in points if _misses(p)]
     asked = [p for p in points if not p["fixed"]]
     worst = max(off, key=lambda p: p["error"], default=None)
@@ -157,10 +209,21 @@ def missed(db: sqlite3.Connection) -> Missed:
         len(off),
         len(asked),
         sum(map(_misses, asked)),
+        sum(point["told"] for point in points if point["fixed"]),
+        _reasons([point for point in off if point["fixed"]]),
         worst["error"] if worst else 0.0,
         f"{worst['study']} ({_largest(worst)})" if worst else "",
         verdicts,
     )
+
+
+def _reasons(off: list[dict[str, Any]]) -> list[tuple[str, int, list[str]]]:
+    """Why points are off, how many and where, the most frequent reason first."""
+    many = Counter(point["because"] for point in off)
+    return [
+        (why, points, sorted({point["study"] for point in off if point["because"] == why}))
+        for why, points in many.most_common()
+    ]
 
 
 def run_facts(db: sqlite3.Connection) -> str:

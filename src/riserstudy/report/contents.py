@@ -91,7 +91,8 @@ def contents(sources: Sources) -> dict[str, Any]:
         }
         tables = {p: _scenes(p, files[p], datasets, sources.config) for p in sources.papers}
         images, figures = _figures(db, sources, files, claims, paths, tables)
-        rows, warned, missed = audit.audit(db), audit.warned(db), audit.missed(db)
+        rows, warned = audit.audit(db, files), audit.warned(db)
+        missed = audit.missed(db, files)
         facts = audit.run_facts(db)
     cold = json.loads(sources.compiled.read_text() or "{}").get("cold_seconds")
     measured = {name: ds for (paper, name), ds in datasets.items() if paper == ENGINE}

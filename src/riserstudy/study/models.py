@@ -141,6 +141,7 @@ class StudyModel(Strict):
     """One study. Absent set: nothing set on top of the scene; absent keep: all histories are kept.
 
     ``limits``: those that every point is held against, as scenes have them; absent: those of the scene.
+    ``error_because``: why points whose mesh and step are prescribed may err by more than 1 %.
     """
 
     scene: str
@@ -149,6 +150,7 @@ class StudyModel(Strict):
     limits: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = None
     axes: dict[AxisName, Numbers | Samples | Labels | Reading]
     keep: list[str] | None = None
+    error_because: str | None = None
 
     @property
     def on_top(self) -> dict[str, Any]:

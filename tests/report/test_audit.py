@@ -1,0 +1,90 @@
+"""Which points count as off: by errors of what their study keeps, with the reason that the study gives."""
+
+import sqlite3
+from types import SimpleNamespace
+
+import pytest
+
+from riserstudy.report.audit import UNSAID, missed, told_by
+
+TABLES = """
+create table parameters (point, path);
+create table studies (study, paper, name, caption);
+create table points (point integer primary key, study, accuracy, error_displacement, error_moment,
+    error_tension, warnings, wall_seconds, unexplained_energy);
+create table rests_on (paper, id, study);
+create table simulated_behind (study, source);
+create table numbers_and_claims (paper, id);
+insert into numbers_and_claims values ('paper', 'N1'), ('paper', 'N2');
+"""
+
+
+@pytest.mark.parametrize(
+    "keep, errors",
+    [
+        (None, ["displacement", "moment", "tension"]),
+        (["x", "ufj_angle"], ["displacement"]),
+        (["bending_moment_max"], ["moment"]),
+        (["x", "effective_tension"], ["displacement", "tension"]),
+        (["largest_stress"], ["moment", "tension"]),
+    ],
+)
+def test_an_error_counts_where_what_it_tells_of_is_kept(keep, errors):
+    assert told_by(keep) == errors
+
+
+def database(rows):
+    """Studies with one point each: name, mesh prescribed, accuracy, errors."""
+    db = sqlite3.connect(":memory:")
+    db.executescript(TABLES)
+    for point, (name, fixed, accuracy, *errors) in enumerate(rows):
+        db.execute("insert into studies values (?, 'paper', ?, '')", (f"paper/{name}", name))
+        values = (point, f"paper/{name}", accuracy, *errors)
+        db.execute("insert into points values (?, ?, ?, ?, ?, ?, '', 1, 0)", values)
+        if fixed:
+            db.execute("insert into parameters values (?, 'analysis.mesh.elements')", (point,))
+        db.execute("insert into simulated_behind values (?, ?)", (f"paper/{name}",) * 2)
+        db.execute(
+            "insert into rests_on values ('paper', ?, ?)", (f"N{point + 1}", f"paper/{name}")
+        )
+    return db
+
+
+def kept(**studies):
+    """A study file: what each study keeps, and why it may err."""
+    models = {
+        name: SimpleNamespace(keep=keep, error_because=why) for name, (keep, why) in studies.items()
+    }
+    return {"paper": SimpleNamespace(studies=models)}
+
+
+def test_an_error_of_what_nobody_stores_is_no_miss():
+    db = database([("shape", True, None, 0.001, 5.0, 0.001)])
+    assert missed(db, kept(shape=(["x"], None))).off == 0
+    off = missed(db, kept(shape=(["x", "bending_moment"], None)))
+    assert (off.off, off.verdicts) == (1, [("paper", "N1")])
+    assert off.reasons == [(UNSAID, 1, ["paper/shape"])]
+
+
+def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them():
+    db = database(
+        [
+            ("blow", True, None, 0.001, 0.03, None),
+            ("fine", True, None, 0.001, 0.002, None),
+            ("silent", True, None, None, None, None),
+            ("asked", False, "0.1 %", 0.0005, None, None),
+        ]
+    )
+    files = kept(
+        blow=(None, "a stop is met"), fine=(None, None), silent=(None, None), asked=(None, None)
+    )
+    of = missed(db, files)
+    assert (of.points, of.off, of.asked, of.asked_off, of.estimated) == (4, 1, 1, 0, 2)
+    assert of.verdicts == [("paper", "N1")]
+    assert "1 because a stop is met (paper/blow)" in of.said
+    assert "Mesh and step of 3 points are prescribed; 2 of these tell an error" in of.said
+
+
+def test_where_nothing_misses_that_is_all_that_is_said():
+    db = database([("fine", True, None, 0.001, 0.002, None)])
+    assert missed(db, kept(fine=(None, None))).said.startswith("All 1 points")
