@@ -13,7 +13,10 @@ from riserstudy import load_scene, simulate
 from riserstudy.cli import main
 from riserstudy.errors import InputError
 from riserstudy.model.rao import operator
-from riserstudy.scene.orcaflex import BENDING, CURRENT, ENDS, LINKED, SECTIONS, read_deck
+from riserstudy.model.sea import components
+from riserstudy.scene.orcaflex import BENDING, CURRENT, ENDS, SECTIONS, read_deck
+from riserstudy.scene.orcaflex_deck import Part
+from riserstudy.scene.orcaflex_top import FREEDOMS, LINKED, SPRING, STAGES, WINCHED, ring_of
 
 DECK = Path(__file__).parent / "decks/riser.yml"
 GRAVITY = 9.80665
@@ -31,6 +34,7 @@ def changed(folder, change=lambda deck: None):
     target = folder / "deck.yml"
     writer = YAML()
     writer.version = (1, 1)
+    writer.representer.ignore_aliases = lambda data: True
     with target.open("w") as file:
         writer.dump(deck, file)
     return target
@@ -149,6 +153,147 @@ def test_links_are_tensioners_and_carry_what_the_deck_hangs_on_them(tmp_path):
     assert vertical - weight == pytest.approx(float(found["lower_end_tension"]), rel=1e-6)
 
 
+def sea(deck, **changes):
+    """A JONSWAP sea in the place of the wave."""
+    train = deck["Environment"]["WaveTrains"][0]
+    del train["WaveHeight"], train["WavePeriod"]
+    train.update({
+        "WaveType": "JONSWAP", "WaveJONSWAPParameters": "Partially specified", "WaveHs": 5.0,
+        "WaveTp": 11.0, "WaveGamma": 2.0, "WaveNumberOfComponents": 60, "WaveSeed": 12345, **changes,
+    })  # fmt: skip
+    for key in [key for key, value in train.items() if value is None]:
+        del train[key]
+
+
+def test_a_sea_keeps_its_height_period_and_shape(tmp_path, capsys):
+    wave = loaded(tmp_path, sea).wave
+    assert (wave.significant_height, wave.peak_period, wave.peak_enhancement) == (5.0, 11.0, 2.0)
+    assert (wave.components, wave.seed, wave.ramp) == (60, 12345, 20.0)
+    assert "WaveSeed: the record is another" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("kind", ["JONSWAP", "ISSC"])
+def test_a_sea_told_by_its_zero_crossings_has_them(tmp_path, kind):
+    def change(deck):
+        sea(
+            deck, WaveType=kind, WaveTp=None, WaveTz=8.0, WaveGamma=3.3, WaveNumberOfComponents=9000
+        )
+
+    wave = loaded(tmp_path, change).wave
+    frequency, amplitude = components(wave)
+    crossing = (
+        2.0 * math.pi * math.sqrt((amplitude**2).sum() / ((amplitude * frequency) ** 2).sum())
+    )
+    assert crossing == pytest.approx(
+        8.0, rel=0.02
+    )  # components end at ten times the peak's frequency
+    assert wave.peak_period > 9.5
+
+
+REACH = math.hypot(5.0 - 1.0, 20.0)  # of each tensioner, the riser unstretched
+
+
+def rig(deck, links=0, winches=0):
+    """A ring of 15 t on four tensioners to the vessel, by a table if nothing is asked, under a joint."""
+    line = deck["Lines"][0]
+    line[ENDS][0] = ["Ring", 0, 0, 0, 0, 180, 0]
+    line[BENDING][0] = ["Infinity", None]
+    deck["6DBuoys"] = [{
+        "Name": "Ring", "BuoyType": "Lumped buoy", "Connection": "Free", "Mass": 15.0, "Volume": 2.0,
+        "InitialPosition": [0, 0, 9.4], "MomentsOfInertia": [1, 1, 1],
+    }]  # fmt: skip
+    deck["LineTypes"].append({
+        "Name": "Barrel", "Category": "General", "OD": 0.5, "ID": 0.4, "EIx": 600e3, "MassPerUnitLength": 0.5,
+    })  # fmt: skip
+    deck["Lines"].append({
+        "Name": "InnerBarrel", "TopEnd": "End A",
+        ENDS: [["Rig", 0, 0, 28, 0, 180, 0], ["Slip", 0, 0, 0, 0, 180, 0]],
+        BENDING: [[10, None], ["Infinity", None]],
+        SECTIONS: [["Barrel", 18.6, 2]],
+    })  # fmt: skip
+    free = [[False], [False], [True, -1.0], [False], [False], [False]]
+    deck["Constraints"] = [{
+        "Name": "Slip", "InFrameConnection": "Ring", "ConstraintType": "Calculated DOFs", FREEDOMS: free,
+        "TranslationalStiffness": 0,
+    }]  # fmt: skip
+    places = [(1, 0), (0, 1), (-1, 0), (0, -1)]
+    ends = [[["Rig", 5 * x, 5 * y, 29.4], ["Ring", x, y, 0]] for x, y in places]
+    table = [[REACH - 5.0, 700.0], [REACH, 800.0], [REACH + 5.0, 1000.0]]
+    straight = {"LinearSpring": "Yes", "UnstretchedLength": REACH - 16.0, "Stiffness": 50.0}
+    for k, end in enumerate(ends):
+        if winches:
+            deck.setdefault("Winches", []).append({
+                "Name": f"T{k}", "WinchType": "Simple", WINCHED: end, "Stiffness": 1e5, "Damping": 0,
+                "WinchControlType": "By stage", STAGES: [["Specified tension", 800.0]] * 3,
+            })  # fmt: skip
+            continue
+        law = straight if links else {"LinearSpring": "No", SPRING: table}
+        deck.setdefault("Links", []).append(
+            {"Name": f"T{k}", "LinkType": "Spring/damper", WINCHED: end, **law}
+        )
+
+
+def at_rest(deck):
+    """Without waves and current."""
+    deck["Environment"]["WaveTrains"][0]["WaveHeight"] = 0
+    deck["General"]["StageDuration"] = None
+    del deck["Environment"]["RefCurrentSpeed"]
+
+
+@pytest.mark.parametrize("kind", ["links", "winches", "table"])
+def test_a_ring_on_tensioners_of_the_vessel_hangs_as_the_deck_has_it(tmp_path, kind):
+    def change(deck):
+        rig(deck, **{kind: 1} if kind != "table" else {})
+        at_rest(deck)
+
+    scene = loaded(tmp_path, change)
+    assert (scene.top.x, scene.top.z, scene.top.elevation) == ("platform", "platform", 28.0)
+    assert scene.top.telescopic_joint.length == pytest.approx(28.0 - 9.4)
+    assert scene.top.telescopic_joint.bending_stiffness == pytest.approx(600e6)
+    assert (scene.top.body.name, scene.top.body.mass) == ("Ring", 15e3)
+    run = simulate(load_scene(tmp_path / "scene.yaml"))
+    force, stroke = (float(run[f"tensioner_{n}_static"][0]) for n in ("force", "stroke"))
+    law = {
+        "links": 800e3 + 50e3 * stroke,
+        "winches": 800e3,
+        "table": np.interp(stroke, [-5.0, 0.0, 5.0], [700e3, 800e3, 1000e3]),
+    }
+    assert force == pytest.approx(law[kind], rel=1e-6)
+    # the ring hangs between its tensioners and the riser, which hangs on it with its contents
+    length = REACH + stroke
+    vertical = 4.0 * force * math.sqrt(length**2 - 16.0) / length
+    weight = 15e3 * GRAVITY + sum(
+        (s.submerged_weight + s.contents_mass * GRAVITY) * s.total_length for s in scene.riser
+    )
+    assert vertical - weight == pytest.approx(float(run["lower_end_tension"]), rel=1e-6)
+
+
+def test_a_rig_moves_with_its_vessel_and_names_what_it_leaves(tmp_path, capsys):
+    scene = loaded(tmp_path, rig)
+    assert scene.platform.response is not None
+    said = capsys.readouterr().out
+    assert "6DBuoys[Ring].MomentsOfInertia" in said
+    assert "LineTypes[Barrel].MassPerUnitLength" in said  # hangs on the vessel, not on the riser
+
+
+def flexing(deck):
+    """The lower end clamped to a constraint on the seabed that turns about x and y."""
+    line = deck["Lines"][0]
+    line[ENDS][1] = ["Flex", 0, 0, 0, 0, 0, 0]
+    line[BENDING][1] = ["Infinity", None]
+    free = [[False], [False], [False], [True, 0], [True, 0], [False]]
+    deck["Constraints"] = [{
+        "Name": "Flex", "InFrameConnection": "Anchored", "InFrameInitialPosition": [0, 0, 5],
+        "ConstraintType": "Calculated DOFs", FREEDOMS: free, "StiffnessAndDampingMethod": "Coefficients",
+        "RotationalStiffness": 120.0,
+    }]  # fmt: skip
+
+
+def test_a_constraint_that_turns_is_a_flex_joint(tmp_path):
+    plain, flexed = (loaded(tmp_path, change) for change in (lambda deck: None, flexing))
+    assert flexed.bottom == plain.bottom
+
+
 def _file(folder, change):
     loaded(folder, change)
     return load_scene(folder / "scene.yaml")
@@ -165,7 +310,17 @@ def _file(folder, change):
         (lambda d: d["Lines"][0][SECTIONS][0].__setitem__(0, "Foam"), "no line type 'Foam'"),
         (lambda d: d["Lines"][0][ENDS][1].__setitem__(0, "Buoy"), "lower end on 'Buoy'"),
         (lambda d: d["Lines"][0][ENDS][0].__setitem__(5, 90), "declination 90"),
-        (lambda d: d["Environment"]["WaveTrains"][0].update(WaveType="JONSWAP"), "seas are drawn"),
+        (lambda d: d["Environment"]["WaveTrains"][0].update(WaveType="Stokes' 5th"), "Airy, JONSWAP, ISSC"),
+        (lambda d: sea(d, WaveJONSWAPParameters="Automatic"), "Partially specified"),
+        (lambda d: sea(d, WaveNumberOfSpectralDirections=7), "allowed is 1"),
+        (lambda d: sea(d, WaveTp=None), "missing, as WaveTz is"),
+        (lambda d: d["Lines"][0].update(PyModel="Soft clay"), "write the soil into the scene"),
+        (lambda d: rig(d, links=1) or d["Links"][0].update(Stiffness=40.0), "equal ones"),
+        (lambda d: rig(d) or d["Constraints"][0].update(TranslationalStiffness=5.0), "slides freely"),
+        (lambda d: rig(d) or d["Constraints"][0][FREEDOMS][5].__setitem__(0, True), "z alone"),
+        (lambda d: rig(d) or d["6DBuoys"][0].update(BuoyType="Spar buoy"), "Lumped buoy"),
+        (lambda d: rig(d, winches=1) or d["Winches"][0][STAGES].append(["Payout rate", 0.1]), "all stages"),
+        (lambda d: flexing(d) or d["Constraints"][0][FREEDOMS][0].__setitem__(0, True), "Rx and Ry"),
         (lambda d: d["Environment"].update(VerticalCurrentVariationMethod="Power law"), "Interpolated"),
         (lambda d: d["Environment"][CURRENT].append([1]), "no table"),
         (lambda d: d["VesselTypes"][0].update(Symmetry="circular"), "xz plane"),
@@ -183,3 +338,15 @@ def test_what_is_no_deck_is_refused(tmp_path):
     (tmp_path / "other.yml").write_text("a: 1\n")
     with pytest.raises(InputError, match="no deck"):
         read_deck(tmp_path / "other.yml")
+
+
+def test_a_ring_in_the_water_displaces_it_and_drags():
+    buoy = {
+        "Name": "Ring", "BuoyType": "Lumped buoy", "Connection": "Free", "Mass": 15.0, "Volume": 2.0,
+        "InitialPosition": [0, 0, -4], "DragArea": [3, 3, 8], "DragForceCoefficient": [1.2, 1.2, 1.5],
+    }  # fmt: skip
+    body = ring_of(Part(buoy, "6DBuoys[Ring]", DECK), GRAVITY, 0.0)
+    assert body["displaced_volume"] == "2 m^3"
+    assert body["drag_area"] == {"horizontal": "3.6 m^2", "vertical": "12 m^2"}
+    with pytest.raises(InputError, match="same along x and y"):
+        ring_of(Part(buoy | {"DragArea": [3, 4, 8]}, "6DBuoys[Ring]", DECK), GRAVITY, 0.0)

@@ -18,6 +18,15 @@ from ruamel.yaml.error import MantissaNoDotYAML1_1Warning
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile, read_yaml
 from riserstudy.scene.orcaflex_deck import Part
+from riserstudy.scene.orcaflex_top import (
+    LINKED,
+    WINCHED,
+    Anchorage,
+    ring_of,
+    slides_in,
+    tensioners,
+    turns_in,
+)
 from riserstudy.scene.orcaflex_vessel import platform_of
 from riserstudy.scene.origin import unwrap
 
@@ -29,7 +38,7 @@ ENDS = (
 BENDING = "ConnectionxBendingStiffness, ConnectionyBendingStiffness"
 SECTIONS = "LineType, Length, TargetSegmentLength"
 CURRENT = "CurrentDepth, CurrentFactor, CurrentRotation"
-LINKED = "Connection, ConnectionX, ConnectionY, ConnectionZ, ConnectionzRelativeTo"
+SPECTRA = ("JONSWAP", "ISSC")  # of Pierson and Moskowitz, with any height, is the latter
 STRETCHING = {"None": "none", "Vertical stretching": "constant", "Wheeler stretching": "stretched"}
 
 
@@ -38,6 +47,21 @@ class Imported(NamedTuple):
 
     tree: dict[str, Any]
     left_out: list[str]
+
+
+class Lines(NamedTuple):
+    """The riser, what slides in its upper end, and all line types."""
+
+    riser: Part
+    barrel: Part | None
+    types: dict[str, Part]
+
+
+class Top(NamedTuple):
+    """The upper end of a scene, and the vessel that it moves with."""
+
+    tree: dict[str, Any]
+    vessel: Part | None
 
 
 class End(NamedTuple):
@@ -67,11 +91,12 @@ def read_deck(path: Path) -> Imported:
     deck = Part(data, "", path)
     general, sea = deck.part("General"), deck.part("Environment")
     general.demand("UnitsSystem", "SI")
-    line = deck.only("Lines")
+    lines = _lines(deck)
+    line = lines.riser
     surface = sea.number("WaterSurfaceZ")
     depth = sea.number("WaterDepth")
     density = 1000.0 * sea.number("Density")
-    top, bottom = _ends(line, surface, depth)
+    top, bottom = _on_ground(deck, line, _ends(line, surface, depth), surface - depth)
     ramp, analysis = _analysis(general)
     tree: dict[str, Any] = {
         "title": f"{line.text('Name')}, from {path.name}",
@@ -84,17 +109,18 @@ def read_deck(path: Path) -> Imported:
         "riser": [*_sections(deck, line, density)],
         "bottom": {"hold": "wellhead", "elevation": _q(bottom.z, "m"), "rotation": bottom.rotation},
     }
-    vessels = {vessel.text("Name"): vessel for vessel in deck.parts("Vessels")}
-    tree["top"] = _top(deck, line, top, bottom, vessels)
+    made = _top(deck, lines, (top, bottom), sea)
+    tree["top"] = made.tree
     if current := _current(sea):
         tree["current"] = current
-    if wave := _wave(sea, ramp):
+    wave, doubts = _wave(sea, ramp)
+    if wave:
         tree["wave"] = wave
-    if top.to in vessels:
-        tree["platform"] = platform_of(deck, vessels[top.to], ramp if wave else None, bool(wave))
+    if made.vessel:
+        tree["platform"] = platform_of(deck, made.vessel, ramp if wave else None, bool(wave))
     tree["analysis"] = analysis
     SceneFile(str(path), unwrap(tree)[0]).scene()
-    return Imported(tree, deck.unused())
+    return Imported(tree, [*doubts, *deck.unused()])
 
 
 def _q(value: float, unit: str) -> str:
@@ -118,8 +144,46 @@ def _ends(line: Part, surface: float, depth: float) -> tuple[End, End]:
         ends.append(End(to, x, y, z, rotation))
     top = line.text("TopEnd")
     upper, lower = ends if top == "End A" else ends[::-1]
+    return upper, lower
+
+
+def _lines(deck: Part) -> Lines:
+    """The riser, and the inner barrel of a telescopic joint where there is one."""
+    types = {kind.text("Name"): kind for kind in deck.parts("LineTypes")}
+    sliding = {one.text("Name"): one for one in deck.parts("Constraints")}
+    lines = deck.parts("Lines")
+    barrels = [line for line in lines if _ends(line, 0.0, 0.0)[1].to in sliding]
+    barrels = [] if len(lines) < 2 else barrels
+    if len(barrels) != 1 or len(lines) != 2:
+        return Lines(deck.only("Lines"), None, types)
+    (barrel,) = barrels
+    (riser,) = (line for line in lines if line is not barrel)
+    slides_in(sliding[_ends(barrel, 0.0, 0.0)[1].to], _ends(riser, 0.0, 0.0)[0].to)
+    return Lines(riser, barrel, types)
+
+
+def _on_ground(deck: Part, line: Part, ends: tuple[End, End], seabed: float) -> tuple[End, End]:
+    """The ends, the lower of which stands on the ground, or on a constraint that is its flex joint."""
+    upper, lower = ends
+    if soil := [
+        key
+        for key in line.data
+        if key.startswith("Py") and line.data[key] not in (None, "~", "(none)")
+    ]:
+        allowed = (
+            "allowed is none: write the soil into the scene ('soil:', with 'bottom.hold: foot')"
+        )
+        raise line.refused(soil[0], str(line.data[soil[0]]), allowed)
+    joints = {one.text("Name"): one for one in deck.parts("Constraints")}
+    if lower.to in joints:
+        if lower.rotation != "fixed" or lower.x or lower.y or lower.z:
+            allowed = "allowed is an end that is clamped to the constraint, at its origin"
+            raise line.refused(BENDING, f"{lower.rotation}", allowed)
+        to, z, rotation = turns_in(joints[lower.to])
+        lower = End(to, 0.0, 0.0, z + (seabed if to == "Anchored" else 0.0), rotation)
     if lower.to not in ("Anchored", "Fixed"):
-        raise line.refused(ENDS, f"lower end on {lower.to!r}", "allowed are Anchored and Fixed")
+        allowed = "allowed are Anchored, Fixed, and a constraint that stands there"
+        raise line.refused(ENDS, f"lower end on {lower.to!r}", allowed)
     return upper, lower
 
 
@@ -189,73 +253,80 @@ def _properties(kind: Part, density: float) -> dict[str, Any]:
     return fields
 
 
-def _top(deck: Part, line: Part, top: End, bottom: End, vessels: dict[str, Part]) -> dict[str, Any]:
-    """The upper end: held, on a vessel, or free on springs between it and deck points."""
+def _top(deck: Part, lines: Lines, ends: tuple[End, End], sea: Part) -> Top:
+    """The upper end: held, on a vessel, under a telescopic joint, or free on tensioners."""
+    line, (top, bottom) = lines.riser, ends
     if bottom.x or bottom.y or top.y:
         allowed = "allowed is a lower end at x = y = 0, and an upper end along x"
         raise line.refused(ENDS, "ends that are aside", allowed)
-    offset = {"offset": _q(top.x, "m")} if top.x else {}
-    links = deck.parts("Links")
-    if top.to == "Free":
-        if not links:
-            raise line.refused(ENDS, "a free upper end", "allowed with Links that pull it")
-        length = sum(float(row[1]) for row in line.rows(SECTIONS, 2))
-        rig = _tensioners(line.text("Name"), links, bottom.z + length)
-        return {"x": "free", "z": "free", "rotation": top.rotation, "tensioners": rig}
-    if links:
-        raise links[0].refused("Name", links[0].text("Name"), "allowed with a free upper end alone")
-    z = top.z
-    if top.to in vessels:
-        x, y, height = (float(v) for v in vessels[top.to].values("InitialPosition", 3))
-        if x or y:
-            raise vessels[top.to].refused("InitialPosition", f"{x}, {y}", "allowed is x = y = 0")
-        z += height
-    elif top.to != "Fixed":
-        raise line.refused(ENDS, f"upper end on {top.to!r}", "allowed are Fixed, Free and a vessel")
+    vessels = {vessel.text("Name"): vessel for vessel in deck.parts("Vessels")}
+    pulling = [*deck.parts("Links"), *deck.parts("Winches")]
+    rings = {ring.text("Name"): ring for ring in deck.parts("6DBuoys")}
+    if top.to == "Free" or top.to in rings:
+        return _pulled(lines, ends, vessels, rings, pulling, sea)
+    if pulling:
+        raise pulling[0].refused(
+            "Name", pulling[0].text("Name"), "allowed with a free upper end alone"
+        )
     held = "platform" if top.to in vessels else "held"
-    return {"x": held, "z": held, "elevation": _q(z, "m"), "rotation": top.rotation} | offset
+    if held == "held" and top.to != "Fixed":
+        allowed = "allowed are Fixed, Free, a vessel and a lumped buoy that is the tension ring"
+        raise line.refused(ENDS, f"upper end on {top.to!r}", allowed)
+    z = top.z + (_height(vessels[top.to]) if top.to in vessels else 0.0)
+    offset = {"offset": _q(top.x, "m")} if top.x else {}
+    tree = {"x": held, "z": held, "elevation": _q(z, "m"), "rotation": top.rotation} | offset
+    return Top(tree, vessels.get(top.to))
 
 
-def _tensioners(line: str, links: list[Part], top: float) -> dict[str, Any]:
-    """Equal linear springs to fixed points around the upper end, which is at an elevation (m) unstretched."""
-    places, pulls = [], set()
-    for link in links:
-        link.demand("LinkType", "Spring/Damper")
-        link.demand("LinearSpring", True)
-        if link.optional("Damping"):
-            raise link.refused("Damping", str(link.optional("Damping")), "allowed is 0")
-        deck, ring = link.rows(LINKED, 4)
-        if deck[0] != "Fixed" or ring[0] != line or any(float(v) for v in ring[1:4]):
-            found = f"from {deck[0]!r} to {ring[0]!r}"
-            raise link.refused(LINKED, found, "allowed is from Fixed to the line's upper end")
-        x, y, z = (float(v) for v in deck[1:4])
-        away = math.hypot(x, y)
-        length = math.hypot(away, z - top)
-        stiffness = link.number("Stiffness")
-        pull = stiffness * (length - link.number("UnstretchedLength"))
-        places.append((round(away, 6), round(z, 6), math.degrees(math.atan2(y, x)) % 360.0))
-        pulls.add((round(pull, 6), stiffness))
-    count = len(places)
-    bearings = sorted(place[2] for place in places)
-    even = all(abs(b - bearings[0] - 360.0 * k / count) < 1e-3 for k, b in enumerate(bearings))
-    if len({place[:2] for place in places}) > 1 or len(pulls) > 1 or (places[0][0] and not even):
-        found = "links that differ, or are not evenly around the line"
-        raise links[0].refused(LINKED, found, "allowed are equal ones, evenly on a circle")
-    ((pull, stiffness),) = pulls
-    return {
-        "count": count,
-        "mid_stroke": "riser unstretched",
-        "linear": {
-            "tension": {"derived": _q(pull, "kN"), "from": "stretch of a link, the riser unstretched"},
-            "stiffness": _q(stiffness, "kN/m"),
-        },
-        "arrangement": {
-            "ring_radius": "0 m",
-            "deck_radius": _q(places[0][0], "m"),
-            "deck_elevation": _q(places[0][1], "m"),
-            "first_bearing": _q(bearings[0], "deg"),
-        },
-    }  # fmt: skip
+def _height(vessel: Part) -> float:
+    """Elevation (m) of a vessel's origin, which is above the lower end."""
+    x, y, height = (float(v) for v in vessel.values("InitialPosition", 3))
+    if x or y:
+        raise vessel.refused("InitialPosition", f"{x}, {y}", "allowed is x = y = 0")
+    return height
+
+
+def _pulled(
+    lines: Lines,
+    ends: tuple[End, End],
+    vessels: dict[str, Part],
+    rings: dict[str, Part],
+    pulling: list[Part],
+    sea: Part,
+) -> Top:
+    """An upper end on tensioners, with what there is of ring and telescopic joint."""
+    line, (top, bottom) = lines.riser, ends
+    if not pulling:
+        raise line.refused(ENDS, "a free upper end", "allowed with Links or Winches that pull it")
+    ring = bottom.z + sum(float(row[1]) for row in line.rows(SECTIONS, 2))
+    decks = {"Fixed": 0.0} | {name: _height(vessel) for name, vessel in vessels.items()}
+    rig = tensioners(pulling, Anchorage({line.text("Name"), top.to} - {"Free"}, decks, ring))
+    key = LINKED if LINKED in pulling[0].data else WINCHED
+    on = str(pulling[0].rows(key, 4)[0][0])
+    tree: dict[str, Any] = {"x": "free", "z": "free", "rotation": top.rotation, "tensioners": rig}
+    if top.to in rings:
+        tree["body"] = ring_of(rings[top.to], GRAVITY, sea.number("WaterSurfaceZ"))
+    if lines.barrel is not None:
+        upper, _ = _ends(lines.barrel, 0.0, 0.0)
+        if upper.to not in vessels:
+            allowed = "allowed is that the inner barrel hangs on a vessel"
+            raise lines.barrel.refused(ENDS, f"upper end on {upper.to!r}", allowed)
+        on = upper.to
+        elevation = upper.z + _height(vessels[on])
+        joint = {"length": _q(elevation - ring, "m"), "bending_stiffness": _bending(lines)}
+        tree |= {"x": "platform", "z": "platform", "elevation": _q(elevation, "m")}
+        tree |= {"rotation": upper.rotation, "telescopic_joint": joint}
+    return Top(tree, vessels.get(on))
+
+
+def _bending(lines: Lines) -> str:
+    """Bending stiffness of the inner barrel, one along it."""
+    barrel = lines.barrel or lines.riser
+    names = {str(row[0]) for row in barrel.rows(SECTIONS, 2)}
+    stiff = {lines.types[name].number("EIx") for name in names if name in lines.types}
+    if len(stiff) != 1:
+        raise barrel.refused(SECTIONS, ", ".join(sorted(names)), "allowed is one EIx of line types")
+    return _q(stiff.pop(), "kN*m^2")
 
 
 def _current(sea: Part) -> dict[str, Any] | None:
@@ -278,33 +349,75 @@ def _current(sea: Part) -> dict[str, Any] | None:
     )
 
 
-def _wave(sea: Part, ramp: float | None) -> dict[str, Any] | None:
+def _wave(sea: Part, ramp: float | None) -> tuple[dict[str, Any] | None, list[str]]:
+    """The wave or sea, and what of it is another."""
     trains = sea.parts("WaveTrains")
     if not trains:
-        return None
+        return None, []
     train = trains[0]
-    if len(trains) > 1 or train.text("WaveType") not in ("Airy", "Single Airy"):
-        found = f"{len(trains)} wave trains, {train.text('WaveType')}"
-        raise train.refused(
-            "WaveType", found, "allowed is one of Airy; components of seas are drawn otherwise"
-        )
-    if not train.number("WaveHeight"):
-        return None
+    kind = train.text("WaveType")
+    if len(trains) > 1 or kind not in ("Airy", "Single Airy", *SPECTRA):
+        found = f"{len(trains)} wave trains, {kind}"
+        raise train.refused("WaveType", found, f"allowed is one of Airy, {', '.join(SPECTRA)}")
+    if kind in SPECTRA:
+        wave, doubts = _spectrum(train, kind)
+    else:
+        doubts = []
+        if not train.number("WaveHeight"):
+            return None, []
+        wave = {
+            "height": _q(train.number("WaveHeight"), "m"),
+            "period": _q(train.number("WavePeriod"), "s"),
+        }
     method = sea.text("KinematicStretchingMethod")
     if method not in STRETCHING:
         raise sea.refused(
             "KinematicStretchingMethod", method, f"allowed are {', '.join(STRETCHING)}"
         )
+    wave["above_mean_level"] = STRETCHING[method]
     towards = train.number("WaveDirection")
-    return (
-        {
-            "height": _q(train.number("WaveHeight"), "m"),
-            "period": _q(train.number("WavePeriod"), "s"),
-            "above_mean_level": STRETCHING[method],
-        }
-        | ({"heading": _q(towards, "deg")} if towards else {})
-        | ({"ramp": _q(ramp, "s")} if ramp else {})
-    )
+    wave |= {"heading": _q(towards, "deg")} if towards else {}
+    wave |= {"ramp": _q(ramp, "s")} if ramp else {}
+    return wave, doubts
+
+
+def _spectrum(train: Part, kind: str) -> tuple[dict[str, Any], list[str]]:
+    """A sea by its spectrum: the same height, period and shape, but not the same record."""
+    if kind == "JONSWAP":
+        train.demand("WaveJONSWAPParameters", "Partially specified")
+    if train.optional("WaveNumberOfSpectralDirections") not in (None, 1):
+        found = str(train.optional("WaveNumberOfSpectralDirections"))
+        raise train.refused("WaveNumberOfSpectralDirections", found, "allowed is 1")
+    enhancement = train.number("WaveGamma") if kind == "JONSWAP" else 1.0
+    peak: Any = train.optional("WaveTp")
+    crossing = train.optional("WaveTz")
+    if peak is not None:
+        peak = _q(float(peak), "s")
+    elif crossing is not None:
+        period = float(crossing) * peak_over_zero_crossing(enhancement)
+        peak = {"derived": _q(period, "s"), "from": "WaveTz and the moments of the spectrum"}
+    else:
+        raise train.refused("WaveTp", "missing, as WaveTz is", "allowed is one of them")
+    wave = {
+        "significant_height": _q(train.number("WaveHs"), "m"),
+        "peak_period": peak,
+        "peak_enhancement": enhancement,
+        "components": int(train.number("WaveNumberOfComponents")),
+        "seed": abs(int(train.number("WaveSeed"))),
+    }
+    told = "the record is another: components and their phases are drawn otherwise"
+    return wave, [f"{train.path}.WaveSeed: {told}"]
+
+
+def peak_over_zero_crossing(enhancement: float) -> float:
+    """Peak period over zero-crossing period of a JONSWAP spectrum, by its moments: root of m2 / m0."""
+    import numpy as np
+    from wavespectra.construct.frequency import jonswap
+
+    w = np.geomspace(0.2, 200.0, 400_001)
+    density = np.asarray(jonswap(w, 1.0, gamma=enhancement))
+    zeroth, second = (float(np.trapezoid(density * w**n, w)) for n in (0, 2))
+    return math.sqrt(second / zeroth)
 
 
 def _analysis(general: Part) -> tuple[float | None, dict[str, Any]]:
