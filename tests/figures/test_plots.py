@@ -34,7 +34,10 @@ def grid(*axes, moving=True):
         data["bending_moment_max"] = ((*axes, "s_node"), moment.max(axis=-2))
         data["bending_moment_min"] = ((*axes, "s_node"), moment.min(axis=-2))
         data["stroke"] = ((*axes, "time"), np.multiply.outer(size, np.cos(TIME)))
+    use = 0.1 * size[..., None] * [1.0, 0.5, np.nan] + [0.0, 0.2, 0.0]
+    data["use_of_limit"] = ((*axes, "limit"), use)
     coords = {axis: (axis, *AXES[axis]) for axis in axes} | {"s": S}
+    coords["limit"] = ["drilling: largest ufj_angle", "connected: largest stroke", "drilling: a"]
     coords |= {"time": TIME, "s_node": S} if moving else {}
     return xr.Dataset(data, coords, {"title": "a grid"})
 
@@ -89,6 +92,37 @@ def test_a_heat_map_shows_the_extreme_that_matters():
     assert figure.axes[0].get_ylabel() == "tug (ft)"
 
 
+def test_utilisation_is_the_largest_of_all_limits_and_names_the_one_that_governs():
+    """Of sizes 1 to 6 the limits use 0.1 n and 0.05 n + 0.2: the second governs up to the fourth."""
+    figure = drawn("utilisation", grid("heave_amplitude", "tug"))
+    use, governing = (ax.collections[0].get_array().reshape(2, 3) for ax in figure.axes[:2])
+    np.testing.assert_allclose(use, [[0.25, 0.35, 0.5], [0.3, 0.4, 0.6]])
+    np.testing.assert_array_equal(governing[:, [0, 2]], [[1, 0], [1, 0]])
+    assert figure.get_suptitle().startswith("0 of 6 points exceed a limit; at ")
+    (legend,) = figure.legends
+    assert {text.get_text() for text in legend.get_texts()} == {
+        "drilling: largest ufj angle", "connected: largest stroke",
+    }  # fmt: skip
+
+
+def test_utilisation_tells_of_what_is_exceeded_and_of_what_nobody_evaluated():
+    beyond = grid("heave_amplitude", "tug")
+    beyond["use_of_limit"] = 4.0 * beyond["use_of_limit"]
+    assert "5 of 6 points exceed" in drawn("utilisation", beyond).get_suptitle()
+    beyond["use_of_limit"] = np.inf * beyond["use_of_limit"]
+    assert "6 of 6 points exceed" in drawn("utilisation", beyond).get_suptitle()
+    beyond["use_of_limit"] = np.nan * beyond["use_of_limit"]
+    assert drawn("utilisation", beyond).get_suptitle() == "no limit is evaluated at any point"
+    with pytest.raises(InputError, match="no use of limits"):
+        drawn("utilisation", beyond.drop_vars("use_of_limit"))
+
+
+def test_utilisation_over_one_axis_is_a_line_a_limit():
+    (ax,) = drawn("utilisation", grid("heave_amplitude")).axes
+    np.testing.assert_allclose(ax.lines[0].get_ydata(), [0.1, 0.2, 0.3])
+    np.testing.assert_allclose(ax.lines[1].get_ydata(), [0.25, 0.3, 0.35])
+
+
 def test_an_envelope_lies_along_the_riser():
     figure = drawn("envelope", grid("heave_amplitude"), ["bending_moment"])
     (ax,) = figure.axes
@@ -114,7 +148,7 @@ def test_large_grids_are_shown_by_a_few_points():
     assert words[-1] == "heave amplitude 4 m, tug 6 ft, narrow"
 
 
-@pytest.mark.parametrize("plot", NEEDS)
+@pytest.mark.parametrize("plot", sorted(set(NEEDS) - {"utilisation"}))  # which shows all limits
 def test_what_is_not_there_is_said(plot):
     with pytest.raises(InputError, match=r"no 'colour'.*there are bending_moment"):
         drawn(plot, grid("heave_amplitude", "tug"), ["colour"])

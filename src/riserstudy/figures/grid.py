@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import product
 from textwrap import fill
 
@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.variables import attributes
@@ -166,6 +167,15 @@ def laid_out(count: int) -> tuple[Figure, list[Axes]]:
     for ax in axes[count:]:
         ax.remove()
     return figure, axes[:count]
+
+
+def places_of(axis: xr.DataArray, set_ticks: Callable[..., object]) -> NDArray[np.float64]:
+    """Where the values of an axis are drawn: at themselves, or words one after the other."""
+    if axis.dtype.kind in "fiu":
+        return np.asarray(axis.values, float)
+    places = np.arange(axis.size, dtype=float)
+    set_ticks(places, [str(value) for value in axis.values])
+    return places
 
 
 def key(figure: Figure, ax: Axes) -> None:

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from riserstudy.figures.grid import (
     ENDINGS,
@@ -18,6 +14,7 @@ from riserstudy.figures.grid import (
     extreme,
     label,
     laid_out,
+    places_of,
     points,
     present,
     read,
@@ -54,7 +51,7 @@ def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
 
 def _draw(figure: Figure, ax: Axes, values: xr.DataArray) -> None:
     up, across = (values[dim] for dim in values.dims)
-    x, y = _places(across, ax.set_xticks), _places(up, ax.set_yticks)
+    x, y = places_of(across, ax.set_xticks), places_of(up, ax.set_yticks)
     low, high = float(read(values).min()), float(read(values).max())
     apart = max(high - low, LEAST * abs(high))  # differences by rounding are none
     colours = ax.pcolormesh(
@@ -64,12 +61,3 @@ def _draw(figure: Figure, ax: Axes, values: xr.DataArray) -> None:
     ax.set_xlabel(label(across))
     ax.set_ylabel(label(up))
     ax.grid(False)
-
-
-def _places(axis: xr.DataArray, set_ticks: Callable[..., object]) -> NDArray[np.float64]:
-    """Where the values of an axis are drawn: at themselves, or words one after the other."""
-    if axis.dtype.kind in "fiu":
-        return np.asarray(axis.values, float)
-    places = np.arange(axis.size, dtype=float)
-    set_ticks(places, [str(value) for value in axis.values])
-    return places

@@ -410,7 +410,7 @@ def _spectrum(train: Part, kind: str) -> tuple[dict[str, Any], list[str]]:
 
 
 def peak_over_zero_crossing(enhancement: float) -> float:
-    """Peak period over zero-crossing period of a JONSWAP spectrum, by its moments: root of m2 / m0."""
+    """Peak period over zero-crossing period of a JONSWAP spectrum, a share: root of m2 / m0."""
     import numpy as np
     from wavespectra.construct.frequency import jonswap
 

@@ -136,7 +136,10 @@ def _winch(winch: Part, of: Anchorage) -> Pull:
 
 
 def ring_of(buoy: Part, gravity: float, surface: float) -> dict[str, Any]:
-    """The tension ring as a body at the riser's end: a lumped buoy by its mass, volume and drag."""
+    """The tension ring as a body at the riser's end: a lumped buoy by its mass, volume and drag.
+
+    Gravity in m/s2, the water's surface an elevation (m).
+    """
     buoy.demand("BuoyType", "Lumped buoy")
     buoy.demand("Connection", "Free")
     mass, volume = buoy.number("Mass"), buoy.number("Volume")

@@ -8,16 +8,23 @@ from pydantic import Field, model_validator
 
 from riserstudy.scene.base import Strict
 
-Plot = Literal["lines", "heat map", "envelope", "time series"]
+Plot = Literal["lines", "heat map", "utilisation", "envelope", "time series"]
 #: axes that a grid needs
-NEEDS: dict[Plot, int] = {"lines": 1, "heat map": 2, "envelope": 0, "time series": 0}
+NEEDS: dict[Plot, int] = {
+    "lines": 1,
+    "heat map": 2,
+    "utilisation": 1,
+    "envelope": 0,
+    "time series": 0,
+}
 
 
 class FigureModel(Strict):
     """A figure: its caption, the datasets it reads, and what draws it.
 
-    ``plot``: one that fits any grid: lines over an axis, a heat map over two axes, an envelope along the
-    riser, time series. Absent: the function of the figure's name in its chapter's figures.
+    ``plot``: one that fits any grid: lines over an axis, a heat map over two axes, the utilisation of a
+    study's limits over one or two, an envelope along the riser, time series. Absent: the function of the
+    figure's name in its chapter's figures.
     ``of``: the quantities to plot. Absent: those that matter most among what there is.
     ``with``: what the function is told besides, ``{printed: N1}`` for a printed number of the paper.
     """
@@ -34,6 +41,8 @@ class FigureModel(Strict):
             raise ValueError("plot: reads one dataset")
         if self.of and not self.plot:
             raise ValueError("of: needs a plot to show them in")
+        if self.of and self.plot == "utilisation":
+            raise ValueError("of: utilisation is that of all limits of the study")
         if self.settings and self.plot:
             raise ValueError("with: a plot that fits any grid is told nothing")
         return self

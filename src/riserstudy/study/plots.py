@@ -30,6 +30,7 @@ EXTREMES = {
 USUAL: dict[Plot, tuple[str, ...]] = {
     "lines": ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z"),
     "heat map": tuple(EXTREMES),
+    "utilisation": (),
     "envelope": ("x", "y", "bending_moment", "effective_tension", "z"),
     "time series": ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z"),
 }
@@ -112,6 +113,8 @@ def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[str]:
 
 def shows(plot: Plot, study: Study) -> bool:
     """Whether a plot has something to show of a study where it names nothing."""
+    if plot == "utilisation":
+        return "limits" in study.base.tree
     return any(not unshown(plot, quantity, study) for quantity in USUAL[plot])
 
 

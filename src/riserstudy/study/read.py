@@ -67,20 +67,23 @@ def default_figures(
     ----------
     moving : whether a study's runs have a time.
     """
+    limited = {name for name, model in studies.items() if model.limits}
     return {
         f"{name}_{plot.replace(' ', '_')}": FigureModel(
             caption=f"{model.caption}: {said}", reads=[name], plot=plot
         )
         for name, model in studies.items()
-        for plot, said in _fitting(len(model.axes), moving[name])
+        for plot, said in _fitting(len(model.axes), moving[name], name in limited)
     }
 
 
-def _fitting(axes: int, moving: bool) -> Iterator[tuple[Plot, str]]:
+def _fitting(axes: int, moving: bool, limited: bool) -> Iterator[tuple[Plot, str]]:
     if axes == 1:
         yield "lines", "extremes over the axis"
     if axes > 1:
         yield "heat map", "extremes over the axes"
+    if axes and limited:
+        yield "utilisation", "use of limits over the axes"
     yield "envelope", "envelopes along the riser" if moving else "state along the riser"
     if moving:
         yield "time series", "histories where they vary most"

@@ -1,0 +1,136 @@
+"""How much of its limits every point of a grid uses, and which limit governs it."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from riserstudy.errors import InputError
+from riserstudy.figures.grid import along, axes_of, key, label, laid_out, places_of, points
+from riserstudy.figures.style import COLOURS, GREY, headline
+
+FloatArray = NDArray[np.float64]
+SLICES = 2  # points of a third axis that are shown
+MOST = 2.0  # use, beyond which colours and lines tell no more
+FEW = 60  # cells of a panel, up to which each has its number
+
+
+def utilisation(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
+    """Over one axis a line a limit; over two the largest use in colours, and the limit that it is of beside.
+
+    Raises
+    ------
+    InputError
+        When the dataset holds no limits.
+    """
+    if "use_of_limit" not in dataset:
+        title = str(dataset.attrs.get("title", "dataset"))
+        raise InputError(title, "plot", "no use of limits", "allowed is a study with limits")
+    uses = dataset[["use_of_limit", "point_key"]]
+    figure = _lines(uses) if len(axes_of(dataset)) == 1 else _maps(uses)
+    headline(figure, _said(uses["use_of_limit"]))
+    return figure
+
+
+def _lines(uses: xr.Dataset) -> Figure:
+    figure, (ax,) = laid_out(1)
+    (axis,) = along(uses, 1)
+    for k, name in enumerate(uses["limit"].values):
+        values = uses["use_of_limit"].isel(limit=k).clip(max=MOST)
+        colour = COLOURS[k % len(COLOURS)]
+        style = "-" if k < len(COLOURS) else ":"
+        ax.plot(
+            uses[axis], values, style, color=colour, marker="o", markersize=3.0, label=_short(name)
+        )
+    ax.axhline(1.0, color="black", linewidth=0.8)
+    ax.set_xlabel(label(uses[axis]))
+    ax.set_ylabel("share of a limit that is used,\n2 if it is more (-)")
+    key(figure, ax)
+    return figure
+
+
+def _maps(uses: xr.Dataset) -> Figure:
+    across, up = along(uses, 2)
+    slices = points(uses, over=[across, up])
+    chosen = [slices[k] for k in sorted({0, len(slices) - 1})][:SLICES]
+    figure, axes = laid_out(2 * len(chosen))
+    names = [_short(str(name)) for name in uses["limit"].values]
+    shown = set()
+    for row, (called, point) in enumerate(chosen):
+        use = point["use_of_limit"].transpose("limit", up, across)
+        left, right = axes[2 * row : 2 * row + 2]
+        _use(figure, left, use, called)
+        shown |= _governing(right, use, called)
+    for k in sorted(shown, reverse=True):
+        called = names[k] if k >= 0 else "not evaluated"
+        axes[1].plot([], [], "s", color=_colour(k) if k >= 0 else GREY, label=called)
+    key(figure, axes[1])
+    return figure
+
+
+def _use(figure: Figure, ax: Axes, use: xr.DataArray, called: str) -> None:
+    largest = use.max("limit")
+    x, y = _frame(ax, use, "use of the limit that governs", called)
+    colours = ax.pcolormesh(
+        x, y, largest.clip(max=MOST), shading="nearest", cmap="RdYlGn_r", vmin=0.0, vmax=MOST
+    )
+    bar = figure.colorbar(colours, ax=ax, label="largest use of a limit (-)", extend="max")
+    bar.ax.axhline(1.0, color="black", linewidth=1.2)
+    if largest.size <= FEW:
+        for j, i in np.ndindex(largest.shape):
+            value = float(largest[j, i])
+            text = "–" if np.isnan(value) else ">9" if value > 9.0 else f"{value:.2g}"
+            ax.text(float(x[i]), float(y[j]), text, ha="center", va="center", fontsize="x-small")
+
+
+def _governing(ax: Axes, use: xr.DataArray, called: str) -> set[int]:
+    """Draw which limit governs; those that do somewhere, -1 where none is evaluated."""
+    x, y = _frame(ax, use, "limit that governs", called)
+    which = _which(use)
+    colours = ListedColormap([GREY, *(_colour(k) for k in range(use.sizes["limit"]))])
+    ax.pcolormesh(
+        x, y, which, shading="nearest", cmap=colours, vmin=-1.5, vmax=use.sizes["limit"] - 0.5
+    )
+    return {int(k) for k in which.ravel()}
+
+
+def _frame(ax: Axes, use: xr.DataArray, what: str, called: str) -> tuple[FloatArray, FloatArray]:
+    _, up, across = (use[dim] for dim in use.dims)
+    x, y = places_of(across, ax.set_xticks), places_of(up, ax.set_yticks)
+    ax.set_xlabel(label(across))
+    ax.set_ylabel(label(up))
+    ax.set_title(f"{what}{', ' if called else ''}{called}", loc="right", fontsize="small")
+    ax.grid(False)
+    return x, y
+
+
+def _which(use: xr.DataArray) -> NDArray[np.int64]:
+    """Number of the limit that is used most, -1 where none is evaluated, over the other dimensions."""
+    values = np.where(np.isnan(use.values), -np.inf, use.values)
+    place = use.dims.index("limit")
+    return np.where(np.isneginf(values.max(axis=place)), -1, values.argmax(axis=place))
+
+
+def _said(use: xr.DataArray) -> str:
+    """How many points exceed a limit, and which limit governs most of them."""
+    largest, which = use.max("limit"), _which(use)
+    beyond, all_points = int((largest > 1.0).sum()), largest.size
+    if not (which >= 0).any():
+        return "no limit is evaluated at any point"
+    numbers, counts = np.unique(which[which >= 0], return_counts=True)
+    first = int(numbers[counts.argmax()])
+    name = _short(str(use["limit"].values[first]))
+    many = "all" if counts.max() == all_points else f"{counts.max()}"
+    return f"{beyond} of {all_points} points exceed a limit; at {many} governs: {name}"
+
+
+def _short(name: str) -> str:
+    return name.replace("_", " ")
+
+
+def _colour(k: int) -> str:
+    return COLOURS[k % len(COLOURS)]
