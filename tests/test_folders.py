@@ -8,6 +8,7 @@ import pytest
 from riserstudy import folders
 from riserstudy.errors import InputError
 from riserstudy.folders import cache_folder, remembered
+from riserstudy.solve.kernel_cache import kernel_cache
 
 
 @pytest.fixture
@@ -25,6 +26,41 @@ def test_a_cache_that_anyone_can_write_to_is_refused(cache):
     folders._refuse_foreign.cache_clear()
     with pytest.raises(InputError, match="anyone can write to the cache"):
         cache_folder()
+
+
+def test_a_cache_that_others_of_a_group_can_write_to_is_refused(cache, monkeypatch):
+    cache.chmod(0o775)
+    monkeypatch.setattr(folders, "_group_of_one", lambda group: group != cache.stat().st_gid)
+    with pytest.raises(InputError, match="all of a group can write to the cache"):
+        cache_folder()
+
+
+def test_a_group_of_one_is_that_of_the_user_or_the_administrator():
+    import grp
+
+    others = [g.gr_gid for g in grp.getgrall() if g.gr_gid not in (0, os.getuid())]
+    assert folders._group_of_one(0)
+    assert folders._group_of_one(os.getuid())
+    assert not all(map(folders._group_of_one, others))
+
+
+def test_compiled_kernels_that_others_can_replace_are_refused(cache):
+    numba = cache / "numba"
+    numba.mkdir()
+    numba.chmod(0o777)
+    with pytest.raises(InputError, match="anyone can write to the cache"):
+        kernel_cache()
+    cache.chmod(0o700)  # where they cannot get in
+    assert kernel_cache().parent == numba
+
+
+def test_a_cache_that_is_made_is_private_whatever_the_umask(tmp_path, monkeypatch):
+    monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "new/cache"))
+    before = os.umask(0)
+    try:
+        assert cache_folder().stat().st_mode & 0o777 == 0o700
+    finally:
+        os.umask(before)
 
 
 def test_a_cache_of_another_user_is_refused(cache, monkeypatch):

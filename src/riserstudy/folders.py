@@ -10,7 +10,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
-from stat import S_IWOTH
+from stat import S_IWGRP, S_IWOTH, S_IXGRP, S_IXOTH
 from typing import Any
 
 import platformdirs
@@ -30,7 +30,8 @@ def cache_folder() -> Path:
     Raises
     ------
     InputError
-        When somebody else owns the folder, or can write to it.
+        When somebody else owns the folder, or can write to it. Made here it is this user's alone,
+        whatever the umask.
     """
     checkout = PACKAGE.parents[1]
     if moved := os.environ.get("RISERSTUDY_CACHE"):
@@ -39,7 +40,30 @@ def cache_folder() -> Path:
         folder = checkout / ".cache"
     else:
         folder = platformdirs.user_cache_path("riserstudy", appauthor=False)
+    _make_private(folder.absolute())
     _refuse_foreign(folder.absolute())
+    return folder
+
+
+@cache
+def _make_private(folder: Path) -> None:
+    with suppress(OSError):  # told when something is to be kept there
+        if not folder.exists():
+            folder.parent.mkdir(parents=True, exist_ok=True)
+            folder.mkdir(mode=0o700, exist_ok=True)
+
+
+def own_part(folder: Path) -> Path:
+    """A folder within the cache whose content is executed: refused as the cache is, if others get that far.
+
+    Raises
+    ------
+    InputError
+        As ``cache_folder``.
+    """
+    with suppress(OSError):
+        if cache_folder().stat().st_mode & (S_IXGRP | S_IXOTH):
+            _refuse_foreign(folder.absolute())
     return folder
 
 
@@ -49,11 +73,28 @@ def _refuse_foreign(folder: Path) -> None:
         stat = folder.stat()
     except OSError:  # not there: made by us, or told when it cannot be
         return
-    allowed = "name a folder of your own by RISERSTUDY_CACHE, or make it yours alone"
-    if hasattr(os, "getuid") and stat.st_uid != os.getuid():
+    if os.name != "posix":
+        return
+    allowed = "name a folder of your own by RISERSTUDY_CACHE, or make it yours alone (chmod go-w)"
+    if stat.st_uid != os.getuid():
         raise InputError(folder, "", "the cache belongs to another user", allowed)
-    if os.name == "posix" and stat.st_mode & S_IWOTH:
+    if stat.st_mode & S_IWOTH:
         raise InputError(folder, "", "anyone can write to the cache", allowed)
+    if stat.st_mode & S_IWGRP and not _group_of_one(stat.st_gid):
+        raise InputError(folder, "", "all of a group can write to the cache", allowed)
+
+
+def _group_of_one(group: int) -> bool:
+    """Whether a group is the administrator's, or the one that systems make for this user alone."""
+    import grp
+    import pwd
+
+    if group in (0, os.getuid()):
+        return True
+    try:
+        return grp.getgrgid(group).gr_name == pwd.getpwuid(os.getuid()).pw_name
+    except KeyError:
+        return False
 
 
 def workflow_folder() -> Path:

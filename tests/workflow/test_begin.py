@@ -60,12 +60,15 @@ def test_every_flipped_bit_and_every_cut_is_seen(results):
         assert start(results) == ([], [])
 
 
-@pytest.mark.parametrize("damage", ["swap", "no seal", "empty seal"])
+@pytest.mark.parametrize("damage", ["swap", "both swapped", "no seal", "empty seal"])
 def test_a_result_counts_by_its_own_seal_only(results, damage):
     a, b, _ = results
     seal = Path("results/.seals/paper/a.nc")
     if damage == "swap":
         a.write_bytes(b.read_bytes())
+    elif damage == "both swapped":
+        a.write_bytes(b.read_bytes())
+        seal.write_bytes(seal.with_name("b.png").read_bytes())
     elif damage == "no seal":
         seal.unlink()
     else:

@@ -27,7 +27,7 @@ def main(marker: Path) -> int:
     if sys.prefix != sys.base_prefix:  # started from an environment, perhaps the one to replace
         base = getattr(sys, "_base_executable", sys.executable)
         os.execv(base, [base, *sys.argv])
-    (ROOT / ".cache").mkdir(exist_ok=True)
+    (ROOT / ".cache").mkdir(mode=0o700, exist_ok=True)  # what it holds is executed
     with (ROOT / ".cache" / "environment.lock").open("a+") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -46,7 +46,7 @@ def main(arguments: list[str]) -> int:
     began = time.monotonic()
     if fault := unwritable():
         return refuse(fault, BAD_INPUT)
-    Path(".cache").mkdir(exist_ok=True)
+    Path(".cache").mkdir(mode=0o700, exist_ok=True)
     with Path(".cache/study.lock").open("a+", encoding="utf-8") as lock:
         if not take(lock):
             return refuse(

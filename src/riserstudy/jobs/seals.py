@@ -1,7 +1,8 @@
 """Seals of results: what each file was when a job had written it.
 
-A seal is the SHA-256 of a file, in a file of the same name below ``results/.seals``. What has no seal, or
-another, does not count as there: Snakemake compares times, and opens no output.
+A seal is the SHA-256 of a file and its path in the folder, as ``sha256sum --check`` reads them, in a file of
+the same name below ``results/.seals``: what changed places with its seal is found, too. What has no seal,
+or another, does not count as there: Snakemake compares times, and opens no output.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ def seal(*files: Path) -> None:
     for file in [file for file in files if file.is_relative_to(RESULTS)]:
         target = _seal_of(file)
         target.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(target, _digest(file).encode())
+        write_whole(target, _line(file))
 
 
 def is_whole(file: Path) -> bool:
@@ -30,7 +31,7 @@ def is_whole(file: Path) -> bool:
     if not file.is_relative_to(RESULTS):
         return True
     try:
-        return _seal_of(file).read_bytes() == _digest(file).encode()
+        return _seal_of(file).read_bytes() == _line(file)
     except OSError:
         return False
 
@@ -63,6 +64,7 @@ def _seal_of(file: Path) -> Path:
     return SEALS / file.relative_to(RESULTS)
 
 
-def _digest(file: Path) -> str:
+def _line(file: Path) -> bytes:
     with file.open("rb") as stream:
-        return hashlib.file_digest(stream, "sha256").hexdigest()
+        digest = hashlib.file_digest(stream, "sha256").hexdigest()
+    return f"{digest}  {file.relative_to(RESULTS).as_posix()}\n".encode()

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from riserstudy.digests import kernel_digest
-from riserstudy.folders import cache_folder
+from riserstudy.folders import cache_folder, own_part
 
 SEAL = hashlib.sha256().digest_size  # bytes
 
@@ -21,7 +21,9 @@ SEAL = hashlib.sha256().digest_size  # bytes
 def kernel_cache() -> Path:
     """Folder of the kernels compiled from the present sources by the present versions."""
     versions = f"py{platform.python_version()}-numba{version('numba')}"
-    return cache_folder() / "numba" / f"{kernel_digest()}-{versions}"
+    folder = cache_folder() / "numba" / f"{kernel_digest()}-{versions}"
+    own_part(folder.parent)
+    return own_part(folder)
 
 
 def seal_files_of(cache: Any) -> None:
