@@ -50,8 +50,14 @@ def offsets(scene: Scene, reach: float, allowances: Mapping[str, float]) -> list
     reach : how far to either side is looked (m).
     allowances : dynamic allowance by output, in the SI unit of its limit; absent: none.
     """
-    at = AtRest(scene)
-    return [_between(at, limit, reach, allowances) for limit in scene.limits or []]
+    return offsets_at(AtRest(scene), scene.limits or [], reach, allowances)
+
+
+def offsets_at(
+    at: AtRest, limits: Sequence[Limit], reach: float, allowances: Mapping[str, float]
+) -> list[Offsets]:
+    """The same of some limits, on risers at rest that others are looked for on, too."""
+    return [_between(at, limit, reach, allowances) for limit in limits]
 
 
 def chart(

@@ -63,7 +63,10 @@ def envelopes(limits: xr.DataArray) -> xr.Dataset:
         open_here = ends["low"] <= ends["high"]
         envelope = xr.concat([ends[side].where(open_here) for side in SIDES], of["offset_side"])
         governs = xr.concat(
-            [_named(low.argmax("limit"), low), _named(high.argmin("limit"), high)],
+            [
+                _named(low.argmax("limit", skipna=False), low),
+                _named(high.argmin("limit", skipna=False), high),
+            ],
             of["offset_side"],
         )
         governs = governs.where(np.isfinite(envelope), NONE)

@@ -10,7 +10,7 @@ import xarray as xr
 from riserstudy.dataset.describe import described, scenes_of
 from riserstudy.design import tension
 from riserstudy.design.tension import Rig, Tolerances
-from riserstudy.design.window import window
+from riserstudy.design.window import Window, window
 from riserstudy.scene.models import Scene
 from riserstudy.scene.units import to_si
 
@@ -52,28 +52,20 @@ def minimum_tension(muds: xr.Dataset, weight: float, buoyancy: float) -> xr.Data
     return described(made, PAPER, "minimum tension by formula and engine")
 
 
-def tension_window(
-    muds: xr.Dataset, overpull: str, dynamic_limit: str, share: float, **settings: Any
-) -> xr.Dataset:
+def tension_window(muds: xr.Dataset, failed: list[int], **settings: Any) -> xr.Dataset:
     """Floors and ceilings of the setting over mud weight and units failed, and the gap.
 
     Parameters
     ----------
-    overpull : effective tension wanted between LMRP and stack, with its unit.
-    dynamic_limit, share : dynamic tension limit of all units, and how much of it a setting may be.
-    settings : ``weight``, ``buoyancy``: tolerances; ``units``, ``failed`` (a list), ``tension_ratio``,
-        ``fleet_angle``: of the tensioners.
+    failed : numbers of units that are out.
+    settings : as `window_of` takes them.
     """
-    tolerances = Tolerances(settings["weight"], settings["buoyancy"])
-    failed = list(settings["failed"])
     shape = (muds.sizes["mud_weight"], len(failed))
     floors = np.zeros((*shape, len(FLOORS)))
     ceiling, gap = np.zeros(shape), np.zeros(shape)
     for i, (_, scene) in enumerate(scenes_of(muds)):
-        needed = float(tension.needed(scene, tolerances).max())
-        off = lift_off(scene, to_si(overpull, "N"))
         for j, n in enumerate(failed):
-            of = window(needed, off, _rig(settings, n), to_si(dynamic_limit, "N"), share)
+            of = window_of(scene, settings, n)
             floors[i, j] = [of.floors[name] for name in FLOORS]
             ceiling[i, j], gap[i, j] = of.ceilings[of.ceiling], of.gap
     over = ("mud_weight", "failed_units")
@@ -87,6 +79,22 @@ def tension_window(
         coords,
     )
     return described(made, PAPER, "window of the tension setting")
+
+
+def window_of(scene: Scene, settings: dict[str, Any], failed: int) -> Window:
+    """The window of a scene's setting with so many units out.
+
+    Parameters
+    ----------
+    settings : ``weight``, ``buoyancy``: tolerances of steel and modules; ``units``, ``tension_ratio``,
+        ``fleet_angle``: of the tensioners; ``overpull``: effective tension wanted between LMRP and stack;
+        ``dynamic_limit``, ``share``: dynamic tension limit of all units, and how much of it a setting may be.
+    """
+    tolerances = Tolerances(settings["weight"], settings["buoyancy"])
+    needed = float(tension.needed(scene, tolerances).max())
+    off = lift_off(scene, to_si(settings["overpull"], "N"))
+    limit = to_si(settings["dynamic_limit"], "N")
+    return window(needed, off, _rig(settings, failed), limit, settings["share"])
 
 
 def lift_off(scene: Scene, overpull: float) -> float:

@@ -35,22 +35,22 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
 
 
 def _answer(circles: xr.Dataset) -> str:
-    """Up to which current there is time for both alarms, and where they are then."""
-    eds = float(circles["eds_time"][len(circles["eds_time"]) // 2])
+    """Where both alarms are in the middle current, and from which on there is no time for the yellow one."""
+    eds, speed = (
+        float(circles[name][circles.sizes[name] // 2]) for name in ("eds_time", "surface_speed")
+    )
     at = circles.sel(eds_time=eds)
-    in_time = (at["yellow_circle_outcome"] != TOO_LATE).all("mud_weight").values
-    takes = f"a disconnect of {eds:g} s"
-    if not in_time.any():
-        return f"Adrift in any current of the chart the yellow alarm of {takes} is too late"
-    speed = float(at["surface_speed"].values[in_time][-1])
     red, yellow = (
         float(at[f"{name}_circle_radius"].sel(surface_speed=speed).min())
         for name in ("red", "yellow")
     )
+    late = (at["yellow_circle_outcome"] == TOO_LATE).any("mud_weight").values
     more = (
-        "" if in_time.all() else "; in stronger ones even a yellow alarm at the start is too late"
+        f"; from {at['surface_speed'].values[late][0]:g} m/s on it is too late"
+        if late.any()
+        else ""
     )
     return (
-        f"Adrift in {speed:g} m/s, {takes} leaves time with the yellow alarm within {yellow:.0f} m of the "
-        f"well and the red one within {red:.0f} m{more}"
+        f"Adrift in {speed:g} m/s with {eds:g} s to disconnect, the red alarm must come within {red:.0f} m "
+        f"of the well, the yellow one within {yellow:.0f} m{more}"
     )

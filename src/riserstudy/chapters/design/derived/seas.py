@@ -1,0 +1,81 @@
+"""Design, seas: what irregular seas add to a riser at rest, and the offsets that are left."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.chapters.design.derived.operability import SIDES, envelopes
+from riserstudy.dataset.describe import described, scenes_of
+from riserstudy.dataset.limits import label
+from riserstudy.dataset.statistics import gumbel
+from riserstudy.scene.units import to_si
+
+PAPER = "design"
+MODE = "drilling"
+
+
+def allowances(seas: xr.Dataset) -> xr.Dataset:
+    """Dynamic allowance by output over the height of the sea: what nine seas in ten do not exceed.
+
+    The largest of each seed, less the value at rest, follows a Gumbel distribution.
+    """
+    made = xr.Dataset({f"{name}_allowance": _fractile(each) for name, each in _added(seas).items()})
+    return described(made, PAPER, "what irregular seas add to the riser at rest")
+
+
+def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.Dataset:
+    """Offsets between which all limits of drilling are kept, with the allowances of each sea.
+
+    Parameters
+    ----------
+    rests : risers at rest above the well.
+    seas : runs in irregular seas over ``significant_height`` and ``seed``.
+    reach : how far to either side is looked, with its unit.
+    """
+    from riserstudy.design.operability import AtRest, offsets_at  # which loads kernels
+
+    added = {name: _fractile(each) for name, each in _added(seas).items()}
+    heights = seas["significant_height"]
+    found, labels = [], []
+    for _, scene in scenes_of(rests):
+        limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
+        labels = [label(limit) for limit in limits]
+        at = AtRest(scene)  # which all seas share
+        for height in heights.values:
+            own = {name: float(each.sel(significant_height=height)) for name, each in added.items()}
+            found.append([one[:2] for one in offsets_at(at, limits, to_si(reach, "m"), own)])
+    over = [str(dim) for dim in rests["point_key"].dims]
+    shape = (*rests["point_key"].shape, len(heights), len(labels), len(SIDES))
+    coords = {dim: rests[dim] for dim in over} | {"significant_height": heights}
+    limits_of = xr.DataArray(
+        np.array(found).reshape(shape),
+        dims=(*over, "significant_height", "limit", "offset_side"),
+        coords=coords | {"limit": labels, "offset_side": list(SIDES)},
+    )
+    made = xr.Dataset({"offset_of_limit": limits_of}).merge(envelopes(limits_of))
+    made = described(made, PAPER, "offsets at which limits are reached, by the sea")
+    return made.assign_attrs(reach=to_si(reach, "m"))
+
+
+def _added(seas: xr.Dataset) -> dict[str, xr.DataArray]:
+    """What each run adds to its outputs at rest, in the unit of the output."""
+    added = {}
+    for name in ("lfj_angle", "ufj_angle"):
+        added[name] = abs(seas[name]).max("time") - abs(seas[name]).isel(time=0)
+    added["stroke"] = seas["stroke"].max("time")  # counts from rest
+    stress, tension = "von_mises_stress", "effective_tension"
+    added[stress] = seas[f"{stress}_max"].max("s_node") - seas[f"{stress}_static"].max("s_node")
+    added[tension] = seas[f"{tension}_static"].min("s_node") - seas[f"{tension}_min"].min("s_node")
+    return added
+
+
+def _fractile(each: xr.DataArray) -> xr.DataArray:
+    """The fractile over the seeds."""
+    values: xr.DataArray = xr.apply_ufunc(
+        lambda largest: gumbel(largest).fractile,
+        each,
+        input_core_dims=[["seed"]],
+        vectorize=True,
+    )
+    return values

@@ -1,0 +1,106 @@
+"""Envelopes, windows and what figures say of them, of datasets whose answer is known."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.chapters.design.derived.operability import envelopes
+from riserstudy.chapters.design.derived.seas import allowances
+from riserstudy.chapters.design.figures.operability import operability_drilling
+from riserstudy.chapters.design.figures.tension import heaviest
+
+LIMITS = ["drilling: mean lfj_angle", "drilling: largest stroke", "connected: largest stroke"]
+
+
+def offsets(values):
+    """Offsets over two currents, in a mud."""
+    return xr.DataArray(
+        np.asarray(values, float)[None],
+        dims=("mud_weight", "surface_speed", "limit", "offset_side"),
+        coords={
+            "mud_weight": [1440.0],
+            "surface_speed": [0.0, 1.0],
+            "limit": LIMITS,
+            "offset_side": ["low", "high"],
+        },
+    )
+
+
+NARROW = offsets(
+    [
+        [[-40.0, 40.0], [-60.0, 30.0], [-np.inf, np.inf]],
+        [[10.0, 50.0], [-60.0, 5.0], [-90.0, np.inf]],
+    ]
+)
+
+
+def test_an_envelope_is_what_all_limits_of_its_mode_leave_and_names_what_governs():
+    found = envelopes(NARROW).squeeze("mud_weight", drop=True)
+    drilling = found.sel(operation="drilling", surface_speed=0.0)
+    assert drilling["envelope_offset"].values.tolist() == [-40.0, 30.0]
+    assert drilling["governing_limit_name"].values.tolist() == ["mean lfj_angle", "largest stroke"]
+    connected = found.sel(operation="connected", surface_speed=1.0)
+    assert connected["envelope_offset"].values.tolist() == [-90.0, np.inf]
+    assert connected["governing_limit_name"].values.tolist() == ["largest stroke", "none"]
+
+
+def test_limits_that_exclude_each_other_leave_nothing():
+    found = envelopes(NARROW).sel(operation="drilling", surface_speed=1.0)
+    assert np.isnan(found["envelope_offset"]).all()
+    assert (found["governing_limit_name"] == "none").all()
+
+
+def test_a_limit_that_no_offset_keeps_leaves_nothing():
+    never = offsets(np.where(np.isinf(NARROW.values[0]), np.nan, NARROW.values[0]))
+    found = envelopes(never).sel(operation="connected")
+    assert np.isnan(found["envelope_offset"]).sel(surface_speed=0.0).all()
+
+
+def test_the_chart_says_where_drilling_goes_on():
+    dataset = xr.Dataset({"offset_of_limit": NARROW}, attrs={"reach": 240.0})
+    title = operability_drilling(dataset.merge(envelopes(NARROW))).get_suptitle()
+    assert "Up to 0 m/s" in title
+    assert "between −40 m (mean lower flex joint) and +30 m (largest stroke)" in title.replace(
+        "\n", " "
+    )
+
+
+def test_the_heaviest_mud_is_where_the_gap_closes():
+    gap = xr.Dataset(
+        {"setting_gap": ("mud_weight", [1e6, 0.5e6, -0.5e6])},
+        {"mud_weight": [1000.0, 1400.0, 1800.0]},
+    )
+    assert heaviest(gap) == pytest.approx(1600.0)
+    assert heaviest(gap.isel(mud_weight=[0, 1])) is None
+
+
+def test_an_allowance_is_what_the_sea_adds_to_the_state_at_rest():
+    """Five seeds that add alike: nine seas in ten exceed it by nothing."""
+    time, seeds, nodes = np.arange(4.0), 5, 3
+    swing = 1.0 + np.array([0.0, 1.0, -1.0, 0.5])  # about 1, at rest
+    over = ("significant_height", "seed", "time")
+    shaped = np.tile(swing, (1, seeds, 1))
+    noise = 1e-6 * np.arange(seeds)[None, :, None]  # a distribution of no width has no fit
+    along = np.ones((1, seeds, nodes))
+    runs = xr.Dataset(
+        {
+            "lfj_angle": (over, 0.01 * (shaped + noise)),
+            "ufj_angle": (over, -0.02 * (shaped + noise)),
+            "stroke": (over, shaped + noise - 1.0),
+            "von_mises_stress_max": ((*over[:2], "s_node"), 3e8 * along + 1e2 * noise),
+            "von_mises_stress_static": ((*over[:2], "s_node"), 2e8 * along),
+            "effective_tension_min": ((*over[:2], "s_node"), 1e6 * along - 1e2 * noise),
+            "effective_tension_static": ((*over[:2], "s_node"), 1.5e6 * along),
+        },
+        {"significant_height": [3.0], "time": time},
+    )
+    found = allowances(runs).isel(significant_height=0)
+    expected = {
+        "lfj_angle": 0.01,
+        "ufj_angle": 0.02,
+        "stroke": 1.0,
+        "von_mises_stress": 1e8,
+        "effective_tension": 5e5,
+    }
+    for name, value in expected.items():
+        assert float(found[f"{name}_allowance"]) == pytest.approx(value, rel=1e-4)
