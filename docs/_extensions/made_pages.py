@@ -110,6 +110,24 @@ def _validated() -> xr.Dataset:
     return measure("numerics validation", study, Setting(ROOT / "config", "standard"))
 
 
+def others(_: str) -> str:
+    """Least error of displacement that other simulators reached in the last `make bench`, and their time."""
+    measured = read_studies(ROOT / "config", "numerics").measured.accuracy
+    rows = [
+        f"| {scene} | {peer} | {100 * error:g} % | {ratio:g} |"
+        for scene, peers in measured.peers.items()
+        for peer, reached in peers.items()
+        for error, ratio in [min(reached)]
+    ]
+    return "\n".join(
+        [
+            "| scene | simulator | finest level reached | times riserstudy's time |",
+            "|---|---|---|---|",
+            *rows,
+        ]
+    )
+
+
 def gallery(names: str) -> str:
     """Figures with what they show and the lines that draw them."""
     return "\n".join(_figure(*name.split("/")) for name in names.split())
@@ -152,7 +170,17 @@ def _rst(directive: str) -> str:
 
 MAKERS: dict[str, Callable[[str], str]] = {
     maker.__name__: maker
-    for maker in (commands, functions, laws, called_by, quantities, coming, gallery, validation)
+    for maker in (
+        commands,
+        functions,
+        laws,
+        called_by,
+        quantities,
+        coming,
+        gallery,
+        validation,
+        others,
+    )
 }
 
 

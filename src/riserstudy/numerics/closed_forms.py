@@ -10,8 +10,18 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
 FloatArray = NDArray[np.float64]
+GRAVITY, DENSITY = 9.81, 1025.0  # m/s2, and of sea water in kg/m3
+
+
+class Chamber(NamedTuple):
+    """Gas on one side of a piston."""
+
+    area: float  # m2
+    pressure: float  # Pa, at mid-stroke
+    volume: float  # m3, at mid-stroke
 
 
 def taut_beam_frequency(
@@ -212,6 +222,56 @@ def gas_work(area: float, pressure: float, volume: float, exponent: float, reach
 def fall_of_a_bar(lost: float, stiffness: float, mass: float, time: float) -> float:
     """How far (m) the top of a long bar sinks in some time (s) after it lost a pull (N): d'Alembert."""
     return lost * time / math.sqrt(stiffness * mass)
+
+
+def wave_number(period: float, depth: float) -> float:
+    """Wave number (1/m) of a small wave by its period (s) and the depth (m): w^2 = g k tanh(k h)."""
+    square = (2.0 * math.pi / period) ** 2 / GRAVITY
+    return float(brentq(lambda k: k * math.tanh(k * depth) - square, 1e-9, 10.0 * (square + 1.0)))
+
+
+def pile_by_inertia(
+    added: float, diameter: float, height: float, period: float, depth: float
+) -> float:
+    """Largest moment (N m) at the foot of a stiff pile by Morison's inertia, up to the mean level."""
+    k, rate = wave_number(period, depth), 2.0 * math.pi / period
+    arm = depth * math.sinh(k * depth) / k - (math.cosh(k * depth) - 1.0) / k**2
+    moved = DENSITY * (1.0 + added) * 0.25 * math.pi * diameter**2
+    return moved * 0.5 * height * rate**2 * arm / math.sinh(k * depth)
+
+
+def pile_by_drag(
+    coefficient: float, diameter: float, height: float, period: float, depth: float
+) -> float:
+    """The same (N m) by Morison's drag, below the crest."""
+    k = wave_number(period, depth)
+    speed = math.pi * height / period / math.sinh(k * depth)
+    arm = depth**2 / 4.0 + depth * math.sinh(2.0 * k * depth) / (4.0 * k)
+    arm -= (math.cosh(2.0 * k * depth) - 1.0) / (8.0 * k**2)
+    return 0.5 * DENSITY * coefficient * diameter * speed**2 * arm
+
+
+def driven(force: float, drag: float, mass: float, time: float) -> tuple[float, float]:
+    """Speed (m/s) and way (m) after some time (s) of a mass that a force drives against quadratic drag.
+
+    The speed comes to the terminal one, at which drag is the force.
+    """
+    terminal, scale = math.sqrt(force / drag), mass / math.sqrt(force * drag)
+    return terminal * math.tanh(time / scale), terminal * scale * math.log(math.cosh(time / scale))
+
+
+def two_chambers(high: Chamber, low: Chamber, exponent: float, reach: float) -> tuple[float, float]:
+    """Pull (N) and stiffness (N/m) of a direct-acting cylinder drawn out by some reach (m), p V^n constant.
+
+    Drawn out it presses the gas of the high chamber and relieves that of the low one.
+    """
+    pull, stiffness = 0.0, 0.0
+    for (area, pressure, volume), sign in ((high, 1.0), (low, -1.0)):
+        now = volume - sign * area * reach
+        force = area * pressure * math.pow(volume / now, exponent)
+        pull += sign * force
+        stiffness += exponent * force * area / now
+    return pull, stiffness
 
 
 def decrement(ratio: float) -> float:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
-from riserstudy.numerics.validation_cases import CASES
+from riserstudy.numerics.validation_cases import CASES, histories
 from riserstudy.study.measured import ValidationStudy
 
 if TYPE_CHECKING:
@@ -36,6 +36,8 @@ def validation(study: ValidationStudy, setting: Setting) -> xr.Dataset:
     scenes = in_tier(study.scenes, setting.tier)
     files = {name: case_file(setting.config, name, case) for name, case in scenes.items()}
     rows = [row for case in CASES for row in case(files)]
+    stored = {name: setting.config / path for name, path in study.stored.items()}
+    rows += histories(files, stored)
     data = {name: np.array([getattr(row, name) for row in rows]) for name in (*TEXTS, *NUMBERS)}
     dataset = xr.Dataset({name: ("row", values) for name, values in data.items()})
     for name, words in TEXTS.items():

@@ -9,14 +9,17 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.numerics import closed_forms as known
+from riserstudy.numerics import references
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.modes import modes_of
+from riserstudy.simulation.refine import DISPLACEMENT, MOMENT, run
 from riserstudy.simulation.simulate import simulate
 
 if TYPE_CHECKING:
@@ -335,6 +338,121 @@ def gas(_: Files) -> Iterator[Row]:
     yield Row(what, "work of a lift", "J", CLOSED, "∫ of the pull", done, work, 1e-5, because)
 
 
+HIGH, LOW = known.Chamber(0.205, 2.08e6, 9.38), known.Chamber(0.246, 0.15e6, 2.25)
+
+
+def two_chambers(_: Files) -> Iterator[Row]:
+    """A direct-acting cylinder with gas on both sides of its piston, drawn out and pushed in a little."""
+    reach, aside = 3.0, 0.01
+
+    def pulled(lift: float) -> tuple[float, float]:
+        file = _pulled(lift)
+        law: dict[str, Any] = {"exponent": 1.4}
+        for name, of in (("high", HIGH), ("low", LOW)):
+            law[name] = {"area": f"{of.area} m^2", "pressure": f"{of.pressure} Pa absolute"}
+            law[name] |= {"volume": f"{of.volume} m^3"}
+        values = {"top.tensioners.gas": None, "top.tensioners.two_chamber_gas": law}
+        values |= {"platform": {"position": {"heave": f"{lift} m"}}, "analysis.duration": None}
+        values |= {"analysis.output": None, "analysis.step": None}
+        run = _run(file.with_values(values, "validation"))
+        return tuple(  # type: ignore[return-value]
+            float(run[f"tensioner_{name}_static"].isel(cylinder=0)) for name in ("force", "stroke")
+        )
+
+    (less, shorter), (pull, _middle), (more, longer) = (
+        pulled(reach + d) for d in (-aside, 0.0, aside)
+    )
+    exact, stiffness = known.two_chambers(HIGH, LOW, 1.4, reach)
+    what, by = "direct-acting tensioner drawn out by 3 m", "p V^n = const. in both chambers"
+    because = "the pipe stretches by 1e-7 m"
+    yield Row(what, "pull", "N", CLOSED, by, exact, pull, 1e-6, because)
+    slope = (more - less) / (longer - shorter)
+    because = "a difference over 2 cm, second order"
+    yield Row(what, "stiffness", "N/m", CLOSED, by, stiffness, slope, 1e-5, because)
+
+
+PILE = {"diameter": 1.0, "height": 2.0, "period": 8.0, "depth": 60.0}
+
+
+def morison(_: Files) -> Iterator[Row]:
+    """A pile so stiff that only the water moves, in a small wave."""
+    depth, across = f"{PILE['depth']} m", f"{PILE['diameter']} m"
+    tree = {
+        "title": "pile",
+        "gravity": "9.81 m/s^2",
+        "water": {"density": "1025 kg/m^3", "surface": depth, "seabed": "0 m"},
+        "riser": [
+            {
+                "name": "pile",
+                "length": depth,
+                "axial_stiffness": "1e13 N",
+                "bending_stiffness": "1e14 N*m^2",
+                "mass": "1 t/m",
+                "submerged_weight": "0 N/m",
+            }
+        ],
+        "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": "fixed"},
+        "top": {"x": "free", "z": "free"},
+        "wave": {
+            "height": f"{PILE['height']} m",
+            "period": f"{PILE['period']} s",
+            "above_mean_level": "none",
+            "ramp": "8 s",
+        },
+        "analysis": {
+            "duration": "32 s",
+            "output": {"interval": "0.1 s", "start": "16 s"},
+            "mesh": {"elements": 240},
+            "step": "0.05 s",
+        },
+    }
+    by = "Morison's formula to the mean level, Airy's wave"
+    because = "240 segments, second order"
+    for name, loads, exact in (
+        ("inertia", {"added_mass": {"coefficient": 1.0}}, known.pile_by_inertia(1.0, **PILE)),
+        ("drag", {"drag": {"coefficient": 1.0}}, known.pile_by_drag(1.0, **PILE)),
+    ):
+        section = {f"riser[0].{key}": load | {"diameter": across} for key, load in loads.items()}
+        run = _run(SceneFile("validation", tree).with_values(section, "validation"))
+        moment = float(np.abs(run["bending_moment"].isel(s=0)).max())
+        what = f"stiff pile in a wave, {name} alone"
+        yield Row(what, "moment at its foot", "N m", CLOSED, by, exact, moment, 2e-4, because)
+
+
+def terminal(_: Files) -> Iterator[Row]:
+    """A platform alone that a steady force drives off, until drag is as large."""
+    force, drag, mass, added, time = 4e5, 2.5e5, 4e7, 1e7, 400.0
+    thread = {"name": "thread", "length": "1000 m", "axial_stiffness": "100 N"}
+    thread |= {"mass": "0.001 kg/m", "submerged_weight": "0 N/m"}
+    tree = {
+        "title": "platform adrift",
+        "water": {"density": "1025 kg/m^3", "surface": "1000 m", "seabed": "0 m"},
+        "riser": [thread],
+        "bottom": {"hold": "wellhead", "elevation": "0 m"},
+        "top": {"x": "vessel", "z": "held", "elevation": "1010 m"},
+        "vessel": {
+            "mass": f"{mass} kg",
+            "added_mass": f"{added} kg",
+            "hull_drag": f"{drag} N*s^2/m^2",
+            "wave_drift": {"force": f"{force} N", "heading": "0 deg"},
+        },
+        "analysis": {
+            "duration": f"{time} s",
+            "output": {"interval": "1 s"},
+            "mesh": {"elements": 4},
+            "step": "0.5 s",
+        },
+    }
+    run = _run(SceneFile("validation", tree)).isel(time=-1)
+    speed, way = known.driven(force, drag, mass + added, time)
+    what, by = "platform driven to its terminal speed", "√(F/c) tanh(t √(F c) / m)"
+    because = "the thread that stands for a riser pulls with some newtons"
+    now = float(run["platform_speed_x"])
+    yield Row(what, "speed after 400 s", "m/s", CLOSED, by, speed, now, 1e-5, because)
+    went = float(run["platform_surge"])
+    yield Row(what, "way after 400 s", "m", CLOSED, "its integral", way, went, 1e-5, because)
+
+
 SURGE = {"analysis.duration": "60 s", "analysis.output": {"interval": "0.25 s"}}
 
 
@@ -456,7 +574,22 @@ def energy(files: Files) -> Iterator[Row]:
 
 
 #: every case, in the order of the page
+def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
+    """Whole histories that other programs made of a scene, at the accuracy that a run has by default."""
+    for name, path in stored.items():
+        other = references.stored(path)
+        short = {"analysis.duration": "60 s", "analysis.output": {"interval": "0.1 s"}}
+        scene = files[name].with_values(short, "validation").scene()
+        asked = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
+        for quantity, error in other.errors(run(scene)).items():
+            what, because = f"{name} from beginning to end", "the default accuracy"
+            yield Row(
+                what, f"largest difference of {quantity}", "1", SECOND,
+                other.about.removeprefix("stored: "), 0.0, error, asked[quantity], because, 1.0,
+            )  # fmt: skip
+
+
 CASES: tuple[Case, ...] = (
     taut_beam, own_weight, chain, bar, column, pendulum, loaded_beam, cantilever, cable, current, towed,
-    wave, decay, gas, methods, hermite, energy,
+    wave, decay, gas, two_chambers, morison, terminal, methods, hermite, energy,
 )  # fmt: skip

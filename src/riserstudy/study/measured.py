@@ -228,10 +228,14 @@ class TiersStudy(EngineStudy):
 
 
 class ValidationStudy(EngineStudy):
-    """Closed forms, second methods and conservation laws beside the engine, on these scenes and its own."""
+    """Closed forms, second methods and conservation laws beside the engine, on these scenes and its own.
+
+    ``stored``: of some of the scenes, the file of a history that another program made.
+    """
 
     timed = False
     scenes: dict[str, Family]
+    stored: dict[str, str] = Field(default_factory=dict)
 
 
 class Measured(Strict):
