@@ -55,24 +55,33 @@ def minimum_tension(muds: xr.Dataset, weight: float, buoyancy: float) -> xr.Data
 def tension_window(muds: xr.Dataset, failed: list[int], **settings: Any) -> xr.Dataset:
     """Floors and ceilings of the setting over mud weight and units failed, and the gap.
 
+    Floors by the formula, and by the engine with the riser in its current.
+
     Parameters
     ----------
     failed : numbers of units that are out.
     settings : as `window_of` takes them.
     """
+    from riserstudy.design import engine_tension  # which loads kernels
+
     shape = (muds.sizes["mud_weight"], len(failed))
-    floors = np.zeros((*shape, len(FLOORS)))
+    floors, by_engine = np.zeros((*shape, len(FLOORS))), np.zeros((*shape, len(FLOORS)))
     ceiling, gap = np.zeros(shape), np.zeros(shape)
     for i, (_, scene) in enumerate(scenes_of(muds)):
+        slack = engine_tension.needed(scene, _tolerances(settings)).tension
+        weighed = engine_tension.needed(scene, WEIGHED).tension
         for j, n in enumerate(failed):
             of = window_of(scene, settings, n)
             floors[i, j] = [of.floors[name] for name in FLOORS]
+            engine = _window(scene, settings, n, slack, weighed)
+            by_engine[i, j] = [engine.floors[name] for name in FLOORS]
             ceiling[i, j], gap[i, j] = of.ceilings[of.ceiling], of.gap
     over = ("mud_weight", "failed_units")
     coords = {"mud_weight": muds["mud_weight"], "failed_units": failed, "floor": list(FLOORS)}
     made = xr.Dataset(
         {
             "setting_floor": ((*over, "floor"), floors),
+            "setting_floor_engine": ((*over, "floor"), by_engine),
             "setting_ceiling": (over, ceiling),
             "setting_gap": (over, gap),
         },
@@ -90,20 +99,30 @@ def window_of(scene: Scene, settings: dict[str, Any], failed: int) -> Window:
         ``fleet_angle``: of the tensioners; ``overpull``: effective tension wanted between LMRP and stack;
         ``dynamic_limit``, ``share``: dynamic tension limit of all units, and how much of it a setting may be.
     """
-    tolerances = Tolerances(settings["weight"], settings["buoyancy"])
-    needed = float(tension.needed(scene, tolerances).max())
-    off = lift_off(scene, to_si(settings["overpull"], "N"))
+    needed = float(tension.needed(scene, _tolerances(settings)).max())
+    weighed = float(tension.needed(scene, WEIGHED)[0])
+    return _window(scene, settings, failed, needed, weighed)
+
+
+def _window(
+    scene: Scene, settings: dict[str, Any], failed: int, needed: float, weighed: float
+) -> Window:
+    """The window by the vertical tensions (N) of weights with tolerances, and of weights as told."""
+    off = weighed + lmrp(scene) + to_si(settings["overpull"], "N")
     limit = to_si(settings["dynamic_limit"], "N")
     return window(needed, off, _rig(settings, failed), limit, settings["share"])
 
 
-def lift_off(scene: Scene, overpull: float) -> float:
-    """Vertical tension (N) that leaves an overpull (N) with the LMRP hanging, weights as told."""
+def lmrp(scene: Scene) -> float:
+    """Weight in water (N) of what hangs below the riser when it is lifted off."""
     body = scene.bottom.body
     if body is None or scene.water is None:
         raise ValueError("not evaluated: bottom.body")
-    weight = body.weight(scene.gravity or 0.0, scene.water.density)
-    return float(tension.needed(scene, WEIGHED)[0]) + weight + overpull
+    return body.weight(scene.gravity or 0.0, scene.water.density)
+
+
+def _tolerances(settings: dict[str, Any]) -> Tolerances:
+    return Tolerances(settings["weight"], settings["buoyancy"])
 
 
 def _rig(settings: dict[str, Any], failed: int) -> Rig:

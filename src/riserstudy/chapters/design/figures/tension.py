@@ -50,6 +50,9 @@ def tension_window(tension_window: xr.Dataset) -> Figure:
         floor = at["setting_floor"].max("floor") / 1e6
         for colour, name in zip(COLOURS, at["floor"].values, strict=False):
             ax.plot(mud, at["setting_floor"].sel(floor=name) / 1e6, color=colour, label=f"{name}")
+            engine = at["setting_floor_engine"].sel(floor=name) / 1e6
+            label = "by the engine" if name == at["floor"].values[-1] else None
+            ax.plot(mud, engine, "o", mfc="none", ms=4, color="black", label=label)
         ax.plot(mud, ceiling, color="black", label="0.9 of the dynamic tension limit")
         open_here = ceiling > floor
         ax.fill_between(mud, floor, ceiling, where=open_here, color=COLOURS[2], alpha=0.2, lw=0.0)
