@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from riserstudy.chapters.draw import draw
 from riserstudy.errors import InputError
@@ -115,3 +116,23 @@ def test_a_request_that_takes_long_is_a_row_that_says_so():
     assert found["true"].isnull().all()
     said = engine({"random_scenes": found}).said[0]
     assert said.startswith("2 random scenes asked for 1 %: 0 refused, 2 not judged")
+
+
+def test_the_figure_of_energy_says_how_far_the_balance_is_off_and_who_dissipates():
+    dims = ("case", "method", "instant")
+    parts = {
+        "exchanged": [[[50.0, 100.0], [50.0, 100.0]]],
+        "stored": [[[10.0, -200.0], [10.0, 20.0]]],
+        "numerical": [[[0.0, 4.0], [5.0, 1.0]]],  # 2 % of 200, 5 % of 100
+        "unexplained": [[[0.0, 0.0], [0.03, -0.01]]],
+    }
+    found = xr.Dataset(
+        {name: (dims, values) for name, values in parts.items()},
+        {"case": ["swing"], "method": ["one", "other"]},
+    )
+    figure = draw("numerics", "energy", {"energy": found})
+    assert figure.get_suptitle() == (
+        "The balance of energy closes to 0.03 %; other dissipates the most by itself, 5 %"
+    )
+    marks = [line.get_xdata() for line in figure.axes[0].lines if line.get_label() == "one"]
+    assert float(marks[0][0]) == pytest.approx(0.02)

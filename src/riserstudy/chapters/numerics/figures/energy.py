@@ -1,37 +1,76 @@
-"""Energy over time, by method."""
+"""Energy by method: the most that each dissipates by itself, and the most that is left unexplained."""
 
 from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator, NullLocator
 
-from riserstudy.figures.style import COLOURS, key_below, panels
+from riserstudy.figures.style import COLOURS, key_below
 
-LEAST = 1e-17  # share of energy that is drawn, at least
+ROUNDING = 1e-14  # share of energy below which nothing but rounding is left
+PARTS = {"numerical": "dissipated by the method itself", "unexplained": "left unexplained"}
 
 
 def energy(energy: xr.Dataset) -> Figure:
-    """A row a case: numerical dissipation, and what stays unexplained, over the largest energy."""
-    cases = energy["case"].values
-    figure, axes = panels(len(cases), 2, height=2.7)
-    for row, case in enumerate(cases):
-        of = energy.sel(case=case)
-        scale = xr.concat([of["exchanged"], abs(of["stored"])], "part").max(["part", "instant"])
-        for ax, part, word in (
-            (axes[2 * row], "numerical", "dissipated by the method"),
-            (axes[2 * row + 1], "unexplained", "unexplained"),
-        ):
-            for k, method in enumerate(energy["method"].values):
-                at = {"method": method}
-                share = np.maximum(abs(of[part].sel(at)) / scale.sel(at), LEAST)
-                ax.plot(
-                    of["time"], share, "o-", ms=3, color=COLOURS[k % len(COLOURS)], label=method
-                )
-            ax.set_yscale("log")
-            ax.set_title(f"{case}: {word}", fontsize="medium")
-        axes[2 * row].set_ylabel("share of energy (-)")
-    for ax in axes[-2:]:
-        ax.set_xlabel("time (s)")
+    """A row a case, a mark a method: the largest share over time of the largest energy by then."""
+    cases = [str(case) for case in energy["case"].values]
+    figure = Figure((10.2, 0.62 * len(cases) + 1.9), dpi=150, layout="constrained")
+    axes = figure.subplots(1, 2, sharey=True)
+    most = largest(energy)
+    high = 10.0 * max(float(most[part].max()) for part in PARTS)
+    for ax, letter, (part, words) in zip(axes, "ab", PARTS.items(), strict=True):
+        _marks(ax, most[part], cases)
+        _axis(ax, max(high, 1.0))
+        ax.set_title(f"({letter}) {words}", loc="left", fontsize="medium")
+    axes[0].set_yticks(range(len(cases)), cases)
+    axes[0].set_ylim(len(cases) - 0.5, -0.5)
+    figure.suptitle(answer(energy), fontsize="medium", x=0.01, ha="left")
     key_below(figure, axes[0], 5)
     return figure
+
+
+def largest(energy: xr.Dataset) -> xr.Dataset:
+    """Of each case and method, the largest share of either part over time."""
+    scale = xr.concat([energy["exchanged"], abs(energy["stored"])], "part").max(["part", "instant"])
+    return xr.Dataset({part: abs(energy[part]).max("instant") / scale for part in PARTS})
+
+
+def answer(energy: xr.Dataset) -> str:
+    """The most that is unexplained, and which method dissipates the most."""
+    most = largest(energy)
+    by = most["numerical"].max("case")
+    worst = str(by["method"].values[int(np.nanargmax(by.values))])
+    return (
+        f"The balance of energy closes to {100 * float(most['unexplained'].max()):.1g} %; "
+        f"{worst} dissipates the most by itself, {100 * float(by.max()):.2g} %"
+    )
+
+
+def _marks(ax: Axes, most: xr.DataArray, cases: list[str]) -> None:
+    methods = [str(method) for method in most["method"].values]
+    for k, method in enumerate(methods):
+        y = np.arange(len(cases)) + 0.13 * (k - 0.5 * (len(methods) - 1))
+        share = most.sel({"method": method}).values
+        ax.plot(
+            np.maximum(share, ROUNDING), y, "osD^v"[k % 5],
+            ms=5.5, color=COLOURS[k % len(COLOURS)], label=method,
+        )  # fmt: skip
+    for edge in range(1, len(cases)):
+        ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)
+
+
+def _axis(ax: Axes, high: float) -> None:
+    """Shares in per cent, the least of them where rounding begins."""
+    ticks = [1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0]
+    ax.set_xscale("log")
+    ax.set_xlim(0.3 * ROUNDING, high)
+    ax.xaxis.set_major_locator(FixedLocator([ROUNDING, *ticks]))
+    ax.xaxis.set_minor_locator(NullLocator())
+    ax.set_xticklabels(["rounding", *(f"{100 * tick:g}" for tick in ticks)])
+    ax.tick_params(axis="y", length=0)
+    ax.grid(True, axis="x", color="0.92", linewidth=0.6)
+    ax.set_axisbelow(True)
+    ax.set_xlabel("largest share of the energy exchanged or stored (%)")

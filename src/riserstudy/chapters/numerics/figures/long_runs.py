@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import LogLocator
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from riserstudy.figures.style import COLOURS, key_below, panels
 
@@ -20,10 +20,10 @@ def long_runs(long_runs: xr.Dataset) -> Figure:
     cases = list(dict.fromkeys(long_runs["case"].values.tolist()))
     candidates = list(dict.fromkeys(long_runs["candidate"].values.tolist()))
     figure, axes = panels(len(cases), 1, height=2.9)
-    for ax, case in zip(axes, cases, strict=True):
+    for k, (ax, case) in enumerate(zip(axes, cases, strict=True)):
         here = long_runs.isel(run=np.flatnonzero(long_runs["case"].values == case))
         _panel(ax, here, candidates)
-        ax.set_title(f"{case}{_cheapest(ax, here)}", fontsize="medium")
+        ax.set_title(f"({'abcdef'[k]}) {case}{_cheapest(ax, here)}", loc="left", fontsize="medium")
     axes[-1].set_xlabel("processor time of a run (s)")
     key_below(figure, axes[0], 3)
     return figure
@@ -44,10 +44,12 @@ def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
         value = float(of[f"{name}_seconds"][0])
         if np.isfinite(value):
             ax.axvline(value, color="black", linestyle=style, linewidth=1.0, label=f"{name} time")
-    ax.axhline(WANTED, color="0.5", linewidth=0.8, label="wanted error")
+    ax.axhline(WANTED, color="0.5", linewidth=0.8, label="1 %, the default request")
     ax.set_xscale("log")
     ax.set_yscale("log")
-    ax.set_ylabel("error of the\nmoment (-)")
+    ax.set_ylabel("error of the\nmoment (%)")
+    ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
+    ax.yaxis.set_minor_formatter(NullFormatter())
     few = np.nanmax(of["cpu_seconds"].values) < DECADES * np.nanmin(of["cpu_seconds"].values)
     if few and not np.isfinite(of["published_seconds"][0]):
         ax.xaxis.set_minor_locator(LogLocator(subs=(2.0, 3.0, 5.0)))
