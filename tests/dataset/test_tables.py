@@ -85,3 +85,13 @@ def test_workbooks_are_refused_with_what_serves_instead(command, tmp_path, monke
     said = capsys.readouterr().err
     assert ".csv" in said
     assert "workbooks need a library that riserstudy does not bring" in said
+
+
+def test_a_body_of_some_mass_that_weighs_nothing_is_told_of():
+    without = SceneFile("pulled.yaml", PULLED).with_values({"top.body.density": None}, "test")
+    table = stack_up(without.scene())
+    ring = dict(zip(table.columns, table.rows[0], strict=True))
+    assert ring["wet weight"] is ring["uplift"] is None
+    (said,) = json.loads(simulate(without).attrs["warnings"])
+    assert said.startswith("top.body: 'ring' has a mass of 20000 kg and no weight")
+    assert json.loads(simulate(SceneFile("pulled.yaml", PULLED)).attrs["warnings"]) == []

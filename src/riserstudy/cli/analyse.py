@@ -37,7 +37,7 @@ def cost(
         prices.append(price)
         step = f"{price.step:7.3g} s" if price.step else "   none  "
         shares = f"{100 * price.requested:7.3g} %  {100 * price.estimated:7.2g} %"
-        print(f"{shares}  {price.elements:8d}  {step}  {price.seconds:.3g} s")
+        print(f"{shares}  {price.elements:8d}  {step}  {price.seconds:.3g} s", flush=True)
     if plot is not None:
         requests.plot(prices, str(file.tree["title"]), plot)
 

@@ -61,7 +61,8 @@ def stack_up(scene: Scene) -> Table:
     def add_body(body: Body | None, at: float | None) -> None:
         if body:
             dry = body.mass * gravity / 1e3 if gravity else None
-            wet = body.weight(gravity or 0.0, scene.water.density if scene.water else 0.0) / 1e3
+            water = scene.water.density if scene.water else 0.0
+            wet = None if body.weightless else body.weight(gravity or 0.0, water) / 1e3
             add([body.name, None, None, at, None, None, None], dry, wet, 0.0, [None] * 3)
 
     add_body(scene.top.body, upper)

@@ -72,6 +72,11 @@ class Body(Strict):
             self.horizontal_mass * self.centre_below
         )
 
+    @property
+    def weightless(self) -> bool:
+        """Whether nothing tells its weight."""
+        return self.submerged_weight is None and self.displaced_volume is self.density is None
+
     def weight(self, gravity: float, water: float) -> float:
         """Weight in water of a density (N)."""
         displaced = self.mass / self.density if self.density else self.displaced_volume

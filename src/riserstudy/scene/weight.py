@@ -78,12 +78,12 @@ def dressed(scene: Parts) -> list[Section]:
 
 
 def doubts(scene: Parts) -> list[str]:
-    """Warnings about weights that the diameters of a section contradict.
+    """Warnings about weights that diameters contradict, and about bodies whose mass weighs nothing.
 
     Whatever is fixed to a pipe displaces more water and not less: apart from its contents a section cannot
     weigh more than its mass less the water that its outer diameter displaces.
     """
-    sentences = []
+    sentences = _weightless(scene)
     for k, section in enumerate(scene.riser):
         if None in (section.submerged_weight, section.mass, section.contents, scene.gravity):
             continue
@@ -96,6 +96,17 @@ def doubts(scene: Parts) -> list[str]:
                 "contents are added to it: leave out what is inside"
             )
     return sentences
+
+
+def _weightless(scene: Parts) -> list[str]:
+    """A warning for each body of some mass that has no weight, in a scene with gravity."""
+    ends = {"bottom.body": scene.bottom.body, "top.body": scene.top.body}
+    return [
+        f"{path}: {body.name!r} has a mass of {body.mass:g} kg and no weight: it weighs nothing; give its "
+        "submerged_weight, displaced_volume or density"
+        for path, body in ends.items()
+        if body and body.mass and scene.gravity and body.weightless
+    ]
 
 
 def _levels(scene: Parts, k: int) -> tuple[float, float] | None:
