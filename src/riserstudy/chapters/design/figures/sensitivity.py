@@ -18,6 +18,7 @@ def sensitivity(sensitivity: xr.Dataset) -> Figure:
     figure, axes = panels(1, 2, 5.0)
     gap, room = sensitivity["setting_gap"] / 1e6, sensitivity["drilling_room"]
     most = [_bars(ax, values) for ax, values in zip(axes, (gap, room), strict=True)]
+    axes[0].set_ylabel("input, from one end of its range to the other (-)")
     axes[0].set_xlabel("gap between floor and ceiling of the setting (MN)")
     axes[1].set_xlabel("room for drilling in 1 m/s (m)")
     headline(
