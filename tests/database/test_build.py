@@ -245,7 +245,7 @@ def test_a_study_takes_its_points_and_their_results_along(mine):
             "result_values_by_quantity",
         ),
         (
-            "select count(*) from parameter_values where path = 'riser[0].length' and value > 0",
+            "select count(*) from parameters where path = 'riser[0].length' and value > 0",
             "parameter_values_by_path",
         ),
         (

@@ -82,16 +82,21 @@ create table points (             -- simulated points; a scene that two studies 
     unique (study, position)
 );
 
+create table paths (
+    path_id integer primary key,
+    path text not null unique     -- in a scene
+);
+
 create table parameter_values (
     value_id integer primary key,
-    path text not null,           -- in the scene
+    path_id integer not null references paths (path_id),
     value real,                   -- SI; null where it is text
     unit text,
     as_written text not null,
     origin text not null check (origin in ('published', 'given', 'derived', 'assumed', 'calibrated', 'chosen', 'varied')),
     because text not null
 );
-create index parameter_values_by_path on parameter_values (path, value);
+create index parameter_values_by_path on parameter_values (path_id, value);
 
 create table study_parameters (   -- the same at all points of a study
     study text not null references studies (study) on delete cascade,
@@ -191,10 +196,11 @@ create table figure_reads (
 
 create view parameters as
     select point, path, value, unit, as_written, origin, because
-    from parameter_values join study_parameters using (value_id) join points using (study)
+    from paths join parameter_values using (path_id) join study_parameters using (value_id)
+         join points using (study)
     union all
     select point, path, value, unit, as_written, origin, because
-    from parameter_values join point_parameters using (value_id);
+    from paths join parameter_values using (path_id) join point_parameters using (value_id);
 
 create view results as
     select point, quantity, statistic, value, unit, s, time, cylinder

@@ -70,7 +70,10 @@ def _extreme(
     """The largest value (the smallest for a sign of -1) of each cell, and where it is."""
     inner = variable.values.shape[1:]
     values = variable.values.reshape(len(variable.values), -1).astype(np.float64, copy=False)
-    index = np.where(np.isnan(values), -np.inf, sign * values).argmax(axis=1)
+    if np.isnan(values).any():
+        index = np.where(np.isnan(values), -np.inf, sign * values).argmax(axis=1)
+    else:  # without a copy of what may be large
+        index = values.argmax(axis=1) if sign > 0.0 else values.argmin(axis=1)
     extreme = values[np.arange(len(values)), index]
     at = {}
     for name, place in zip(variable.within, np.unravel_index(index, inner), strict=True):

@@ -158,7 +158,9 @@ def _write_parameters(db: sqlite3.Connection, about: About, contents: Contents, 
 
 
 def _value_id(db: sqlite3.Connection, parameter: Parameter) -> int | None:
-    statement = "insert into parameter_values values (null, ?, ?, ?, ?, ?, ?)"
+    db.execute("insert or ignore into paths (path) values (?)", parameter[:1])
+    statement = "insert into parameter_values values"
+    statement += " (null, (select path_id from paths where path = ?), ?, ?, ?, ?, ?)"
     return db.execute(statement, parameter).lastrowid
 
 
@@ -215,6 +217,9 @@ def remove_unused(db: sqlite3.Connection) -> None:
     db.executemany("insert or ignore into used values (?)", used)
     db.execute("delete from parameter_values where value_id not in (select value_id from used)")
     db.execute("drop table used")
+    db.execute(
+        "delete from paths where path_id not in (select distinct path_id from parameter_values)"
+    )
     db.execute(
         "delete from effect_sets where effect_set not in (select distinct effect_set from points)"
     )
