@@ -1,0 +1,135 @@
+"""Design, recoil: which settings serve an emergency disconnect, and what three of them do."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from riserstudy.figures.style import COLOURS, headline, panels
+
+SAID = (
+    "stays clear of stack and stops",
+    "comes down on the stack",
+    "runs into the stops",
+    "does both, by phase",
+)
+FILL = ("#9fd8bd", "#f5c9a0", "#a9c9e8", "#d3a9c4")
+
+
+def recoil_window(recoil_outcome: xr.Dataset) -> Figure:
+    """What the worst phase does, over heave and setting, a panel a mud weight."""
+    muds = recoil_outcome["mud_weight"].values
+    columns = min(2, len(muds))
+    figure, axes = panels(-(-len(muds) // columns), columns, 3.2, sharey=True)
+    heaves = recoil_outcome["heave_amplitude"].values
+    for ax, mud in zip(axes, muds, strict=True):
+        one = recoil_outcome.sel(mud_weight=mud)
+        _cells(ax, one["recoil_verdict"].transpose("gas_pressure", "heave_amplitude").values)
+        ax.set_xticks(range(len(heaves)), [f"{h:g}" for h in heaves])
+        setting = one["setting"].values / 1e6
+        ax.set_yticks(range(len(setting)), [f"{t:.2f}" for t in setting])
+        clear = one["clearance_min"].min("phase").transpose("gas_pressure", "heave_amplitude")
+        for (row, column), value in np.ndenumerate(clear.values):
+            ax.text(
+                column, row, f"{max(value, 0.0):.1f}", ha="center", va="center", fontsize="x-small"
+            )
+        ax.set_title(f"mud of {mud:g} kg/m³", loc="right", fontsize="small")
+        ax.set_xlabel("heave amplitude (m)")
+    for ax in axes[::columns]:
+        ax.set_ylabel("tension setting (MN)")
+    _key(figure)
+    headline(figure, _answer(recoil_outcome))
+    return figure
+
+
+def _cells(ax: Axes, verdict: np.ndarray) -> None:
+    ax.grid(False)
+    ax.imshow(
+        verdict, cmap=ListedColormap(FILL), vmin=-0.5, vmax=3.5, origin="lower", aspect="auto"
+    )
+
+
+def _key(figure: Figure) -> None:
+    handles = [Patch(color=fill, label=said) for fill, said in zip(FILL, SAID, strict=True)]
+    figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize="small")
+
+
+def _answer(of: xr.Dataset) -> str:
+    """Up to which heave a setting serves, in each mud."""
+    serves = (of["recoil_verdict"] == 0).any("gas_pressure")
+    parts = []
+    for mud in of["mud_weight"].values:
+        heaves = of["heave_amplitude"].values[serves.sel(mud_weight=mud).values]
+        parts.append(
+            f"{max(heaves):g} m at {mud:g} kg/m³" if len(heaves) else f"none at {mud:g} kg/m³"
+        )
+    return (
+        "Largest heave under which some setting keeps LMRP and cylinders clear at every phase: "
+        + ", ".join(parts)
+        + " (numbers: smallest clearance, m)"
+    )
+
+
+def recoil_histories(recoil: xr.Dataset) -> Figure:
+    """Lift and stroke after the release for the lowest, a middle and the highest setting."""
+    mud = recoil["mud_weight"].values[len(recoil["mud_weight"]) // 2]
+    heave = recoil["heave_amplitude"].values[len(recoil["heave_amplitude"]) // 2]
+    phase = recoil["phase"].values[0]
+    one = recoil.sel(mud_weight=mud, heave_amplitude=heave, phase=phase)
+    pressures = one["gas_pressure"].values[[0, len(one["gas_pressure"]) // 2, -1]]
+    figure, (up, stroke) = panels(1, 2, 3.6)
+    for colour, pressure in zip(COLOURS, pressures, strict=False):
+        at = one.sel(gas_pressure=pressure)
+        name = f"{float(at['tensioner_force_static'].sum()) / 1e6:.2f} MN"
+        up.plot(at["time"], at["lift"], color=colour, label=name)
+        stroke.plot(at["time"], at["tensioner_stroke"].isel(cylinder=0), color=colour, label=name)
+    up.axhline(0.0, color="black", linewidth=0.6)
+    up.set_ylabel("lift of the LMRP above the stack (m)")
+    stroke.set_ylabel("stroke of the cylinders (m, + longer)")
+    for ax in (up, stroke):
+        ax.set_xlabel("time (s)")
+        ax.legend(title="setting", fontsize="small")
+    highest = [float(one.sel(gas_pressure=p)["lift"].max()) for p in pressures]
+    headline(
+        figure,
+        f"Lift grows from {highest[0]:.1f} m to {highest[-1]:.1f} m with the setting: mud of {mud:g} kg/m³, "
+        f"heave of {heave:g} m, released at {phase:g}° of it",
+    )
+    return figure
+
+
+def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
+    """What units and valves that failed change, a panel a number of units."""
+    units = recoil_failures_outcome["units"].values
+    figure, axes = panels(1, len(units), 3.4, sharey=True)
+    left = recoil_failures_outcome["valve_left_open"].values
+    for ax, count in zip(axes, units, strict=True):
+        one = recoil_failures_outcome.sel(units=count)
+        _cells(ax, one["recoil_verdict"].transpose("gas_pressure", "valve_left_open").values)
+        lift = one["lift_max"].max("phase").transpose("gas_pressure", "valve_left_open")
+        for (row, column), value in np.ndenumerate(lift.values):
+            ax.text(column, row, f"{value:.1f}", ha="center", va="center", fontsize="x-small")
+        ax.set_xticks(range(len(left)), [f"{100 * x:g} %" for x in left])
+        ax.set_xlabel("opening that valves leave")
+        ax.set_title(f"{count:g} units pull", loc="right", fontsize="small")
+    pressures = recoil_failures_outcome["gas_pressure"].values
+    axes[0].set_yticks(range(len(pressures)), [f"{p:g}" for p in pressures])
+    axes[0].set_ylabel("gas pressure (bar absolute)")
+    _key(figure)
+    highest = recoil_failures_outcome["lift_max"].max("phase").max("gas_pressure")
+    closed, opened, fewer = (
+        float(highest.sel(units=count).isel(valve_left_open=k))
+        for count, k in ((max(units), 0), (max(units), -1), (min(units), 0))
+    )
+    serves = recoil_failures_outcome["recoil_verdict"] == 0
+    headline(
+        figure,
+        f"Valves that stay open let the LMRP rise {opened:.0f} m instead of {closed:.0f} m, {min(units):g} "
+        f"units {fewer:.0f} m; {int(serves.sum())} of {serves.size} settings stay clear at every phase "
+        "(numbers: largest lift, m)",
+    )
+    return figure

@@ -1,0 +1,58 @@
+"""Disconnects judged, on histories that can be judged by eye; the riser of both scenes is one."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy import load_scene
+from riserstudy.design.recoil import limits, outcome
+
+TIME = np.linspace(0.0, 40.0, 401)
+
+
+def test_a_riser_that_swings_clear_has_the_depth_of_its_trough_as_clearance():
+    lift = np.where(TIME > 5.0, 3.0 - 3.0 * np.cos(TIME - 5.0) + 0.1 * (TIME - 5.0), 0.0)
+    reach = -lift
+    judged = outcome(lift[None], reach[None], (-7.0, 7.0))
+    troughs = lift[(TIME > 6.0) & (5.0 + 2.0 * np.pi + 1.0 > TIME)]
+    assert judged.clearance[0] == pytest.approx(troughs[30:].min(), abs=1e-12)
+    assert judged.lift[0] == lift.max()
+    assert judged.shortest[0] == -lift.max()
+    assert not judged.recontact[0]
+    assert judged.stroked_out[0] == (lift.max() > 7.0)
+
+
+@pytest.mark.parametrize(
+    "lift, clearance, down",
+    [
+        (np.where(TIME > 5.0, TIME - 5.0, 0.0), np.nan, False),  # rises to the end
+        (np.where(TIME > 5.0, np.abs(np.sin(TIME)), 0.0), 0.0, True),
+        (np.zeros_like(TIME), np.nan, True),  # never leaves the stack
+    ],
+)
+def test_what_rises_for_ever_what_touches_and_what_stays(lift, clearance, down):
+    judged = outcome(lift[None], 0.0 * lift[None], (-7.0, 7.0))
+    np.testing.assert_allclose(judged.clearance, clearance, atol=5e-3)
+    if np.isfinite(clearance):  # between two outputs it may not show
+        judged = outcome((lift - 5e-3)[None], 0.0 * lift[None], (-7.0, 7.0))
+    assert judged.recontact[0] == down
+
+
+def test_settings_that_serve_lie_between_those_that_were_tried_and_do_not():
+    setting = np.array([2.0, 3.0, 4.0, 5.0, 6.0])
+    down = np.array([True, True, False, False, False])
+    out = np.array([False, False, False, True, True])
+    assert limits(setting, down, out) == (4.0, 3.0, 4.0, 5.0)
+    assert np.isnan(limits(setting, down, ~down)).all()
+    assert np.isnan(limits(setting, ~down & down, ~down & down)[1::2]).all()
+
+
+def test_the_riser_that_lets_go_is_the_riser_of_the_chapter():
+    """Two files tell it: one with all that acts on it, one along its axis alone, with damping."""
+    folder = Path(__file__).parents[2] / "config" / "scenes" / "design"
+    whole, along = (load_scene(folder / f"{name}.yaml").scene() for name in ("riser", "recoil"))
+    same = [s.model_copy(update={"structural_damping": None}) for s in along.riser]
+    assert same == whole.riser
+    assert along.bottom.body == whole.bottom.body
+    assert along.hanging == whole.hanging
