@@ -45,6 +45,17 @@ def lines(ax):
     return {line.get_label(): line for line in ax.lines}
 
 
+def test_tension_is_that_of_the_riser_without_its_telescopic_joint():
+    pulled = run()
+    for end in ("static", "max", "min"):
+        pulled[f"effective_tension_{end}"] = ("s_node", np.append(np.full(10, 1e6), 0.0))
+    (ax,) = draw("range", pulled, ["effective_tension"]).axes
+    assert lines(ax)["at rest"].get_xdata()[-1] == 0.0
+    pulled["stroke_static"] = 0.1
+    (ax,) = draw("range", pulled, ["effective_tension"]).axes
+    np.testing.assert_array_equal(lines(ax)["at rest"].get_xdata(), np.full(10, 1e3))
+
+
 def test_a_range_graph_has_extremes_rest_limits_and_the_largest_size():
     figure = draw("range", run(), ["bending_moment"])
     (ax,) = figure.axes
@@ -54,7 +65,7 @@ def test_a_range_graph_has_extremes_rest_limits_and_the_largest_size():
     assert lines(ax)["at rest"].get_xdata()[middle] == pytest.approx(-3.0)
     allowables = [line.get_xdata()[0] for line in ax.lines if line.get_linestyle() == "--"]
     assert allowables == [6.0, -6.0]  # either sign, and none of one section alone
-    assert ax.get_title() == "largest -5 kN m, s = 50 m"
+    assert ax.get_title() == "largest -5 kN m,\nat s = 50 m"
     assert ax.get_xlabel() == "bending moment (kN m)"
     assert headline(figure) == "swing: ranges over time, along the riser"
 

@@ -41,6 +41,8 @@ def range_graph(run: xr.Dataset, title: str, of: list[str] | None = None) -> Fig
 
 
 def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
+    if name == "effective_tension" and "stroke_static" in run:  # a telescopic joint's is its own
+        run = run.isel({dim: slice(-1) for dim in ("s_node", "s") if dim in run.dims})
     static = run.get(name + "_static", run.get(name) if "time" not in run else None)
     sides = [run[name + end] for end in ENDINGS if name + end in run]
     if len(sides) == 2:
@@ -55,6 +57,7 @@ def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
     for allowable in _limits(run, name):
         ax.axvline(allowable, color=RED, linestyle="--", linewidth=1.0, label="limit")
     ax.set_xlabel(label(xr.DataArray(0.0, name=name)))
+    ax.locator_params(axis="x", nbins=4)
     ax.set_title(_largest(sides or [static], name), fontsize="small")
 
 
@@ -69,7 +72,7 @@ def _largest(sides: list[Any], name: str) -> str:
     unit = attributes(name).get("units", "")
     unit = READ_IN.get(unit, (1.0, unit))[1]
     place = float(values[values.dims[-1]][k])
-    return f"largest {float(values[k]):.4g} {unit}, s = {place:.4g} m"
+    return f"largest {float(values[k]):.4g} {unit},\nat s = {place:.4g} m"
 
 
 def _size(values: xr.DataArray, name: str) -> Any:
