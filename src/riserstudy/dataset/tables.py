@@ -38,8 +38,8 @@ def stack_up(scene: Scene) -> Table:
     columns = {
         "section": "", "joints": "", "length": "m", "upper end": "m", "outer diameter": "m",
         "inner diameter": "m", "mass": "kg/m", "dry weight": "kN", "wet weight": "kN", "uplift": "kN",
-        "contents": "kN", "wet weight from the top": "kN", "with contents from the top": "kN",
         "lines, dry": "kN", "modules, dry": "kN", "lift of modules": "kN",
+        "contents": "kN", "wet weight from the top": "kN", "with contents from the top": "kN",
     }  # fmt: skip
     gravity = scene.gravity
     sums = [0.0, 0.0]
@@ -56,7 +56,7 @@ def stack_up(scene: Scene) -> Table:
         sums[0] += wet or 0.0
         sums[1] += (wet or 0.0) + inside
         uplift = None if dry is None or wet is None else dry - wet
-        rows.append([*about, dry, wet, uplift, inside, *sums, *parts])
+        rows.append([*about, dry, wet, uplift, *parts, inside, *sums])
 
     def add_body(body: Body | None, at: float | None) -> None:
         if body:
