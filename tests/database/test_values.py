@@ -51,6 +51,25 @@ def test_every_value_of_the_whole_study_is_that_of_its_dataset():
         assert [*wrong(db, RESULTS)] == []
 
 
+def test_the_same_point_in_two_studies_has_the_same_extremes_to_the_last_bit(here):
+    """Alone, and beside points of other meshes and lengths: at each of its own nodes, and as a whole."""
+    with (
+        xr.open_dataset(workspace.RESULTS / "plain/one.nc", decode_times=False) as one,
+        xr.open_dataset(workspace.RESULTS / "plain/meshes.nc", decode_times=False) as many,
+    ):
+        alone, beside = one.load(), many.load().sel(mesh="coarse")
+    assert alone["point_key"].item() == beside["point_key"].item()
+    assert beside.sizes["s_node"] > alone.sizes["s_node"]
+    names = [str(n) for n in alone.data_vars if str(n).endswith(("_max", "_min", "_absmax"))]
+    assert {"x_max", "bending_moment_absmax", "effective_tension_min"} <= {*names}
+    whole = ("smallest_tension", "largest_bending_moment", "largest_bending_moment_s")
+    for name in (*names, *whole):
+        found = beside[name]
+        if "s_node" in found.dims:
+            found = found.sel(s_node=alone["s_node"])  # which are all among the common ones
+        assert found.values.tobytes() == alone[name].values.tobytes(), name
+
+
 def test_parameters_are_those_of_the_scene_with_what_axes_set_on_top(db):
     asked = (
         "select place, value, unit, as_written, origin from points join parameters using (point)"
