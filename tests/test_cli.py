@@ -371,3 +371,49 @@ def test_the_first_command_that_simulates_compiles_on_all_cores_and_says_so(monk
     assert asked == [3]
     assert len(said) == 1
     assert "on 3 cores" in said[0]
+
+
+GENERIC = SCENES / "design/riser.yaml"
+TENSIONERS = ("--units", 6, "--tension-ratio", 0.95, "--weight", 1.05, "--buoyancy", 0.96)
+
+
+def test_tension_tells_formula_engine_and_setting(command):
+    code, out, _ = command("tension", GENERIC, "--failed", 1, *TENSIONERS)
+    assert code == 0
+    told = {line.split(":")[0]: line for line in out.splitlines() if ":" in line}
+    formula, engine = (float(told[name].split()[1]) for name in ("formula", "engine"))
+    assert formula == pytest.approx(engine, rel=1e-4)
+    assert float(told["setting"].split()[1]) == pytest.approx(formula * 6 / (0.95 * 5), abs=0.02)
+
+
+def test_tension_names_what_a_scene_does_not_tell(command):
+    code, out, _ = command(
+        "tension", GENERIC, "--failed", 1, *TENSIONERS, "--set", "riser[1].buoyancy_lift=null"
+    )
+    assert code == 4
+    assert out.startswith("not evaluated: buoyancy_lift of section 'buoyed joints'")
+
+
+def test_tension_without_a_working_unit_is_refused(command):
+    code, _, said = command("tension", GENERIC, "--failed", 6, *TENSIONERS)
+    assert code == 2
+    assert "--failed" in said
+
+
+def test_operability_tells_offsets_and_takes_allowances(command):
+    def ends(*more):
+        code, out, _ = command("operability", GENERIC, "--reach", "240 m", *more)
+        assert code == 0
+        line = next(one for one in out.splitlines() if "drilling: largest lfj_angle" in one)
+        return [float(part) for part in line.split() if part[0] in "+-"]
+
+    alone, waves = ends(), ends("--allowance", "lfj_angle=1 deg")
+    assert alone[0] < waves[0] < 0.0 < waves[1] < alone[1]
+
+
+def test_an_allowance_of_no_output_is_refused(command):
+    code, _, said = command(
+        "operability", GENERIC, "--reach", "240 m", "--allowance", "angle=1 deg"
+    )
+    assert code == 2
+    assert "--allowance" in said

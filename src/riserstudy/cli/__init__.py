@@ -30,6 +30,7 @@ COMMANDS = (
     analyse.advise,
     analyse.modes,
     design.tension,
+    design.operability,
     files.draw,
     files.import_deck,
     files.new,
