@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.dataset.result import Result
+from riserstudy.errors import InputError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import (
     ACCURATE_TO,
@@ -118,7 +119,12 @@ def run_case(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> 
             mesh = standard.mesh
             steps = [standard.step * factor for factor in study.ladder[tier]]
         budget = study.explicit_budget if explicit else study.budget
-        own = stepped(file, method.set, mesh, steps[0])
+        try:
+            own = stepped(file, method.set, mesh, steps[0])
+        except InputError as error:  # a method that such scenes do not have
+            none = Attempt(None, Outcome.REFUSED, str(error), 0.0)
+            result.rungs[name] = [Rung(math.nan, Outcome.REFUSED, math.nan, none)]
+            continue
         if explicit and not prescribed:
             limit = attempt_limit(own, mesh)
             steps = [limit * factor for factor in study.explicit_ladder] if limit else []
