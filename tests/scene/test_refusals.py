@@ -170,10 +170,13 @@ REFUSED = {
     "a stress wanted nowhere": (
         DRIVE_OFF, "analysis.output.stress_in", "casing", "", "no section 'casing'",
     ),
-    "a stop of a joint without tension": (
-        DRIVE_OFF, "top.telescopic_joint",
-        {"length": "15 m", "bending_stiffness": "1 N*m^2", "stop": {"stroke": "9 m", "stiffness": "1 N/m"}},
-        "top.telescopic_joint", "needs its tension",
+    "stops of a joint that are nowhere": (
+        DRIVE_OFF, "top.telescopic_joint.stop", {"stiffness": "1 N/m"},
+        "top.telescopic_joint.stop", "needs stroke (outwards), collapse (inwards) or both",
+    ),
+    "a joint that collapses by more than its length": (
+        DRIVE_OFF, "top.telescopic_joint.stop", {"collapse": "90 m", "stiffness": "1 N/m"},
+        "top.telescopic_joint", "must be less than the joint's length",
     ),
     "turns of no length": (DRIVE_OFF, "vessel.coupling", turns(interval="0 s"), COUPLING + ".interval", "0"),
     "turns of no known scheme": (
