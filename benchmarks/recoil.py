@@ -1,7 +1,7 @@
 """Time emergency disconnects: one run of 60 s at the default accuracy, and a sample of the chapter's grid.
 
-``python benchmarks/recoil.py [PROCESSES]`` takes the best of three runs, kernels loaded before; the grid of 1200
-points is told by one in seven.
+``python benchmarks/recoil.py [PROCESSES]`` takes the best of three runs, kernels loaded before; the grid of
+1200 points is told by one in seven.
 """
 
 from __future__ import annotations
