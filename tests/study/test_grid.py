@@ -118,6 +118,17 @@ AMPLITUDE = {"path": "platform.surge.amplitude", "unit": "m", "values": [1.0, 2.
         ("axes.stroke: the name of a variable", {"axes": {"stroke": AMPLITUDE}}),
         ("axes.x_max: the name of a variable", {"axes": {"x_max": AMPLITUDE}}),
         ("axes.s_node: the name of a variable", {"axes": {"s_node": AMPLITUDE}}),
+        ("axes.elements: the name of a variable", {"axes": {"elements": AMPLITUDE}}),
+        ("axes.warnings: the name of a variable", {"axes": {"warnings": AMPLITUDE}}),
+        ("axes.assumed_mass: samples have", {"axes": {"assumed_mass": AMPLITUDE}}),
+        (
+            "axes.b.calm: sets 'platform.surge.amplitude', where axis 'a' has its numbers",
+            {"axes": {"a": AMPLITUDE, "b": {"as it is": {}, "calm": {AMPLITUDE["path"]: "1 m"}}}},
+        ),
+        (
+            "axes.b.calm: sets 'platform', where axis 'a' has its numbers",
+            {"axes": {"a": AMPLITUDE, "b": {"calm": {"platform": {"surge": {}}}}}},
+        ),
         (
             "axes.b: sets 'platform.surge.amplitude', and so does axis 'a'",
             {"axes": {"a": AMPLITUDE, "b": AMPLITUDE}},
@@ -132,6 +143,18 @@ def test_names_and_paths_that_clash_are_refused_before_any_run(said, changed):
     study = OF_SURGE | {"axes": {"a": AMPLITUDE}} | changed
     with pytest.raises(ValidationError, match=re.escape(said)):
         StudyModel.model_validate(study)
+
+
+@pytest.mark.parametrize(
+    "axes",
+    [
+        {"b": {"calm": {"platform.surge": {"period": "9 s"}}}, "a": AMPLITUDE},  # numbers on top
+        {"a": AMPLITUDE, "b": {"none": {"platform": None}}},  # which says that it goes
+        {"a": AMPLITUDE, "b": {"slow": {"platform.surge.period": "20 s"}}},
+    ],
+)
+def test_labels_may_set_what_numbers_are_within_before_them_and_what_is_beside(axes):
+    StudyModel.model_validate(OF_SURGE | {"axes": axes})
 
 
 def test_steps_never_pass_their_stop():

@@ -149,7 +149,7 @@ def rerun(
     """Run a point of a dataset anew, from what the dataset says of itself alone, and compare.
 
     ``-o`` writes all of the run, with what its study does not keep. Exit status 1 where a variable changed by
-    more than 1e-9 of its largest magnitude; ten digits are stored.
+    more than 1e-9 of its largest magnitude; of large histories ten digits are stored.
     """
     from riserstudy.dataset.diff import opened
 

@@ -51,6 +51,9 @@ OF_POINTS = frozenset(
     )
 )
 
+#: what else a study tells of each of its points, in words
+ABOUT_POINTS = frozenset(("point_key", "effects", "warnings"))
+
 
 def of_runs(name: str) -> bool:
     """Whether a name is that of something that runs return."""

@@ -10,7 +10,13 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from riserstudy.dataset.variables import DIMENSIONS, OF_POINTS, OF_RUNS, of_runs
+from riserstudy.dataset.variables import (
+    ABOUT_POINTS,
+    DIMENSIONS,
+    OF_POINTS,
+    OF_RUNS,
+    of_runs,
+)
 from riserstudy.scene.base import Strict
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import unwrap
@@ -177,14 +183,40 @@ class StudyModel(Strict):
         if self.limits and "limits" in self.set:
             raise ValueError("limits: stand in set, too; allowed is one of both")
         for name in self.axes:
-            if of_runs(name) or name in DIMENSIONS:
+            if of_runs(name) or name in (*DIMENSIONS, *OF_POINTS, *ABOUT_POINTS):
                 raise ValueError(f"axes.{name}: the name of a variable of runs; take another")
+            if name.startswith("assumed_"):
+                raise ValueError(f"axes.{name}: samples have variables of such names; take another")
         for (one, first), (other, second) in combinations(self._numbers.items(), 2):
             for path in first:
                 if any(_meets(path, own) for own in second):
                     found = f"sets {path!r}, and so does axis {one!r}"
                     raise ValueError(f"axes.{other}: {found}; allowed is a path of its own")
+        self._keep_numbers()
         return self
+
+    def _keep_numbers(self) -> None:
+        """Refuse labels that put something else where an axis before them has its numbers.
+
+        What takes a part away, as ``wave: null``, says so.
+        """
+        before: dict[str, str] = {}
+        for name, axis in self.axes.items():
+            labels = axis.items() if isinstance(axis, dict) else ()
+            put = [
+                (label, path)
+                for label, sets in labels
+                for path, to in sets.items()
+                if to is not None
+            ]
+            for label, path in put:
+                for own, number in before.items():
+                    if own == path or own.startswith((f"{path}.", f"{path}[")):
+                        found = f"sets {path!r}, where axis {number!r} has its numbers"
+                        allowed = f"put axis {name!r} first, or leave the path to one of them"
+                        raise ValueError(f"axes.{name}.{label}: {found}; {allowed}")
+            if isinstance(axis, Numbers):
+                before |= dict.fromkeys(axis.paths, name)
 
 
 def _meets(one: str, other: str) -> bool:
