@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, headline, panels
 
 MUD = "mud weight (kg/m³)"
 
@@ -40,7 +42,9 @@ def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
     return figure
 
 
-def tension_window(tension_window: xr.Dataset) -> Figure:
+def tension_window(
+    tension_window: xr.Dataset, recoil_outcome: xr.Dataset, tension_ratio: float
+) -> Figure:
     """Floors and ceiling of the setting over mud weight, a panel a number of failed units."""
     failed = tension_window["failed_units"].values
     figure, axes = panels(1, len(failed), 3.8, sharey=True)
@@ -56,15 +60,38 @@ def tension_window(tension_window: xr.Dataset) -> Figure:
         ax.plot(mud, ceiling, color="black", label="0.9 of the dynamic tension limit")
         open_here = ceiling > floor
         ax.fill_between(mud, floor, ceiling, where=open_here, color=COLOURS[2], alpha=0.2, lw=0.0)
+        if count == 0:
+            _recoil(ax, recoil_outcome, tension_ratio)
         ax.set_xlabel(MUD)
         ax.set_title(f"{count} of the units failed", loc="right", fontsize="small")
         close = heaviest(at)
         if close is not None:
             ax.axvline(close, color=GREY, linestyle=":", label="no setting beyond")
     axes[0].set_ylabel("tension setting (MN)")
-    key_below(figure, axes[-1], 4)
-    headline(figure, _answer(tension_window))
+    of_all: dict[str, Artist] = {}
+    for ax in axes:
+        handles, labels = ax.get_legend_handles_labels()
+        of_all |= dict(zip(labels, handles, strict=True))
+    figure.legend(
+        list(of_all.values()),
+        list(of_all),
+        loc="outside lower center",
+        ncols=4,
+        fontsize="small",
+    )
+    recoil = _allowed_by_recoil(recoil_outcome, tension_ratio)
+    headline(figure, f"{_answer(tension_window)}; {recoil}")
     return figure
+
+
+def _recoil(ax: Axes, outcome: xr.Dataset, tension_ratio: float) -> None:
+    """The settings between which a disconnect in the least heave stays clear of stack and stops."""
+    calm = outcome.isel(heave_amplitude=0)
+    heave = float(calm["heave_amplitude"])
+    for name, mark in (("recoil_minimum", "^"), ("recoil_maximum", "v")):
+        label = f"{name.replace('_', ' ')}, heave of {heave:g} m"
+        values = calm[name] / tension_ratio / 1e6
+        ax.plot(calm["mud_weight"], values, mark, color=COLOURS[3], label=label)
 
 
 def _answer(tension_window: xr.Dataset) -> str:
@@ -76,6 +103,14 @@ def _answer(tension_window: xr.Dataset) -> str:
     said = [f"in every mud with up to {max(always)} of the units out"] if always else []
     said += [f"up to {end:.0f} kg/m³ with {n} out" for n, end in ends.items() if end is not None]
     return "There is a tension setting " + ", ".join(said)
+
+
+def _allowed_by_recoil(outcome: xr.Dataset, tension_ratio: float) -> str:
+    """The largest setting of those tried that serves a disconnect in the least heave, over all muds."""
+    most = outcome["recoil_maximum"].isel(heave_amplitude=0) / tension_ratio / 1e6
+    if most.isnull().all():
+        return "no setting tried serves a disconnect"
+    return f"of those tried recoil allows {float(most.max()):.1f} MN at most"
 
 
 def heaviest(at: xr.Dataset) -> float | None:
