@@ -133,3 +133,32 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
         "(numbers: largest lift, m)",
     )
     return figure
+
+
+def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure:
+    """Lift over time of two published systems."""
+    figure, (liu, mao) = panels(1, 2, 3.6)
+    heaves = recoil_liu2020["heave_amplitude"].values
+    one = recoil_liu2020["lift"].sel(heave_amplitude=heaves[len(heaves) // 2])
+    for colour, phase in zip(COLOURS, one["phase"].values, strict=False):
+        liu.plot(one["time"], one.sel(phase=phase), color=colour, label=f"{phase:g}°")
+    liu.set_title("Liu et al. 2020", loc="right", fontsize="small")
+    liu.legend(title="phase of heave", fontsize="small")
+    for colour, tension in zip(COLOURS, recoil_mao["top_tension"].values, strict=False):
+        at = recoil_mao["lift"].sel(top_tension=tension)
+        mao.plot(at["time"], at, color=colour, label=f"{tension / 1e3:.1f} MN")
+    mao.set_title("Mao et al.", loc="right", fontsize="small")
+    mao.legend(title="top tension", fontsize="small")
+    for ax in (liu, mao):
+        ax.axhline(0.0, color="black", linewidth=0.6)
+        ax.set_xlabel("time (s)")
+        ax.set_ylabel("lift of the LMRP above the stack (m)")
+    highest = one.max("time")
+    headline(
+        figure,
+        f"Liu et al.'s LMRP rises {float(highest.min()):.1f} to {float(highest.max()):.1f} m by the phase of "
+        f"a heave of {heaves[len(heaves) // 2]:g} m, Mao et al.'s at most "
+        f"{float(recoil_mao['lift'].max()):.1f} m "
+        "and comes down again, with valves that are assumed",
+    )
+    return figure
