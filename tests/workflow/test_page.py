@@ -190,6 +190,7 @@ def graded(browser, kind="numbers"):
 def test_tables_sort_by_numbers(browser):
     heading = graded(browser).find_element(By.CSS_SELECTOR, "thead th:nth-child(4)")
     assert heading.text == "Published"
+    browser.execute_script("arguments[0].scrollIntoView({block: 'center'})", heading)
     heading.click()
     wait(browser, lambda: rows(browser, 4)[0] != "9 t")
     numbers = [float(text.split()[0]) for text in rows(browser, 4) if text]
@@ -246,3 +247,35 @@ def test_verdicts_are_on_printed_paper(browser):
         browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     assert len(ends) == 4
     assert 0 < min(ends) <= max(ends) <= 703
+
+
+CONTRAST = """
+const light = (colour) => {
+  const parts = colour.match(/[0-9.]+/g).slice(0, 3).map((x) => x / 255);
+  const linear = parts.map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
+  return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+};
+const behind = (element) => {
+  for (let e = element; e; e = e.parentElement) {
+    const colour = getComputedStyle(e).backgroundColor;
+    if (!/, 0\\)$/.test(colour)) return colour;
+  }
+  return "rgb(255, 255, 255)";
+};
+return [...document.querySelectorAll(arguments[0])].map((element) => {
+  const [one, other] = [light(getComputedStyle(element).color), light(behind(element))];
+  return (Math.max(one, other) + 0.05) / (Math.min(one, other) + 0.05);
+});
+"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_tables_can_be_read_by_day_and_night(browser, scheme):
+    features = [{"name": "prefers-color-scheme", "value": scheme}]
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+    found = browser.execute_script(
+        CONTRAST, "table.sortable td, table.sortable th, .dt-search input"
+    )
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+    assert len(found) > 10
+    assert min(found) > 4.5  # what WCAG asks of text

@@ -1,24 +1,19 @@
-"""Bring picture and table of the README up to date with the results of `make study`."""
+"""Bring the table of the README up to date with the results of `make study`."""
 
 from __future__ import annotations
 
 import csv
-import shutil
 from collections import Counter
 from pathlib import Path
 
 from riserstudy.report.claims import VERDICTS
 
 ROOT = Path(__file__).resolve().parents[2]
-PICTURE = Path("chang2020/fig14.png")
 BEGIN, END = "<!-- results: python workflow/scripts/update_readme.py -->\n", "<!-- end -->\n"
 
 
 def main() -> None:
-    """Copy the picture, rewrite the table."""
-    target = ROOT / "docs/images" / PICTURE.as_posix().replace("/", "_")
-    target.parent.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(ROOT / "results" / PICTURE, target)
+    """Rewrite the table."""
     with (ROOT / "results/reproduction.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     readme = ROOT / "README.md"
