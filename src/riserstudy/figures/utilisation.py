@@ -16,6 +16,7 @@ from riserstudy.figures.style import COLOURS, GREY, headline
 FloatArray = NDArray[np.float64]
 SLICES = 2  # points of a third axis that are shown
 MOST = 2.0  # use, beyond which colours and lines tell no more
+DARK = 1.6  # use, from which on a number is white
 FEW = 60  # cells of a panel, up to which each has its number
 
 
@@ -83,8 +84,16 @@ def _use(figure: Figure, ax: Axes, use: xr.DataArray, called: str) -> None:
     if largest.size <= FEW:
         for j, i in np.ndindex(largest.shape):
             value = float(largest[j, i])
-            text = "–" if np.isnan(value) else ">9" if value > 9.0 else f"{value:.2g}"
-            ax.text(float(x[i]), float(y[j]), text, ha="center", va="center", fontsize="x-small")
+            text = "–" if np.isnan(value) else ">9" if value > 9.0 else f"{value:.2f}"
+            ax.text(
+                float(x[i]),
+                float(y[j]),
+                text,
+                ha="center",
+                va="center",
+                fontsize="x-small",
+                color="white" if value > DARK else "black",
+            )
 
 
 def _governing(ax: Axes, use: xr.DataArray, called: str) -> set[int]:
