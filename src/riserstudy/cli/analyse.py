@@ -33,7 +33,7 @@ def cost(
     prices: list[requests.Price] = []
     for price in requests.prices(file):
         if not prices:  # a scene that is refused has no table
-            print("asked for  estimated  segments      step   time")
+            print("  request  estimated  segments      step   time")
         prices.append(price)
         step = f"{price.step:7.3g} s" if price.step else "   none  "
         shares = f"{100 * price.requested:7.3g} %  {100 * price.estimated:7.2g} %"
