@@ -12,6 +12,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, difference, estimate
 from riserstudy.simulation.outputs import keep_stations
+from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import finish, march, single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.thinning import thinned
@@ -139,6 +140,7 @@ class Refinement:
         self.last: Result | None = None  # to compare the next run with
         self.finest: Result | None = None  # that was completed
         self.finest_mesh = self.mesh
+        self.rest: Rest | None = None  # on the last mesh
         self.thin = False  # whether it tells less often than it is asked to
         self.spent: list[dict[str, Any]] = []  # what each run cost
         self.excess: list[float] = []  # of the estimates, once there is one of mesh and step
@@ -275,7 +277,7 @@ class Refinement:
         if not (whole or self._may_suffice):
             scene, self.thin = thinned(scene, self.step)
         try:
-            return march(scene, self.mesh, self.step, watch=self.watch)
+            return march(scene, self.mesh, self.step, watch=self.watch, rest=self._at_rest())
         except (PhysicallyUnstable, TakesTooLong):
             raise
         except StepFailed:
@@ -288,6 +290,14 @@ class Refinement:
                 raise
             self.mesh, self.last = self.mesh.halved(), None
         return None
+
+    def _at_rest(self) -> Rest | None:
+        """The scene at rest on the present mesh; that of the run before where that was on it too."""
+        if self.scene.analysis.solver == "hermite":
+            return None
+        if self.rest is None or not self.rest.again(self.mesh):
+            self.rest = Rest(self.scene, self.mesh)
+        return self.rest
 
     def _compare(self, finer: Result) -> None:
         """See what the last halving changed, and tell the run its error."""

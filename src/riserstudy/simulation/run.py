@@ -24,6 +24,7 @@ from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.events import march_through
 from riserstudy.simulation.extremes import extremes
 from riserstudy.simulation.failure import why
+from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.section_forces import derived
 from riserstudy.simulation.time_stepping import method_of, steps_in
 from riserstudy.simulation.watch import Watch, share
@@ -73,10 +74,12 @@ def march(
     step: float | None,
     everywhere: bool = True,
     watch: Watch | None = None,
+    rest: Rest | None = None,
 ) -> Result:
     """A run by ``step`` (s) as `single` makes it, without what is made of its states afterwards.
 
-    It is what a comparison with other runs needs; `finish` makes the rest of it.
+    It is what a comparison with other runs needs; `finish` makes the rest of it. ``rest``: that of the scene
+    on the mesh; absent: it is looked for.
 
     Raises
     ------
@@ -88,13 +91,13 @@ def march(
 
         return solve_small_angle(scene, mesh, step)
     started = clock.perf_counter()
-    model, equilibrium = settle(scene, mesh)
-    arrays = outputs.at_rest(scene, model, mesh)
+    rest = rest or Rest(scene, mesh)
+    model, arrays = rest.model, dict(rest.arrays)
     facts: dict[str, Any] = {
         "effects": {e.name: e.because for e in model.effects},
         "elements": len(mesh.l0),
         "directions": len(model.s.dim),
-        "statics_iterations": equilibrium.iterations,
+        "statics_iterations": rest.iterations,
         "warnings": [*doubts(scene), *without_inertia(scene), *rao.doubts(scene)],
     }
     if scene.vessel:
@@ -105,7 +108,7 @@ def march(
     audit.finite(arrays)
     audit.tension(scene, arrays, facts)
     if len(model.s.dof) - len(model.s.dim) == 3:
-        arrays["mesh_moment_static"] = model.s.moment[:, : len(mesh.s)].copy()
+        arrays["mesh_moment_static"] = rest.moment
     facts["solve_seconds"] = clock.perf_counter() - started
     return Result(arrays, facts)
 

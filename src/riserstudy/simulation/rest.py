@@ -1,0 +1,55 @@
+"""A scene at rest on a mesh, kept, so that runs by several steps start from one model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Model
+from riserstudy.scene.models import Scene
+from riserstudy.simulation import outputs
+from riserstudy.simulation.equilibrium import settle
+
+
+class Rest:
+    """Model and outputs at rest; a run that has moved the model is undone before the next.
+
+    Attributes
+    ----------
+    model : at static equilibrium.
+    iterations : that finding it took.
+    arrays : outputs at rest.
+    moment : (m, n + 1) components of the moment at rest (N m).
+
+    Raises
+    ------
+    SimulationError
+        When there is no equilibrium to be found.
+    """
+
+    def __init__(self, scene: Scene, mesh: Mesh) -> None:
+        self.model, equilibrium = settle(scene, mesh)
+        self.iterations = equilibrium.iterations
+        self.arrays = outputs.at_rest(scene, self.model, mesh)
+        self.moment = self.model.s.moment[:, : len(mesh.s)].copy()
+        self._mesh, self._kept = mesh, [(array, array.copy()) for array in _arrays(self.model)]
+
+    def again(self, mesh: Mesh) -> bool:
+        """Have the model at rest again, to the last bit; False where it is that of another mesh."""
+        if mesh is not self._mesh:
+            return False
+        for array, kept in self._kept:
+            array[...] = kept
+        return True
+
+
+def _arrays(model: Model) -> Iterator[NDArray[np.generic]]:
+    """All that a run may write: both states, and the records of effects."""
+    for record in (model.s, model.spare.value, *(effect.record for effect in model.effects)):
+        for value in record:
+            for part in value if isinstance(value, tuple) else (value,):
+                if isinstance(part, np.ndarray) and part.flags.writeable:
+                    yield part
