@@ -53,7 +53,7 @@ def table(figure: Figure) -> str:
     writer.writerow(HEADER)
     for number, ax in enumerate(_shown(figure), start=1):
         title = _title(ax) or str(number)
-        labels = _plain(ax.get_xlabel()), _plain(ax.get_ylabel())
+        labels = _labels(ax)
         for one in _series(ax):
             writer.writerows(
                 (title, *labels, one.name, *(_cell(value) for value in row)) for row in one.values
@@ -69,7 +69,8 @@ def _panel(ax: Axes) -> str:
     series = [*_series(ax)]
     if not series and not ax.has_data():
         return ""
-    title, x, y = _title(ax), _plain(ax.get_xlabel()), _plain(ax.get_ylabel())
+    title = _plain(f"{_title(ax)} {ax.get_title(loc='right')}")
+    x, y = _labels(ax)
     axes = " over ".join(word for word in (y, x) if word)
     names = list(dict.fromkeys(one.name for one in series if one.name))
     many = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
@@ -79,6 +80,18 @@ def _panel(ax: Axes) -> str:
 
 def _title(ax: Axes) -> str:
     return _plain(" ".join(t for loc in ("left", "center") if (t := ax.get_title(loc=loc))))
+
+
+def _labels(ax: Axes) -> tuple[str, str]:
+    """Names of both axes; where several panels share one, it is written at one of them, or at the figure."""
+    figure, shared_x = ax.get_figure(root=True), ax.get_shared_x_axes().get_siblings(ax)
+    shared_y = ax.get_shared_y_axes().get_siblings(ax)
+    of_x = [ax.get_xlabel(), *(other.get_xlabel() for other in shared_x)]
+    of_y = [ax.get_ylabel(), *(other.get_ylabel() for other in shared_y)]
+    if figure is not None:
+        of_x, of_y = [*of_x, figure.get_supxlabel()], [*of_y, figure.get_supylabel()]
+    x, y = (next(filter(None, names), "") for names in (of_x, of_y))
+    return _plain(x), _plain(y)
 
 
 def _plain(text: str) -> str:
