@@ -48,9 +48,8 @@ def recoil_window(recoil_outcome: xr.Dataset) -> Figure:
 
 def _cells(ax: Axes, verdict: np.ndarray) -> None:
     ax.grid(False)
-    ax.imshow(
-        verdict, cmap=ListedColormap(FILL), vmin=-0.5, vmax=3.5, origin="lower", aspect="auto"
-    )
+    rows, columns = (np.arange(size) for size in verdict.shape)
+    ax.pcolormesh(columns, rows, verdict, cmap=ListedColormap(FILL), vmin=-0.5, vmax=3.5)
 
 
 def _key(figure: Figure) -> None:
@@ -89,7 +88,7 @@ def recoil_histories(recoil: xr.Dataset) -> Figure:
         stroke.plot(at["time"], at["tensioner_stroke"].isel(cylinder=0), color=colour, label=name)
     up.axhline(0.0, color="black", linewidth=0.6)
     up.set_ylabel("lift of the LMRP above the stack (m)")
-    stroke.set_ylabel("stroke of the cylinders (m, + longer)")
+    stroke.set_ylabel("stroke of the cylinders, + longer (m)")
     for ax in (up, stroke):
         ax.set_xlabel("time (s)")
         ax.legend(title="setting", fontsize="small")
@@ -113,12 +112,12 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
         lift = one["lift_max"].max("phase").transpose("gas_pressure", "valve_left_open")
         for (row, column), value in np.ndenumerate(lift.values):
             ax.text(column, row, f"{value:.1f}", ha="center", va="center", fontsize="x-small")
-        ax.set_xticks(range(len(left)), [f"{100 * x:g} %" for x in left])
-        ax.set_xlabel("opening that valves leave")
+        ax.set_xticks(range(len(left)), [f"{100 * x:g}" for x in left])
+        ax.set_xlabel("opening that valves leave (%)")
         ax.set_title(f"{count:g} units pull", loc="right", fontsize="small")
     pressures = recoil_failures_outcome["gas_pressure"].values
-    axes[0].set_yticks(range(len(pressures)), [f"{p:g}" for p in pressures])
-    axes[0].set_ylabel("gas pressure (bar absolute)")
+    axes[0].set_yticks(range(len(pressures)), [f"{p / 10:g}" for p in pressures])
+    axes[0].set_ylabel("gas pressure, absolute (MPa)")
     _key(figure)
     highest = recoil_failures_outcome["lift_max"].max("phase").max("gas_pressure")
     closed, opened, fewer = (
