@@ -76,6 +76,8 @@ def _judged(of: xr.Dataset) -> xr.Dataset:
         ("stroke_out", judged.stroked_out.astype(np.int8)),
     ):
         made[name] = (axes, values.reshape(shape))
+    made["lift_rate_max"] = of["lift_rate"].max("time")
+    made["smallest_tension"] = of["smallest_tension"]
     at_rest = {axis: 0 for axis in ("phase", "heave_amplitude") if axis in axes}
     made["setting"] = of["tensioner_force_static"].sum("cylinder").isel(at_rest, drop=True)
     made["comes_down"] = made["recontact"].max("phase")
