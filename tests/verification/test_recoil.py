@@ -82,6 +82,25 @@ def test_a_failed_valve_stays_open(tmp_path):
     np.testing.assert_allclose(failed["lift"], opened["lift"], atol=1e-9)
 
 
+@pytest.mark.parametrize("event", ["connector", "bottles", "lines"])
+def test_energy_passes_through_events_while_the_platform_is_away_from_its_middle(tmp_path, event):
+    """Gas holds another energy at the top of a heave than at its middle: events there take none of it."""
+    text = STRING.replace("volume: 2000 m^3", "volume: 4 m^3").replace(
+        "accuracy: 0.05 %", "accuracy: 0.5 %"
+    )
+    text = text.replace(
+        "amplitude: 1e-9 m, period: 10 s", "amplitude: 1.5 m, period: 10 s, ramp: 2.5 s"
+    )
+    text = text.replace("duration: 4 s", "duration: 9 s").replace("at: 1 s", "at: 2.5 s")
+    if event == "lines":
+        text = text.replace("count: 5", "count: 5\n    failing: {at: 2.5 s, cylinders: [1]}")
+        text = text.replace("disconnect: {at: 2.5 s, over: 20 ms, MORE}\n", "")
+    isolated = VALVE[:-1] + ", isolation: {after: 0.1 s, volume: 2 m^3}}"
+    found = run(tmp_path, text.replace("MORE", isolated if event == "bottles" else VALVE))
+    audit = json.loads(found.attrs["audit"])
+    assert abs(audit["unexplained"]) < 1e-3 * max(audit["exchanged"], abs(audit["stored"]))
+
+
 def test_bottles_that_are_shut_off_leave_their_pressure_and_less_gas(tmp_path):
     """The pull goes on where it was; from there P V^k = const on what is left."""
     small = STRING.replace("volume: 2000 m^3", "volume: 2 m^3").replace(

@@ -65,9 +65,12 @@ def ask(folder, *command, **options):
 def waiting_job(server, folder):
     """A job that waits for its source to be written, and its process."""
     os.mkfifo(folder / "source")
+    earlier = set(
+        psutil.Process(server.pid).children()
+    )  # jobs that have told their end, not yet ended
     asker = ask(folder, *JOIN, "joined", "source")
-    until(psutil.Process(server.pid).children)
-    job = psutil.Process(server.pid).children()[0]
+    until(lambda: set(psutil.Process(server.pid).children()) - earlier)
+    [job] = set(psutil.Process(server.pid).children()) - earlier
     until(lambda: job.num_threads() > 1)  # from then on the asker knows that the job is taken
     return asker, job
 
