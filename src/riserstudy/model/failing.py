@@ -53,7 +53,7 @@ def without_tension(model: Model, share: float) -> Model:
             record=effect.record._replace(load=(1.0 - share) * effect.record.load)
         )
 
-    return _like(model, [changed(effect) for effect in model.effects])
+    return model.changed([changed(effect) for effect in model.effects], model.pairs)
 
 
 def without_bottles(model: Model, volume: float) -> Model:
@@ -94,11 +94,5 @@ def without_bottles(model: Model, volume: float) -> Model:
 
 
 def _changed(model: Model, change: Callable[[Any], Any]) -> Model:
-    return _like(model, [e._replace(record=change(e.record)) for e in model.effects])
-
-
-def _like(model: Model, effects: list[Effect]) -> Model:
-    fixed = [(int(node), int(unknown)) for node, unknown in model.fixed]
-    other = Model(model.unknowns, effects, fixed)
-    other.take_state(model)
-    return other
+    effects = [e._replace(record=change(e.record)) for e in model.effects]
+    return model.changed(effects, model.pairs)

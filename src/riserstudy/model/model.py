@@ -101,10 +101,18 @@ class Model:
 
     def extended(self, effects: Sequence[Effect], fixed: Sequence[tuple[int, int]]) -> Model:
         """A model in the same state with more effects, and more (node, unknown) pairs left alone."""
-        own = [(int(node), int(unknown)) for node, unknown in self.fixed]
-        other = Model(self.unknowns, [*self.effects, *effects], [*own, *fixed])
+        return self.changed([*self.effects, *effects], [*self.pairs, *fixed])
+
+    def changed(self, effects: Sequence[Effect], fixed: Sequence[tuple[int, int]]) -> Model:
+        """A model in the same state with other effects and other (node, unknown) pairs left alone."""
+        other = Model(self.unknowns, effects, fixed)
         other.take_state(self)
         return other
+
+    @property
+    def pairs(self) -> list[tuple[int, int]]:
+        """The (node, unknown) pairs that the solver leaves alone."""
+        return [(int(node), int(unknown)) for node, unknown in self.fixed]
 
     def take_state(self, other: Model) -> None:
         """Be where another model of the same unknowns is, and move as it does."""

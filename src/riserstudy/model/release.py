@@ -41,9 +41,8 @@ def released(model: Model, more: Sequence[Effect] = ()) -> Model:
     """
     kept = [e for e in model.effects if not _at_the_lower_end(e.record)] + list(more)
     moments = range(model.unknowns.moments)
-    fixed = [(int(node), int(u)) for node, u in model.fixed if node > 0]
-    freed = Model(model.unknowns, kept, [*fixed, *((0, u) for u in moments)])
-    freed.take_state(model)
+    above = [(node, u) for node, u in model.pairs if node > 0]
+    freed = model.changed(kept, [*above, *((0, u) for u in moments)])
     if not freed.has(FadingMoment):
         _settle_moments(freed)
     return freed

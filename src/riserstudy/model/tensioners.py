@@ -23,7 +23,6 @@ from riserstudy.model.layout import Layout
 from riserstudy.model.model import Effect
 from riserstudy.model.platform_motion import centre
 from riserstudy.model.tensioner_law import linear_law, table_law
-from riserstudy.scene import tensioners as scene_tensioners
 from riserstudy.scene.disconnect import RecoilValve
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Arrangement, Tensioners
@@ -106,10 +105,9 @@ def outside(force: NDArray[np.float64], name: str, why: str) -> Iterator[Effect]
 
 def recoil_valve(rig: Tensioners, valve: RecoilValve, scene: Scene) -> Iterator[Effect]:
     """The valves between cylinders and their gas."""
-    gas, release = rig.any_gas, scene.disconnect
+    gas, release = rig.pulling, scene.disconnect
     if gas is None or release is None:
         return  # refused by the scene
-    area = gas.high.area if isinstance(gas, scene_tensioners.TwoChamberGas) else gas.area
     each = np.array(rig.working)
     residual = np.full(rig.count, valve.residual)
     residual[valve.failed or []] = 1.0
@@ -117,7 +115,7 @@ def recoil_valve(rig: Tensioners, valve: RecoilValve, scene: Scene) -> Iterator[
         resistance=each
         * 0.5
         * valve.oil_density
-        * area**3
+        * gas.area**3
         / (valve.discharge * valve.opening) ** 2,
         residual=residual,
         start=release.at + (valve.delay or 0.0),

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from riserstudy.scene.forcing import Shape
 from riserstudy.scene.geometry import closes, covered
 from riserstudy.scene.limit_inputs import limits_fit
-from riserstudy.scene.tensioners import TwoChamberGas
 
 if TYPE_CHECKING:
     from riserstudy.scene.disconnect import RecoilValve
@@ -194,7 +193,7 @@ def _disconnect(scene: Parts) -> None:
 def _throttled(scene: Parts, valve: RecoilValve) -> None:
     """A recoil valve has gas behind it, and bottles that are part of it."""
     rig = scene.top.tensioners
-    gas = rig.any_gas if rig else None
+    gas = rig.pulling if rig else None
     if rig is None or gas is None or rig.linearised:
         raise ValueError(
             "disconnect.recoil_valve needs tensioners with gas or two_chamber_gas, not linearised"
@@ -203,11 +202,10 @@ def _throttled(scene: Parts, valve: RecoilValve) -> None:
         raise ValueError(
             f"disconnect.recoil_valve.failed: {valve.failed} of {rig.count} cylinders; they count from 0"
         )
-    volume = (gas.high if isinstance(gas, TwoChamberGas) else gas).volume
-    if valve.isolation and not valve.isolation.volume < volume:
+    if valve.isolation and not valve.isolation.volume < gas.volume:
         raise ValueError(
             f"disconnect.recoil_valve.isolation.volume {valve.isolation.volume:g} m^3 leaves none of the "
-            f"{volume:g} m^3 of a cylinder's gas"
+            f"{gas.volume:g} m^3 of a cylinder's gas"
         )
 
 

@@ -226,8 +226,8 @@ class Tensioners(Strict):
 
     def _stays_open(self, what: str, reach: float | None) -> None:
         """Refuse a reach at which a gas volume is closed."""
-        both = self.two_chamber_gas
-        pulling, pushing = (both.high, both.low) if both else (self.gas, None)
+        pulling = self.pulling
+        pushing = self.two_chamber_gas.low if self.two_chamber_gas else None
         if pulling is None or reach is None:
             return
         room = pulling.volume / pulling.area
@@ -291,6 +291,11 @@ class Tensioners(Strict):
         if pistons is None:
             return 0.0
         return pistons.mass / (self.count if pistons.counted == "once" else 1)
+
+    @property
+    def pulling(self) -> Chamber | None:
+        """The chamber whose gas pulls the ring up."""
+        return self.two_chamber_gas.high if self.two_chamber_gas else self.gas
 
     @property
     def any_gas(self) -> Gas | TwoChamberGas | None:
