@@ -108,7 +108,7 @@ def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
     found = effects(model, Setting(CONFIG, "preview", 1, studies, tmp_path / "no marker"))
     assert list(found["scene"].values) == ["bench/s3", "bench/s1"]
     assert np.isnan(found.attrs["cold_compile_seconds"])
-    assert found.attrs["compiled_entries"] > 0
+    assert found.attrs["compiled_functions"] > 0
     figure = draw("numerics", "effects", {"effects": found})
     assert [t.get_text() for t in figure.axes[0].get_yticklabels()] == ["bench/s3", "bench/s1"]
     assert "none of 1 was wrong" in figure.get_suptitle()

@@ -105,10 +105,7 @@ def costs(effects: xr.Dataset) -> list[str]:
     ]
     cold = effects.attrs["cold_compile_seconds"]
     spent = effects.attrs["cold_compile_core_seconds"]
-    compiled = (
-        f"Compiled: {effects.attrs['compiled_entries']} entries of effects, "
-        f"{effects.attrs['compiled_functions']} other functions"
-    )
+    compiled = f"Compiled: {effects.attrs['compiled_functions']} functions"
     return [
         f"Most expensive effects, by their highest share of the run time in any scene: {listed(named)}.",
         f"{compiled}; from nothing in {seconds(cold)}, {spent:.0f} core-seconds."

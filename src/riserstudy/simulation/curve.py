@@ -7,6 +7,7 @@ on one side. A segment bends by its own moments, and its tension is straight fro
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -74,7 +75,13 @@ def curve_of(arrays: Arrays) -> Curve:
     """The curve of a run's mesh."""
     s = arrays["s_node"]
     corner = arrays.get("mesh_corner")
-    return curve(s, np.zeros(len(s)) if corner is None else corner)
+    return _known(s.tobytes(), (np.zeros(len(s)) if corner is None else corner).tobytes())
+
+
+@lru_cache(64)
+def _known(s: bytes, corner: bytes) -> Curve:
+    """Made once a mesh: comparing two runs asks for it a dozen times."""
+    return curve(np.frombuffer(s), np.frombuffer(corner))
 
 
 def curve(s: FloatArray, corner: FloatArray) -> Curve:

@@ -13,6 +13,7 @@ from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_mom
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
+HISTORIES = ("x", "y", "z", "effective_tension", "bending_moment")
 MOST_FALL = 8.0  # of successive differences that an estimate trusts: third order
 FLAT = 1e-9  # curvature that is none (1/m): a strain of 5e-10 at the wall of a riser a metre thick
 SURE_FALL = 4.0  # where mesh and step both changed between them: second
@@ -93,19 +94,25 @@ def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
     """Histories of both runs by field: at the nodes of the coarse one, or at the fine one's stations."""
     if "time" not in coarse or "time" not in fine:
         return {}
+    low, up = map(_told, (coarse, fine), _every(coarse, fine))
     if len(fine["s"]) == len(fine["s_node"]):
         places = coarse["s_node"]
-        low, up = coarse, _at(fine, places)
+        up = _at(up, places)
     else:
         places = fine["s"]
-        low, up = _at(coarse, places), fine
-    every = _every(coarse, fine)
+        low = _at(low, places)
     pairs: dict[str, tuple[Array, Array]] = {}
-    for field in ("x", "y", "z", "effective_tension", "bending_moment"):
+    for field in HISTORIES:
         if field in up and field in low:
             away = [curve_of(run).straight(_zero(run, field), places) for run in (coarse, fine)]
-            pairs[field] = low[field][:: every[0]] - away[0], up[field][:: every[1]] - away[1]
+            pairs[field] = low[field] - away[0], up[field] - away[1]
     return pairs
+
+
+def _told(arrays: Arrays, every: int) -> Arrays:
+    """Arrays of a run with one of so many of its outputs."""
+    names = (*HISTORIES, "mesh_moment")
+    return arrays | {name: arrays[name][::every] for name in names if name in arrays}
 
 
 def _every(coarse: Arrays, fine: Arrays) -> tuple[int, int]:
@@ -122,9 +129,5 @@ def _at(arrays: Arrays, places: Array) -> Arrays:
     """Histories at places; those of nodes as they are."""
     node = np.searchsorted(arrays["s_node"], places - SAME * arrays["s_node"][-1])
     if np.allclose(arrays["s_node"][node], places, rtol=0.0, atol=SAME * arrays["s_node"][-1]):
-        return {
-            name: values[:, node]
-            for name, values in arrays.items()
-            if name in ("x", "y", "z", "effective_tension", "bending_moment")
-        }
+        return {name: arrays[name][:, node] for name in HISTORIES if name in arrays}
     return at_stations(arrays, places)

@@ -278,6 +278,8 @@ def _end_direction(scene: Scene, model: Model, mesh: Mesh, record: Record, end: 
 
 def _lean(t: FloatArray, upright: FloatArray, d: int) -> FloatArray:
     """Angle between directions (rad): in a plane from ``upright`` towards +x, in space its size."""
+    along = (t * upright).sum(axis=1)
+    if d == 2:
+        return np.asarray(np.arctan2(upright[..., 2] * t[:, 0] - upright[..., 0] * t[:, 2], along))
     across = np.cross(np.broadcast_to(upright, t.shape), t)
-    size = np.arctan2(np.linalg.norm(across, axis=1), (t * upright).sum(axis=1))
-    return np.asarray(size * np.sign(across[:, 1]) if d == 2 else size)
+    return np.asarray(np.arctan2(np.linalg.norm(across, axis=1), along))
