@@ -8,9 +8,9 @@ import pytest
 from riserstudy.report.audit import UNSAID, missed, told_by
 
 TABLES = """
-create table parameters (point, path);
+create table parameters (point, path, value);
 create table studies (study, paper, name, caption);
-create table points (point integer primary key, study, accuracy, error_displacement, error_moment,
+create table points (point integer primary key, study, error_displacement, error_moment,
     error_tension, warnings, wall_seconds, unexplained_energy);
 create table rests_on (paper, id, study);
 create table simulated_behind (study, source);
@@ -39,10 +39,15 @@ def database(rows):
     db.executescript(TABLES)
     for point, (name, fixed, accuracy, *errors) in enumerate(rows):
         db.execute("insert into studies values (?, 'paper', ?, '')", (f"paper/{name}", name))
-        values = (point, f"paper/{name}", accuracy, *errors)
-        db.execute("insert into points values (?, ?, ?, ?, ?, ?, '', 1, 0)", values)
+        db.execute(
+            "insert into points values (?, ?, ?, ?, ?, '', 1, 0)", (point, f"paper/{name}", *errors)
+        )
         if fixed:
-            db.execute("insert into parameters values (?, 'analysis.mesh.elements')", (point,))
+            db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))
+        if accuracy:
+            db.execute(
+                "insert into parameters values (?, 'analysis.accuracy', ?)", (point, accuracy)
+            )
         db.execute("insert into simulated_behind values (?, ?)", (f"paper/{name}",) * 2)
         db.execute(
             "insert into rests_on values ('paper', ?, ?)", (f"N{point + 1}", f"paper/{name}")
@@ -72,7 +77,7 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
             ("blow", True, None, 0.001, 0.03, None),
             ("fine", True, None, 0.001, 0.002, None),
             ("silent", True, None, None, None, None),
-            ("asked", False, "0.1 %", 0.0005, None, None),
+            ("asked", False, 0.001, 0.0005, None, None),
         ]
     )
     files = kept(
@@ -83,6 +88,14 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
     assert of.verdicts == [("paper", "N1")]
     assert "1 because a stop is met (paper/blow)" in of.said
     assert "Mesh and step of 3 points are prescribed; 2 of these tell an error" in of.said
+
+
+def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
+    db = database(
+        [("coarse", False, 0.1, 0.08, None, None), ("fine", False, 0.001, 0.008, None, None)]
+    )
+    of = missed(db, kept(coarse=(None, None), fine=(None, None)))
+    assert (of.asked, of.asked_off, of.verdicts) == (2, 1, [("paper", "N2")])
 
 
 def test_where_nothing_misses_that_is_all_that_is_said():

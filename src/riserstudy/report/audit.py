@@ -22,13 +22,13 @@ TOLD_BY = {
 }
 ERRORS = ("displacement", *TOLD_BY)
 UNSAID = "one mesh and one step serve all points of a study"
-#: points with whether a mesh is prescribed; the largest of the errors that are estimated
+#: points with whether a mesh is prescribed, and the accuracy that each asks for: an axis may set it
 POINTS = f"""
-with prescribed as (select distinct point from parameters where path like 'analysis.mesh.%')
-select points.*, point in prescribed as fixed,
-  coalesce(cast(replace(accuracy, '%', '') as real) / 100, {TOLERANCE}) as tolerance,
+with prescribed as (select distinct point from parameters where path like 'analysis.mesh.%'),
+  asked as (select point, value from parameters where path = 'analysis.accuracy')
+select points.*, points.point in prescribed as fixed, coalesce(asked.value, {TOLERANCE}) as tolerance,
   studies.paper, studies.name, studies.caption
-from points join studies using (study)
+from points join studies using (study) left join asked using (point)
 """
 
 
