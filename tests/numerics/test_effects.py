@@ -57,6 +57,19 @@ def test_every_kind_of_scene_that_options_make_is_there_once():
     assert len(list(bases(studies, "preview"))) == 2
 
 
+@pytest.mark.parametrize("tier", ["preview", "standard", "reference"])
+def test_every_kind_of_scene_of_the_chapters_is_a_whole_scene(tier):
+    """Before its axes set anything: what the step alone sets must be written in the study, too."""
+    files = {path.stem: read_studies(CONFIG, path.stem) for path in (CONFIG / "studies").iterdir()}
+    studies = [
+        read_study(CONFIG, paper, name, tier, None)
+        for paper, file in files.items()
+        for name in file.studies
+    ]
+    for _, file in bases(studies, tier):
+        file.scene()
+
+
 def test_only_what_is_there_is_taken_out_and_only_what_is_missing_is_put_in():
     labels = {change.label for change, _ in fitting(SURGE)}
     assert {"without drag", "without surge", "with structural damping"} <= labels
