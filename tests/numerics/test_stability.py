@@ -90,6 +90,25 @@ def test_the_range_of_a_family_runs_from_the_accurate_to_the_surviving_step(few)
     assert any(np.allclose(span, [accurate, stable]) for span in spans)
 
 
+def test_the_two_worst_cases_are_named_with_their_errors(few):
+    figure = draw("numerics", "stability", {"stability": few})
+    notes = figure.axes[0].texts[-1].get_text().splitlines()
+    error = few["written_error"].fillna(-1.0)
+    furthest = few["case"].values[np.argsort(error.values)[::-1][:2]]
+    assert [line[3:].partition(":")[0] for line in notes] == list(furthest)
+    assert "% estimated" in notes[0]
+
+
+def test_the_explicit_limit_is_a_tick_where_a_stable_step_was_predicted(few):
+    figure = draw("numerics", "stability", {"stability": few})
+    ticks = [line for line in figure.axes[1].lines if line.get_marker() == "|"]
+    drawn = [line.get_xdata()[0] for line in ticks if len(line.get_xdata())]
+    surge = few.sel(case="surge")
+    assert drawn == pytest.approx([float(surge["explicit_limit"] / surge["written_step"])])
+    stable = surge["largest_stable_step"].sel({"method": "explicit"})
+    assert 0.5 < stable / surge["explicit_limit"] <= 1.0
+
+
 def test_the_report_tells_what_is_not_as_it_should_be(few):
     chapter = engine({"stability": few})
     assert chapter.said[0].startswith("Hard cases that ended as expected: ")

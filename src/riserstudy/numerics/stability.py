@@ -88,6 +88,7 @@ class CaseResult:
     estimate: float
     warned: str
     standard: Standard
+    explicit_limit: float = math.nan  # s, where explicit stepping is tried
     rungs: dict[str, list[Rung]] = field(default_factory=dict)
 
 
@@ -127,6 +128,7 @@ def run_case(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> 
             continue
         if explicit and not prescribed:
             limit = attempt_limit(own, mesh)
+            result.explicit_limit = limit or math.nan
             steps = [limit * factor for factor in study.explicit_ladder] if limit else []
         result.rungs[name] = [rung(own, mesh, h, budget, standard.reference) for h in steps]
     return result
@@ -307,6 +309,7 @@ def by_case(cases: dict[str, Case], results: dict[str, CaseResult]) -> dict[str,
         "written_step": [w.step for w in written],
         "written_elements": [len(r.arrays["l0"]) if r else 0 for r in runs],
         "written_seconds": [w.tried.seconds for w in written],
+        "explicit_limit": [t.explicit_limit for t in results.values()],
         "reference_difference": [t.standard.doubt for t in results.values()],
         "reference_missing": [t.standard.why_not for t in results.values()],
     }
@@ -378,5 +381,6 @@ ABOUT = {
     "best_numerical_dissipation": ("1", "share of the energy exchanged dissipated by the method"),
     "written_error": ("1", "error of the scene as written"),
     "written_estimate": ("1", "error estimated by the run itself"),
+    "explicit_limit": ("s", "longest stable step of explicit stepping as predicted"),
     "reference_difference": ("1", "difference of the two finest runs"),
 }

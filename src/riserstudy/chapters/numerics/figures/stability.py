@@ -7,6 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
+from matplotlib.ticker import FuncFormatter
 from numpy.typing import NDArray
 
 from riserstudy.figures.style import COLOURS
@@ -22,6 +23,7 @@ ENDS = {
 ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
 #: methods of the lower panel, as far as they were run; the table has all
 SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", "explicit")
+WORST = 2  # cases that are named
 
 
 def stability(stability: xr.Dataset) -> Figure:
@@ -29,7 +31,7 @@ def stability(stability: xr.Dataset) -> Figure:
     families = list(dict.fromkeys(map(str, stability["family"].values)))
     methods = [m for m in SHOWN if m in stability["method"].values]
     stepped = [name for name in families if not np.isnan(_ranges(stability, name, methods)).all()]
-    heights = [0.34 * len(families) + 0.7, 0.11 * len(methods) * len(stepped) + 1.4]
+    heights = [0.34 * len(families) + 1.1, 0.11 * len(methods) * len(stepped) + 1.4]
     figure = Figure((9.6, sum(heights) + 0.5), dpi=150, layout="constrained")
     above, below = figure.subplots(2, 1, height_ratios=heights)
     _squares(above, stability, families)
@@ -58,17 +60,33 @@ def answer(stability: xr.Dataset) -> str:
     return f"{len(ends)} hard cases, {verdict}:\n{'; '.join(counts)}"
 
 
+def worst(stability: xr.Dataset) -> list[int]:
+    """The cases that are named: those not as expected first, then those that are furthest off."""
+    error = stability["written_error"].values
+    wrong = ~stability["as_expected"].values
+    candidates = np.flatnonzero(np.isfinite(error) | wrong)
+    order = np.lexsort((-np.nan_to_num(error[candidates]), ~wrong[candidates]))
+    return [int(case) for case in candidates[order][:WORST]]
+
+
 def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
     ends = np.array(ended(stability))
     of = stability["family"].values.astype(str)
+    named = worst(stability)
     most = 0
     for row, family in enumerate(families):
-        for place, end in enumerate(sorted(ends[of == family], key=list(ENDS).index)):
-            square = Rectangle((place, row - 0.4), 0.8, 0.8, facecolor=ENDS[end], edgecolor="none")
-            ax.add_patch(square)
-            most = max(most, place + 1)
-    ax.set_xlim(-0.3, max(most, 20))
-    ax.set_ylim(len(families) - 0.4, -0.6)
+        here = sorted(np.flatnonzero(of == family), key=lambda case: list(ENDS).index(ends[case]))
+        for place, case in enumerate(here):
+            colour = ENDS[ends[case]]
+            ax.add_patch(Rectangle((place, row - 0.4), 0.8, 0.8, facecolor=colour))
+            if case in named:
+                number = str(named.index(case) + 1)
+                ax.text(place + 0.4, row, number, ha="center", va="center", fontsize="small")
+        most = max(most, len(here))
+    notes = "\n".join(f"{k}  {_named(stability, case)}" for k, case in enumerate(named, start=1))
+    ax.text(-0.1, len(families) - 0.35, notes, va="top", fontsize="small")
+    ax.set_xlim(-0.3, max(most, 12) + 8)  # the key stands beside the longest row
+    ax.set_ylim(len(families) - 0.4 + 0.55 * len(named), -0.6)
     ax.set_yticks(range(len(families)), families)
     ax.set_xticks([])
     ax.tick_params(length=0)
@@ -80,6 +98,15 @@ def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
         loc="center right", fontsize="small", frameon=False,
     )  # fmt: skip
     ax.set_title(f"(a) {answer(stability)}", loc="left", fontsize="medium")
+
+
+def _named(stability: xr.Dataset, case: int) -> str:
+    """A case in words, with its error and what its run says of it."""
+    of = stability.isel(case=case)
+    error, estimate = (100 * float(of[f"written_{name}"]) for name in ("error", "estimate"))
+    if np.isnan(error):
+        return f"{of['case'].values}: {of['written_outcome'].values}"
+    return f"{of['case'].values}: {error:.2g} % off, {estimate:.2g} % estimated"
 
 
 def _ranges(stability: xr.Dataset, family: str, methods: list[str]) -> NDArray[np.float64]:
@@ -97,8 +124,15 @@ def _ranges(stability: xr.Dataset, family: str, methods: list[str]) -> NDArray[n
     return out
 
 
+def _explicit_limit(stability: xr.Dataset, family: str) -> float:
+    """Mean predicted limit of explicit stepping over the default's step."""
+    of = stability.isel(case=np.flatnonzero(stability["family"].values.astype(str) == family))
+    ratio = (of["explicit_limit"] / of["written_step"]).values
+    return float(np.exp(np.nanmean(np.log(ratio)))) if np.isfinite(ratio).any() else np.nan
+
+
 def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:
-    height = 1.0 / (len(methods) + 1.2)
+    height, ticked = 1.0 / (len(methods) + 1.2), False
     for row, family in enumerate(families):
         for k, (accurate, stable) in enumerate(_ranges(stability, family, methods)):
             y = row + (k - 0.5 * (len(methods) - 1)) * height
@@ -115,6 +149,11 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
                 label=methods[k] if not row else "",
             )
             ax.plot(stable, y, "o", color=colour, markersize=7.5, markerfacecolor="none", zorder=3)
+        if np.isfinite(limit := _explicit_limit(stability, family)):
+            y = row + (0.5 * (len(methods) - 1) if "explicit" in methods else 0.0) * height
+            ax.plot(limit, y, "|", color="black", markersize=11, markeredgewidth=1.6, zorder=4)
+            ax.plot([], [], "|", color="black", label="" if ticked else "explicit limit, predicted")
+            ticked = True
     ax.axvline(1.0, color="0.5", linewidth=0.8, zorder=1)
     ax.set_xscale("log")
     ax.set_yticks(range(len(families)), families)
@@ -122,6 +161,7 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
     for edge in range(1, len(families)):
         ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)
     ax.tick_params(axis="y", length=0)
+    ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     ax.set_xlabel("step over the step that the default accuracy chooses (1)")
     ax.set_title(f"(b) {_bearable(stability, families, methods)}", loc="left", fontsize="medium")
     handles, labels = ax.get_legend_handles_labels()
