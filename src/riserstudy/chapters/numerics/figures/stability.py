@@ -70,15 +70,14 @@ def worst(stability: xr.Dataset) -> list[int]:
 
 
 def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
-    ends = np.array(ended(stability))
+    ends, rank = ended(stability), {end: place for place, end in enumerate(ENDS)}
     of = stability["family"].values.astype(str)
     named = worst(stability)
     most = 0
     for row, family in enumerate(families):
-        here = sorted(np.flatnonzero(of == family), key=lambda case: list(ENDS).index(ends[case]))
-        for place, case in enumerate(here):
-            colour = ENDS[ends[case]]
-            ax.add_patch(Rectangle((place, row - 0.4), 0.8, 0.8, facecolor=colour))
+        here = [int(case) for case in np.flatnonzero(of == family)]
+        for place, case in enumerate(sorted(here, key=lambda case: rank[ends[case]])):
+            ax.add_patch(Rectangle((place, row - 0.4), 0.8, 0.8, facecolor=ENDS[ends[case]]))
             if case in named:
                 number = str(named.index(case) + 1)
                 ax.text(place + 0.4, row, number, ha="center", va="center", fontsize="small")
