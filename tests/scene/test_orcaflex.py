@@ -299,6 +299,52 @@ def _file(folder, change):
     return load_scene(folder / "scene.yaml")
 
 
+def in_soil(deck, **other):
+    """The lowest pipe reaches 54.4 m into clay."""
+    clay = {
+        "DepthBelowSeabedFrom": 0, "ModelType": "API RP 2A soft clay", "EffectiveUnitSoilDensity": 0.6,
+        "UndrainedShearStrength": 8, "J": 0.5, "Epsilonc": 2,
+    }  # fmt: skip
+    deck["P-yModels"] = [{"Name": "Clay", "PyCurves": [clay | other]}]
+    line = deck["Lines"][0]
+    line["PyModel"] = "Clay"
+    line[ENDS][1][3] = -54.4
+    line[BENDING][1] = [0, None]
+    line[SECTIONS].append(["Pipe", 59.4, 5])
+
+
+def test_a_line_in_soil_has_the_soil_of_its_model(tmp_path):
+    scene = loaded(tmp_path, in_soil)
+    clay = scene.soil.resistance
+    assert (scene.bottom.hold, scene.bottom.elevation) == ("foot", pytest.approx(-554.4))
+    assert scene.soil.mudline == scene.water.seabed == -500.0
+    assert (clay.strength_at_mudline, clay.strength_gradient) == (8e3, 0.0)
+    assert clay.submerged_unit_weight == pytest.approx(600.0 * GRAVITY)
+    assert (clay.strain_at_half_strength, clay.depth_factor) == (0.02, 0.5)
+    left = [line for line in read_deck(changed(tmp_path, in_soil)).left_out if "P-y" in line]
+    assert left == [
+        "P-yModels[Clay].PyCurves[0].ModelType: the curve is Matlock's cube root under static load, "
+        "below 0.1 of the displacement at half the resistance a straight line"
+    ]
+
+
+def later(deck):
+    """Line types as later versions write them."""
+    joint, pipe = deck["LineTypes"]
+    for name in ("EIx", "EIy", "Cdx", "Cdy", "Cax", "Cay"):
+        joint.pop(name, None), pipe.pop(name, None)
+    joint.update(EI=[250e3, None], Cd=[1.1, None, 0.008], Ca=[1, None, 0])
+    pipe.update(Cdn=1.2, Can=1)
+
+
+def test_line_types_of_later_versions_are_the_same(tmp_path):
+    plain, other = loaded(tmp_path).riser, loaded(tmp_path, later).riser
+    assert other == plain
+    left = read_deck(changed(tmp_path, later)).left_out
+    assert "LineTypes[Joint].Cd: 0.008 along the line is left out" in left
+    assert not any(".Ca" in line or ".EI" in line for line in left)
+
+
 @pytest.mark.parametrize(
     "change, said",
     [
@@ -314,7 +360,14 @@ def _file(folder, change):
         (lambda d: sea(d, WaveJONSWAPParameters="Automatic"), "Partially specified"),
         (lambda d: sea(d, WaveNumberOfSpectralDirections=7), "allowed is 1"),
         (lambda d: sea(d, WaveTp=None), "missing, as WaveTz is"),
-        (lambda d: d["Lines"][0].update(PyModel="Soft clay"), "write the soil into the scene"),
+        (lambda d: d["Lines"][0].update(PyModel="Soft clay"), "no p-y model 'Soft clay'"),
+        (lambda d: in_soil(d, DepthBelowSeabedFrom=3), "1 ranges of depth; allowed is one from 0 m"),
+        (lambda d: in_soil(d) or d["P-yModels"][0]["PyCurves"].append({}), "2 ranges of depth"),
+        (lambda d: in_soil(d, ModelType="API RP 2A sand"), "no curves of sand"),
+        (lambda d: in_soil(d, ModelType="P-y table"), "no tables"),
+        (lambda d: in_soil(d, Epsilonc=None), "Epsilonc: missing"),
+        (lambda d: later(d) or d["LineTypes"][0].update(Cdx=1.1), "Cd: told twice"),
+        (lambda d: later(d) or d["LineTypes"][0].update(EI=[250e3, 200e3]), "EI: 250000.0, 200000.0"),
         (lambda d: rig(d, links=1) or d["Links"][0].update(Stiffness=40.0), "equal ones"),
         (lambda d: rig(d) or d["Constraints"][0].update(TranslationalStiffness=5.0), "slides freely"),
         (lambda d: rig(d) or d["Constraints"][0][FREEDOMS][5].__setitem__(0, True), "z alone"),

@@ -18,6 +18,8 @@ from ruamel.yaml.error import MantissaNoDotYAML1_1Warning
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile, read_yaml
 from riserstudy.scene.orcaflex_deck import Part
+from riserstudy.scene.orcaflex_pipe import bending_stiffness, properties
+from riserstudy.scene.orcaflex_soil import soil_of
 from riserstudy.scene.orcaflex_top import (
     LINKED,
     WINCHED,
@@ -109,6 +111,10 @@ def read_deck(path: Path) -> Imported:
         "riser": [*_sections(deck, line, density)],
         "bottom": {"hold": "wellhead", "elevation": _q(bottom.z, "m"), "rotation": bottom.rotation},
     }
+    ground = soil_of(deck, line, surface - depth, GRAVITY)
+    if ground:
+        tree["bottom"]["hold"] = "foot"
+        tree["soil"] = ground
     made = _top(deck, lines, (top, bottom), sea)
     tree["top"] = made.tree
     if current := _current(sea):
@@ -165,15 +171,6 @@ def _lines(deck: Part) -> Lines:
 def _on_ground(deck: Part, line: Part, ends: tuple[End, End], seabed: float) -> tuple[End, End]:
     """The ends, the lower of which stands on the ground, or on a constraint that is its flex joint."""
     upper, lower = ends
-    if soil := [
-        key
-        for key in line.data
-        if key.startswith("Py") and line.data[key] not in (None, "~", "(none)")
-    ]:
-        allowed = (
-            "allowed is none: write the soil into the scene ('soil:', with 'bottom.hold: foot')"
-        )
-        raise line.refused(soil[0], str(line.data[soil[0]]), allowed)
     joints = {one.text("Name"): one for one in deck.parts("Constraints")}
     if lower.to in joints:
         if lower.rotation != "fixed" or lower.x or lower.y or lower.z:
@@ -213,44 +210,11 @@ def _sections(deck: Part, line: Part, density: float) -> Iterator[dict[str, Any]
             raise line.refused(
                 SECTIONS, f"no line type {name!r}", f"allowed are {', '.join(types)}"
             )
-        section = _properties(types[name], density)
+        section = properties(types[name], density, GRAVITY)
         called = name if names.count(name) == 1 else f"{name} {names[: k + 1].count(name)}"
         if contents and section["inner_diameter"] != "0 m":
             section["contents"] = {"density": _q(1000.0 * float(contents), "kg/m^3")}
         yield {"name": called, "length": _q(float(row[1]), "m"), **section}
-
-
-def _properties(kind: Part, density: float) -> dict[str, Any]:
-    outer, inner = kind.number("OD"), kind.number("ID")
-    area = 0.25 * math.pi * (outer**2 - inner**2)
-    fields: dict[str, Any] = {"outer_diameter": _q(outer, "m"), "inner_diameter": _q(inner, "m")}
-    if kind.text("Category") == "Homogeneous pipe":
-        mass = 1000.0 * kind.number("MaterialDensity") * area
-        fields["young_modulus"] = _q(kind.number("E"), "kN/m^2")
-        fields["mass"] = {"derived": _q(mass, "kg/m"), "from": "MaterialDensity and diameters"}
-    elif kind.text("Category") == "General":
-        mass = 1000.0 * kind.number("MassPerUnitLength")
-        kind.alike("EIx", "EIy")
-        fields["bending_stiffness"] = _q(kind.number("EIx"), "kN*m^2")
-        fields["axial_stiffness"] = _q(kind.number("EA"), "kN")
-        fields["mass"] = _q(mass, "kg/m")
-    else:
-        raise kind.refused(
-            "Category", kind.text("Category"), "allowed are General, Homogeneous pipe"
-        )
-    wet = (mass - density * 0.25 * math.pi * outer**2) * GRAVITY
-    fields["submerged_weight"] = {
-        "derived": _q(wet, "N/m"), "from": "mass per length less the water that OD displaces",
-    }  # fmt: skip
-    kind.alike("Cdx", "Cdy")
-    kind.alike("Cax", "Cay")
-    drag, added = kind.optional("Cdx"), kind.optional("Cax")
-    wide = kind.optional("NormalDragLiftDiameter")
-    if drag:
-        fields["drag"] = {"coefficient": float(drag), "diameter": _q(float(wide or outer), "m")}
-    if added:
-        fields["added_mass"] = {"coefficient": float(added), "diameter": _q(outer, "m")}
-    return fields
 
 
 def _top(deck: Part, lines: Lines, ends: tuple[End, End], sea: Part) -> Top:
@@ -323,9 +287,10 @@ def _bending(lines: Lines) -> str:
     """Bending stiffness of the inner barrel, one along it."""
     barrel = lines.barrel or lines.riser
     names = {str(row[0]) for row in barrel.rows(SECTIONS, 2)}
-    stiff = {lines.types[name].number("EIx") for name in names if name in lines.types}
+    stiff = {bending_stiffness(lines.types[name]) for name in names if name in lines.types}
     if len(stiff) != 1:
-        raise barrel.refused(SECTIONS, ", ".join(sorted(names)), "allowed is one EIx of line types")
+        allowed = "allowed is one bending stiffness of line types"
+        raise barrel.refused(SECTIONS, ", ".join(sorted(names)), allowed)
     return _q(stiff.pop(), "kN*m^2")
 
 

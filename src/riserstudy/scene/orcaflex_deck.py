@@ -18,6 +18,7 @@ class Part:
             raise InputError(source, path, "no object", "allowed are names with values")
         self.data, self.path, self.source = data, path, source
         self.taken: set[str] = set()
+        self.otherwise: dict[str, str] = {}  # what of an entry that was taken is not in the scene
         self.below: dict[str, list[Part]] = {}
 
     def refused(self, key: str, found: str, allowed: str) -> InputError:
@@ -102,8 +103,8 @@ class Part:
         return self.below[key]
 
     def unused(self) -> list[str]:
-        """Everything that nobody asked for, by its path with its value."""
-        names = []
+        """Everything that nobody asked for, by its path with its value, and what is otherwise in a scene."""
+        names = [f"{self.path}.{key}: {told}" for key, told in self.otherwise.items()]
         for key, value in self.data.items():
             if key in self.below:
                 names += [line for part in self.below[key] for line in part.unused()]

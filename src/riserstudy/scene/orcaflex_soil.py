@@ -1,0 +1,63 @@
+"""Soil of an OrcaFlex text model: the p-y model of the line that stands in it.
+
+Strain is in per cent there, and soil has an effective density in place of a weight (P-y models: Data).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from riserstudy.scene.orcaflex_deck import Part
+
+MODELS, CURVES = "P-yModels", "PyCurves"
+SOFT_CLAY = "API RP 2A soft clay"
+STRAIGHT = (
+    0.1  # of the displacement at half the resistance: Matlock's curve begins infinitely stiff
+)
+
+
+def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, Any] | None:
+    """Soil around a line below the seabed (m); None where the line has none.
+
+    Raises
+    ------
+    InputError
+        Where a scene cannot say it: sand, tables, several ranges of depth, a model that is not there.
+    """
+    name = line.optional("PyModel")
+    if name in (None, "(none)"):
+        return None
+    models = {model.text("Name"): model for model in deck.parts(MODELS)}
+    if name not in models:
+        found = f"no p-y model {str(name)!r}"
+        raise line.refused("PyModel", found, f"allowed are {', '.join(models) or 'none'}")
+    curves = models[name].parts(CURVES)
+    if len(curves) != 1 or curves[0].number("DepthBelowSeabedFrom"):
+        allowed = (
+            "allowed is one from 0 m: a scene's strength is a straight line over depth; "
+            "leave PyModel out and write 'soil:' into the scene"
+        )
+        raise models[name].refused(CURVES, f"{len(curves)} ranges of depth", allowed)
+    return {"mudline": f"{seabed:.10g} m", "resistance": _soft_clay(curves[0], gravity)}
+
+
+def _soft_clay(curve: Part, gravity: float) -> dict[str, Any]:
+    kind = curve.text("ModelType")
+    if kind.lower() != SOFT_CLAY.lower():
+        allowed = f"allowed is {SOFT_CLAY}; a scene has no curves of sand and no tables"
+        raise curve.refused("ModelType", kind, allowed)
+    density, strain = curve.number("EffectiveUnitSoilDensity"), curve.number("Epsilonc")
+    curve.otherwise["ModelType"] = (
+        "the curve is Matlock's cube root under static load, "
+        f"below {STRAIGHT:g} of the displacement at half the resistance a straight line"
+    )
+    return {
+        "strength_at_mudline": f"{curve.number('UndrainedShearStrength'):.10g} kN/m^2",
+        "strength_gradient": "0 N/m^3",
+        "submerged_unit_weight": {
+            "derived": f"{density * gravity:.10g} kN/m^3", "from": "EffectiveUnitSoilDensity and gravity",
+        },
+        "strain_at_half_strength": {"derived": 0.01 * strain, "from": "Epsilonc, which is in per cent"},
+        "depth_factor": curve.number("J"),
+        "straight_up_to": {"chosen": STRAIGHT, "because": "the curve begins infinitely stiff"},
+    }  # fmt: skip
