@@ -97,7 +97,7 @@ def test_a_point_says_what_its_study_left_out_and_the_rest_is_simulated_again(mi
     key = keys("plain/sampled")["key"][2]
     found, whole = open_point(key), open_point(key, whole=True)
     left_out = json.loads(found.attrs["left_out"])
-    assert {"z_max", "effective_tension", "x_min"} <= {*left_out}
+    assert {"z_max", "effective_tension", "x_absmax"} <= {*left_out}
     assert {"x", "bending_moment_max"} <= {*found.data_vars}
     assert not {*left_out} & {*found.variables}
     about = store.about(key)

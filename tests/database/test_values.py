@@ -9,7 +9,18 @@ import workspace
 import xarray as xr
 from compare import bits, wrong
 
-RESULTS = Path(__file__).parents[2] / "results"
+from riserstudy import simulate
+from riserstudy.database.build import build
+from riserstudy.database.sources import Sources
+from riserstudy.folders import cache_folder
+from riserstudy.scene.load import SceneFile
+from riserstudy.study import store
+from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.read import read_studies
+from riserstudy.study.study import Study
+
+CONFIG = Path(__file__).parents[2] / "config"
+RESULTS = CONFIG.parent / "results"
 
 
 @pytest.fixture
@@ -68,6 +79,67 @@ def test_the_same_point_in_two_studies_has_the_same_extremes_to_the_last_bit(her
         if "s_node" in found.dims:
             found = found.sel(s_node=alone["s_node"])  # which are all among the common ones
         assert found.values.tobytes() == alone[name].values.tobytes(), name
+
+
+EVERY = "select quantity, statistic, unit, value, s from results join points using (point)"
+SHARED = """
+with shared as (select key, study, quantity, statistic, unit, value, s from points join results using (point)
+                where key in (select key from points group by key having count(distinct study) > 1))
+select a.study, b.study, key, quantity, statistic, a.value, b.value, a.s, b.s
+from shared a join shared b using (key, quantity, statistic, unit)
+where a.study < b.study"""
+OTHER = " and (a.value is not b.value or a.s is not b.s)"
+
+
+def test_so_it_has_in_the_database_where_common_nodes_have_other_ones(db, here):
+    shared = db.execute(SHARED).fetchall()
+    assert len(shared) > 20
+    assert db.execute(SHARED + OTHER).fetchall() == []
+    with xr.open_dataset(workspace.RESULTS / "plain/meshes.nc", decode_times=False) as many:
+        beside = many.sel(mesh="coarse").load()
+    laid = {name: float(beside[name].max()) for name in ("x_max", "bending_moment_max")}
+    asked = f"{EVERY} where study = 'plain/one' and statistic = 'max'"
+    own = {f"{quantity}_max": value for quantity, _, _, value, _ in db.execute(asked)}
+    assert any(own[name] < value for name, value in laid.items())  # or nothing was to be told
+
+
+def test_a_study_that_keeps_histories_alone_tells_the_extremes_of_every_step(db, here):
+    key = db.execute("select key from points where study = 'plain/sampled' limit 1").fetchone()[0]
+    about = store.about(key)
+    run = simulate(SceneFile(about["source"], about["scene"]))
+    asked = f"{EVERY} where key = ? and quantity = 'x' and statistic in ('max', 'min')"
+    found = {row[1]: row[3:] for row in db.execute(asked, (key,))}
+    for end, largest in (("max", run["x_max"].max()), ("min", run["x_min"].min())):
+        assert bits(found[end][0]) == bits(float(largest))
+    assert float(run["x"].min()) > found["min"][0]  # x_min is not kept
+
+
+def test_the_same_point_in_two_real_studies_has_the_same_statistics(tmp_path, monkeypatch):
+    """One beside other lengths, whose nodes are those of all, and beside the same length."""
+    (tmp_path / ".cache").mkdir()
+    (tmp_path / ".cache/numba").symlink_to(cache_folder() / "numba")
+    monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / ".cache"))
+    monkeypatch.chdir(CONFIG.parent)  # where its scenes are
+    results, paper = tmp_path / "results", "mao_hangoff"
+    file = read_studies(CONFIG, paper)
+    for name in ("lmrp_mass_equal", "riser_length_equal"):
+        study = Study(paper, name, file.studies[name], CONFIG, "preview", "1 %", file.readings)
+        made = dataset_of(study, results_of(study, 1, lambda _: None)[0])
+        write_dataset(made, results / f"{paper}/{name}.nc")
+    files = sorted(results.glob("*/*.nc"))
+    build(results / "real.sqlite", Sources(CONFIG, [paper], files))
+    with closing(sqlite3.connect(results / "real.sqlite")) as db:
+        assert [*wrong(db, results)] == []
+        shared = db.execute(SHARED).fetchall()
+        assert {row[3:5] for row in shared} >= {("x", "max"), ("bending_moment", "min")}
+        assert db.execute(SHARED + OTHER).fetchall() == []
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not (RESULTS / "results.sqlite").exists(), reason="no study was run here")
+def test_so_has_every_point_that_two_studies_of_the_whole_share():
+    with closing(sqlite3.connect(f"file:{RESULTS / 'results.sqlite'}?mode=ro", uri=True)) as db:
+        assert db.execute(SHARED + OTHER).fetchall() == []
 
 
 def test_parameters_are_those_of_the_scene_with_what_axes_set_on_top(db):

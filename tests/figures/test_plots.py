@@ -83,6 +83,18 @@ def test_lines_are_the_extremes_in_units_one_reads():
     assert (largest > smallest).all()
 
 
+def test_extremes_are_those_of_runs_as_they_are_where_a_study_tells_them():
+    runs = grid("heave_amplitude")
+    told = ["bending_moment max", "bending_moment min", "stroke max"]
+    over = ("heave_amplitude", "statistic")
+    runs["value_of_statistic"] = (over, [[1e3, -3e3, 7.0], [2e3, -1e3, 8.0], [0.0, 0.0, 9.0]])
+    runs = runs.assign_coords(statistic=told)
+    (ax,) = drawn("lines", runs, ["bending_moment"]).axes
+    np.testing.assert_array_equal(ax.lines[0].get_ydata(), [3.0, 2.0, 0.0])  # kN m
+    (ax,) = drawn("lines", runs, ["stroke"]).axes
+    np.testing.assert_array_equal(ax.lines[0].get_ydata(), [7.0, 8.0, 9.0])
+
+
 def test_a_heat_map_shows_the_extreme_that_matters():
     figure = drawn("heat map", grid("heave_amplitude", "tug"), ["bending_moment"])
     shown = figure.axes[0].collections[0].get_array().reshape(2, 3)

@@ -6,6 +6,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.chapters import function_of
+from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import history
 from riserstudy.scene.origin import unwrap
 
@@ -29,6 +30,7 @@ def derive(
     """
     plain, given, _ = unwrap(settings or {})
     dataset: xr.Dataset = function_of(paper, "derived", name)(**datasets, **plain)
+    dataset = dataset.drop_dims(OVER, errors="ignore")  # statistics of runs, not of what is derived
     origins = {f"with.{path}": origin.status for path, origin in given.items()}
     if settings:
         dataset.attrs["settings"] = json.dumps(settings)

@@ -10,25 +10,22 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import netCDF4
 import numpy as np
-from numpy.typing import NDArray
 
+from riserstudy.dataset.extremes import (
+    NAMES,
+    OF_A_RUN,
+    OVER,
+    Statistic,
+    Variable,
+    elsewhere,
+    from_arrays,
+    told_once,
+)
 from riserstudy.errors import InputError
-
-OF_A_RUN = ("time", "s", "s_node", "cylinder")  # dimensions that are no axes of a grid
-
-
-class Variable(NamedTuple):
-    """Values over (cells, and dimensions of a run), in their order, with what the file says of them."""
-
-    name: str
-    values: NDArray[Any]
-    within: tuple[str, ...]
-    unit: str | None
-    long_name: str | None
 
 
 @dataclass(frozen=True)
@@ -68,15 +65,14 @@ class Grid:
 
 @dataclass(frozen=True)
 class Contents:
-    """What a dataset holds: attributes, coordinates of runs, and its grids, the main one first."""
+    """What a dataset holds: attributes, and its grids with their statistics, the main one first."""
 
     attributes: dict[str, Any]
-    coordinates: dict[str, NDArray[Any]]
-    grids: list[Grid]
+    grids: list[tuple[Grid, list[Statistic]]]
 
 
 def read_dataset(path: Path) -> Contents:
-    """Everything but histories whose extremes are there.
+    """Everything but arrays of runs whose statistics are there.
 
     Raises
     ------
@@ -88,7 +84,9 @@ def read_dataset(path: Path) -> Contents:
             file.set_auto_mask(False)
             attributes = {name: file.getncattr(name) for name in file.ncattrs()}
             coordinates = {n: file[n][:] for n in OF_A_RUN if n in file.variables}
-            return Contents(attributes, coordinates, [*_grids(file)])
+            grids = [(grid, [*told_once(grid.variables, coordinates)]) for grid in _grids(file)]
+            grids[0][1].extend(_told(file, grids[0][0]))
+            return Contents(attributes, grids)
     except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
         found = f"no whole dataset ({error})"
         raise InputError(path, "", found, "delete it; the next run makes it anew") from None
@@ -99,8 +97,12 @@ def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
 
     Of a simulated study the main grid is that of its points.
     """
-    wanted = [v for name, v in file.variables.items() if name not in file.dimensions]
-    wanted = [v for v in wanted if not _in_other_variables(v.name, v.dimensions, file.variables)]
+    dims_of = {name: v.dimensions for name, v in file.variables.items()}
+    wanted = [
+        v
+        for name, v in file.variables.items()
+        if name not in file.dimensions and not _is_told(name, dims_of)
+    ]
     every = [tuple(d for d in v.dimensions if d not in OF_A_RUN) for v in wanted]
     spans = [dims for dims in every if not any(set(dims) < set(other) for other in every)]
     counts = Counter(tuple(sorted(dims)) for dims in spans)
@@ -117,14 +119,21 @@ def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
         yield Grid([_axis(file, name) for name in axes], [_variable(file, v, axes) for v in mine])
 
 
-def _in_other_variables(name: str, dims: tuple[str, ...], others: dict[str, Any]) -> bool:
-    """Whether an array is large and its extremes stand beside it, or is there under another name."""
-    if "time" in dims:
-        return "s" in dims and f"{name}_max" in others and f"{name}_min" in others
-    if not set(dims) & set(OF_A_RUN):
-        return False
-    short = name.removesuffix("_static")
-    return short != name and short in others and "time" not in others[short].dimensions
+def _is_told(name: str, dims_of: dict[str, tuple[str, ...]]) -> bool:
+    """Whether statistics stand for a variable, or it is these."""
+    dims = dims_of[name]
+    if NAMES["value"] in dims_of:
+        return OVER in dims or not set(dims).isdisjoint(OF_A_RUN)
+    return elsewhere(name, dims, dims_of)
+
+
+def _told(file: netCDF4.Dataset, grid: Grid) -> Iterator[Statistic]:
+    """Statistics that a study took of its runs."""
+    if NAMES["value"] in file.variables:
+        held = {kind: file[name][...] for kind, name in NAMES.items() if name in file.variables}
+        count = len(file.dimensions[OVER])
+        flat = {kind: values.reshape(grid.cells, count) for kind, values in held.items()}
+        yield from from_arrays(file[OVER][:].tolist(), flat)
 
 
 def _axis(file: netCDF4.Dataset, name: str) -> Axis:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from riserstudy.database.names import Names, quoted
 from riserstudy.database.parameters import in_si
 from riserstudy.database.read_dataset import Grid
-from riserstudy.database.statistics import Statistic
+from riserstudy.dataset.extremes import Statistic
 
 #: facts about every point, in the order of its columns
 FACTS = (

@@ -14,9 +14,9 @@ import numpy as np
 
 from riserstudy.database.names import Names, quoted
 from riserstudy.database.parameters import Parameter, parameters_of
-from riserstudy.database.read_dataset import Contents, Grid, Variable, read_dataset
-from riserstudy.database.statistics import Statistic, statistics_of
+from riserstudy.database.read_dataset import Contents, Grid, read_dataset
 from riserstudy.database.wide_table import FACTS, is_result, write_wide_table
+from riserstudy.dataset.extremes import Statistic
 from riserstudy.model.absent_effects import absent
 
 MANY = 100_000  # rows that are held in memory at a time
@@ -41,31 +41,20 @@ class About:
 def write_study(db: sqlite3.Connection, about: About, folder: Path) -> None:
     """Read a dataset of a results folder and insert all that the database holds of it."""
     contents = read_dataset(folder / about.path)
-    grid, *others = contents.grids
+    (grid, statistics), *others = contents.grids
     tables = Names(name for (name,) in db.execute("select name from sqlite_master"))
     table = tables.free(f"{about.paper}_{about.name}")
     _write_head(db, about, table, contents)
-    statistics = [*_told_once(grid.variables, contents)]
     first = None
     if about.kind == "simulated":
         first = _write_points(db, about, contents)
         _write_parameters(db, about, contents, first)
         _write_results(db, [t for t in statistics if is_result(t)], first)
     write_wide_table(db, table, about.study, grid, statistics, first)
-    for other in others:
+    for other, further in others:
         over = "_".join(axis.name for axis in other.axes) or "all"
-        further = [*_told_once(other.variables, contents)]
         name = tables.free(f"{table}_over_{over}")
         write_wide_table(db, name, about.study, other, further, None)
-
-
-def _told_once(variables: list[Variable], contents: Contents) -> Iterator[Statistic]:
-    """Statistics of variables; of a history not what an envelope tells, too, which sees every step."""
-    names = {variable.name for variable in variables}
-    for variable in variables:
-        for one in statistics_of(variable, contents.coordinates):
-            if f"{variable.name}_{one.statistic}" not in names:
-                yield one
 
 
 def marks(count: int) -> str:
@@ -74,7 +63,7 @@ def marks(count: int) -> str:
 
 
 def _write_head(db: sqlite3.Connection, about: About, table: str, contents: Contents) -> None:
-    attributes, grid = contents.attributes, contents.grids[0]
+    attributes, grid = contents.attributes, contents.grids[0][0]
     scene = json.loads(attributes.get("scene", "{}"))
     row = (
         *(about.study, about.paper, about.name, about.kind, about.caption),
@@ -91,7 +80,7 @@ def _write_head(db: sqlite3.Connection, about: About, table: str, contents: Cont
 
 def _write_points(db: sqlite3.Connection, about: About, contents: Contents) -> int:
     """Insert the points of a study; the number of the first."""
-    grid = contents.grids[0]
+    grid, _ = contents.grids[0]
     of = {v.name: v.values.tolist() for v in grid.variables if not v.within}
     first: int = db.execute("select coalesce(max(point), 0) + 1 from points").fetchone()[0]
     absent_fact: Iterator[None] = repeat(None)
@@ -136,7 +125,7 @@ def _effect_sets(
 
 
 def _write_parameters(db: sqlite3.Connection, about: About, contents: Contents, first: int) -> None:
-    same, varied = parameters_of(contents.attributes, contents.grids[0])
+    same, varied = parameters_of(contents.attributes, contents.grids[0][0])
     for parameter in same:
         row = (about.study, _value_id(db, parameter))
         db.execute("insert into study_parameters values (?, ?)", row)

@@ -27,6 +27,7 @@ DIMENSIONS = (
     "cylinder",
     "point",
     "limit",
+    "statistic",
 )  # of runs and of studies while they are joined
 #: what runs return, with endings or without, where a scene calls for it
 OF_RUNS = frozenset(

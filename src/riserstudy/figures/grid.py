@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from riserstudy.dataset.extremes import largest_size, told
 from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
@@ -83,6 +84,10 @@ def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
         When the dataset holds nothing of that name.
     """
     ending = next((e for e in (*ENDINGS, SIZE) if name.endswith(e)), "")
+    of, statistic = name.removesuffix(ending), ending.removeprefix("_") or "max"
+    own = largest_size(dataset, of) if ending == SIZE else told(dataset, of, statistic)
+    if own is not None:  # of each run as it is, whatever nodes it was laid on
+        return own.rename(name).assign_attrs(attributes(name))
     values = dataset.get(name, dataset.get(name.removesuffix(ending)))
     if ending == SIZE and name not in dataset:
         values = _size(dataset, name.removesuffix(SIZE))

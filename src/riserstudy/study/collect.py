@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.complete import complete
+from riserstudy.dataset.extremes import OVER, as_variables, of_runs
 from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, cf_unit
@@ -25,6 +26,7 @@ from riserstudy.study import store
 from riserstudy.study.grid import Point
 from riserstudy.study.limits import add_limits
 from riserstudy.study.models import Numbers, Samples
+from riserstudy.study.needed import with_envelopes
 from riserstudy.study.simulate_points import Count, fill, lacks
 from riserstudy.study.study import Study
 
@@ -84,28 +86,30 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
 
     Histories stand at the stations that were asked for. What runs on different meshes have at nodes is laid
     on the finest mesh among them, by the shapes of their own elements; risers of different lengths share
-    the nodes of all, and have no values above their own tops. Largest moments and smallest tensions of
-    points are variables of their own, which no common mesh changes.
+    the nodes of all, and have no values above their own tops. Statistics of points are those of the runs
+    as they are, which no common mesh changes.
     """
     import xarray as xr
 
     shape = tuple(len(values) for values in study.axes.values())
-    results = _on_common_nodes(results)
-    layouts = _layouts(results)
+    keep = study.model.keep
+    told = statistics(results, keep)
+    places, runs = by_layout(_on_common_nodes(results), keep)
     flat = xr.concat(
-        _alike(study, [[results[k] for k in places] for places in layouts]),
+        runs,
         "point",
         join="outer",
         combine_attrs="drop",
         coords="minimal",
         compat="override",
     )
-    order = np.argsort([k for places in layouts for k in places])
+    order = np.argsort([k for of in places for k in of])
     flat = flat.isel(point=order, missing_dims="ignore")  # nothing to keep: no points either
+    flat = flat.assign(told)
     for name, extract in FACTS.items():
         flat[name] = ("point", [extract(r.facts) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])
-    dataset = xr.Dataset(coords={n: flat[n] for n in SHARED if n in flat.coords})
+    dataset = xr.Dataset(coords={n: flat[n] for n in (*SHARED, OVER) if n in flat.variables})
     for coordinate in dataset.coords:
         dataset[coordinate].attrs = attributes(str(coordinate))
     for label, values in flat.data_vars.items():
@@ -139,12 +143,23 @@ def _layouts(results: list[Result]) -> list[list[int]]:
     return list(places.values())
 
 
-def _alike(study: Study, layouts: list[list[Result]]) -> list[xr.Dataset]:
-    """Datasets of the runs of each layout with the quantities to keep, on one set of nodes."""
-    runs = [_stacked(results) for results in layouts]
-    if study.model.keep is not None:
-        runs = [run[[name for name in study.model.keep if name in run]] for run in runs]
-    return runs
+def statistics(results: list[Result], keep: Collection[str] | None) -> dict[str, Any]:
+    """Statistics of the quantities of runs (keep: of which) over ``point``, at each run's own nodes."""
+    wide = keep and with_envelopes(keep)
+    return as_variables(
+        [(of, of_runs(run)) for of, run in zip(*by_layout(results, wide), strict=True)]
+    )
+
+
+def by_layout(
+    results: list[Result], keep: Collection[str] | None
+) -> tuple[list[list[int]], list[xr.Dataset]]:
+    """Runs of each layout as one dataset of the quantities to keep (None: all), with their places."""
+    places = _layouts(results)
+    runs = [_stacked([results[k] for k in of]) for of in places]
+    if keep is not None:
+        runs = [run[[name for name in keep if name in run]] for run in runs]
+    return places, runs
 
 
 def _stacked(results: list[Result]) -> xr.Dataset:

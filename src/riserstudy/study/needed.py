@@ -1,4 +1,4 @@
-"""Which arrays of a run a study needs: what it keeps, and what lays that on nodes of other runs."""
+"""Which arrays of a run a study needs: what it keeps, its extremes, what lays it on other nodes."""
 
 from __future__ import annotations
 
@@ -22,8 +22,13 @@ def needed(shapes: Mapping[str, Sequence[int]], keep: Collection[str] | None) ->
         return frozenset(shapes)
     if "time" not in shapes:  # the state at rest has short names, too
         keep = {*keep, *(f"{name}_static" for name in keep)}
-    wanted = ALWAYS.union(keep)
+    wanted = ALWAYS.union(with_envelopes(keep))
     at_nodes = "time" in shapes and shapes["s"] == shapes["s_node"]
     if at_nodes and PLACES.intersection(keep):
         wanted |= BENDS
     return wanted.intersection(shapes)
+
+
+def with_envelopes(keep: Collection[str]) -> list[str]:
+    """Quantities to keep, and the envelopes of their histories, which see every step and all nodes."""
+    return [*keep, *(f"{name}{end}" for name in keep for end in ("_max", "_min"))]

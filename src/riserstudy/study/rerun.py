@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.dataset.behind import file_behind, provenance
+from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import labelled, to_dataset
 from riserstudy.dataset.place import place
 from riserstudy.digests import engine_digest
-from riserstudy.study.collect import FACTS, laid_on
+from riserstudy.study.collect import FACTS, laid_on, statistics
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -52,6 +53,8 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     SimulationError
         When it cannot be completed.
     """
+    import xarray as xr
+
     from riserstudy.model.absent_effects import absent
     from riserstudy.simulation.refine import run
 
@@ -63,9 +66,10 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
         result = run(file.scene(), estimated=estimated)
         whole = to_dataset(result, file, absent(set(result.facts["effects"])))
     whole.attrs["source"] = dataset.attrs.get("scene_file") or dataset.attrs.get("source", "")
+    told = xr.Dataset(statistics([result], [str(name) for name in point.data_vars])).squeeze()
     if "s_node" in point.dims and not np.array_equal(point["s_node"], result.arrays["s_node"]):
         result = laid_on(result, point["s_node"].values)
-    new = labelled(result)
+    new = labelled(result).merge(told.reindex_like(point[[OVER]]) if OVER in point else {})
     facts = {name: tell(result.facts) for name, tell in FACTS.items() if name not in LEFT_OUT}
     return Rerun(
         {axis: point[axis].item() for axis in index},

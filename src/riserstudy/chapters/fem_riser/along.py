@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from riserstudy.dataset.extremes import largest_size
 from riserstudy.scene.units import to_si
 
 SPAN = 35.0  # s, from the mean over a wave around 261 s to that around 296 s
@@ -23,17 +24,18 @@ def measures(runs: xr.Dataset) -> xr.Dataset:
     """
     s = runs["s_node"] / runs["s_node"][-1]
     deflection = extreme(runs, "x")
-    stress = stress_factor(runs) * extreme(runs, "bending_moment")
+    factor = stress_factor(runs)
+    stress = factor * extreme(runs, "bending_moment")
     slope = abs(angles(runs)).max("time")
     period = period_of(runs)
     mid = runs["x"].sel(s=0.5 * float(runs["s"][-1]), method="nearest", drop=True)
     return xr.Dataset(
         {
-            "deflection": deflection.max("s_node"),
+            "deflection": _largest(runs, "x"),
             "deflection_place": place(deflection, s, "s_node", s >= 0.0),
             "vibration": amplitude_at(runs["x"], period).max("s"),
             "drift": SPAN * abs(drift_rate(mid, period) / mid.mean("time")),
-            "stress": stress.max("s_node"),
+            "stress": factor * _largest(runs, "bending_moment"),
             "stress_from_bottom": place(stress, s, "s_node", s <= 0.5),
             "stress_from_top": 1.0 - place(stress, s, "s_node", s >= 0.5),
             "angle": slope.max("middle"),
@@ -47,6 +49,12 @@ def extreme(runs: xr.Dataset, name: str) -> xr.DataArray:
     """Largest magnitude in the record, by its envelopes."""
     sides = [abs(runs[f"{name}_{side}"]) for side in ("max", "min")]
     return xr.concat(sides, "side").max("side")
+
+
+def _largest(runs: xr.Dataset, name: str) -> xr.DataArray:
+    """Largest magnitude of each run at its own nodes, not at those that a study lays all on."""
+    own = largest_size(runs, name)
+    return extreme(runs, name).max("s_node") if own is None else own
 
 
 def angles(runs: xr.Dataset) -> xr.DataArray:

@@ -1,0 +1,209 @@
+"""Statistics of arrays over a run: extremes with place and time, amplitude, last value.
+
+Every value but an amplitude is one that stands in the array, bit by bit. A study takes them of each run as
+it is, at the run's own nodes and before anything is rounded, so that a point has the same ones in all
+studies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.dataset.variables import attributes
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Numbers = NDArray[np.float64]
+ENDINGS = {"_absmax": "absmax", "_max": "max", "_min": "min", "_static": "static"}
+WHERE = {"s_node": "s", "s": "s", "time": "time", "cylinder": "cylinder"}
+
+
+OF_ENVELOPES = {"max": np.positive, "min": np.negative, "absmax": np.abs}  # largest at the extreme
+OVER = "statistic"  # the dimension of a dataset that has one value each, "bending_moment max"
+OF_A_RUN = ("time", "s", "s_node", "cylinder")  # dimensions that are no axes of a grid
+NAMES = {kind: f"{kind}_of_statistic" for kind in ("value", *dict.fromkeys(WHERE.values()))}
+
+
+class Variable(NamedTuple):
+    """Values over (cells, and dimensions of a run), in their order, with what is said of them."""
+
+    name: str
+    values: NDArray[Any]
+    within: tuple[str, ...]
+    unit: str | None
+    long_name: str | None
+
+
+class Statistic(NamedTuple):
+    """One statistic of a quantity at all cells; NaN where there is none. ``at``: its s, time, cylinder."""
+
+    quantity: str
+    statistic: str
+    unit: str | None
+    long_name: str | None
+    values: NDArray[Any]
+    at: dict[str, Numbers]
+
+
+def elsewhere(name: str, dims: Collection[str], others: Mapping[str, Collection[str]]) -> bool:
+    """Whether statistics of an array, of which others by name have dimensions, are those of others."""
+    if "time" in dims:
+        return "s" in dims and f"{name}_max" in others and f"{name}_min" in others
+    if not set(dims) & set(OF_A_RUN):
+        return False
+    short = name.removesuffix("_static")
+    return short != name and short in others and "time" not in others[short]
+
+
+def told_once(
+    variables: Sequence[Variable], coordinates: Mapping[str, NDArray[Any]]
+) -> Iterator[Statistic]:
+    """Statistics of variables; of a history not what an envelope tells, too, which sees every step.
+
+    Parameters
+    ----------
+    coordinates : of dimensions of a run, each over its own, (n,).
+    """
+    names = {variable.name for variable in variables}
+    for variable in variables:
+        for one in _statistics_of(variable, coordinates):
+            if f"{variable.name}_{one.statistic}" not in names:
+                yield one
+
+
+def of_runs(runs: xr.Dataset) -> list[Statistic]:
+    """Statistics of arrays of runs, over ``point``, that are on one mesh."""
+    dims = {str(name): tuple(map(str, of.dims[1:])) for name, of in runs.data_vars.items()}
+    variables = [
+        Variable(name, runs[name].values, within, None, None)
+        for name, within in dims.items()
+        if within and not elsewhere(name, within, dims)
+    ]
+    coordinates = {name: runs[name].values for name in OF_A_RUN if name in runs.coords}
+    return [_timed(of, runs) for of in told_once(variables, coordinates)]
+
+
+def _timed(of: Statistic, runs: xr.Dataset) -> Statistic:
+    """An extreme of an envelope with the time of the output nearest to it, where all nodes have outputs."""
+    if of.statistic not in OF_ENVELOPES or "time" in of.at or of.quantity not in runs:
+        return of
+    history = runs[of.quantity]
+    if history.dims[1:] != ("time", "s") or runs["s"].size != runs["s_node"].size:
+        return of
+    node = np.searchsorted(runs["s_node"], of.at["s"]).clip(max=runs["s"].size - 1)
+    there = OF_ENVELOPES[of.statistic](history.values[np.arange(len(node)), :, node])
+    times = np.where(np.isnan(of.values), np.nan, runs["time"].values[there.argmax(axis=1)])
+    return of._replace(at=of.at | {"time": times})
+
+
+def as_variables(parts: Sequence[tuple[Sequence[int], list[Statistic]]]) -> dict[str, Any]:
+    """Statistics of some runs after others as variables over (point, statistic), with that coordinate.
+
+    Parameters
+    ----------
+    parts : places of runs among all, and their statistics.
+    """
+    count = sum(len(places) for places, _ in parts)
+    labels = dict.fromkeys(f"{of.quantity} {of.statistic}" for _, told in parts for of in told)
+    columns = {label: k for k, label in enumerate(labels)}
+    data = {kind: np.full((count, len(labels)), np.nan) for kind in NAMES}
+    for places, told in parts:
+        for of in told:
+            k = columns[f"{of.quantity} {of.statistic}"]
+            for kind, values in {"value": of.values, **of.at}.items():
+                data[kind][places, k] = values
+    if not labels:
+        return {}
+    some = {kind: values for kind, values in data.items() if not np.isnan(values).all()}
+    over = ("point", OVER)
+    named = {NAMES[kind]: (over, values, attributes(NAMES[kind])) for kind, values in some.items()}
+    return named | {OVER: (OVER, [*labels], attributes(OVER))}
+
+
+def from_arrays(labels: Sequence[str], held: Mapping[str, NDArray[Any]]) -> Iterator[Statistic]:
+    """Statistics out of the variables of a dataset.
+
+    Parameters
+    ----------
+    held : variables by their kinds, (n, k) for n cells and k labels.
+    """
+    for k, label in enumerate(labels):
+        quantity, statistic = label.split(" ")
+        about = attributes(f"{quantity}_{statistic.partition('_')[0]}") or attributes(quantity)
+        at = {kind: values[:, k] for kind, values in held.items() if kind != "value"}
+        unit, name = about.get("units"), about.get("long_name")
+        yield Statistic(quantity, statistic, unit, name, held["value"][:, k], at)
+
+
+def told(dataset: xr.Dataset, quantity: str, statistic: str) -> xr.DataArray | None:
+    """A statistic that a study took of its runs, over its axes; None where it has none."""
+    label = f"{quantity} {statistic}"
+    if NAMES["value"] not in dataset or label not in dataset[OVER]:
+        return None
+    return dataset[NAMES["value"]].sel({OVER: label}, drop=True)
+
+
+def largest_size(dataset: xr.Dataset, quantity: str) -> xr.DataArray | None:
+    """Largest magnitude of a quantity that a study took of its runs; None where it has none."""
+    sides = [told(dataset, quantity, side) for side in ("max", "min")]
+    if sides[0] is None or sides[1] is None:
+        return told(dataset, quantity, "absmax")
+    return abs(sides[0]).where(abs(sides[0]) >= abs(sides[1]), abs(sides[1]))
+
+
+def _statistics_of(
+    variable: Variable, coordinates: Mapping[str, NDArray[Any]]
+) -> Iterator[Statistic]:
+    """Statistics of a variable: its value, or what stands for an array."""
+    quantity, kind = _split(variable.name)
+    common = (variable.unit, variable.long_name)
+    if not variable.within:
+        yield Statistic(quantity, kind or "value", *common, variable.values, {})
+        return
+    if variable.values.dtype.kind not in "fiu" or 0 in variable.values.shape:
+        return
+    if kind in ("max", "absmax"):
+        yield Statistic(quantity, kind, *common, *_extreme(variable, coordinates, 1.0))
+        return
+    if kind == "min":
+        yield Statistic(quantity, kind, *common, *_extreme(variable, coordinates, -1.0))
+        return
+    before = f"{kind}_" if kind else ""
+    largest = _extreme(variable, coordinates, 1.0)
+    smallest = _extreme(variable, coordinates, -1.0)
+    yield Statistic(quantity, f"{before}max", *common, *largest)
+    yield Statistic(quantity, f"{before}min", *common, *smallest)
+    if variable.within == ("time",):
+        yield Statistic(quantity, "amplitude", *common, (largest[0] - smallest[0]) / 2.0, {})
+        yield Statistic(quantity, "last", *common, variable.values[:, -1], {})
+
+
+def _split(name: str) -> tuple[str, str]:
+    """Quantity and kind of a variable, by how its name ends."""
+    for ending, kind in ENDINGS.items():
+        if name.endswith(ending) and name != ending:
+            return name.removesuffix(ending), kind
+    return name, ""
+
+
+def _extreme(
+    variable: Variable, coordinates: Mapping[str, NDArray[Any]], sign: float
+) -> tuple[Numbers, dict[str, Numbers]]:
+    """The largest value (the smallest for a sign of -1) of each cell, and where it is."""
+    inner = variable.values.shape[1:]
+    values = variable.values.reshape(len(variable.values), -1).astype(np.float64, copy=False)
+    if np.isnan(values).any():
+        index = np.where(np.isnan(values), -np.inf, sign * values).argmax(axis=1)
+    else:  # without a copy of what may be large
+        index = values.argmax(axis=1) if sign > 0.0 else values.argmin(axis=1)
+    extreme = values[np.arange(len(values)), index]
+    at = {}
+    for name, place in zip(variable.within, np.unravel_index(index, inner), strict=True):
+        if name in coordinates:
+            at[WHERE[name]] = np.where(np.isnan(extreme), np.nan, coordinates[name][place])
+    return extreme, at
