@@ -13,6 +13,8 @@ import pytest
 import xarray as xr
 
 from riserstudy.simulation.compile import compile_once
+from riserstudy.simulation.kernel_groups import group_of
+from riserstudy.simulation.warm_up import scenes
 
 SCENES = Path(__file__).parents[1] / "config" / "scenes"
 CURRENT, SURGE = str(SCENES / "bench/s1.yaml"), str(SCENES / "bench/s2.yaml")
@@ -361,16 +363,28 @@ def test_the_first_command_that_simulates_compiles_on_all_cores_and_says_so(monk
     monkeypatch.setattr(compiling, "kernel_cache", lambda: tmp_path / "kernels")
     monkeypatch.setattr(compiling, "available_cores", lambda: 3)
 
-    def note(marker, cores):
-        asked.append(cores)
-        marker.touch()
+    def note(groups, cores):
+        asked.append((list(groups), cores))
+        for group in groups:
+            about = {"began": 0.0, "ended": 1.0, "core_seconds": 1.0, "kernels": []}
+            compiling.marker(group).write_text(json.dumps(about))
 
-    monkeypatch.setattr(compiling, "compile_all", note)
+    monkeypatch.setattr(compiling, "compile_groups", note)
+    compiling.compile_once(said.append, "plane")
+    compiling.compile_once(said.append, "plane")
+    assert asked == [(["plane"], 1)]
     compiling.compile_once(said.append)
     compiling.compile_once(said.append)
-    assert asked == [3]
-    assert len(said) == 1
-    assert "on 3 cores" in said[0]
+    assert asked[1:] == [(["line", "space", "string", "hermite"], 3)]
+    compiling.compile_once(said.append, "line")
+    assert len(said) == 2
+    assert "of risers in a plane on one core" in said[0]
+    assert "on 3 cores" in said[1]
+
+
+@pytest.mark.parametrize("group", scenes())
+def test_a_scene_finds_most_of_what_it_runs_in_its_group(group):
+    assert {group_of(scene) for scene in scenes()[group]} == {group}
 
 
 GENERIC = SCENES / "design/riser.yaml"

@@ -48,7 +48,7 @@ def test_a_plain_snakemake_plans_datasets_figures_grading_and_the_report(folder)
     status, said, jobs = planned(folder)
     assert status == 0, said
     figures = ["moment_over_heave", "stroke_over_time", "surge_and_current", "swing_over_heave"]
-    assert jobs - {"compile the kernels on all cores, once: 2 to 6 minutes"} == {
+    assert {job for job in jobs if "kernels" not in job} == {
         *(f"simulate example/{name}" for name in ("heave", "heave_and_current")),
         *(f"draw example/{name}" for name in figures),
         "derive example/tension_swing",

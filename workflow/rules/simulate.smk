@@ -4,19 +4,30 @@
 
 rule compile:
     output:
-        PLAN.compiled,
+        PLAN.kernels_of("{group}"),
     log:
-        "logs/compile.log",
-    threads: 5  # groups of kernels: more cores than these are of no use
+        "logs/compile-{group}.log",
+    priority: 1
     message:
-        "compile the kernels on all cores, once: 2 to 6 minutes"
+        "compile the kernels of scenes of the kind {wildcards.group}, once"
     shell:
-        "python -m riserstudy.jobs compile_kernels {output:q} --threads {threads} > {log:q} 2>&1"
+        "python -m riserstudy.jobs compile_kernels --group {wildcards.group} > {log:q} 2>&1"
+
+
+rule compiled:
+    input:
+        PLAN.all_kernels,
+    output:
+        PLAN.compiled,
+    message:
+        "note that all kernels are compiled"
+    shell:
+        "python -m riserstudy.jobs compile_kernels"
 
 
 rule shard:
     input:
-        PLAN.compiled,
+        of(PLAN.shard_kernels),
     output:
         "results/{paper}/{study}.shards/{shard}-of-{shards}",
     log:
@@ -41,7 +52,7 @@ rule shard:
 rule simulate:
     input:
         of(PLAN.shard_files),
-        compiled=PLAN.compiled,
+        of(PLAN.kernels),
     output:
         "results/{paper}/{study}.nc",
     log:

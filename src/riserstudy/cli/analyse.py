@@ -27,7 +27,7 @@ def cost(
     file = scene_of(scene, settings)
     if plot is not None:
         check_writable(plot, scene)
-    compile_kernels()
+    compile_kernels(file.scene())
     from riserstudy.numerics import accuracy_cost as requests
 
     prices: list[requests.Price] = []
@@ -67,7 +67,7 @@ def effects(
     console = Console(markup=False)
     share = {}
     if times:
-        compile_kernels()
+        compile_kernels(file.scene())
         price = priced(file)
         share = {name: f"{100 * part:.1f} %" for name, part in price.share.items()}
     table = Table("effect", "", "because of", *(["time"] if times else []))

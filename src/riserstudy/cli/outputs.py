@@ -93,7 +93,7 @@ def table(
     else:
         from riserstudy.simulation.simulate import simulate
 
-        compile_kernels()
+        compile_kernels(file.scene())
         dataset = simulate(file)
         say_warnings(dataset)
         made = tables.table_of(kind.value, None, dataset)

@@ -5,11 +5,14 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    from riserstudy.scene.models import Scene
 
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
 
@@ -44,11 +47,13 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
     return file
 
 
-def compile_kernels() -> None:
-    """What every command does that simulates."""
+def compile_kernels(scene: Scene | None = None) -> None:
+    """What every command does that simulates: compile what a scene needs, without one all there is."""
     from riserstudy.simulation.compile import compile_once
+    from riserstudy.simulation.kernel_groups import group_of
 
-    compile_once(lambda said: print(f"riserstudy: {said}", file=sys.stderr))
+    group = group_of(scene) if scene else None
+    compile_once(lambda said: print(f"riserstudy: {said}", file=sys.stderr), group)
     _plain_xarray()
 
 

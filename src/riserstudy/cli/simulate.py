@@ -51,7 +51,7 @@ def run(
     seconds(patience)
     file = scene_of(scene, settings, accuracy)
     check_writable(output, scene)
-    compile_kernels()
+    compile_kernels(file.scene())
     from riserstudy.simulation.simulate import simulate
     from riserstudy.study.collect import write_dataset
 
@@ -124,7 +124,7 @@ def check(
     if "limits" not in file.tree:
         allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
         raise InputError(file.source, "limits", "missing", allowed)
-    compile_kernels()
+    compile_kernels(file.scene())
     from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
     from riserstudy.simulation.simulate import simulate
 

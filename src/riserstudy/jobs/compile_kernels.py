@@ -1,15 +1,17 @@
-"""Compile all kernels once, before jobs fan out."""
+"""Compile a group of kernels once, before jobs fan out; without a group, note that all are."""
 
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
-from riserstudy.simulation.compile import compile_all
+from riserstudy.simulation.compile import compile_group, join_markers
+from riserstudy.simulation.kernel_groups import GROUPS
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("marker", type=Path)
-    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--group", choices=GROUPS)
     options = parser.parse_args()
-    print(compile_all(options.marker, options.threads))
+    if options.group:
+        print(compile_group(options.group))
+    else:
+        join_markers()

@@ -25,7 +25,8 @@ from riserstudy.numerics.measure import module_of
 from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
 from riserstudy.scene.check import check
 from riserstudy.scene.load import SceneFile, read_yaml
-from riserstudy.solve.kernel_cache import kernel_cache
+from riserstudy.simulation.compile import marker
+from riserstudy.simulation.kernel_groups import GROUPS
 from riserstudy.study.config import RULES, Config
 from riserstudy.study.grid import Point
 from riserstudy.study.models import StudyFile, Tier
@@ -158,6 +159,14 @@ class Workplan:
         folder = f"results/{paper}/{study}.shards"
         return [f"{folder}/{k}-of-{shards}" for k in range(shards)] if shards > 1 else []
 
+    def kernels(self, paper: str, study: str) -> list[str]:
+        """Markers of the kernels that a study runs."""
+        return [self.kernels_of(group) for group in self.study(paper, study).kernel_groups]
+
+    def shard_kernels(self, paper: str, study: str, shard: str, shards: str) -> list[str]:
+        """Markers of the kernels that the points of a shard run."""
+        return self.kernels(paper, study)
+
     def shard(self, paper: str, study: str, shard: str, shards: str) -> list[Point]:
         """Points of a shard."""
         return self.study(paper, study).shard(int(shard), int(shards))
@@ -278,7 +287,16 @@ class Workplan:
     @property
     def compiled(self) -> str:
         """Marker of the kernels compiled from the present sources."""
-        return (kernel_cache() / "compiled").as_posix()
+        return marker().as_posix()
+
+    def kernels_of(self, group: str) -> str:
+        """Marker of a group of them."""
+        return marker(group).as_posix()
+
+    @property
+    def all_kernels(self) -> list[str]:
+        """Markers of all groups of kernels."""
+        return [self.kernels_of(group) for group in GROUPS]
 
     def figures(self) -> list[tuple[str, str]]:
         """All figures as (paper, name), the schematics of a paper first."""

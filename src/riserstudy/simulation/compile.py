@@ -1,43 +1,51 @@
-"""Compile all kernels once, on several cores, and note how long that took from nothing."""
+"""Compile kernels once, on several cores, and note how long that took from nothing.
+
+Each group of kernels has a marker of its own, so that what needs one need not wait for the others.
+"""
 
 from __future__ import annotations
 
 import json
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 
 from filelock import FileLock
 
 from riserstudy.folders import write_whole
-from riserstudy.simulation.compile_times import Compiled, while_compiling
-from riserstudy.simulation.warm_up import scenes, warm_up
+from riserstudy.simulation.kernel_groups import GROUPS
 from riserstudy.solve.kernel_cache import kernel_cache
 
 
-def marker() -> Path:
-    """The file that tells that all kernels are compiled."""
-    return kernel_cache() / "compiled"
+def marker(group: str | None = None) -> Path:
+    """The file that tells that the kernels of a group are compiled, or those of all."""
+    return kernel_cache() / (f"compiled-{group}" if group else "compiled")
 
 
-def compile_once(tell: Callable[[str], None]) -> None:
-    """Compile all kernels on all cores, unless that was done, and say so: it takes minutes."""
-    if marker().exists():
+def compile_once(tell: Callable[[str], None], group: str | None = None) -> None:
+    """Compile the kernels of a group, or all on all cores, unless that was done; say so: it takes minutes."""
+    if marker(group).exists() or marker().exists():
         return
-    cores = min(available_cores(), len(scenes()))
+    wanted = [group] if group else list(GROUPS)
+    cores = min(available_cores(), len(wanted))
     on = "one core" if cores == 1 else f"{cores} cores"
+    of, takes = (f" of {GROUPS[group]}", "half a minute to 3") if group else ("", "2 to 6")
     try:
         kernel_cache().mkdir(parents=True, exist_ok=True)
         with FileLock(kernel_cache() / "compiling"):
-            if not marker().exists():
-                tell(f"compiling the kernels on {on}, once for this version: 2 to 6 minutes")
-                compile_all(marker(), cores)
+            lacking = [name for name in wanted if not marker(name).exists()]
+            if lacking:
+                tell(f"compiling the kernels{of} on {on}, once for this version: {takes} minutes")
+                compile_groups(lacking, cores)
     except OSError as error:  # nothing can be kept: each run compiles what it needs
         tell(f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile anew")
+    if not group:
+        join_markers()
 
 
 def available_cores() -> int:
@@ -47,26 +55,34 @@ def available_cores() -> int:
     return os.cpu_count() or 1
 
 
-def compile_all(target: Path, processes: int) -> str:
-    """Warm up, and write the times into the marker when there were no kernels before; what was done."""
-    cold = next(kernel_cache().rglob("*.nbi"), None) is None
-    started = time.perf_counter()
+def compile_groups(groups: Iterable[str], processes: int) -> None:
+    """Compile the kernels of some groups, in processes of their own."""
     with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
-        groups = list(pool.map(_warm, scenes()))
-    seconds = round(time.perf_counter() - started, 1)
-    spent = round(sum(spent for spent, _ in groups), 1)
-    about = {"cold_seconds": None} if not cold else {
-        "cold_seconds": seconds,
-        "cold_core_seconds": spent,
-        "kernels": [kernel for _, kernels in groups for kernel in kernels],
-    }  # fmt: skip
-    target.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(target, json.dumps(about).encode())
-    return f"{'compiled' if cold else 'loaded'} in {seconds} s, {spent} core-s"
+        list(pool.map(compile_group, groups))
 
 
-def _warm(group: str) -> tuple[float, list[Compiled]]:
-    """Warm a group of kernels up; processor time (s), and what was compiled."""
-    started = time.process_time()
+def compile_group(group: str) -> str:
+    """Warm a group of kernels up, and note in its marker what was compiled and when; what was done."""
+    from riserstudy.simulation.compile_times import while_compiling  # which loads the compiler
+    from riserstudy.simulation.warm_up import warm_up
+
+    began, spent = time.time(), time.process_time()
     kernels = while_compiling(partial(warm_up, group))
-    return time.process_time() - started, kernels
+    ended, spent = time.time(), time.process_time() - spent
+    about = {"began": began, "ended": ended, "core_seconds": spent, "kernels": kernels}
+    marker(group).parent.mkdir(parents=True, exist_ok=True)
+    write_whole(marker(group), json.dumps(about).encode())
+    return f"{'compiled' if kernels else 'loaded'} in {ended - began:.1f} s, {spent:.1f} core-s"
+
+
+def join_markers() -> None:
+    """Write the marker of all groups, with the times of compiling when there were no kernels before."""
+    notes: list[dict[str, Any]] = [json.loads(marker(g).read_text("utf-8")) for g in GROUPS]
+    about: dict[str, Any] = {"cold_seconds": None}
+    if all(note["kernels"] for note in notes):
+        about = {
+            "cold_seconds": max(n["ended"] for n in notes) - min(n["began"] for n in notes),
+            "cold_core_seconds": sum(note["core_seconds"] for note in notes),
+            "kernels": [kernel for note in notes for kernel in note["kernels"]],
+        }
+    write_whole(marker(), json.dumps(about).encode())

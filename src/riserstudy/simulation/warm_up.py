@@ -88,7 +88,7 @@ _ANALYSIS: Tree = {
 
 
 def scenes() -> dict[str, list[Scene]]:
-    """Small scenes that together have every effect, in groups that share few kernels, the largest first."""
+    """Small scenes that together have every effect, by group of kernels."""
     linear: Tree = {"tension": "500 kN", "stiffness": "10 kN/m"}
     axial: Tree = {
         "title": "axial",
@@ -202,8 +202,8 @@ def scenes() -> dict[str, list[Scene]]:
         "vessel": {"mass": "1e7 kg", "thrusters": _THRUST, "coupling": _COUPLED},
     }
     groups = {
-        "in space": [_with_examples(spatial), turning],
-        "in a plane": [
+        "space": [_with_examples(spatial), turning],
+        "plane": [
             _with_examples(planar),
             gas_in_plane,
             pitching,
@@ -211,7 +211,7 @@ def scenes() -> dict[str, list[Scene]]:
             linear_soil,
             planar | {"analysis": short},
         ],
-        "along a line": [
+        "line": [
             axial,
             pistons,
             linear_axial,
@@ -219,8 +219,8 @@ def scenes() -> dict[str, list[Scene]]:
             axial | {"analysis": short},
             axial | {"analysis": _ANALYSIS | {"method": "ESDIRK4"}},
         ],
-        "without bending": [slack, adrift],
-        "finite elements": [wavy],
+        "string": [slack, adrift],
+        "hermite": [wavy],
     }
     return {name: [Scene.model_validate(s) for s in group] for name, group in groups.items()}
 

@@ -18,8 +18,8 @@ class TierModel(Strict):
 
 #: rules beside which each paper gets one of its own name
 RULES = {
-    *("all", "compile", "shard", "simulate", "measure", "derive", "figure", "figures"),
-    *("grade", "reproduction", "database", "report", "everything"),
+    *("all", "compile", "compiled", "shard", "simulate", "measure", "derive", "figure"),
+    *("figures", "grade", "reproduction", "database", "report", "everything"),
 }
 
 

@@ -17,9 +17,12 @@ from riserstudy.folders import remembered
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import Origin
 from riserstudy.scene.tables import names_of_tables, texts_of_tables
+from riserstudy.simulation.kernel_groups import group_of
 from riserstudy.study.grid import Grid, Point
 from riserstudy.study.models import MOST_VALUES, Labels, Numbers, Samples, StudyModel, Tier
 from riserstudy.study.store import canonical
+
+ALL_OF = 16  # values of an axis, up to which each is looked at for the kernels that it needs
 
 
 def scene_file(path: Path) -> SceneFile:
@@ -132,6 +135,20 @@ class Study:
         keys = remembered(f"plans/{self._behind_plan}", lambda: [p.key for p in self.grid.points()])
         every = product(*(range(len(axis)) for axis in self.grid.axes))
         return [Point(index, key) for index, key in zip(every, keys, strict=True)]
+
+    @cached_property
+    def kernel_groups(self) -> list[str]:
+        """Groups of kernels that its points run, by the scene as each value of an axis alone changes it."""
+
+        def asked() -> list[str]:
+            lengths = [len(axis) for axis in self.grid.axes]
+            ends = [{0, *(range(n) if n <= ALL_OF else (n - 1,))} for n in lengths]
+            first = (0,) * len(lengths)
+            places = {(*first[:a], k, *first[a + 1 :]) for a, end in enumerate(ends) for k in end}
+            groups = {group_of(self.grid.file(place).scene()) for place in places or {first}}
+            return sorted(groups)
+
+        return list(remembered(f"groups/{self._behind_plan}", asked))
 
     @property
     def tables(self) -> dict[str, str]:
