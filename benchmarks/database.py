@@ -122,15 +122,22 @@ def invent(name: str, points: int, seed: int) -> None:
     data["effects"] = (over, np.full(shape, "support\nplatform motion", dtype=object))
     keys = np.array([f"{seed:08x}{k:024x}" for k in range(points)], dtype=object)
     data["point_key"] = (over, keys.reshape(shape))
+    told = {}
     for quantity, unit in (("z", "m"), ("effective_tension", "N"), ("bending_moment", "N m")):
         for ending in ("_max", "_min"):
             values = 1e6 * draw.standard_normal((*shape, 2))
             data[quantity + ending] = ((*over, "s_node"), values, {"units": unit})
+            told[f"{quantity} {ending[1:]}"] = (
+                values.max(-1) if ending == "_max" else values.min(-1)
+            )
+    places = np.full((*shape, len(told)), 2394.0)
+    data["value_of_statistic"] = ((*over, "statistic"), np.stack([*told.values()], axis=-1))
+    data["s_of_statistic"] = ((*over, "statistic"), places)
     axes = {
         "heave_amplitude": np.linspace(0.01, 10.0, shape[0]).tolist(),
         "heave_period": np.linspace(5.0, 20.0, shape[1]).tolist(),
     }
-    coords: dict[str, Any] = {"s_node": [0.0, 2394.0]}
+    coords: dict[str, Any] = {"s_node": [0.0, 2394.0], "statistic": [*told]}
     for axis, unit in (("heave_amplitude", "m"), ("heave_period", "s")):
         path = f"platform.{axis.replace('_', '.')}"
         sets = json.dumps({str(value): {path: f"{value} {unit}"} for value in axes[axis]})

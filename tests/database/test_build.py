@@ -249,8 +249,8 @@ def test_a_study_takes_its_points_and_their_results_along(mine):
             "parameter_values_by_path",
         ),
         (
-            "select point from point_parameters where value_id = 3",
-            "point_parameters_by_value",
+            "select point from parameter_sets join point_sets using (parameter_set) where value_id = 3",
+            "parameter_sets_by_value",
         ),
     ],
 )

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from riserstudy.database.sources import File, Sources, described
 from riserstudy.database.write_papers import datasets_of, remove_papers, studies_of, write_papers
+from riserstudy.database.write_parameters import Values
 from riserstudy.database.write_study import marks, remove_study, remove_unused, write_study
 from riserstudy.digests import digest, sources_behind
 from riserstudy.errors import SimulationError
@@ -26,7 +27,8 @@ SCHEMA = Path(__file__).with_name("schema.sql")
 INDEXES = """
 create index if not exists points_by_key on points (key);
 create index if not exists result_values_by_quantity on result_values (quantity_id);
-create index if not exists point_parameters_by_value on point_parameters (value_id, point);
+create index if not exists parameter_sets_by_value on parameter_sets (value_id, parameter_set);
+create index if not exists point_sets_by_set on point_sets (parameter_set, point);
 pragma analysis_limit = 400;
 analyze;
 """
@@ -117,8 +119,9 @@ def _update(db: sqlite3.Connection, sources: Sources, folder: Path) -> Built:
     for about in wanted.values():
         row = (about.caption, about.kind, about.study)
         db.execute("update studies set caption = ?, kind = ? where study = ?", row)
+    values = Values(db)
     for about in new:
-        write_study(db, about, folder)
+        write_study(db, about, folder, values)
     write_papers(db, sources, study_files, files)
     _run(db, INDEXES)
     return Built(len(wanted), len(new))

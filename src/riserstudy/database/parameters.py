@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import types
 from collections.abc import Iterator, Mapping
-from functools import cache
+from functools import cache, lru_cache
 from inspect import isclass
 from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin
 
@@ -145,6 +145,7 @@ def _written(value: Any) -> str:
     return value if isinstance(value, str) else json.dumps(value)
 
 
+@lru_cache(100_000, typed=True)  # True is not 1; samples are those of many studies
 def in_si(path: str, value: Any) -> tuple[float | None, str | None]:
     """The SI value of what stands at a path of a scene, and its unit; None for text."""
     if isinstance(value, bool):

@@ -104,10 +104,16 @@ create table study_parameters (   -- the same at all points of a study
     primary key (study, value_id)
 ) without rowid;
 
-create table point_parameters (   -- different between points of a study
-    point integer not null references points (point) on delete cascade,
+create table parameter_sets (     -- what an axis sets at one place on it; several axes where they set the same
+    parameter_set integer not null,
     value_id integer not null references parameter_values (value_id),
-    primary key (point, value_id)
+    primary key (parameter_set, value_id)
+) without rowid;
+
+create table point_sets (         -- different between points of a study
+    point integer not null references points (point) on delete cascade,
+    parameter_set integer not null,
+    primary key (point, parameter_set)
 ) without rowid;
 
 create table quantities (
@@ -200,7 +206,8 @@ create view parameters as
          join points using (study)
     union all
     select point, path, value, unit, as_written, origin, because
-    from paths join parameter_values using (path_id) join point_parameters using (value_id);
+    from paths join parameter_values using (path_id) join parameter_sets using (value_id)
+         join point_sets using (parameter_set);
 
 create view results as
     select point, quantity, statistic, value, unit, s, time, cylinder

@@ -10,8 +10,8 @@ from pathlib import Path
 
 from riserstudy.database.sources import File, Sources
 from riserstudy.database.write_study import About, marks
-from riserstudy.grading.grade import samples_met
 from riserstudy.grading.models import published_path, read_published
+from riserstudy.grading.samples import samples_met
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
 

@@ -6,16 +6,17 @@ import json
 import sqlite3
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import chain, product, repeat
+from itertools import product, repeat
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from riserstudy.database.names import Names, quoted
-from riserstudy.database.parameters import Parameter, parameters_of
+from riserstudy.database.parameters import parameters_of
 from riserstudy.database.read_dataset import Contents, Grid, read_dataset
 from riserstudy.database.wide_table import FACTS, is_result, write_wide_table
+from riserstudy.database.write_parameters import Values, write_same, write_varied
 from riserstudy.dataset.extremes import Statistic
 from riserstudy.model.absent_effects import absent
 
@@ -38,7 +39,7 @@ class About:
         return f"{self.paper}/{self.name}"
 
 
-def write_study(db: sqlite3.Connection, about: About, folder: Path) -> None:
+def write_study(db: sqlite3.Connection, about: About, folder: Path, values: Values) -> None:
     """Read a dataset of a results folder and insert all that the database holds of it."""
     contents = read_dataset(folder / about.path)
     (grid, statistics), *others = contents.grids
@@ -48,7 +49,9 @@ def write_study(db: sqlite3.Connection, about: About, folder: Path) -> None:
     first = None
     if about.kind == "simulated":
         first = _write_points(db, about, contents)
-        _write_parameters(db, about, contents, first)
+        same, varied = parameters_of(contents.attributes, grid)
+        write_same(db, values, about.study, same)
+        write_varied(db, values, about.study, first, varied)
         _write_results(db, [t for t in statistics if is_result(t)], first)
     write_wide_table(db, table, about.study, grid, statistics, first)
     for other, further in others:
@@ -124,35 +127,6 @@ def _effect_sets(
     return map(numbers.__getitem__, effects)
 
 
-def _write_parameters(db: sqlite3.Connection, about: About, contents: Contents, first: int) -> None:
-    same, varied = parameters_of(contents.attributes, contents.grids[0][0])
-    for parameter in same:
-        row = (about.study, _value_id(db, parameter))
-        db.execute("insert into study_parameters values (?, ?)", row)
-    columns = []
-    for values, at in varied:
-        used = np.unique(at)
-        ids = np.full(len(values) + 1, -1)  # the last one for what is absent
-        for parameter, number in values.items():
-            if number in used:
-                ids[number] = _value_id(db, parameter)
-        columns.append(ids[at.ravel()])
-    if not columns:
-        return
-    by_point = np.sort(np.stack(columns, axis=1), axis=1)
-    points = np.repeat(np.arange(first, first + len(by_point)), len(columns))
-    flat = by_point.ravel()
-    pairs = zip(points[flat >= 0].tolist(), flat[flat >= 0].tolist(), strict=True)
-    db.executemany("insert into point_parameters values (?, ?)", pairs)
-
-
-def _value_id(db: sqlite3.Connection, parameter: Parameter) -> int | None:
-    db.execute("insert or ignore into paths (path) values (?)", parameter[:1])
-    statement = "insert into parameter_values values"
-    statement += " (null, (select path_id from paths where path = ?), ?, ?, ?, ?, ?)"
-    return db.execute(statement, parameter).lastrowid
-
-
 def _write_results(db: sqlite3.Connection, statistics: list[Statistic], first: int) -> None:
     """Insert the statistics of every point, all of a point together."""
     numeric = [(t, _quantity_id(db, t)) for t in statistics if t.values.dtype.kind in "fiu"]
@@ -198,14 +172,13 @@ def remove_study(db: sqlite3.Connection, study: str) -> None:
 
 def remove_unused(db: sqlite3.Connection) -> None:
     """Delete what nothing refers to any more."""
-    used = chain.from_iterable(
-        db.execute(f"select distinct value_id from {table}")
-        for table in ("study_parameters", "point_parameters")
+    db.execute(
+        "delete from parameter_sets where parameter_set not in (select parameter_set from point_sets)"
     )
-    db.execute("create temp table used (value_id integer primary key)")
-    db.executemany("insert or ignore into used values (?)", used)
-    db.execute("delete from parameter_values where value_id not in (select value_id from used)")
-    db.execute("drop table used")
+    db.execute(
+        "delete from parameter_values where value_id not in (select value_id from study_parameters"
+        " union select value_id from parameter_sets)"
+    )
     db.execute(
         "delete from paths where path_id not in (select distinct path_id from parameter_values)"
     )

@@ -6,7 +6,6 @@ import csv
 import io
 import json
 import math
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from functools import partial
@@ -35,8 +34,6 @@ Datasets = Mapping[str, xr.Dataset]
 Checks = Callable[[str], Callable[..., Any]]  # by their names
 MANY = 100  # samples from which a band is told
 ENDS = (0.05, 0.95)  # shares of the samples between which margins are told
-#: how a row tells hits and samples, and where samples are many the band of their share
-SAMPLES_MET = r"(?:[Mm]et|[Tt]rue) in (\d+) of (\d+) samples(?: \(\d+ %(?:, (\d+) to (\d+) %)?\))?"
 
 
 class Found(NamedTuple):
@@ -254,24 +251,6 @@ def _judged_in_words(judged: int, samples: int) -> str:
     if not judged:
         return f"What it takes for granted is so in none of {samples} samples; judged by the base case."
     return f"Judged where what it takes for granted is so: {judged} of {samples} samples."
-
-
-class Share(NamedTuple):
-    """Hits among samples, and the 95 % band of their share where samples are many."""
-
-    met: int | None
-    samples: int | None
-    low: float | None
-    high: float | None
-
-
-def samples_met(text: str) -> Share:
-    """Hits and samples as a row tells them: at the start of a note, or behind what decides."""
-    counts = re.search(rf"(?:^|; ){SAMPLES_MET}", text)
-    if not counts:
-        return Share(None, None, None, None)
-    low, high = (int(percent) / 100 if percent else None for percent in counts.group(3, 4))
-    return Share(int(counts[1]), int(counts[2]), low, high)
 
 
 def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[ErratumRow]:

@@ -7,7 +7,7 @@ import sqlite3
 from collections import Counter
 from typing import Any, NamedTuple
 
-from riserstudy.grading.grade import SAMPLES_MET
+from riserstudy.grading.samples import SAMPLES_MET
 from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {

@@ -73,6 +73,8 @@ def to_si(text: str, unit: str) -> float:
 
 def _factor(name: str, unit: str) -> float:
     """SI units in one of a unit."""
+    if name == unit:
+        return 1.0
     known = _usual().get(unit, {}).get(name)
     return factor(name, unit) if known is None else known
 
