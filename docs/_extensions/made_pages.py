@@ -72,10 +72,14 @@ def called_by(_: str) -> str:
 def quantities(_: str) -> str:
     """Variables of datasets with their units."""
     rows = [
-        f"| `{name}` | {about.get('units', '')} | {about.get('long_name', '')} |"
+        f"| `{name}` | {about.get('units', '')} | {_told(about)} |"
         for name, about in variables().items()
     ]
     return "\n".join(["| variable | unit | |", "|---|---|---|", *rows])
+
+
+def _told(about: dict[str, str]) -> str:
+    return ": ".join(about[key] for key in ("long_name", "comment") if key in about)
 
 
 def coming(_: str) -> str:

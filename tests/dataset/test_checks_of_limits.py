@@ -64,6 +64,38 @@ def test_what_is_missing_is_named_and_never_passes(rows):
     assert "not evaluated: top.tensioners" in as_lines(rows)[4]
 
 
+def test_a_limit_says_which_sections_it_takes_and_what_where_they_meet(rows):
+    whole, one, *_, stress = rows
+    assert whole["takes"] == "lower to upper"
+    assert one["takes"] == ""
+    assert stress["takes"].endswith("where walls meet, the larger")
+    said = as_lines(rows)
+    assert said[0].startswith("connected: smallest effective_tension (lower to upper):")
+    assert said[1].startswith("drilling: largest effective_tension at lower:")
+
+
+def walls(thickness):
+    """A heavier pipe below a lighter one, each filled; at their joint both carry one tension."""
+    sections = [
+        {"name": name, "length": "250 m", "outer_diameter": "0.5 m", "inner_diameter": f"{0.5 - 2 * t} m",
+         "young_modulus": "207 GPa", "submerged_weight": "0.1 kN/m",
+         "contents": {"density": "1025 kg/m^3"}}
+        for name, t in zip(("lower", "upper"), thickness, strict=True)
+    ]  # fmt: skip
+    water = {"density": "1025 kg/m^3", "surface": "500 m", "seabed": "0 m"}
+    at = [{"output": "von_mises_stress", "at": at, "largest": "300 MPa", "mode": "drilling"}
+          for at in ("upper end of lower", "lower end of upper")]  # fmt: skip
+    scene = HUNG | {"riser": sections, "water": water, "gravity": "9.81 m/s^2", "limits": at}
+    rows = json.loads(simulate(SceneFile("walls.yaml", scene)).attrs["limits"])
+    return [row["demand"] for row in rows]
+
+
+def test_where_walls_meet_both_sides_have_the_stress_of_the_thinner():
+    thin, thick = walls((0.02, 0.02)), walls((0.04, 0.04))
+    assert thick[0] < 0.7 * thin[0]
+    assert walls((0.04, 0.02)) == pytest.approx([thin[0], thin[0]], rel=1e-6)
+
+
 def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
     scene = tmp_path / "hung.yaml"
 

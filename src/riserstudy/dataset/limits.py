@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from riserstudy.scene.limit_inputs import lacks
-from riserstudy.scene.limits import UNITS, Limit
+from riserstudy.scene.limits import ALONG, UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 
@@ -32,6 +32,7 @@ class Checked(NamedTuple):
     missing: str
     origin: str
     unit: str
+    takes: str  # what it looks at, where its name does not tell
 
 
 def checked(file: SceneFile, scene: Scene, rows: list[dict[str, Any]]) -> list[Checked]:
@@ -56,11 +57,24 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
     asked = demand_of(scene, limit, rows)
     if asked is None:
         why = ", ".join(missing) or f"{limit.output} in this run"
-        return Checked(*about, None, None, None, None, UNKNOWN, why, origin, unit)
+        nothing = (None, None, None, None, UNKNOWN, why)
+        return Checked(*about, *nothing, origin, unit, takes(scene, limit))
     demand, s, time = asked
     share = use(limit.side, demand, limit.allowable)
     verdict = EXCEEDED if share > 1.0 else UNKNOWN if missing else WITHIN
-    return Checked(*about, demand, share, s, time, verdict, ", ".join(missing), origin, unit)
+    found = (demand, share, s, time, verdict, ", ".join(missing))
+    return Checked(*about, *found, origin, unit, takes(scene, limit))
+
+
+def takes(scene: Scene, limit: Limit) -> str:
+    """What a limit looks at where its name does not tell: which sections, and what where they meet."""
+    sections = [section.name for section in scene.riser]
+    if len(sections) == 1 or limit.output not in ALONG:
+        return ""
+    parts = [] if limit.at else [f"{sections[0]} to {sections[-1]}"]
+    if limit.output == "von_mises_stress":
+        parts.append("where walls meet, the larger")
+    return "; ".join(parts)
 
 
 def demand_of(

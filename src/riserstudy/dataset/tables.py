@@ -146,9 +146,9 @@ def limits(dataset: xr.Dataset) -> Table:
     """Demand, allowable and use of every limit of the scene, with place, time and verdict, in SI units."""
     rows = json.loads(dataset.attrs.get("limits", "[]"))
     names = ["output", "at", "mode", "side", "unit", "demand", "allowable", "utilisation"]
-    names += ["s", "time", "verdict", "missing", "origin"]
+    names += ["s", "time", "verdict", "missing", "origin", "takes"]
     units = ["m" if name == "s" else "s" if name == "time" else "" for name in names]
-    return Table(names, units, [[row[name] for name in names] for row in rows])
+    return Table(names, units, [[row.get(name, "") for name in names] for row in rows])
 
 
 #: how a limit is printed: factor and name of the unit
@@ -164,7 +164,8 @@ def as_lines(rows: list[dict[str, Any]]) -> list[str]:
     for row in rows:
         factor, unit = READ_IN[UNITS[row["output"]]]
         place = f" at {row['at']}" if row["at"] else ""
-        what = f"{row['mode']}: {row['side']} {row['output']}{place}"
+        takes = f" ({row['takes']})" if row.get("takes") else ""
+        what = f"{row['mode']}: {row['side']} {row['output']}{place}{takes}"
         allowed = f"allowable {factor * row['allowable']:.5g} {unit} ({row['origin']})"
         if row["demand"] is None:
             lines.append(f"{what}: not evaluated: {row['missing']}; {allowed}")
