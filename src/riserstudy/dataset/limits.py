@@ -32,7 +32,7 @@ class Checked(NamedTuple):
     missing: str
     origin: str
     unit: str
-    takes: str  # what it looks at, where its name does not tell
+    takes: str = ""  # what it looks at, where its name does not tell
 
 
 def checked(file: SceneFile, scene: Scene, rows: list[dict[str, Any]]) -> list[Checked]:
@@ -46,7 +46,8 @@ def checked(file: SceneFile, scene: Scene, rows: list[dict[str, Any]]) -> list[C
     each = []
     for k, limit in enumerate(scene.limits or []):
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
-        each.append(_one(scene, limit, rows, origin.status if origin else plain))
+        one = _one(scene, limit, rows, origin.status if origin else plain)
+        each.append(one._replace(takes=takes(scene, limit)))
     return each
 
 
@@ -57,13 +58,11 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
     asked = demand_of(scene, limit, rows)
     if asked is None:
         why = ", ".join(missing) or f"{limit.output} in this run"
-        nothing = (None, None, None, None, UNKNOWN, why)
-        return Checked(*about, *nothing, origin, unit, takes(scene, limit))
+        return Checked(*about, None, None, None, None, UNKNOWN, why, origin, unit)
     demand, s, time = asked
     share = use(limit.side, demand, limit.allowable)
     verdict = EXCEEDED if share > 1.0 else UNKNOWN if missing else WITHIN
-    found = (demand, share, s, time, verdict, ", ".join(missing))
-    return Checked(*about, *found, origin, unit, takes(scene, limit))
+    return Checked(*about, demand, share, s, time, verdict, ", ".join(missing), origin, unit)
 
 
 def takes(scene: Scene, limit: Limit) -> str:
