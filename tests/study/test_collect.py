@@ -72,6 +72,15 @@ def test_a_file_keeps_ten_digits_of_large_histories_and_all_of_anything_else(tmp
     assert (found["large"] != large).any()
 
 
+def test_numbers_of_few_digits_are_stored_as_they_are(tmp_path):
+    """As a derived dataset may have them: the library rounds them to seven digits at most."""
+    short = np.random.default_rng(4).standard_normal(2000).astype("f4")
+    write_dataset(xr.Dataset({"short": ("time", short)}), tmp_path / "a.nc")
+    found = xr.load_dataset(tmp_path / "a.nc")["short"]
+    np.testing.assert_array_equal(found, short)
+    assert found.dtype == short.dtype
+
+
 def test_one_point_in_eight_tells_its_error_whatever_the_study_and_few_points_all_do():
     def points(count):
         keys = [hashlib.sha256(bytes([k])).hexdigest() for k in range(count)]

@@ -317,8 +317,8 @@ def _compressed(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
 
 
 def _rounded(values: xr.DataArray) -> bool:
-    """Whether values vary over time, and are zero or of a size that rounding by digits keeps."""
+    """Whether values vary over time, have more digits, and are zero or of a size that rounding keeps."""
+    if "time" not in values.dims or values.dtype.itemsize < np.dtype(float).itemsize:
+        return False
     size = np.abs(values.values)
-    return "time" in values.dims and bool(
-        ((size == 0.0) | ((size > 1e-100) & (size < 1e100))).all()
-    )
+    return bool(((size == 0.0) | ((size > 1e-100) & (size < 1e100))).all())
