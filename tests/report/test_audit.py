@@ -86,7 +86,7 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
     of = missed(db, files)
     assert (of.points, of.off, of.asked, of.asked_off, of.estimated) == (4, 1, 1, 0, 2)
     assert of.verdicts == [("paper", "N1")]
-    assert "1 because a stop is met (paper/blow)" in of.said
+    assert of.reasons == [("a stop is met", 1, ["paper/blow"])]
     assert "Mesh and step of 3 points are prescribed; 2 of these tell an error" in of.said
 
 

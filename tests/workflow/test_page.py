@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
@@ -74,6 +75,17 @@ def simulated(paper, folder):
     return target
 
 
+def pictures(folder):
+    """Grey images in place of the figures of a paper, each as high as half a screen."""
+    files = []
+    for name in read_studies(CONFIG, "liu2020").figures:
+        path = folder / "liu2020" / name
+        Image.new("RGB", (1000, 500), "grey").save(path.with_suffix(".png"))
+        path.with_suffix(".pdf").write_bytes(b"%PDF")
+        files += [path.with_suffix(".png"), path.with_suffix(".pdf")]
+    return files
+
+
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     """A report of two runs and a small graded table."""
@@ -82,7 +94,8 @@ def page(tmp_path_factory):
     table.write_text(REPRODUCTION)
     marker.write_text("{}")
     datasets = [simulated(paper, folder) for paper in RUNS]
-    build(folder / "results.sqlite", Built(CONFIG, list(RUNS), [*datasets, table]))
+    files = [*datasets, *pictures(folder), table]
+    build(folder / "results.sqlite", Built(CONFIG, list(RUNS), files))
     sources = Sources(CONFIG, list(RUNS), folder / "results.sqlite", marker)
     write_report(sources, folder / "report.html")
     return folder / "report.html"
@@ -122,8 +135,10 @@ def wait(browser, condition):
 def drawn(browser, name):
     """A run in motion, in view and drawn."""
     place = browser.find_element(By.ID, name)
-    browser.execute_script("arguments[0].scrollIntoView({block: 'center'})", place)
+    scroll = "arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})"
+    browser.execute_script(scroll, place)
     wait(browser, lambda: place.get_attribute("data-ready"))
+    browser.execute_script(scroll, place)  # figures above have taken their heights
     return place
 
 
@@ -174,6 +189,48 @@ def test_play_runs_and_stop_stops(browser):
     ActionChains(browser).pause(0.5).perform()
     assert np.array_equal(riser(browser, place), stopped)
     assert frame(browser, place) < 100
+
+
+DRAWN = """
+return [...document.querySelectorAll(".enlarge canvas")].map((canvas) => canvas.width)
+"""
+
+
+def test_only_pictures_near_the_view_are_decoded(browser):
+    figures = browser.find_elements(By.CSS_SELECTOR, "figure:has(> .enlarge)")
+    last = figures[-1]
+    browser.execute_script("arguments[0].scrollIntoView({behavior: 'instant'})", last)
+    wait(browser, lambda: browser.execute_script(DRAWN)[-1] == 1000)
+    widths = browser.execute_script(DRAWN)
+    assert len(widths) == len(figures) > 10
+    assert sum(width > 0 for width in widths) < 8
+    assert widths[0] == 0
+    assert last.find_element(By.CSS_SELECTOR, "canvas").accessible_name  # words stay
+
+
+def test_a_picture_opens_in_its_full_size(browser):
+    button = browser.find_elements(By.CSS_SELECTOR, "button.enlarge")[0]
+    browser.execute_script(
+        "arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", button
+    )
+    button.click()
+    large = wait(browser, lambda: browser.find_element(By.CSS_SELECTOR, "dialog[open] img"))
+    wait(browser, lambda: large.size["width"] == 1000)
+    large.click()
+    wait(browser, lambda: not browser.find_elements(By.CSS_SELECTOR, "dialog[open]"))
+
+
+def test_all_pictures_are_printed(browser):
+    pdf = base64.b64decode(browser.execute_cdp_cmd("Page.printToPDF", {})["data"])
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    try:
+        images = browser.find_elements(By.CSS_SELECTOR, ".enlarge img")
+        assert all(image.size["width"] > 300 for image in images)
+        canvases = browser.find_elements(By.CSS_SELECTOR, ".enlarge canvas")
+        assert not any(canvas.is_displayed() for canvas in canvases)
+    finally:
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    assert pdf.count(b"/Subtype /Image") + pdf.count(b"/Subtype/Image") > 0
 
 
 def rows(browser, column):

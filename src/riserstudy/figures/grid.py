@@ -34,6 +34,7 @@ READ_IN = {
     "rad": (180.0 / np.pi, "deg"),
     "degree": (1.0, "deg"),
     "m s-1": (1.0, "m/s"),
+    "kg m-3": (1.0, "kg/m³"),
     "1": (1.0, "-"),
     "": (1.0, "-"),
 }
@@ -62,11 +63,12 @@ def points(dataset: xr.Dataset, over: Sequence[str] = ()) -> list[tuple[str, xr.
     selected = []
     for k in chosen:
         point = dataset.isel(dict(zip(axes, places[k], strict=True)))
-        selected.append((", ".join(_called(point[axis]) for axis in axes), point))
+        selected.append((", ".join(called(point[axis]) for axis in axes), point))
     return selected
 
 
-def _called(value: xr.DataArray) -> str:
+def called(value: xr.DataArray) -> str:
+    """One value of an axis, with the axis's name and unit: ``mud weight 1800 kg/m³``."""
     if value.dtype.kind not in "fiu":
         return str(value.item())
     unit = about(value).get("units", "")

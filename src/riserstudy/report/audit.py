@@ -10,7 +10,7 @@ import sqlite3
 from collections import Counter
 from typing import Any, NamedTuple
 
-from riserstudy.report.wording import counted, grouped, listed, share
+from riserstudy.report.wording import grouped, listed, share
 from riserstudy.study.models import StudyFile, StudyModel
 
 TOLERANCE = 0.01  # estimated error above which a point counts as off, where none is asked for
@@ -91,16 +91,9 @@ class Missed(NamedTuple):
         if not fixed:
             return f"{asked}. {told}, of {share(TOLERANCE)} at most."
         return (
-            f"{asked}. {told}, and in {fixed} it is above {share(TOLERANCE)} of a quantity that is kept: "
-            f"{'; '.join(map(_reason, self.reasons))}. "
+            f"{asked}. {told}, and in {fixed} it is above {share(TOLERANCE)} of a quantity that is kept. "
             f"The largest is {share(self.worst)}, in {self.where}."
         )
-
-
-def _reason(reason: tuple[str, int, list[str]]) -> str:
-    why, points, datasets = reason
-    where = listed(datasets) if len(datasets) < 3 else counted(len(datasets), "dataset")
-    return f"{points} because {why} ({where})"
 
 
 def audit(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[Row]:

@@ -10,6 +10,9 @@ import numpy as np
 
 from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
 from riserstudy.dataset.tables import READ_IN
+from riserstudy.dataset.variables import attributes
+from riserstudy.figures.grid import called
+from riserstudy.report.wording import counted
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -34,6 +37,15 @@ class LimitTable(NamedTuple):
     points: int
     rows: list[LimitRow]
 
+    @property
+    def said(self) -> str:
+        """How many limits are exceeded somewhere."""
+        exceeded = sum(row.verdict.startswith(EXCEEDED) for row in self.rows)
+        many = counted(len(self.rows), "limit")
+        return (
+            f"{many}, {exceeded} exceeded at some point" if exceeded else f"{many}, none exceeded"
+        )
+
 
 def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
     """A table for each study that has limits."""
@@ -57,7 +69,7 @@ def _row(of: xr.Dataset, axes: list[str], told: Mapping[str, str | float]) -> Li
     use, verdicts = of["use_of_limit"].values, of["verdict_of_limit"].values
     factor, unit = READ_IN[str(told["unit"])]
     about = (
-        str(of["limit"].item()),
+        _in_words(str(of["limit"].item())),
         f"{factor * float(told['allowable']):.5g} {unit}",
         str(told["origin"]),
     )
@@ -69,7 +81,7 @@ def _row(of: xr.Dataset, axes: list[str], told: Mapping[str, str | float]) -> Li
         demand if told["side"] == "smallest" else -demand,
     )
     place = np.unravel_index(int(np.lexsort([n.ravel() for n in nearest[::-1]])[0]), use.shape)
-    at = ", ".join(f"{axis} {_value(of[axis][k])}" for axis, k in zip(axes, place, strict=True))
+    at = ", ".join(called(of[axis][k]) for axis, k in zip(axes, place, strict=True))
     share = float(use[place])
     return LimitRow(
         *about,
@@ -87,7 +99,6 @@ def _verdict(verdicts: np.ndarray) -> str:
     return ", ".join(words) or "within at all"
 
 
-def _value(value: xr.DataArray) -> str:
-    unit = value.attrs.get("units", "")
-    text = f"{value.item():.4g}" if value.dtype.kind == "f" else str(value.item())
-    return f"{text} {unit}".removesuffix(" 1").strip()
+def _in_words(limit: str) -> str:
+    """The name of a limit, with the long name of the quantity that it bounds."""
+    return " ".join(attributes(word).get("long_name", word) for word in limit.split(" "))

@@ -92,7 +92,51 @@ window.addEventListener("unhandledrejection", (event) => {
   if (event.reason === undefined) event.preventDefault();
 });
 
-// A run is drawn when it comes into view.
+// Calls show or hide as elements come within a distance of the view or leave it.
+const watch = (selector, distance, show, hide) => {
+  const watcher = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries) (isIntersecting ? show : hide)(target);
+    },
+    { rootMargin: distance },
+  );
+  for (const element of document.querySelectorAll(selector)) watcher.observe(element);
+};
+
+// Browsers keep what they decode of an image until memory is short, hundreds of megabytes of a page like
+// this. On screens each figure's image is drawn by a canvas, whose memory is let go far from the view.
+const drawPicturesNearTheView = () => {
+  for (const picture of document.querySelectorAll(".enlarge img")) {
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = 0;
+    canvas.style.aspectRatio = `${picture.getAttribute("width")} / ${picture.getAttribute("height")}`;
+    canvas.style.width = `${picture.getAttribute("width")}px`;
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", picture.alt);
+    picture.before(canvas);
+  }
+  const draw = async (figure) => {
+    const [canvas, picture] = figure.querySelectorAll("canvas, img");
+    figure.dataset.near = "yes";
+    const bitmap = await createImageBitmap(await (await fetch(picture.src)).blob());
+    if (figure.dataset.near) {
+      canvas.width = bitmap.width;
+      canvas.height = bitmap.height;
+      canvas.getContext("2d").drawImage(bitmap, 0, 0);
+    }
+    bitmap.close();
+  };
+  const putAway = (figure) => {
+    if (!figure.dataset.near) return;
+    delete figure.dataset.near;
+    const canvas = figure.querySelector("canvas");
+    canvas.width = canvas.height = 0;
+  };
+  document.documentElement.classList.add("drawn");
+  watch("figure:has(> .enlarge)", "600px", draw, putAway);
+};
+
+// A run is drawn when it comes into view, and put away when it is far.
 const drawRunsInMotion = () => {
   let plotly;
   const load = async () => {
@@ -101,24 +145,25 @@ const drawRunsInMotion = () => {
     document.head.append(script);
   };
   const draw = async (place) => {
+    if (place.dataset.wanted) return;
+    place.dataset.wanted = "yes";
     await (plotly ??= load());
     const figure = JSON.parse(await unpacked(`${place.id}-figure`));
     await Plotly.newPlot(place, figure.data, figure.layout, { responsive: true, displayModeBar: false });
     await Plotly.addFrames(place, figure.frames);
     place.dataset.ready = "yes";
   };
-  const watcher = new IntersectionObserver(
-    (entries) => {
-      for (const { target } of entries.filter((entry) => entry.isIntersecting)) {
-        watcher.unobserve(target);
-        draw(target);
-      }
-    },
-    { rootMargin: "300px" },
-  );
-  for (const place of document.querySelectorAll(".motion")) watcher.observe(place);
+  const putAway = (place) => {
+    if (!place.dataset.ready) return;
+    Plotly.purge(place);
+    delete place.dataset.ready;
+    delete place.dataset.wanted;
+  };
+  watch(".motion", "300px", draw, () => {});
+  watch(".motion", "4000px", () => {}, putAway);
 };
 
 enlargeFigures();
+drawPicturesNearTheView();
 drawRunsInMotion();
 followLinks(letBarsFilter(await makeTablesSortable()));

@@ -15,7 +15,7 @@ from riserstudy.report.claims import Claim
 
 _PRINTED = re.compile(r"fig0*(\d+)")
 _NUMBERS = re.compile(r"(?<![\w.])(\d+)[a-z]?(?: to (\d+))?")
-COLOURS = 256  # of a figure on the page
+COLOURS = 192  # of a figure on the page, chosen so that none is far from what it was
 SMALL = 420  # pixels across, of a picture beside words
 
 
@@ -57,7 +57,9 @@ def picture_of(path: Path, across: int | None = None) -> Picture:
         plain.paste(image, mask=image.getchannel("A") if image.mode == "RGBA" else None)
     if across and plain.width > across:
         plain = plain.resize((across, round(plain.height * across / plain.width)))
-    shown = plain if across else plain.quantize(COLOURS, dither=Image.Dither.NONE).convert("RGB")
+    coverage = Image.Quantize.MAXCOVERAGE
+    few = plain.quantize(COLOURS, method=coverage, dither=Image.Dither.NONE).convert("RGB")
+    shown = plain if across else few
     data = io.BytesIO()
     shown.save(data, "WEBP", lossless=not across, quality=80, method=4)
     address = "data:image/webp;base64," + base64.b64encode(data.getvalue()).decode()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -15,9 +17,11 @@ from riserstudy.figures.style import COLOURS, GREY
 
 QUANTITIES = ("displacement", "moment", "tension")
 DEFAULT = (0.002, 0.01)  # of displacement and of moment, where no accuracy is written
-TICKS = (0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001)
+TICKS = (0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001, 0.00005)
 WIDEST, FINEST = 0.07, 0.00012  # errors that the axis reaches, at least
 LEAST = 1e-5  # error that is drawn, at least
+LETTERS = 16  # of a line's name, in a row
+APART = 1.35  # times, by which names stand apart
 
 Array = NDArray[np.float64]
 
@@ -25,23 +29,22 @@ Array = NDArray[np.float64]
 def cost(accuracy: xr.Dataset, random_scenes: xr.Dataset) -> Figure:
     """A line a scene, the default as a band, peers behind, and how honest estimates are as an inset."""
     figure = Figure((9.6, 5.6), dpi=150, layout="constrained")
-    ax, inset = figure.subplots(1, 2, width_ratios=[2.1, 1.0])
+    ax, inset = figure.subplots(1, 2, width_ratios=[2.3, 1.0])
     lines = {
         str(scene): _line(accuracy, scene)
         for scene in dict.fromkeys(accuracy["request_scene"].values)
     }
     drawn = {scene: line for scene, line in lines.items() if len(line)}
     _behind(ax, accuracy)
-    for k, (scene, line) in enumerate(drawn.items()):
-        colour = COLOURS[k % len(COLOURS)]
+    for line, colour in zip(drawn.values(), cycle(COLOURS), strict=False):
         ax.plot(*line[:, :2].T, "o-", color=colour, linewidth=2.2, markersize=5, zorder=3)
         ax.plot(line[:, 0], line[:, 2], ":", color=colour, linewidth=1.6, zorder=2)
-        _named(ax, line[-1, :2], scene, colour, "medium")
+    _at_the_ends(ax, {scene: line[-1, :2] for scene, line in drawn.items()})
     ax.axvspan(*DEFAULT, color="0.92", zorder=0, label="default")
     ax.set_xscale("log")
     ax.set_yscale("log")
     reached = np.concatenate([line[:, 0] for line in drawn.values()] or [np.array(DEFAULT)])
-    ax.set_xlim(max(WIDEST, 1.3 * reached.max()), min(FINEST, 0.3 * reached.min()))
+    ax.set_xlim(max(WIDEST, 1.3 * reached.max()), min(FINEST, 0.07 * reached.min()))
     _in_words(ax)
     ax.text(
         np.sqrt(DEFAULT[0] * DEFAULT[1]), 0.985, "default:\nmoment 1 %,\ndisplacement 0.2 %",
@@ -133,6 +136,16 @@ def _cheapest(of: xr.Dataset) -> Array:
     return np.column_stack([error[edge], seconds[edge]])
 
 
+def _at_the_ends(ax: Axes, ends: dict[str, Array]) -> None:
+    """Names of lines behind their ends, each far enough above the one below it."""
+    colours, lowest = dict(zip(ends, cycle(COLOURS), strict=False)), 0.0
+    for scene, (error, seconds) in sorted(ends.items(), key=lambda end: end[1][1]):
+        name = textwrap.fill(scene, LETTERS)
+        lowest = max(seconds, lowest)
+        _named(ax, (error, lowest), name, colours[scene], "small")
+        lowest *= APART ** (1 + name.count("\n"))
+
+
 def _named(ax: Axes, at: Any, name: str, colour: str, size: str) -> None:
     ax.annotate(
         name, (at[0], at[1]), xytext=(6, 0), textcoords="offset points",
@@ -165,6 +178,10 @@ def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
     ends = np.array([LEAST, 0.1])
     ax.plot(ends, ends, color=GREY, linewidth=0.8)
     ax.axvline(asked, color="black", linestyle=":", linewidth=1.0)
+    ax.text(
+        0.93 * asked, 0.03, f"asked: {100 * asked:g} %", transform=ax.get_xaxis_transform(),
+        rotation=90, ha="right", va="bottom", fontsize="x-small", color="0.3",
+    )  # fmt: skip
     over = true > asked
     ax.plot(true[~over], estimated[~over], "o", color=COLOURS[0], markersize=4, alpha=0.7)
     ax.plot(true[over], estimated[over], "D", color=COLOURS[1], markersize=5)
@@ -177,7 +194,7 @@ def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
         axis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
         axis.set_minor_formatter(NullFormatter())
     ax.grid(True, color="0.92", linewidth=0.6)
-    ax.set_xlabel("true error (%); dotted: the request")
+    ax.set_xlabel("true error (%)")
     ax.set_ylabel("estimated error (%)")
     ax.set_title(
         f"(b) {kept} of {len(true)} random scenes\nare as accurate as they ask",

@@ -152,6 +152,7 @@ def _changes(ax: Axes, effects: xr.Dataset, scenes: list[str]) -> None:
             if not row:
                 ax.plot([], [], marker, color="0.3", markerfacecolor="0.3" if filled else "white",
                         linestyle="", markersize=5.5, label=label)  # fmt: skip
+    ax.plot([], [], "s", color=COLOURS[1], linestyle="", label="orange: above 1 %, so it is needed")
     ax.axvline(TOLERANCE, color="black", linestyle=":", linewidth=1.0)
     ax.set_xscale("log")
     ax.set_xlim(0.5 * LEAST, 2.0 * MOST)

@@ -22,8 +22,9 @@ ENDS = {
 }
 ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
 #: methods of the lower panel, as far as they were run; the table has all
-SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", "explicit")
-WORST = 2  # cases that are named
+EXPLICIT = "explicit"
+SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
+WORST = 2  # cases that are named, at least
 
 
 def stability(stability: xr.Dataset) -> Figure:
@@ -31,7 +32,10 @@ def stability(stability: xr.Dataset) -> Figure:
     families = list(dict.fromkeys(map(str, stability["family"].values)))
     methods = [m for m in SHOWN if m in stability["method"].values]
     stepped = [name for name in families if not np.isnan(_ranges(stability, name, methods)).all()]
-    heights = [0.34 * len(families) + 1.1, 0.11 * len(methods) * len(stepped) + 1.4]
+    heights = [
+        0.34 * len(families) + 0.2 * len(worst(stability)) + 0.7,
+        0.11 * len(methods) * len(stepped) + 1.4,
+    ]
     figure = Figure((9.6, sum(heights) + 0.5), dpi=150, layout="constrained")
     above, below = figure.subplots(2, 1, height_ratios=heights)
     _squares(above, stability, families)
@@ -61,12 +65,11 @@ def answer(stability: xr.Dataset) -> str:
 
 
 def worst(stability: xr.Dataset) -> list[int]:
-    """The cases that are named: those not as expected first, then those that are furthest off."""
-    error = stability["written_error"].values
+    """The cases that are named: all that are not as expected, and those that are furthest off."""
+    error = np.nan_to_num(stability["written_error"].values, nan=-1.0)
     wrong = ~stability["as_expected"].values
-    candidates = np.flatnonzero(np.isfinite(error) | wrong)
-    order = np.lexsort((-np.nan_to_num(error[candidates]), ~wrong[candidates]))
-    return [int(case) for case in candidates[order][:WORST]]
+    order = [int(case) for case in np.lexsort((-error, ~wrong)) if wrong[case] or error[case] > 0.0]
+    return order[: max(WORST, int(wrong.sum()))]
 
 
 def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
@@ -116,18 +119,39 @@ def _ranges(stability: xr.Dataset, family: str, methods: list[str]) -> NDArray[n
     of = of.isel(case=np.flatnonzero(laddered))
     out = np.full((len(methods), 2), np.nan)
     for row, method in enumerate(methods):
-        for side, name in enumerate(("largest_accurate_step", "largest_stable_step")):
-            ratio = (of[name].sel({"method": method}) / of["written_step"]).values
-            if np.isfinite(ratio).any():
-                out[row, side] = np.exp(np.nanmean(np.log(ratio)))
+        ratio = _over_default(of, method)
+        out[row] = [_mean(values) for values in ratio[_shown(ratio)].T]
     return out
 
 
+def _shown(ratio: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Cases that a range is of: those with both ends, else those with any, else all."""
+    known = np.isfinite(ratio)
+    for of in (known.all(axis=1), known.any(axis=1)):
+        if of.any():
+            return np.asarray(of)
+    return np.ones(len(ratio), bool)
+
+
+def _over_default(stability: xr.Dataset, method: str) -> NDArray[np.float64]:
+    """Largest accurate and largest surviving step of a method over the default's, (case, 2)."""
+    of = stability.sel({"method": method})
+    names = ("largest_accurate_step", "largest_stable_step")
+    ratios = [(of[name] / stability["written_step"]).values for name in names]
+    return np.column_stack(ratios)
+
+
+def _mean(values: NDArray[np.float64]) -> float:
+    """Geometric mean of what there is."""
+    known = values[np.isfinite(values)]
+    return float(np.exp(np.log(known).mean())) if known.size else np.nan
+
+
 def _explicit_limit(stability: xr.Dataset, family: str) -> float:
-    """Mean predicted limit of explicit stepping over the default's step."""
+    """Mean predicted limit of explicit stepping over the default's step, of the cases of its range."""
     of = stability.isel(case=np.flatnonzero(stability["family"].values.astype(str) == family))
     ratio = (of["explicit_limit"] / of["written_step"]).values
-    return float(np.exp(np.nanmean(np.log(ratio)))) if np.isfinite(ratio).any() else np.nan
+    return _mean(ratio[_shown(_over_default(of, EXPLICIT))] if EXPLICIT in of["method"] else ratio)
 
 
 def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:
@@ -149,7 +173,7 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
             )
             ax.plot(stable, y, "o", color=colour, markersize=7.5, markerfacecolor="none", zorder=3)
         if np.isfinite(limit := _explicit_limit(stability, family)):
-            y = row + (0.5 * (len(methods) - 1) if "explicit" in methods else 0.0) * height
+            y = row + (0.5 * (len(methods) - 1) if EXPLICIT in methods else 0.0) * height
             ax.plot(limit, y, "|", color="black", markersize=11, markeredgewidth=1.6, zorder=4)
             ax.plot([], [], "|", color="black", label="" if ticked else "explicit limit, predicted")
             ticked = True
