@@ -155,7 +155,8 @@ def test_turns_are_broken_off_on_either_side(scheme):
 
 
 @pytest.mark.parametrize(
-    "fall, most, left", [(4, 8.0, 1 / 3), (16, 8.0, 1 / 7), (16, 4.0, 1 / 3), (1, 8.0, 1)]
+    "fall, most, left",
+    [(4, 8.0, 1 / 3), (16, 8.0, 1 / 7), (16, 4.0, 1 / 3), (1, 8.0, 2), (30, 8.0, 2), (0, 8.0, 2)],
 )
 def test_what_is_left_follows_from_the_fall_of_differences(fall, most, left):
     assert estimate({"moment": 1.0}, {"moment": fall}, most)["moment"] == pytest.approx(left)

@@ -16,6 +16,8 @@ Arrays = dict[str, Array]
 HISTORIES = ("x", "y", "z", "effective_tension", "bending_moment")
 MOST_FALL = 8.0  # of successive differences that an estimate trusts: third order
 FLAT = 1e-9  # curvature that is none (1/m): a strain of 5e-10 at the wall of a riser a metre thick
+LEAST_FALL = 1.5
+STEEPEST_FALL = 20.0  # of fourth order it is 16
 SURE_FALL = 4.0  # where mesh and step both changed between them: second
 
 
@@ -25,12 +27,15 @@ def estimate(
     """Relative error of the finest of three runs, each twice as fine as the last, from their differences.
 
     Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as no more
-    than ``most``, and as 2 where it is smaller or unknown.
+    than ``most``, and as `LEAST_FALL` where it is smaller, unknown, or more than any method's order gives:
+    then the coarsest of the three was still far off.
     """
     error = {}
     for name, value in now.items():
         fall = (before or {}).get(name, 0.0) / value if value > 0.0 else most
-        error[name] = value / (min(max(fall, 2.0), most) - 1.0)
+        if fall > STEEPEST_FALL:
+            fall = LEAST_FALL
+        error[name] = value / (min(max(fall, LEAST_FALL), most) - 1.0)
     return error
 
 
