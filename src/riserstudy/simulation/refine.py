@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Any
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
-from riserstudy.model.mesh import prescribed
+from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, difference, estimate
@@ -121,7 +122,7 @@ class Refinement:
 
     Every run is compared with the one before, which differs in mesh or in step alone. Where halving one
     did not help, the other is next. A long step damps what a fine mesh would show, and the other way
-    round; so an error that was seen long before the end is not believed.
+    round; so an error that was seen long before the end is looked at again, by runs coarser in it alone.
     """
 
     def __init__(self, scene: Scene, watch: Watch | None = None) -> None:
@@ -129,7 +130,7 @@ class Refinement:
         self.scene, self.watch = scene, watch or Watch()
         self.target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
         self.target["tension"] = self.target["moment"]
-        self.mesh = coarsest_mesh(scene)
+        self.meshes = [coarsest_mesh(scene)]  # each the halves of the one before
         self.step = _longest_step(scene) if a.duration else None
         self.ways = [] if massless(scene) else ["mesh"]
         self.ways += ["step"] if self.step else []
@@ -189,6 +190,8 @@ class Refinement:
             finer = self._attempt(left)
             if finer is not None:
                 self._compare(finer)
+                if stale := self._stale:
+                    self._look_again(finer, stale)
                 way = self._next_way()
                 if way is None or left == 0 or self._too_fine(way):
                     if not self.thin or self._repeated(left):
@@ -261,6 +264,11 @@ class Refinement:
         return f"accuracy not reached{why} after {runs}, the last on {facts['elements']} segments: {errors}"
 
     @property
+    def mesh(self) -> Mesh:
+        """The present mesh."""
+        return self.meshes[-1]
+
+    @property
     def error(self) -> dict[str, float]:
         """Estimated relative error of mesh and step together, by quantity."""
         return {
@@ -288,7 +296,8 @@ class Refinement:
             self.lost += 1
             if left == 0 or self.lost > 2 or "mesh" not in self.ways:
                 raise
-            self.mesh, self.last = self.mesh.halved(), None
+            self.meshes.append(self.mesh.halved())
+            self.last = None
         return None
 
     def _at_rest(self) -> Rest | None:
@@ -340,11 +349,47 @@ class Refinement:
         if self._unknown:
             return self._unknown[0]
         if self._excess(self.error) <= 1.0:
-            old = [way for way in self.ways if self.seen[way].since >= STALE]
-            return next((w for w in old if self._excess(self.seen[w].error) > MATTERS), None)
+            return self._stale
         if len(self.ways) > 1 and not self.helps:  # an error that stays may be the other's
             return self.ways[1 - self.ways.index(self.way)]
         return max(self.ways, key=lambda way: self._excess(self.seen[way].error))
+
+    @property
+    def _stale(self) -> str | None:
+        """An error that matters to a run that may be believed, and was seen long before it."""
+        if self._unknown or self._excess(self.error) > 1.0:
+            return None
+        old = [way for way in self.ways if self.seen[way].since >= STALE]
+        return next((w for w in old if self._excess(self.seen[w].error) > MATTERS), None)
+
+    def _look_again(self, finer: Result, way: str) -> None:
+        """See how changes by a way fall beside what the other is now, by two runs coarser in it alone.
+
+        Where the first fails, the way is halved once more.
+        """
+        runs = [finer]
+        for k in (1, 2):
+            if way == "mesh" and k >= len(self.meshes):
+                break
+            mesh = self.meshes[-1 - k] if way == "mesh" else self.mesh
+            step = self.step * 2**k if way == "step" and self.step else self.step
+            self.watch.begin(
+                f"run {len(self.spent) + 1}, to look again: {_size(len(mesh.l0), step)}"
+            )
+            try:
+                runs.append(march(thinned(self.scene, step)[0], mesh, step, watch=self.watch))
+            except (PhysicallyUnstable, TakesTooLong):
+                raise
+            except SimulationError:
+                break
+            self.spent.insert(-1, _cost(runs[-1]))
+        changes = [difference(coarse, fine) for fine, coarse in pairwise(runs)]
+        if changes:
+            before = Halved(changes[1], None) if len(changes) > 1 else None
+            self.seen[way] = Halved(changes[0], before)
+        finer.facts["error_estimate"] = {
+            k: v for k, v in self.error.items() if k in finer.facts["error_estimate"]
+        }
 
     def _ask_patience(self) -> None:
         """Begin no run that would not end in time: each takes twice as long as the one before."""
@@ -357,7 +402,7 @@ class Refinement:
     def _halve(self, way: str) -> None:
         self.way = way
         if way == "mesh":
-            self.mesh = self.mesh.halved()
+            self.meshes.append(self.mesh.halved())
         elif self.step:
             self.step = 0.5 * self.step
 
