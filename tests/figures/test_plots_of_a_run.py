@@ -56,6 +56,16 @@ def test_tension_is_that_of_the_riser_without_its_telescopic_joint():
     np.testing.assert_array_equal(lines(ax)["at rest"].get_xdata(), np.full(10, 1e3))
 
 
+@pytest.mark.parametrize("kind", ["range", "time-series", "shape"])
+@pytest.mark.parametrize("title", [300 * "a", "-" + 300 * "b", "", "one two " * 60])
+def test_any_title_is_laid_out_over_a_plot(kind, title):
+    figure = draw(kind, run().assign_attrs(title=title))
+    FigureCanvasAgg(figure).draw()
+    there = figure.get_suptitle()
+    assert "".join(there.split()).startswith("".join(title.split()))
+    assert max(map(len, there.splitlines())) <= 15 * figure.get_size_inches()[0]
+
+
 def test_a_range_graph_has_extremes_rest_limits_and_the_largest_size():
     figure = draw("range", run(), ["bending_moment"])
     (ax,) = figure.axes

@@ -54,9 +54,8 @@ def key_below(figure: Figure, ax: Axes, columns: int) -> None:
 
 def headline(figure: Figure, text: str) -> None:
     """What a reader should see, over all panels."""
-    figure.suptitle(
-        textwrap.fill(text, LETTERS_AN_INCH * figure.get_size_inches()[0]), fontsize="medium"
-    )
+    letters = int(LETTERS_AN_INCH * figure.get_size_inches()[0])
+    figure.suptitle(textwrap.fill(text, letters), fontsize="medium")
 
 
 def field(
