@@ -119,6 +119,7 @@ def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
 @pytest.mark.parametrize(
     "limit, said",
     [
+        ({"output": "lfj_angle", "largest": 4, "mode": "drilling"}, "4 has no unit"),
         ({"output": "lfj_angle", "largest": "4 deg"}, "missing"),
         ({"output": "lfj_angle", "largest": "4 m", "mode": "drilling"}, "another dimension"),
         (

@@ -47,6 +47,13 @@ def test_from_one_side_is_towards_the_other(tmp_path):
     assert np.abs(came + other).max() < 0.1 * went.max()
 
 
+def test_columns_stand_in_any_order(tmp_path):
+    told = "depth (m),speed (m/s),direction (deg)\n0,1,20\n9,0.5,40\n"
+    turned = "direction (deg),speed (m/s),depth (m)\n20,1,0\n40,0.5,9\n"
+    currents = [loaded(tmp_path, table, beyond="hold").scene().current for table in (told, turned)]
+    assert currents[0] == currents[1]
+
+
 @pytest.mark.parametrize(
     "table, current, reason",
     [
@@ -54,7 +61,11 @@ def test_from_one_side_is_towards_the_other(tmp_path):
         (TABLE, {"headings": "towards"}, "goes with a heading"),
         (TABLE, {"heading": "30 deg", "headings": "to"}, "towards"),
         (TABLE, {"heading": "30 m", "headings": "from"}, "dimension"),
-        ("depth (m),speed (m/s),heading (deg)\n0,1,0\n9,0,0\n", {}, "allowed are the columns"),
+        ("depth (m),speed (m/s),heading (deg)\n0,1,0\n9,0,0\n", {}, "unknown column 'heading'"),
+        ("depth (m),depth (ft),speed (m/s)\n0,0,1\n9,30,0\n", {}, "two columns 'depth'"),
+        ("depth (m),elevation (m),speed (m/s)\n0,0,1\n9,-9,0\n", {}, "'elevation' and 'depth'"),
+        ("depth (m),direction (deg)\n0,0\n9,30\n", {}, "no column 'speed'"),
+        ("depth (m),speed\n0,1\n9,0\n", {}, "'speed' is no 'name \\(unit\\)'"),
     ],
 )
 def test_headings_that_cannot_be_meant_are_refused(tmp_path, table, current, reason):

@@ -112,6 +112,27 @@ def test_contents_of_sea_water_give_the_weight_of_an_open_pipe():
     assert whole == pytest.approx(9.81 * (7850.0 - 1025.0) * (OUTER - BORE), rel=1e-12)
 
 
+@pytest.mark.parametrize(
+    "levels, said",
+    [
+        ({"riser[0].contents.level": "-300 m"}, "riser\\[0\\].contents.level -300 m is another"),
+        (
+            {"riser[0].contents.level": "-300 m", "riser[1].contents.level": "25 m"},
+            "'upper joints'; allowed is that one's",
+        ),
+        ({"riser[1].contents.level": "-40 m"}, "below the section's upper end at 5 m"),
+    ],
+)
+def test_contents_are_one_column_with_one_level(levels, said):
+    with pytest.raises(InputError, match=said):
+        SceneFile("deck.yaml", DECK).with_values(levels, "test").scene()
+
+
+def test_contents_may_stand_up_to_the_deck():
+    levels = {f"riser[{k}].contents.level": "25 m" for k in (0, 1)}
+    assert SceneFile("deck.yaml", DECK).with_values(levels, "test").scene()
+
+
 def test_contents_counted_twice_are_doubted():
     assert doubts(scene()) == []
     open_pipe = f"{9.81 * (7850.0 - 1025.0) * (OUTER - BORE)} N/m"

@@ -21,12 +21,28 @@ from riserstudy.scene.units import ATMOSPHERE, to_si
         ("36 deg", "rad", 0.6283185307179586),
         ("206 GPa", "N/m^2", 206e9),
         ("8.6 lb/gal", "kg/m^3", 1030.50727),
+        ("12 ppg", "kg/m^3", 12 * 119.826427),
+        ("100 psf", "N/m^2", 100 * 4.4482216152605 / 0.3048**2),
         ("1e-3 m^2", "m^2", 1e-3),
         ("-.5 m", "m", -0.5),
     ],
 )
 def test_a_paper_s_unit_becomes_si(text, unit, value):
     assert to_si(text, unit) == pytest.approx(value, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "text, unit, said",
+    [
+        ("20 mt", "kg", "'mt', a thousandth of a tonne"),
+        ("20 t", "N", "for a force write tf"),
+        ("14 kip", "kg", "for a mass write lb"),
+        ("14 lb", "N", "for a force write lbf"),
+    ],
+)
+def test_what_is_easily_taken_for_another_unit_is_refused_with_its_name(text, unit, said):
+    with pytest.raises(ValueError, match=said):
+        to_si(text, unit)
 
 
 @given(number=numbers, pair=st.sampled_from(UNITS))

@@ -161,7 +161,9 @@ def opened(path: Path) -> xr.Dataset:
     try:
         return xr.load_dataset(path, engine="netcdf4", decode_times=False)
     except (OSError, ValueError, RuntimeError):
-        raise InputError(path, "", "no dataset", "make it anew") from None
+        scene = path.suffix in (".yaml", ".yml")
+        how = f"allowed is a dataset: riserstudy run {path} -o OUT.nc" if scene else "make it anew"
+        raise InputError(path, "", "no dataset", how) from None
 
 
 def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Varied:

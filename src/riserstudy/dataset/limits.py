@@ -67,6 +67,8 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
 
 def takes(scene: Scene, limit: Limit) -> str:
     """What a limit looks at where its name does not tell: which sections, and what where they meet."""
+    if limit.output == "stroke" and scene.top.telescopic_joint:
+        return "from the joint's length"
     sections = [section.name for section in scene.riser]
     if len(sections) == 1 or limit.output not in ALONG:
         return ""

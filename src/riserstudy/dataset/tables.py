@@ -175,7 +175,7 @@ def as_lines(rows: list[dict[str, Any]]) -> list[str]:
         use = f"{100 * row['utilisation']:.4g} %" if row["utilisation"] < 1e3 else "beyond all"
         text = f"{factor * row['demand']:.5g} {unit}{where}{when}, {allowed}, use {use}"
         verdict = row["verdict"] + (
-            f", in part for want of {row['missing']}" if row["missing"] else ""
+            f"; not known everywhere for want of {row['missing']}" if row["missing"] else ""
         )
         lines.append(f"{what}: {text}: {verdict}")
     return lines

@@ -44,11 +44,34 @@ def closes(scene: Parts) -> None:
                 f"riser: {count} sections are named {name!r}; give each section a name of its own"
             )
     _reaches(scene)
+    _filled(scene)
     ends = span(scene)
     if scene.water and ends:
         _stands_in(ends, scene)
     if scene.soil and ends:
         _foot(ends, scene)
+
+
+def _filled(scene: Parts) -> None:
+    """Contents are one column, full from end to end, that stands up to one level."""
+    filled = [(k, section) for k, section in enumerate(scene.riser) if section.contents]
+    levels = {k: section.contents.level for k, section in filled if section.contents}
+    highest = max(levels, default=-1)
+    for k, level in levels.items():
+        if level not in (None, levels[highest]):
+            raise ValueError(
+                f"riser[{k}].contents.level {level:g} m is another than that of the highest section with "
+                f"contents, {scene.riser[highest].name!r}; allowed is that one's: it counts alone"
+            )
+    bottom, level = scene.bottom.elevation, levels.get(highest)
+    if level is None or bottom is None:
+        return
+    upper = bottom + sum(section.total_length for section in scene.riser[: highest + 1])
+    if level < upper - ROUNDED - SLIDES * (upper - bottom):
+        raise ValueError(
+            f"riser[{highest}].contents.level {level:g} m is below the section's upper end at {upper:g} m; "
+            "allowed is from there: contents fill a section from end to end"
+        )
 
 
 def span(scene: Parts) -> Span | None:

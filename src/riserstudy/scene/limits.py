@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Literal, Self
+from typing import Any, Literal, Self
 
-from pydantic import model_validator
+from pydantic import field_validator, model_validator
 
 from riserstudy.scene.base import Strict
 from riserstudy.scene.units import to_si
@@ -45,6 +45,13 @@ class Limit(Strict):
     largest: str | None = None
     smallest: str | None = None
     mean: str | None = None
+
+    @field_validator("largest", "smallest", "mean", mode="before")
+    @classmethod
+    def _has_a_unit(cls, given: Any) -> Any:
+        if isinstance(given, int | float):
+            raise ValueError(f"{given} has no unit; allowed is text such as '5 deg' or '100 kN'")
+        return given
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

@@ -43,7 +43,7 @@ interval: {chosen: 0.1 s, because: "what is told of a run"}
 A study can then vary every assumption over its range or options at once.
 
 A table may stand in a CSV file beside the scene, as `profile: {file: current.csv}`. Its first line names
-the columns with their units: %s.
+the columns with their units, in any order: %s.
 
 Editors that understand JSON schema complete and check scene files with
 [`scene.schema.json`](../workflow/schemas/scene.schema.json), which `riserstudy schema` prints. Put this

@@ -32,7 +32,7 @@ class Place(NamedTuple):
     way: tuple[str, ...]  # path of its parent
     name: str
     row: type[Strict]
-    columns: tuple[tuple[str, ...], ...]  # in this order, each under one of its names
+    columns: tuple[tuple[str, ...], ...]  # that there must be, each under one of its names
     optional: tuple[str, ...] = ()  # further columns, in any order
     key: str = ""  # where its rows go, below its name
 
@@ -177,20 +177,36 @@ def _lines(path: Path) -> list[list[str]]:
 
 
 def _heading(path: Path, cells: Sequence[str], place: Place) -> tuple[list[str], list[str]]:
-    """Names and units of the columns."""
+    """Names and units of the columns, which may stand in any order."""
     named = [m for m in map(_HEADING.fullmatch, cells) if m]
-    columns, first = [m.group(1) for m in named], len(place.columns)
-    more = columns[first:]
-    fits = len(columns) == len(cells) >= first
-    fits = fits and all(
-        name in allowed for name, allowed in zip(columns, place.columns, strict=False)
-    )
-    if not fits or len(set(more)) != len(more) or not set(more) <= set(place.optional):
+    columns = [m.group(1) for m in named]
+    wrong = _wrong(cells, columns, place)
+    if wrong:
         wanted = ", ".join(" or ".join(f"{n} (unit)" for n in names) for names in place.columns)
         wanted += f", and any of {', '.join(place.optional)}" if place.optional else ""
-        shown = ", ".join(cells) if cells else "nothing"
-        raise InputError(path, "line 1", repr(shown), f"allowed are the columns {wanted}")
+        raise InputError(path, "line 1", wrong, f"allowed are the columns {wanted}")
     return columns, [m.group(2).strip() for m in named]
+
+
+def _wrong(cells: Sequence[str], columns: Sequence[str], place: Place) -> str:
+    """What a heading has that it must not, or lacks; nothing where it is right."""
+    if not cells:
+        return repr("nothing")
+    if len(columns) < len(cells):
+        return (
+            repr(next(c.strip() for c in cells if not _HEADING.fullmatch(c)))
+            + " is no 'name (unit)'"
+        )
+    known = {name for names in place.columns for name in names} | set(place.optional)
+    if unknown := [name for name in columns if name not in known]:
+        return f"unknown column {unknown[0]!r}"
+    if twice := [name for name in columns if columns.count(name) > 1]:
+        return f"two columns {twice[0]!r}"
+    for names in place.columns:
+        there = [name for name in names if name in columns]
+        if len(there) != 1:
+            return " and ".join(map(repr, there)) or f"no column {' or '.join(map(repr, names))}"
+    return ""
 
 
 def _number(path: Path, line: int, cell: str) -> str:

@@ -96,6 +96,8 @@ def factor(name: str, unit: str) -> float:
     """
     import pint
 
+    if _MILLITONNE.search(name):
+        raise ValueError("has 'mt', a thousandth of a tonne; write t or kg")
     try:
         given, wanted = _registry().parse_units(name), _registry().parse_units(unit)
         same = _angle_power(given._units) == _angle_power(wanted._units)
@@ -103,8 +105,7 @@ def factor(name: str, unit: str) -> float:
         if unit == "rad/s" and list(given._units) in CYCLES:  # to pint a cycle is no angle
             same, value = True, value * math.tau
     except pint.DimensionalityError:
-        hint = " (for a force write tf)" if name == "t" and unit == "N" else ""
-        raise ValueError(f"has another dimension{hint}") from None
+        raise ValueError(f"has another dimension{HINTS.get((name, unit), '')}") from None
     except Exception:
         raise ValueError("has a unit that is not known") from None
     if not same:
@@ -112,11 +113,25 @@ def factor(name: str, unit: str) -> float:
     return float(value)
 
 
+HINTS = {
+    ("t", "N"): " (for a force write tf)",
+    ("kip", "kg"): " (for a mass write lb)",
+    ("lbf", "kg"): " (for a mass write lb)",
+    ("lb", "N"): " (for a force write lbf)",
+}
+#: of drilling and soils, which pint has not
+OILFIELD = ("ppg = pound / US_liquid_gallon", "psf = force_pound / foot ** 2")
+_MILLITONNE = re.compile(r"\bmt\b")  # meant for metric tonnes
+
+
 @cache
 def _registry() -> pint.UnitRegistry[float]:
     import pint
 
-    return pint.UnitRegistry()
+    registry: pint.UnitRegistry[float] = pint.UnitRegistry()
+    for definition in OILFIELD:
+        registry.define(definition)
+    return registry
 
 
 def _angle_power(units: Any) -> int:
