@@ -13,7 +13,6 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from types import SimpleNamespace
 
 import psutil
 from ruamel.yaml import YAML
@@ -21,6 +20,7 @@ from ruamel.yaml import YAML
 from riserstudy.jobs import start_server
 from riserstudy.jobs.server import MANY
 from riserstudy.jobs.workplan import Workplan
+from riserstudy.simulation.compile import compile_once
 from riserstudy.solve.kernel_cache import kernel_cache
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -29,7 +29,7 @@ SNAKEMAKE = 2.0  # s that it takes to start on a node
 PLAN = """if True:
     import sys
     from pathlib import Path
-    from riserstudy.workplan import Workplan
+    from riserstudy.jobs.workplan import Workplan
     settings = {"papers": ["grids"], "tier": "standard"}
     plan = Workplan.read(Path("config"), settings, only=[("grids", sys.argv[1])])
     print(len(plan.study("grids", sys.argv[1]).plan))"""
@@ -45,8 +45,7 @@ class Cost:
 
 def main(points: int = 10_000, shards: int = 4) -> None:
     """Measure and print."""
-    if not (kernel_cache() / "compiled").exists():
-        run("-m", "riserstudy.jobs.compile_kernels", str(kernel_cache() / "compiled"))
+    compile_once(print)
     numba = kernel_cache().parent.resolve()
     with TemporaryDirectory() as folder:
         os.chdir(folder)
@@ -138,9 +137,9 @@ def study(amplitudes: int, others: int = 10) -> dict[str, object]:
 
 def shard(plan: Workplan, study: str, number: int, shards: int, *module: str) -> Cost:
     """Cost of simulating a shard, by the module named."""
-    about = SimpleNamespace(paper="grids", study=study, shard=number, shards=shards)
-    words = ["grids", study, str(number), str(shards), "marker", "--tier", "standard"]
-    expect = ["--expect", plan.shard_digest(about)]
+    words = ["grids", study, str(number), str(shards)]
+    expect = ["--expect", plan.shard_digest(*words)]
+    words += ["marker", "--tier", "standard"]
     return run("-m", *(module or ["riserstudy.jobs.shard"]), *words, "--threads", "1", *expect)
 
 
@@ -168,7 +167,7 @@ def children_of(process: psutil.Process) -> float:
 
 def join(plan: Workplan) -> Cost:
     """Cost of joining all points."""
-    digest = plan.study_digest(SimpleNamespace(paper="grids", study="run"))
+    digest = plan.study_digest("grids", "run")
     words = ["grids", "run", "results/grids/run.nc", "--tier", "standard", "--threads", "1"]
     return run("-m", "riserstudy.jobs.simulate", *words, "--expect", digest)
 

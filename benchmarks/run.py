@@ -2,7 +2,9 @@
 
 import compare
 import explicit
+import prices
 
 if __name__ == "__main__":
     compare.main()
     explicit.main()
+    prices.main(list(prices.SCENES))
