@@ -14,7 +14,7 @@ VERDICTS = {
     "reproduced": "inside the printed rounding or 1 %, nothing calibrated on the way",
     "calibrated": "met, with an input that was fitted to a printed number",
     "holds": "a claim true in at least 95 % of the samples of unspecified inputs",
-    "depends": "decided by an input that the paper leaves open",
+    "depends": "decided by an input that the paper does not specify",
     "fails": "a number that no sample meets, or a claim true in at most 5 % of them",
     "not reproducible": "the paper does not say enough",
 }

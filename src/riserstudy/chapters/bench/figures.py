@@ -5,27 +5,34 @@ from __future__ import annotations
 import xarray as xr
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, panels
+from riserstudy.figures.style import COLOURS, headline, panels
 
 STATIONS = (433.0, 333.0, 233.0, 133.0)  # m from the bottom
+SHOWN = 40.0  # s at the end of the histories at these
 
 
 def statics(s1: xr.Dataset, s4b: xr.Dataset, s4c: xr.Dataset, s4e: xr.Dataset) -> Figure:
     """Shapes in x and z."""
     figure, axes = panels(2, 2)
     named = (
-        ("S1, current", s1),
-        ("S4b, line load", s4b),
-        ("S4c, tip load", s4c),
-        ("S4e, cable", s4e),
+        ("S1, riser in current; x stretched", s1),
+        ("S4b, riser under a line load; x stretched", s4b),
+        ("S4c, cantilever; true to scale", s4c),
+        ("S4e, cable; true to scale", s4e),
     )
-    for ax, colour, (label, scene) in zip(axes, COLOURS, named, strict=False):
-        ax.plot(scene["x"], scene["z"], color=colour, label=label)
+    for ax, (title, scene) in zip(axes, named, strict=True):
+        ax.plot(scene["x"], scene["z"], color=COLOURS[0])
         ax.set_xlabel("lateral position x (m)")
         ax.set_ylabel("elevation z (m)")
-        ax.legend(fontsize="small")
+        ax.set_title(title, loc="right", fontsize="small")
     for ax in axes[2:]:
         ax.set_aspect("equal", adjustable="datalim")
+    most = [float(abs(scene["x"]).max()) for _, scene in named[:2]]
+    headline(
+        figure,
+        f"Current draws the riser {most[0]:.2f} m aside, a line load {most[1]:.2f} m; "
+        "a cantilever and a cable bend much further",
+    )
     return figure
 
 
@@ -36,8 +43,9 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
         history = s2["x"].interp(s=s, method="cubic")
         axes[0].plot(history["time"], history, color=colour, linewidth=0.8, label=f"s = {s:.0f} m")
     axes[0].set_xlabel("time (s)")
-    axes[0].set_ylabel("lateral position x (m), S2")
-    axes[0].legend(fontsize="small", ncols=2, loc="lower left")
+    axes[0].set_ylabel("lateral position x (m)")
+    axes[0].set_title("S2, at four heights", loc="right", fontsize="small")
+    axes[0].set_xlim(float(s2["time"][-1]) - SHOWN, float(s2["time"][-1]))
     for colour, (name, scene) in zip(COLOURS, (("S2", s2), ("S2c", s2c)), strict=False):
         for side in ("max", "min"):
             moment = scene[f"bending_moment_{side}"] / 1e3
@@ -47,25 +55,39 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
         tension = scene["effective_tension"].isel(s=-1) / 1e3
         axes[2].plot(tension["time"], tension, color=colour, linewidth=0.8, label=name)
     axes[1].set_xlabel("bending moment envelope (kN m)")
-    axes[1].set_ylabel("s (m)")
+    axes[1].set_ylabel("s from the bottom (m)")
     axes[2].set_xlabel("time (s)")
     axes[2].set_ylabel("top tension (kN)")
     axes[2].set_ylim(bottom=2100)
-    axes[1].legend(fontsize="small")
-    axes[2].legend(fontsize="small", loc="lower right")
+    handles = [*axes[0].get_legend_handles_labels(), *axes[1].get_legend_handles_labels()]
+    figure.legend(
+        [*handles[0], *handles[2]], [*handles[1], *(f"{name}, (b) and (c)" for name in handles[3])],
+        loc="outside lower center", ncols=6, fontsize="small",
+    )  # fmt: skip
+    moments = [float(abs(scene["bending_moment_max"]).max()) / 1e3 for scene in (s2, s2c)]
+    swing = s2c["effective_tension"].isel(s=-1)
+    headline(
+        figure,
+        f"With its height held the top's tension swings by {1e-3 * float(swing.max() - swing.min()):.0f} kN, "
+        f"which changes the largest moment by {100 * (moments[1] / moments[0] - 1):+.1f} %",
+    )
     return figure
 
 
 def heave(s3: xr.Dataset) -> Figure:
-    """Top tension and motion of the lower end."""
+    """Top tension, and how far the lower end moves otherwise than the top."""
     figure, axes = panels(1, 2)
     axes[0].plot(s3["time"], s3["effective_tension"].isel(s=-1) / 1e6, color=COLOURS[0])
     axes[0].set_ylabel("top tension (MN)")
     moved = s3["z"] - s3["z_static"].values
-    axes[1].plot(s3["time"], moved.isel(s=-1), color=COLOURS[1], label="top")
-    axes[1].plot(s3["time"], moved.isel(s=0), color=COLOURS[0], label="lower end")
-    axes[1].set_ylabel("elevation above rest (m)")
-    axes[1].legend(fontsize="small")
+    stretch = moved.isel(s=0) - moved.isel(s=-1)
+    axes[1].plot(s3["time"], 1e3 * stretch, color=COLOURS[0])
+    axes[1].set_ylabel("lower end above the top's motion (mm)")
     for ax in axes:
         ax.set_xlabel("time (s)")
+    headline(
+        figure,
+        f"The lower end follows the top to {1e3 * float(abs(stretch).max()):.0f} mm of "
+        f"{float(abs(moved.isel(s=-1)).max()):.2f} m: the riser hardly stretches",
+    )
     return figure

@@ -74,7 +74,7 @@ def reductions(
 
 
 def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open, in the record of each.
+    """The same for every sample of the unspecified inputs, in the record of each.
 
     Without tensioner the riser's top follows the platform, x = a, and a is x - X of the same run. Tension
     is k_r x with and without (Eq. 8), so that one reduction is both.
@@ -89,7 +89,7 @@ def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
     quantity = xr.DataArray(list(QUANTITIES), dims="quantity", name="quantity")
     table = xr.concat(parts, height).expand_dims(quantity=quantity)
     dataset = table.to_dataset(name="reduction").assign(sampled(open_choices))
-    return described(dataset, PAPER, "reduction of the oscillation over what the paper leaves open")
+    return described(dataset, PAPER, "reduction of the oscillation over the unspecified inputs")
 
 
 def _spread(history: xr.DataArray) -> xr.DataArray:

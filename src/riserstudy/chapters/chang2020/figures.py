@@ -388,7 +388,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
 
 
 def open_choices(open_choices: xr.Dataset) -> Figure:
-    """Asymmetry index for each sample of what the paper leaves open."""
+    """Asymmetry index for each sample of the unspecified inputs."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
     runs = open_choices.isel(s_node=-1)
     rest = runs["z_static"].sel(heave_amplitude=0.0)
@@ -414,7 +414,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
     headline(
         figure,
         f"Asymmetry grows with every step of the amplitude in {int(grows.sum())} of {grows.size} samples "
-        "of what the paper leaves open",
+        "of the unspecified inputs",
     )
     return figure
 

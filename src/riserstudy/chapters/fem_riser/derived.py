@@ -80,7 +80,7 @@ def open_trends(
     open_500: xr.Dataset, open_1000: xr.Dataset, open_1500: xr.Dataset,
     open_ratio: xr.Dataset, open_factor: xr.Dataset,
 ) -> xr.Dataset:  # fmt: skip
-    """The same over samples of what the paper leaves open, by the paper's beam."""
+    """The same over samples of the unspecified inputs, by the paper's beam."""
     lengths = _over_length(open_500, open_1000, open_1500)
     ratio, factor = (
         measures(runs).sel(solver=BEAM, drop=True) for runs in (open_ratio, open_factor)

@@ -337,15 +337,27 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset) -> Figure:
         ax.set_title(f"joints: {joints}", loc="right", fontsize="small")
         ax.set_xlabel("surface speed of the tide (m/s)")
         ax.set_ylabel("wave height (m)")
-    _shares(axes[3], claims(open_trends))
+    shares = _shares(axes[3], claims(open_trends))
     headline(
-        figure, "Claims B5 to B10: green where all hold, else the numbers of those that do not"
+        figure,
+        f"B5 to B10 hold together in {_most(held)}, and in {shares['all six']:.0%} of the samples; "
+        "numbers: claims that do not hold",
     )
     return figure
 
 
-def _shares(ax: Axes, held: xr.DataArray) -> None:
-    """Share of the samples in which each claim and all six are true."""
+def _most(held: xr.DataArray) -> str:
+    """In how many seas all claims hold, by stiffness of the joints."""
+    counts = held.sel(claim=list(TOGETHER)).all("claim").sum(("tide", "wave_height"))
+    seas = held.sizes["tide"] * held.sizes["wave_height"]
+    told = [
+        f"{int(n)} (joints: {name})" for name, n in zip(held["joints"].values, counts, strict=True)
+    ]
+    return f"{', '.join(told)} of {seas} seas"
+
+
+def _shares(ax: Axes, held: xr.DataArray) -> dict[str, float]:
+    """Draw and return the share of the samples in which each claim and all six are true."""
     shares = {str(c): float(held.sel(claim=c).mean()) for c in TOGETHER}
     shares["all six"] = float(held.all("claim").mean())
     for k, (name, share) in enumerate(shares.items()):
@@ -354,7 +366,8 @@ def _shares(ax: Axes, held: xr.DataArray) -> None:
     ax.set_yticks(range(len(shares)), list(shares))
     ax.invert_yaxis()
     ax.set_xlim(0, 112)
-    ax.set_xlabel(f"share of {held.sizes['sample']} samples of all that is open (%)")
+    ax.set_xlabel(f"share of {held.sizes['sample']} samples of the unspecified inputs (%)")
+    return shares
 
 
 def solvers(small_deflection: xr.Dataset) -> Figure:

@@ -58,14 +58,14 @@ def base_limited(**runs: xr.Dataset) -> xr.Dataset:
 
 
 def open_drive_off(open_runs: xr.Dataset, open_no_riser: xr.Dataset) -> xr.Dataset:
-    """The same over samples of what the paper leaves open, and when each sample reaches each limit."""
+    """The same over samples of the unspecified inputs, and when each sample reaches each limit."""
     dataset = measured(open_runs)
     dataset["surge_alone"] = open_no_riser["platform_surge"].squeeze("below", drop=True)
     dataset["limit_time"] = reached(dataset)
     for name, values in open_runs.data_vars.items():
         if str(name).startswith("assumed_"):
             dataset[name] = values
-    return described(dataset, PAPER, "drive-off over what the paper leaves open")
+    return described(dataset, PAPER, "drive-off over the unspecified inputs")
 
 
 def open_as_printed(

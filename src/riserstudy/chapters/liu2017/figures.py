@@ -325,7 +325,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
     axes[2].plot(cost["solve_seconds"], ways, "o", color="black")
     axes[2].axvline(1.0, **PRINTED)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("cost over that as one (-)")
+    axes[2].set_xlabel("cost, in turns / as one (-)")
     axes[2].set_title("bars: iterations, dots: time", loc="right", fontsize="small")
     every_second = abs(
         turns.sel(exchange="staggered, 1 s")["platform_surge"] - one["platform_surge"]
@@ -354,14 +354,15 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
         times = open_drive_off["limit_time"].sel(heading=heading, limit="upper flex joint")
         reached = times.values[np.isfinite(times.values)]
         text = f"{label}, reached in {100 * len(reached) / times.size:.0f} %"
-        axes[1].hist(reached, bins, color=colour, alpha=0.5, label=text)
+        axes[1].hist(reached, bins, color=colour, histtype="step", linewidth=1.8, label=text)
     axes[0].plot([deadline], [UFJ_LIMIT], "o", color="black", label="printed, at 0°")
     axes[1].axvline(deadline, label="printed, at 0°", **PRINTED)
     then = angle.sel(heading="along").interp(time=deadline)
     least, most = (float(then.quantile(q)) for q in (0.05, 0.95))
     says(
         figure,
-        f"What is open has the upper flex joint at {least:.0f} to {most:.0f}° at {deadline:g} s (0°, 90 %)",
+        f"Over the unspecified inputs the upper flex joint is at {least:.0f} to {most:.0f}° "
+        f"after {deadline:g} s (0°, 90 % of the samples)",
     )
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint (deg)")

@@ -59,7 +59,7 @@ def codes(check_riser: xr.Dataset) -> xr.Dataset:
 
 
 def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
-    """How far three methods are apart for every sample of what the paper leaves open."""
+    """How far three methods are apart for every sample of the unspecified inputs."""
     apart = xr.zeros_like(check_open["elements"], dtype=float)
     for place, scene in scenes_of(check_open):
         beam = beamlike(scene)
@@ -73,7 +73,7 @@ def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
         apart.loc[place] = _apart(xr.DataArray(curves, dims=("code", "depth")))
     dataset = apart.squeeze("surface_speed", drop=True).to_dataset(name="codes_apart")
     dataset = dataset.assign(sampled(check_open))
-    return described(dataset, PAPER, "difference of three methods over what the paper leaves open")
+    return described(dataset, PAPER, "difference of three methods over the unspecified inputs")
 
 
 def _apart(moved: xr.DataArray) -> xr.DataArray:

@@ -21,11 +21,11 @@ def heave(heave_runs: xr.Dataset) -> xr.Dataset:
 
 
 def heave_readings(heave_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open."""
+    """The same for every sample of the unspecified inputs."""
     ring = ring_of(heave_open).rename("s")
     ends = heave_open["effective_tension"].sel(s=xr.concat([xr.zeros_like(ring), ring], "end"))
     dataset = _axial_force(ends.drop_vars("s").rename(end="s")).assign(sampled(heave_open))
-    return described(dataset, PAPER, "amplitude of the axial force over what the paper leaves open")
+    return described(dataset, PAPER, "amplitude of the axial force over the unspecified inputs")
 
 
 def _at_ends(runs: xr.Dataset, model: str) -> xr.DataArray:

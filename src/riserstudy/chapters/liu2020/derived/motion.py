@@ -34,15 +34,15 @@ def surge(surge_case: xr.Dataset) -> xr.Dataset:
 
 
 def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open, once settled."""
+    """The same for every sample of the unspecified inputs, once settled."""
     x = at_depths(surge_open["x"], ring_of(surge_open), DEPTHS)
     dataset = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
-    return described(dataset, PAPER, "displacement under surge over what the paper leaves open")
+    return described(dataset, PAPER, "displacement under surge over the unspecified inputs")
 
 
 def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
-    """When surge is first felt at four depths, for every sample of what the paper leaves open."""
-    return _arrivals(surge_start, "surge over what the paper leaves open")
+    """When surge is first felt at four depths, for every sample of the unspecified inputs."""
+    return _arrivals(surge_start, "surge over the unspecified inputs")
 
 
 def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
@@ -53,8 +53,8 @@ def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
 
 
 def roll_arrival(roll_start: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open."""
-    return _arrivals(roll_start, "when roll is first felt, over what the paper leaves open")
+    """The same for every sample of the unspecified inputs."""
+    return _arrivals(roll_start, "when roll is first felt, over the unspecified inputs")
 
 
 def _arrivals(runs: xr.Dataset, title: str) -> xr.Dataset:
@@ -129,8 +129,8 @@ def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
 
 
 def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open."""
-    return _rolled(roll_open, "roll over what the paper leaves open")
+    """The same for every sample of the unspecified inputs."""
+    return _rolled(roll_open, "roll over the unspecified inputs")
 
 
 def varied_roll(roll_variants: xr.Dataset) -> xr.Dataset:
@@ -187,14 +187,14 @@ def rao(rao_runs: xr.Dataset) -> xr.Dataset:
 
 
 def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of what the paper leaves open."""
+    """The same for every sample of the unspecified inputs."""
     ring = ring_of(rao_open)
     swings = []
     for period in rao_open["wave_period"].values:  # one at a time, or histories fill the memory
         stress = fibre_stress(rao_open.sel(wave_period=period), ring)
         swings.append(half_swing(stress, float(period)).max(["s", "side"]))
     dataset = _shared(xr.concat(swings, rao_open["wave_period"])).assign(sampled(rao_open))
-    return described(dataset, PAPER, "stress amplitude by motion over what the paper leaves open")
+    return described(dataset, PAPER, "stress amplitude by motion over the unspecified inputs")
 
 
 def waves(wave_runs: xr.Dataset) -> xr.Dataset:

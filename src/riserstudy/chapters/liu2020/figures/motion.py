@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, field, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, PRINTED, field, headline, key_below, panels
 
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 RING = 533.0  # m, arclength of the riser's top
@@ -113,17 +113,19 @@ def baselines(statics_readings: xr.Dataset, surge_readings: xr.Dataset) -> Figur
         "surge: least of four depths",
         "surge: least of four depths",
     )
-    over = "displacement without over with (-)"
-    labels, same = (over, over, "lag of that with tensioners (deg)"), (1.0, 1.0, 0.0)
+    over = "displacement, without / with tensioners (-)"
+    labels, same = (over, over, "lag of the riser on tensioners (deg)"), (1.0, 1.0, 0.0)
     for ax, values, title, x, even in zip(axes, compared, titles, labels, same, strict=True):
         for colour, (model, label) in zip(COLOURS[1:], BASELINES.items(), strict=False):
             risen = np.sort(values.sel(tensioner_model=model).values)
             share = np.arange(1, len(risen) + 1) / len(risen)
             ax.step(risen, 100.0 * share, color=colour, where="post", label=label)
-        ax.axvline(even, color=GREY, linewidth=4.0, alpha=0.4, zorder=0.5)
+        right = ax.get_xlim()[1]
+        ax.axvspan(even, right, color="0.92", zorder=0, label="the paper's claim")
+        ax.set_xlim(right=right)
         ax.set_xlabel(x)
         ax.set_title(title, loc="right", fontsize="small")
-    axes[0].set_ylabel("share of the samples below (%)")
+    axes[0].set_ylabel("samples below (%)")
     middle = [
         [float(values.sel(tensioner_model=model).median()) for values in compared[:2]]
         for model in ("vertical force at the ring", WITHOUT)

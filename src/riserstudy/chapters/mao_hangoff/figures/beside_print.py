@@ -1,4 +1,4 @@
-"""What the paper leaves open, beside the three numbers that it prints."""
+"""The unspecified inputs, beside the three numbers that it prints."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def readings(readings: xr.Dataset, heavy: float, light: float, moment: float) ->
 
 
 def open_choices(open_lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
-    """Samples of all that is open beside the printed numbers, as ``readings`` has them."""
+    """Samples of the unspecified inputs beside the printed numbers, as ``readings`` has them."""
     numbers = _numbers(open_lmrp_mass)
     figure, axes = _beside_print(heavy, light, moment)
     weights = open_lmrp_mass["assumed_riser_weight"]
@@ -51,7 +51,7 @@ def open_choices(open_lmrp_mass: xr.Dataset, heavy: float, light: float, moment:
         axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
     _around_print(axes, numbers, heavy, moment)
     key_below(figure, axes[0], 2)
-    headline(figure, "Samples of all that is open, beside the printed numbers (dashed)")
+    headline(figure, "Samples of the unspecified inputs, beside the printed numbers (dashed)")
     return figure
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from riserstudy.chapters.mao_hangoff.runs import STATED, as_drawn
 from riserstudy.chapters.mao_hangoff.towed import displacement
@@ -26,7 +27,6 @@ DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 SIGNED = "bending moment at 130 s, signed (kN m)"
 CLOSE_UP = 20.0  # s, at the end of records
-LEAST_SPAN = 0.2  # of the values, that an axis of trends shows at least
 
 
 # printed figures
@@ -49,7 +49,7 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
     axes[1].legend(fontsize="small")
     headline(
         figure,
-        "A case of our own, the paper's is not printed: implicit and explicit stepping agree for 12 s",
+        "Implicit and explicit stepping agree for 12 s, in place of the paper's case, which is not printed",
     )
     return figure
 
@@ -317,46 +317,53 @@ def trends(
     riser_length: xr.Dataset,
     track_angle: xr.Dataset,
 ) -> Figure:
-    """Displacement along and across the track, moment and joint angle at 130 s over all five axes."""
-    figure, axes = panels(3, 5, 2.3)
-    columns: dict[str, tuple[xr.Dataset, str]] = {
-        "lmrp_mass": (lmrp_mass, "LMRP mass (t)"),
-        "current_speed": (current_speed, "current (m/s)"),
-        "platform_speed": (platform_speed, "platform (kn)"),
-        "riser_length": (riser_length, "riser length (m)"),
-        "track_angle": (track_angle, "track angle (deg)"),
+    """Change of displacement, moment and joint angle at 130 s from one end of each axis to the other."""
+    figure, axes = panels(1, 4, 3.4)
+    spans = {
+        "lmrp_mass": (lmrp_mass, "LMRP {:.0f} to {:.0f} t"),
+        "current_speed": (current_speed, "current {:.1f} to {:.1f} m/s"),
+        "platform_speed": (platform_speed, "platform {:.1f} to {:.1f} kn"),
+        "riser_length": (riser_length, "riser {:.0f} to {:.0f} m"),
     }
-    for k, (axis, (full, label)) in enumerate(columns.items()):
-        runs = as_drawn(full)
-        at = runs.sel(time=STATED)
-        curves: tuple[xr.DataArray, ...] = (
-            -at["lmrp_displacement"],
-            runs["bending_moment_size"].max("s") / 1e3,
-            180.0 / np.pi * abs(at["ufj_angle"]),
-        )
-        for ax, curve in zip(axes[k :: len(columns)], curves, strict=True):
-            ax.plot(curve[axis], curve, marker=".", color=COLOURS[k])
-        across = at["lmrp_displacement_cross"]
-        if float(abs(across).max()) > 0.0:
-            axes[k].plot(across[axis], across, "--", color=COLOURS[k], label="across")
-            axes[k].legend(fontsize="small")
-        for ax in axes[k :: len(columns)]:
-            _no_smaller_than(ax, LEAST_SPAN)
-        axes[2 * len(columns) + k].set_xlabel(label)
-    for ax, label in zip(
-        axes[:: len(columns)], ("LMRP astern (m)", "M (kN m)", "joint (deg)"), strict=True
+    ends: dict[str, NDArray[np.float64]] = {}
+    for colour, (axis, (full, label)) in zip(COLOURS, spans.items(), strict=False):
+        curves = _at_the_stated_time(as_drawn(full))
+        values = curves[0][axis].values
+        along = (values - values[0]) / (values[-1] - values[0])
+        changes = [100.0 * (curve / curve.isel({axis: 0}) - 1.0) for curve in curves]
+        name = label.format(values[0], values[-1])
+        for ax, change in zip(axes, changes, strict=False):
+            ax.plot(along, change, color=colour, label=name)
+        ends[name] = np.array([float(change[-1]) for change in changes])
+    titles = ("LMRP astern", "largest moment", "joint angle")
+    for ax, title in zip(axes, titles, strict=False):
+        ax.set_title(title, loc="right", fontsize="small")
+        ax.set_xlabel("along the range of the key (-)")
+        ax.axhline(0.0, color=GREY, linewidth=0.8)
+    axes[0].set_ylabel("change from the lower end (%)")
+    at = as_drawn(track_angle).sel(time=STATED)
+    angle = track_angle["track_angle"]
+    for values, style, label in (
+        (-at["lmrp_displacement"], "-", "astern"),
+        (at["lmrp_displacement_cross"], "--", "across"),
     ):
-        ax.set_ylabel(label)
+        axes[3].plot(angle, values, style, color=COLOURS[4], label=label)
+    axes[3].set_xlabel("track angle (deg)")
+    axes[3].set_ylabel("LMRP (m)")
+    axes[3].legend(fontsize="small")
+    most = max(ends, key=lambda name: float(abs(ends[name]).max()))
+    least = min(ends, key=lambda name: float(abs(ends[name]).max()))
     headline(
         figure,
-        "What moves the LMRP, the largest moment and the joint at 130 s, and what hardly does",
+        f"Most changes over {most}: displacement {ends[most][0]:+.0f} %, moment {ends[most][1]:+.0f} %, "
+        f"joint {ends[most][2]:+.0f} %; least over {least}, by at most {abs(ends[least]).max():.0f} %",
     )
+    key_below(figure, axes[0], 4)
     return figure
 
 
-def _no_smaller_than(ax: Axes, share: float) -> None:
-    """Widen an axis that would show less than a share of its values, so that little looks little."""
-    low, high = ax.get_ylim()
-    middle = 0.5 * (low + high)
-    half = 0.5 * max(high - low, share * abs(middle))
-    ax.set_ylim(middle - half, middle + half)
+def _at_the_stated_time(runs: xr.Dataset) -> list[xr.DataArray]:
+    """Displacement of the LMRP, largest moment and angle of the joint."""
+    at = runs.sel(time=STATED)
+    moment = runs["bending_moment_size"].max("s")
+    return [abs(at["lmrp_displacement"]), moment, abs(at["ufj_angle"])]

@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, GREY, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panels
 
 HONEST = (0.5, 5.0)  # estimate over error
 CHEAP = (5.0, 10.0)  # times the cheapest: in the median, in 95 %
@@ -20,7 +20,19 @@ def random_scenes(random_scenes: xr.Dataset) -> Figure:
     _errors(left, random_scenes)
     _costs(right, random_scenes)
     key_below(figure, left, 4)
+    headline(figure, answer(random_scenes))
     return figure
+
+
+def answer(of: xr.Dataset) -> str:
+    """How many scenes are as accurate as they ask, and how honest their estimates are."""
+    asked, true = float(of.attrs["requested"]), of["true"].dropna("drawn")
+    ratio = (of["estimated"] / of["true"].where(of["true"] > 0.0)).dropna("drawn")
+    honest = ((ratio >= HONEST[0]) & (ratio <= HONEST[1])).sum()
+    return (
+        f"{int((true <= asked).sum())} of {true.size} random scenes reach the {100 * asked:g} % that "
+        f"they ask for; in {int(honest)} the estimate is between half and five times the error"
+    )
 
 
 def _families(of: xr.Dataset) -> list[str]:
@@ -51,7 +63,7 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
     low = max(LEAST, 0.5 * float(of["true"].where(of["true"] > 0.0).min()))
     ax.set_xlim(low, max(3.0 * asked, 1.5 * float(of["true"].max())))
     ax.set_ylim(ax.get_xlim())
-    ax.set_xlabel("true error (-), dotted: asked for")
+    ax.set_xlabel("true error (-), dotted: the request")
     ax.set_ylabel("estimated error (-)")
 
 
