@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 SEAL = hashlib.sha256().digest_size  # bytes
 ENDING = ".point2"  # of the second format; files of former ones are let lie until they are pruned
 LENGTH = struct.Struct("<Q")  # of the compressed JSON
-LEVEL = 1  # of compression: higher ones take longer and save next to nothing
+LEVEL = 6  # of compression: 2.4 % less than level 1, for 0.13 ms a point
 
 
 def canonical(value: Any) -> Any:
