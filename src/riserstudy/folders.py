@@ -20,6 +20,9 @@ from riserstudy.errors import InputError
 PACKAGE = Path(__file__).parent
 CHAPTERS = "riserstudy.chapters"
 
+#: of a results folder, where jobs say what each file was when it was written
+SEALS = ".seals"
+
 
 def cache_folder() -> Path:
     """Folder of point store and compiled kernels.

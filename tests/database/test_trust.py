@@ -7,6 +7,8 @@ import workspace
 from ruamel.yaml import YAML
 
 from riserstudy.database.verify import verify
+from riserstudy.errors import InputError
+from riserstudy.jobs.seals import seal
 from riserstudy.study import store
 
 
@@ -80,6 +82,21 @@ def test_a_database_whose_rows_do_not_fit_is_named(mine):
     with closing(sqlite3.connect(workspace.DATABASE)) as db, db:
         db.execute("delete from studies where study = 'plain/one'")  # its points stay behind
     assert any("results.sqlite" in line for line in verify(workspace.DATABASE).wrong)
+
+
+def test_a_database_with_another_value_is_named_by_its_seal(mine):
+    """Its pages fit together as before: nothing else tells."""
+    seal(workspace.DATABASE)
+    assert verify(workspace.DATABASE).wrong == []
+    content = workspace.DATABASE.read_bytes()
+    for place in random.Random(8).sample(range(4096, len(content)), 5):
+        spoilt = bytearray(content)
+        spoilt[place] ^= 1
+        workspace.DATABASE.write_bytes(spoilt)
+        try:
+            assert any("results.sqlite" in line for line in verify(workspace.DATABASE).wrong)
+        except InputError as error:
+            assert "results.sqlite" in str(error)
 
 
 def test_nothing_is_removed_where_all_is_needed(command):

@@ -46,8 +46,7 @@ def described(file: Path, folder: Path) -> File:
         When it cannot be read, or lies elsewhere.
     """
     try:
-        with file.open("rb") as stream:
-            digest = hashlib.file_digest(stream, "sha256").hexdigest()
+        digest = digest_of(file)
         path = file.resolve().relative_to(folder.resolve()).as_posix()
         return File(path, KINDS[file.suffix], file.stat().st_size, digest)
     except OSError as error:
@@ -55,3 +54,9 @@ def described(file: Path, folder: Path) -> File:
     except (ValueError, KeyError):
         allowed = f"allowed are {', '.join(KINDS)} in {folder}"
         raise InputError(file, "", "no file of the results", allowed) from None
+
+
+def digest_of(file: Path) -> str:
+    """SHA-256 of what is in a file."""
+    with file.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()

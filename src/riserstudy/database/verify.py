@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from riserstudy.database.ask import ask, opened
-from riserstudy.database.sources import KINDS, described
+from riserstudy.database.sources import KINDS, described, digest_of
 from riserstudy.errors import InputError
+from riserstudy.folders import SEALS
 from riserstudy.study import store
 
 
@@ -34,6 +35,7 @@ def verify(database: Path) -> Verified:
         wrong = [f"{database}: {fault}" for (fault,) in db.execute("pragma integrity_check")]
         wrong = [line for line in wrong if not line.endswith(": ok")]
         wrong += [f"{database}: {row}" for row in db.execute("pragma foreign_key_check")]
+        wrong += [*_itself(database)]
         files = dict(ask(db, "select path, sha256 from files").rows)
         keys = [key for (key,) in ask(db, "select distinct key from points").rows]
     wrong += [*_files(database.parent, files)]
@@ -43,6 +45,15 @@ def verify(database: Path) -> Verified:
     ]
     gone = sum(not store.has(key) for key in keys)
     return Verified(len(files), len(keys), wrong, gone)
+
+
+def _itself(database: Path) -> Iterator[str]:
+    """Whether the database is as its job wrote it; one that was built by hand has no seal to break."""
+    seal = database.parent / SEALS / database.name
+    if seal.exists():
+        digest = seal.read_text("utf-8").partition(" ")[0]
+        if digest_of(database) != digest:
+            yield f"{database}: not what it was when it was made; the next run makes it anew"
 
 
 def _files(folder: Path, files: dict[str, str]) -> Iterator[str]:

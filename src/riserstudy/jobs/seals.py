@@ -12,10 +12,11 @@ from collections.abc import Collection, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from riserstudy import folders
 from riserstudy.folders import write_whole
 
 RESULTS = Path("results")  # in the folder where Snakemake runs
-SEALS = RESULTS / ".seals"
+SEALS = RESULTS / folders.SEALS
 
 
 def seal(*files: Path) -> None:
