@@ -133,6 +133,16 @@ def table(monkeypatch, *words):
         return list(csv.DictReader(file))
 
 
+def test_extremes_of_a_long_exposure_say_that_they_rest_on_a_short_record(
+    seeds, tmp_path, monkeypatch, capsys
+):
+    out = tmp_path / "out.csv"
+    table(monkeypatch, seeds, "-o", out, "--at", "seed=3", "--exposure", "3 h")
+    assert "rest on a record" not in capsys.readouterr().err
+    table(monkeypatch, seeds, "-o", out, "--at", "seed=3", "--exposure", "1000 h")
+    assert "extremes of 3.6e+06 s rest on a record" in capsys.readouterr().err
+
+
 def test_a_riser_that_follows_a_sea_has_its_statistics(seeds, tmp_path, monkeypatch):
     out = tmp_path / "out.csv"
     (one,) = table(monkeypatch, seeds, "-o", out, "--at", "seed=3", "--exposure", "3 h")

@@ -65,6 +65,13 @@ def test_columns_stand_in_any_order(tmp_path):
         ("depth (m),depth (ft),speed (m/s)\n0,0,1\n9,30,0\n", {}, "two columns 'depth'"),
         ("depth (m),elevation (m),speed (m/s)\n0,0,1\n9,-9,0\n", {}, "'elevation' and 'depth'"),
         ("depth (m),direction (deg)\n0,0\n9,30\n", {}, "no column 'speed'"),
+        (
+            "depth (m),speed (m/s),direction (rad)\n0,1,20\n9,0,0\n",
+            {},
+            "1146 deg is more than a turn",
+        ),
+        (TABLE, {"heading": "40 rad"}, "heading: 2292 deg is more than a turn"),
+        ("elevation (m),speed (m/s)\n540,1\n600,0\n", {"beyond": "hold"}, "nothing of the water"),
         ("depth (m),speed\n0,1\n9,0\n", {}, "'speed' is no 'name \\(unit\\)'"),
     ],
 )

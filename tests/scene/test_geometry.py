@@ -68,7 +68,7 @@ SLIPS = {
     ),
     "depths given as elevations": (
         {"current.profile": [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 980)]},
-        "current.profile reaches from 0 m to 980 m",
+        "its elevations are from 0 m to 980 m, the surface is at 0 m",
     ),
     "a section without weight": ({"riser[1].contents": None}, "'upper joints' has no weight"),
     "a section through the surface": ({"riser[0].length": "983 m", "riser[1].length": "2 m"}, "split it"),

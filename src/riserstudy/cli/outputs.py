@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Any
@@ -156,4 +157,18 @@ def statistics(
     else:
         run = of_run.isel(place(of_run, place_of(at)))
         made = statistics_tables.of_a_run(run, begin, times["--exposure"])
+        _tell_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
     tables.write_csv(made, output)
+
+
+SHORT = 10.0  # records for which an exposure is told, beyond which it is said
+
+
+def _tell_of_short_record(record: float, exposure: float | None) -> None:
+    """Say that extremes of a long exposure rest on little."""
+    if exposure and exposure > SHORT * record:
+        print(
+            f"riserstudy: warning: extremes of {exposure:g} s rest on a record of {record:g} s, "
+            f"{exposure / record:.0f} times shorter; simulate longer, or more seeds",
+            file=sys.stderr,
+        )

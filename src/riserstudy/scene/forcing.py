@@ -204,6 +204,9 @@ class Platform(Strict):
         return names
 
 
+TURN = math.tau * (1.0 + 1e-9)  # rad, rounding told apart
+
+
 class Point(Strict):
     """One point of a current profile, at an elevation or a depth below the mean level of the water.
 
@@ -219,7 +222,16 @@ class Point(Strict):
     def _fits(self) -> Self:
         if (self.elevation is None) == (self.depth is None):
             raise ValueError("needs one of elevation and depth")
+        _within_a_turn("direction", self.direction)
         return self
+
+
+def _within_a_turn(name: str, angle: float | None) -> None:
+    """See that an angle is no number of degrees in a column of radians."""
+    if angle is not None and abs(angle) > TURN:
+        raise ValueError(
+            f"{name}: {math.degrees(angle):.4g} deg is more than a turn; allowed is up to 360 deg"
+        )
 
 
 class Shape(Strict):
@@ -327,6 +339,7 @@ class Current(Strict):
         directed = {point.direction is not None for point in points}
         if len(directed) > 1:
             raise ValueError("profile: direction in every line or in none")
+        _within_a_turn("heading", self.heading)
         if True in directed and self.heading is not None:
             raise ValueError("heading: the points have directions of their own; leave it out")
         if self.headings is not None and self.heading is None and directed != {True}:

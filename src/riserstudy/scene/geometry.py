@@ -171,7 +171,10 @@ def covered(scene: Parts) -> None:
         Field, what was found and what is allowed.
     """
     flow, water, ends = scene.current, scene.water, span(scene)
-    if flow is None or flow.beyond is not None:
+    if flow is None:
+        return
+    _in_water(scene)
+    if flow.beyond is not None:
         return
     where = _levels_of_current(scene)
     if where is None:
@@ -188,6 +191,18 @@ def covered(scene: Parts) -> None:
             f"current.profile reaches from {low:g} m to {high:g} m of elevation, the riser in water from "
             f"{needs_low:g} m to {needs_high:g} m; give the rest of the profile, or say what holds there, "
             "as 'current.beyond: hold' (its end values) or 'zero' (still water)"
+        )
+
+
+def _in_water(scene: Parts) -> None:
+    """Points by elevation lie in the water, wherever end values hold: depths typed there would not."""
+    flow, surface = scene.current, scene.water.surface if scene.water else None
+    points = flow.profile if flow and isinstance(flow.profile, list) else []
+    elevations = [point.elevation for point in points if point.elevation is not None]
+    if surface is not None and elevations and min(elevations) >= surface:
+        raise ValueError(
+            f"current.profile tells nothing of the water: its elevations are from {min(elevations):g} m to "
+            f"{max(elevations):g} m, the surface is at {surface:g} m; allowed are points below it, or 'depth'"
         )
 
 
