@@ -69,6 +69,7 @@ class Analysis(Strict):
     Absent duration: statics only. Absent start: equilibrium; undeflected is that without current. Absent
     mesh, step: by accuracy (0.2 % of displacement, 1 % of moment where accuracy is absent too). Absent
     method: generalised-alpha, 0.8. Absent solver: lumped masses; hermite is a beam of small slopes.
+    ``newton_tolerance``: correction at which a step counts as solved, in riser lengths; absent: 1e-9.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None
