@@ -106,9 +106,13 @@ def sweep(
         place = {
             name: study.axes[name][k][0] for name, k in zip(study.axes, point.index, strict=True)
         }
-        raise SimulationError(
-            f"sweep: {len(failures)} points cannot be completed; at {place}: {failures[point.key]}"
+        many = f"{len(failures)} point{'s' if len(failures) > 1 else ''}"
+        where = ", ".join(
+            f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}"
+            for name, value in place.items()
         )
+        reason = failures[point.key]
+        raise SimulationError(f"sweep: {many} cannot be completed; at {where}: {reason}")
     stored = {p.key: store.get(p.key, study.model.keep) for p in points if p.key not in failures}
     results = {key: result for key, result in stored.items() if result}
     if len(results) < len(stored):
@@ -118,6 +122,8 @@ def sweep(
     reasons = [str(failures.get(p.key, "")) for p in points]
     shape = tuple(len(steps) for steps in study.axes.values())
     about = {"long_name": "why the point could not be completed, empty where it was"}
+    title = file.tree.get("title") or "a scene"
+    dataset.attrs["title"] = f"{title}: sweep of {', '.join(axes)}"
     dataset["failure"] = (tuple(study.axes), np.array(reasons, dtype=object).reshape(shape), about)
     return dataset
 
