@@ -118,6 +118,9 @@ AMPLITUDE = {"path": "platform.surge.amplitude", "unit": "m", "values": [1.0, 2.
         ("axes.stroke: the name of a variable", {"axes": {"stroke": AMPLITUDE}}),
         ("axes.x_max: the name of a variable", {"axes": {"x_max": AMPLITUDE}}),
         ("axes.s_node: the name of a variable", {"axes": {"s_node": AMPLITUDE}}),
+        ("axes.use_of_limit: the name of a variable", {"axes": {"use_of_limit": AMPLITUDE}}),
+        ("axes.s_of_statistic: the name", {"axes": {"s_of_statistic": AMPLITUDE}}),
+        ("axes.statistic: the name of a variable", {"axes": {"statistic": AMPLITUDE}}),
         ("axes.elements: the name of a variable", {"axes": {"elements": AMPLITUDE}}),
         ("axes.warnings: the name of a variable", {"axes": {"warnings": AMPLITUDE}}),
         ("axes.assumed_mass: samples have", {"axes": {"assumed_mass": AMPLITUDE}}),
@@ -128,6 +131,15 @@ AMPLITUDE = {"path": "platform.surge.amplitude", "unit": "m", "values": [1.0, 2.
         (
             "axes.b.calm: sets 'platform', where axis 'a' has its numbers",
             {"axes": {"a": AMPLITUDE, "b": {"calm": {"platform": {"surge": {}}}}}},
+        ),
+        (
+            "axes.b.high: sets 'platform.surge', where axis 'a' has its own",
+            {
+                "axes": {
+                    "a": {"low": {}, "some": {"platform.surge.amplitude": "1 m"}},
+                    "b": {"low": {"wave": None}, "high": {"platform.surge": {}}},
+                }
+            },
         ),
         (
             "axes.b: sets 'platform.surge.amplitude', and so does axis 'a'",

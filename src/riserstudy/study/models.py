@@ -183,7 +183,8 @@ class StudyModel(Strict):
         if self.limits and "limits" in self.set:
             raise ValueError("limits: stand in set, too; allowed is one of both")
         for name in self.axes:
-            if of_runs(name) or name in (*DIMENSIONS, *OF_POINTS, *ABOUT_POINTS):
+            ours = name in (*DIMENSIONS, *OF_POINTS, *ABOUT_POINTS)
+            if ours or of_runs(name) or name.endswith(("_of_limit", "_of_statistic")):
                 raise ValueError(f"axes.{name}: the name of a variable of runs; take another")
             if name.startswith("assumed_"):
                 raise ValueError(f"axes.{name}: samples have variables of such names; take another")
@@ -192,31 +193,30 @@ class StudyModel(Strict):
                 if any(_meets(path, own) for own in second):
                     found = f"sets {path!r}, and so does axis {one!r}"
                     raise ValueError(f"axes.{other}: {found}; allowed is a path of its own")
-        self._keep_numbers()
+        self._keep_apart()
         return self
 
-    def _keep_numbers(self) -> None:
-        """Refuse labels that put something else where an axis before them has its numbers.
+    def _keep_apart(self) -> None:
+        """Refuse labels that put something else where an axis before them puts its own.
 
         What takes a part away, as ``wave: null``, says so.
         """
         before: dict[str, str] = {}
         for name, axis in self.axes.items():
+            if isinstance(axis, Numbers):
+                before |= dict.fromkeys(axis.paths, f"axis {name!r} has its numbers")
+                continue
             labels = axis.items() if isinstance(axis, dict) else ()
             put = [
-                (label, path)
-                for label, sets in labels
-                for path, to in sets.items()
-                if to is not None
+                (label, path) for label, sets in labels for path in sets if sets[path] is not None
             ]
             for label, path in put:
-                for own, number in before.items():
+                for own, there in before.items():
                     if own == path or own.startswith((f"{path}.", f"{path}[")):
-                        found = f"sets {path!r}, where axis {number!r} has its numbers"
+                        found = f"sets {path!r}, where {there}"
                         allowed = f"put axis {name!r} first, or leave the path to one of them"
                         raise ValueError(f"axes.{name}.{label}: {found}; {allowed}")
-            if isinstance(axis, Numbers):
-                before |= dict.fromkeys(axis.paths, name)
+            before |= {path: f"axis {name!r} has its own" for _, path in put}
 
 
 def _meets(one: str, other: str) -> bool:
