@@ -90,7 +90,7 @@ def coming(_: str) -> str:
 
 
 def validation(_: str) -> str:
-    """What the engine computes, compared with what is known: of the last study, or run now where there is none."""
+    """What the engine computes, compared with what is known; run now where there is no study."""
     file = ROOT / "results/numerics/validation.nc"
     found = xr.load_dataset(file) if file.is_file() else _validated()
     rows = [_compared(found.isel(row=k)) for k in range(found.sizes["row"])]

@@ -87,7 +87,9 @@ def test_a_point_that_cannot_be_completed_has_no_numbers_and_says_why():
     ids=["asked for", "nothing is left"],
 )
 def test_failure_is_an_error_where_it_must_be(axes, options):
-    with pytest.raises(SimulationError, match=r"points? cannot be completed; at top_tension = (10|20):"):
+    with pytest.raises(
+        SimulationError, match=r"points? cannot be completed; at top_tension = (10|20):"
+    ):
         swept(axes, **options)
 
 
