@@ -13,7 +13,7 @@ import pytest
 import xarray as xr
 
 from riserstudy.simulation.compile import compile_once
-from riserstudy.simulation.kernel_groups import group_of
+from riserstudy.simulation.kernel_groups import GROUPS, group_of
 from riserstudy.simulation.warm_up import scenes
 
 SCENES = Path(__file__).parents[1] / "config" / "scenes"
@@ -370,16 +370,22 @@ def test_the_first_command_that_simulates_compiles_on_all_cores_and_says_so(monk
             compiling.marker(group).write_text(json.dumps(about))
 
     monkeypatch.setattr(compiling, "compile_groups", note)
-    compiling.compile_once(said.append, "plane")
-    compiling.compile_once(said.append, "plane")
-    assert asked == [(["plane"], 1)]
     compiling.compile_once(said.append)
     compiling.compile_once(said.append)
-    assert asked[1:] == [(["line", "space", "string", "hermite"], 3)]
-    compiling.compile_once(said.append, "line")
-    assert len(said) == 2
-    assert "of risers in a plane on one core" in said[0]
-    assert "on 3 cores" in said[1]
+    assert asked == [(list(GROUPS), 3)]
+    assert len(said) == 1
+    assert "on 3 cores" in said[0]
+
+
+def test_a_single_run_compiles_what_it_needs_and_says_so_once(tmp_path):
+    environment = os.environ | {"RISERSTUDY_CACHE": str(tmp_path)}
+    command = [Path(sys.executable).with_name("riserstudy"), "run", SCENES / "bench/s3.yaml"]
+    said = []
+    for _ in range(2):
+        run = [*command, "-o", tmp_path / "out.nc"]
+        done = subprocess.run(run, env=environment, capture_output=True, text=True, check=True)
+        said.append(done.stderr.count("compiling the kernels that this scene needs"))
+    assert said == [1, 0]
 
 
 @pytest.mark.parametrize("group", scenes())

@@ -12,8 +12,7 @@ import xarray as xr
 SEAL = 32  # bytes at the end of compiled code
 SIMULATE = {f"simulate chang2020/{study}" for study in ("steady", "from_rest", "quasi_static")}
 AFTER = {"derive chang2020/asymmetry", "draw chang2020/fig14"}
-KIND = "compile the kernels of scenes of the kind {}, once"
-COMPILE = {KIND.format("line")}
+COMPILE = {"compile kernels, once: line"}
 STUDY = "config/studies/chang2020.yaml"
 SCENE = "config/scenes/chang2020/heave.yaml"
 

@@ -9,7 +9,7 @@ rule compile:
         "logs/compile-{group}.log",
     priority: 1
     message:
-        "compile the kernels of scenes of the kind {wildcards.group}, once"
+        "compile kernels, once: {wildcards.group}"
     shell:
         "python -m riserstudy.jobs compile_kernels --group {wildcards.group} > {log:q} 2>&1"
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 import sys
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from riserstudy.errors import InputError
+from riserstudy.errors import InputError, RiserStudyError
 
 if TYPE_CHECKING:
     from riserstudy.scene.models import Scene
@@ -48,12 +49,24 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
 
 
 def compile_kernels(scene: Scene | None = None) -> None:
-    """What every command does that simulates: compile what a scene needs, without one all there is."""
-    from riserstudy.simulation.compile import compile_once
-    from riserstudy.simulation.kernel_groups import group_of
+    """What every command does that simulates: compile all kernels, or those that a scene needs.
 
-    group = group_of(scene) if scene else None
-    compile_once(lambda said: print(f"riserstudy: {said}", file=sys.stderr), group)
+    The latter by a run that is broken off, so that compiling counts neither as time of the run nor against
+    its patience.
+    """
+    from riserstudy.simulation.compile import compile_once, tell_of_compiling
+
+    def tell(said: str) -> None:
+        print(f"riserstudy: {said}", file=sys.stderr)
+
+    if scene is None:
+        compile_once(tell)
+    else:
+        from riserstudy.simulation.refine import run
+
+        tell_of_compiling(tell)
+        with suppress(RiserStudyError):  # which the run itself will tell
+            run(scene, patience=0.0)
     _plain_xarray()
 
 

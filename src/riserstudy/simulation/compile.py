@@ -27,25 +27,36 @@ def marker(group: str | None = None) -> Path:
     return kernel_cache() / (f"compiled-{group}" if group else "compiled")
 
 
-def compile_once(tell: Callable[[str], None], group: str | None = None) -> None:
-    """Compile the kernels of a group, or all on all cores, unless that was done; say so: it takes minutes."""
-    if marker(group).exists() or marker().exists():
+def compile_once(tell: Callable[[str], None]) -> None:
+    """Compile all kernels on all cores, unless that was done, and say so: it takes minutes."""
+    if marker().exists():
         return
-    wanted = [group] if group else list(GROUPS)
-    cores = min(available_cores(), len(wanted))
+    cores = min(available_cores(), len(GROUPS))
     on = "one core" if cores == 1 else f"{cores} cores"
-    of, takes = (f" of {GROUPS[group]}", "half a minute to 3") if group else ("", "2 to 6")
     try:
         kernel_cache().mkdir(parents=True, exist_ok=True)
         with FileLock(kernel_cache() / "compiling"):
-            lacking = [name for name in wanted if not marker(name).exists()]
-            if lacking:
-                tell(f"compiling the kernels{of} on {on}, once for this version: {takes} minutes")
+            if lacking := [group for group in GROUPS if not marker(group).exists()]:
+                tell(f"compiling the kernels on {on}, once for this version: 2 to 6 minutes")
                 compile_groups(lacking, cores)
+            join_markers()
     except OSError as error:  # nothing can be kept: each run compiles what it needs
         tell(f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile anew")
-    if not group:
-        join_markers()
+
+
+def tell_of_compiling(tell: Callable[[str], None]) -> None:
+    """Say so when the first kernel is compiled: a single run compiles what it needs, and nothing else."""
+    from riserstudy.simulation.compile_times import at_first  # which loads the compiler
+
+    def said() -> None:
+        once = "once for this version"
+        try:
+            kernel_cache().mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            once = f"in every run: {kernel_cache()} cannot be written ({error.strerror})"
+        tell(f"compiling the kernels that this scene needs, up to a minute, {once}")
+
+    at_first(said)
 
 
 def available_cores() -> int:

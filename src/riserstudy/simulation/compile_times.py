@@ -5,9 +5,32 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from numba.core.event import Event, install_recorder
+from numba.core.event import Event, Listener, install_recorder, register
 
 COMPILE = "numba:compile"
+
+
+class _First(Listener):  # type: ignore[misc]
+    """Does something when a kernel is compiled for the first time."""
+
+    do: Callable[[], None] | None = None
+
+    def on_start(self, event: Event) -> None:
+        do, self.do = self.do, None
+        if do:
+            do()
+
+    def on_end(self, event: Event) -> None:
+        pass
+
+
+_first = _First()
+register(COMPILE, _first)
+
+
+def at_first(do: Callable[[], None]) -> None:
+    """Do something, and nothing that was to be done, when the next kernel is compiled."""
+    _first.do = do
 
 
 class Compiled(NamedTuple):

@@ -4,14 +4,8 @@ from __future__ import annotations
 
 from riserstudy.scene.models import Scene
 
-#: by the name of their marker; those that most scenes need first
-GROUPS = {
-    "plane": "risers in a plane",
-    "line": "risers along a line",
-    "space": "risers in space",
-    "string": "strings without bending stiffness",
-    "hermite": "beams of Hermite elements",
-}
+#: in a plane, along a line, in space, without bending stiffness, of Hermite elements
+GROUPS = ("plane", "line", "space", "string", "hermite")
 
 
 def group_of(scene: Scene) -> str:

@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 from functools import wraps
+from pathlib import Path
 
 import numba
 from filelock import FileLock
 from numba.core.caching import IndexDataCacheFile, UserProvidedCacheLocator
 
+from riserstudy.folders import PACKAGE
 from riserstudy.solve.kernel_cache import kernel_cache, seal_files_of
 
 # NaN and infinity stay visible ("nnan" and "ninf" are left out): the solvers test for them.
@@ -52,8 +54,28 @@ def _writable_or_not(ensure: Callable[[object], None]) -> Callable[[object], Non
     return ensured
 
 
+def _wherever_it_lies(subpath: Callable[[str], str]) -> Callable[[str], str]:
+    """Let a folder of the package have the same name wherever the package lies.
+
+    The cache folder tells the sources; named by their path, kernels would be lost to a checkout that was
+    moved and to other environments of the same user.
+    """
+
+    @wraps(subpath)
+    def named(py_file: str) -> str:
+        folder = Path(py_file).absolute().parent
+        if folder.is_relative_to(PACKAGE.absolute()):
+            return "-".join(folder.relative_to(PACKAGE.absolute()).parts)
+        return subpath(py_file)
+
+    return named
+
+
 UserProvidedCacheLocator.ensure_cache_path = _writable_or_not(
     UserProvidedCacheLocator.ensure_cache_path
+)
+UserProvidedCacheLocator.get_suitable_cache_subpath = staticmethod(
+    _wherever_it_lies(UserProvidedCacheLocator.get_suitable_cache_subpath)
 )
 IndexDataCacheFile.save = _one_at_a_time(IndexDataCacheFile.save)
 seal_files_of(IndexDataCacheFile)
