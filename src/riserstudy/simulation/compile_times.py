@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from numba.core.event import Event, Listener, install_recorder, register
+from numba.core import event as events
+from numba.core.event import Event, Listener, install_recorder
 
 COMPILE = "numba:compile"
 
@@ -25,7 +26,7 @@ class _First(Listener):  # type: ignore[misc]
 
 
 _first = _First()
-register(COMPILE, _first)
+events.register(COMPILE, _first)
 
 
 def at_first(do: Callable[[], None]) -> None:
@@ -47,11 +48,11 @@ def while_compiling(work: Callable[[], None]) -> list[Compiled]:
     return own_times(recorder.buffer)
 
 
-def own_times(events: list[tuple[float, Event]]) -> list[Compiled]:
+def own_times(noted: list[tuple[float, Event]]) -> list[Compiled]:
     """Own time (s) of every compilation, from its begin and end and those nested within."""
     times: list[Compiled] = []
     open_ones: list[list[Any]] = []  # name, begin, time of those within
-    for moment, event in events:
+    for moment, event in noted:
         if event.is_start:
             function = event.data["dispatcher"].py_func
             open_ones.append([f"{function.__module__}.{function.__name__}", moment, 0.0])
