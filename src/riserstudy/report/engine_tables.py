@@ -113,7 +113,7 @@ def changes(effects: xr.Dataset) -> Table:
 
 
 def requests(accuracy: xr.Dataset) -> Table:
-    """A row a request: what was asked for, estimated, reached and spent."""
+    """A row a request: tolerance, estimate, error reached and time."""
     rows = []
     for k in range(accuracy.sizes.get("request", 0)):
         of = accuracy.isel(request=k)
@@ -135,7 +135,16 @@ def requests(accuracy: xr.Dataset) -> Table:
             ]
         )
     about = "The largest error of displacement, moment and tension; time of all runs that the request took."
-    columns = ["Scene", "Asked", "Estimated", "Reached", "Time", "Segments", "Step (s)", "Remark"]
+    columns = [
+        "Scene",
+        "Tolerance",
+        "Estimated",
+        "Reached",
+        "Time",
+        "Segments",
+        "Step (s)",
+        "Remark",
+    ]
     return Table("Requests for an accuracy", about, columns, {1, 2, 3, 4, 5, 6}, rows)
 
 
@@ -178,7 +187,7 @@ def known(validation: xr.Dataset) -> Table:
     )
     columns = ["What", "Number", "Reference", "By", "Known", "Computed", "Error", "Tolerance"]
     return Table(
-        "Beside what is known", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows
+        "Compared with what is known", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows
     )
 
 
