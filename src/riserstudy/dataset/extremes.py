@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.variables import attributes
+from riserstudy.dataset.variables import attributes, cf_unit
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -136,7 +136,7 @@ def from_arrays(labels: Sequence[str], held: Mapping[str, NDArray[Any]]) -> Iter
         quantity, statistic = label.split(" ")
         about = attributes(f"{quantity}_{statistic.partition('_')[0]}") or attributes(quantity)
         at = {kind: values[:, k] for kind, values in held.items() if kind != "value"}
-        unit, name = about.get("units"), about.get("long_name")
+        unit, name = cf_unit(about.get("units", "")) or None, about.get("long_name")
         yield Statistic(quantity, statistic, unit, name, held["value"][:, k], at)
 
 
