@@ -11,6 +11,7 @@ from riserstudy.model.mesh import even
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation import continuation
 from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 from riserstudy.solve.statics import NoEquilibrium
 
@@ -143,6 +144,17 @@ def test_an_equilibrium_is_found_however_far_aside(elements, strength, top, flow
         assert found.unstable == 0
         # displacements are right to 1e-10 of the length: of MN there are a few N left
         assert found.residual < 1e-5 * TENSION
+
+
+def test_a_riser_that_stands_is_not_refused_for_a_coarse_mesh():
+    """On ten segments it looks as if it buckled; the refined run and one on given segments agree."""
+    aside = scene(20.0, **SLIDING)
+    refined = run(aside)
+    given, _ = settle(aside, even(aside, 240))
+    assert refined.facts["warnings"] == []
+    angle = np.arctan2(*(given.s.r[c, -1] - given.s.r[c, -2] for c in (0, 1)))
+    x, z = (refined.arrays[name + "_static"] for name in "xz")
+    assert np.arctan2(x[-1] - x[-2], z[-1] - z[-2]) == pytest.approx(angle, rel=0.01)
 
 
 def test_an_equilibrium_by_parts_is_that_found_at_once(monkeypatch):

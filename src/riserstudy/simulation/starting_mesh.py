@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from riserstudy.errors import PhysicallyUnstable, SimulationError
+from riserstudy.errors import SimulationError
 from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import COARSEST, Layer, Mesh, even, graded
 from riserstudy.model.model import Model
@@ -41,13 +41,14 @@ def coarsest_mesh(scene: Scene) -> Mesh:
 
 
 def _at_rest(scene: Scene) -> tuple[Model, Mesh]:
-    """The scene in equilibrium on few even segments; so coarse a mesh may have none."""
+    """The scene in equilibrium on few even segments.
+
+    So coarse a mesh may have none, or one that is unstable where the riser stands.
+    """
     probe = even(scene, COARSEST)
-    for _ in range(2):
+    for _ in range(4):
         try:
             return settle(scene, probe)[0], probe
-        except PhysicallyUnstable:
-            raise
         except SimulationError:
             probe = probe.halved()
     return settle(scene, probe)[0], probe
