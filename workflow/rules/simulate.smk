@@ -19,10 +19,12 @@ rule compiled:
         PLAN.all_kernels,
     output:
         PLAN.compiled,
+    log:
+        "logs/compiled.log",
     message:
         "note that all kernels are compiled"
     shell:
-        "python -m riserstudy.jobs compile_kernels"
+        "python -m riserstudy.jobs compile_kernels > {log:q} 2>&1"
 
 
 rule shard:
