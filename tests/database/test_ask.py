@@ -155,6 +155,13 @@ def test_a_condition_columns_and_an_order_choose_among_the_points_of_a_study(com
     assert table == found
 
 
+def test_a_study_is_found_by_its_name_where_no_other_paper_has_it(command):
+    assert rows(command, "results", "surge") == rows(command, "results", "plain/surge")
+    code, _, err = command("results", "no_such", "--where", "amplitude > 2")
+    assert code == 2
+    assert "no study 'no_such'" in err
+
+
 def test_axes_and_results_are_shown_where_no_columns_are_asked_for(command):
     found = rows(command, "results", "plain/surge")[0]
     assert {"amplitude", "period", "x_max", "effective_tension_min"} <= {*found}

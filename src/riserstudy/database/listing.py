@@ -25,10 +25,15 @@ def studies(db: sqlite3.Connection) -> Answer:
 
 
 def table_of(db: sqlite3.Connection, study: str) -> str | None:
-    """The wide table of what is called a study, or like a wide table; None for anything else."""
+    """The wide table of what is called a study, or like a wide table; None for anything else.
+
+    The paper may be left out where no other paper has a study of that name.
+    """
     asked = "select table_name from studies where study = ? or table_name = ?"
     asked += " union select table_name from columns where table_name = ?"
     rows = ask(db, asked, (study, study, study)).rows
+    alone = "select table_name from studies where name = ?"
+    rows = rows or (named if len(named := ask(db, alone, (study,)).rows) == 1 else [])
     return str(rows[0][0]) if rows else None
 
 
