@@ -202,10 +202,10 @@ def python_of_guest(place, python):
 def tools(place):
     """A folder with what a shell has, but not git."""
     (place / "tools").mkdir()
-    for folder in ("/usr/bin", "/bin"):
-        for tool in Path(folder).iterdir():
-            if not tool.name.startswith("git") and not (place / "tools" / tool.name).exists():
-                (place / "tools" / tool.name).symlink_to(tool)
+    found = {tool.name: tool for folder in ("/bin", "/usr/bin") for tool in Path(folder).iterdir()}
+    for name, tool in found.items():
+        if not name.startswith("git"):
+            (place / "tools" / name).symlink_to(tool)
 
 
 def german(folder):
