@@ -65,7 +65,8 @@ PAPERS = {
 }
 GRADED = [paper for paper in PAPERS if (CONFIG / f"published/{paper}.yaml").exists()]
 FIGURES = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).figures]
-UNIT = re.compile(r"\((m|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|kN/m|kN s²/m²|kg/m³|MPa|-|%|deg|deg/m)\)")
+UNITS = "m|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|Hz|kN²/Hz|m²/Hz|kN/m|kN s²/m²|kg/m³|MPa|-|%|deg|deg/m"
+UNIT = re.compile(rf"\(({UNITS})\)")
 
 
 def small(paper, name, model):

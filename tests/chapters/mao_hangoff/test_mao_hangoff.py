@@ -433,7 +433,8 @@ def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
     for name in ("readings", "open_choices"):
         figure = drawn(datasets, name)
         lines = figure.axes[0].get_lines()
-        colours.append({n.get_label(): n.get_color() for n in lines if n.get_label() in WEIGHTS})
+        weights = {line: str(line.get_label()).partition(";")[0] for line in lines}
+        colours.append({n: line.get_color() for line, n in weights.items() if n in WEIGHTS})
     both = colours[0].keys() & colours[1].keys()
     assert both
     assert {name: colours[0][name] for name in both} == {name: colours[1][name] for name in both}

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
 from riserstudy.dataset.crossing import first_crossing, first_limit
 from riserstudy.design.watch_circles import TOO_LATE
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, WIDTH, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
 HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
@@ -181,74 +181,64 @@ def _limits(ax: Axes, used: xr.DataArray) -> None:
 def disconnect(disconnect: xr.Dataset) -> Figure:
     """When limits are reached, and where the alarm must be, by angle to the environment."""
     scenarios = disconnect["scenario"].values
-    figure = Figure((1.6 * WIDTH, 7.6), dpi=150, layout="constrained")
-    count = len(scenarios)
-    for column, scenario in enumerate(scenarios):
+    figure, axes = panels(2, len(scenarios), 3.2, sharex=True)
+    above, below = axes[: len(scenarios)], axes[len(scenarios) :]
+    for times, circles, scenario in zip(above, below, scenarios, strict=True):
         run = disconnect.sel(scenario=scenario)
-        times = figure.add_subplot(2, count, column + 1)
-        circles: Any = figure.add_subplot(2, count, count + column + 1, projection="polar")
         _limit_times(times, run)
         _circles(circles, run)
-        for ax, letter in ((times, "abc"[column]), (circles, "def"[column])):
-            ax.set_title(f"({letter})", loc="left", fontsize="medium")
         times.set_title(str(scenario), loc="right", fontsize="small")
-        times.set_xlabel("environment to hull (deg)")
-        times.set_xticks(range(0, 181, 45))
-        times.set_ylim(0.0, 1.05 * float(disconnect["limit_time"].where(np.isfinite).max()))
-        circles.set_rmax(1.05 * float(disconnect["red_circle_radius"].max()))
-        circles.set_rticks([50.0, 100.0, 150.0])
-    first, second = figure.axes[0], figure.axes[1]
-    first.set_ylabel("limit reached after (s)")
-    second.set_ylabel("red watch circle (m)", labelpad=28)
-    first.legend(
-        fontsize="small", loc="upper left", title="no line: not reached", title_fontsize="small"
-    )
-    key_below(figure, second, len(disconnect["eds_time"]))
-    longest = float(disconnect["eds_time"][-1])
-    late = (disconnect["red_circle_outcome"].sel(eds_time=longest) == TOO_LATE).mean(
-        "environment_heading"
-    )
-    says(
-        figure,
-        f"In a drive-off a disconnect of {longest:.0f} s comes too late in "
-        f"{100 * float(late[0]):.0f} % of the directions; a drift-off leaves time",
-    )
+        circles.set_xlabel("environment to hull (deg)")
+        circles.set_xticks(range(0, 181, 45))
+    for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
+        top = max(ax.get_ylim()[1] for ax in row)
+        for ax in row:
+            ax.set_ylim(0.0, top)
+            ax.tick_params(labelleft=ax is row[0])
+        row[0].set_ylabel(label)
+    seen = {
+        label: line
+        for ax in above
+        for line, label in zip(*ax.get_legend_handles_labels(), strict=True)
+    }
+    above[0].legend(seen.values(), seen.keys(), loc="upper right", fontsize="small")
+    key_below(figure, below[-1], len(disconnect["eds_time"]))
+    says(figure, _slowest_in_time(disconnect))
     return figure
 
 
 def _limit_times(ax: Axes, run: xr.Dataset) -> None:
-    ax.grid(True, color="0.9", linewidth=0.6)
     for colour, name in zip(COLOURS, LIMITS, strict=False):
         times = run["limit_time"].sel(limit=name)
         shown = times.where(np.isfinite(times))
-        ax.plot(run["environment_heading"], shown, ".-", color=colour, label=name)
+        if bool(shown.notnull().any()):
+            ax.plot(run["environment_heading"], shown, ".-", color=colour, label=name)
 
 
-def _circles(ax: Any, run: xr.Dataset) -> None:
-    """Radius over the environment's angle to the hull, which drives off upwards; either side is alike."""
-    ax.set_theta_zero_location("N")
-    sizes = np.linspace(
-        9.0, 3.0, run.sizes["eds_time"]
-    )  # marks at one place show around each other
-    angle = np.deg2rad(run["environment_heading"].values)
-    turn = np.concatenate([angle, 2.0 * np.pi - angle[::-1]])
-    for colour, size, eds in zip(COLOURS, sizes, run["eds_time"].values, strict=False):
+def _circles(ax: Axes, run: xr.Dataset) -> None:
+    """Radius over the environment's angle to the hull; where every alarm is too late, a note instead."""
+    times = run["eds_time"].values
+    for colour, eds in zip(viridis(np.linspace(0.0, 0.9, len(times))), times, strict=True):
         circle = run.sel(eds_time=eds)
-        half = circle["red_circle_radius"].values
-        late = circle["red_circle_outcome"].values == TOO_LATE
-        radius, late = (np.concatenate([part, part[::-1]]) for part in (half, late))
-        style: dict[str, Any] = {"color": colour, "ms": size, "mew": 1.0, "mfc": "none"}
+        radius = circle["red_circle_radius"].where(circle["red_circle_outcome"] != TOO_LATE)
         label = f"disconnect takes {eds:g} s"
-        ax.plot(turn, np.where(late, np.nan, radius), "o-", label=label, lw=1.0, **style)
-        ax.plot(turn, np.where(late, radius, np.nan), "x", **style)
-    ax.text(
-        0.5,
-        -0.16,
-        "cross at the centre: too late",
-        transform=ax.transAxes,
-        ha="center",
-        fontsize="small",
-    )
+        ax.plot(run["environment_heading"], radius, ".-", color=colour, label=label)
+    late = (run["red_circle_outcome"] == TOO_LATE).all("environment_heading")
+    if bool(late.any()):
+        said = f"too late: {', '.join(f'{eds:g}' for eds in times[late.values])} s"
+        ax.text(0.5, 0.95, said, transform=ax.transAxes, ha="center", va="top", fontsize="small")
+
+
+def _slowest_in_time(disconnect: xr.Dataset) -> str:
+    """Of each scenario the longest disconnect that is in time whatever the direction."""
+    in_time = (disconnect["red_circle_outcome"] != TOO_LATE).all("environment_heading")
+    longest = disconnect["eds_time"].where(in_time).max("eds_time")
+    tried = float(disconnect["eds_time"].max())
+    said = []
+    for scenario, time in zip(longest["scenario"].values, longest.values, strict=True):
+        more = " or more" if time == tried else ""
+        said.append(f"{time:g} s{more} ({scenario})" if np.isfinite(time) else f"none ({scenario})")
+    return f"Longest disconnect that is in time in every direction: {', '.join(said)}"
 
 
 def envelope(envelope: xr.Dataset) -> Figure:

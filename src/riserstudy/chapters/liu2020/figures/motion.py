@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, PRINTED, field, headline, key_below, panels
+from riserstudy.dataset.statistics import peaks
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, field, headline, key_below, panels
 
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 RING = 533.0  # m, arclength of the riser's top
@@ -22,6 +24,13 @@ DISPLACEMENT = "lateral displacement (m)"
 UNITS = {"small": "-", "medium": "--", "large": ":"}
 WAVE = "wave period (s)"
 GENERIC = "generic unit"  # those of the paper's platform are not printed
+RESPONSES = {
+    "bending_moment": ("moment at the ring", "kN m", 1e-3),
+    "effective_tension": ("tension at the ring", "kN", 1e-3),
+    "stroke": ("stroke", "m", 1.0),
+}
+SHOWN = 300.0  # s, of a sea
+HIGHEST = 0.5  # Hz, of spectra
 WAVE_SPEED = 31.9  # m/s, of lateral waves: root of tension over mass with added mass
 
 
@@ -311,32 +320,64 @@ def waves(waves: xr.Dataset) -> Figure:
 
 
 def sea(storm: xr.Dataset) -> Figure:
-    """Histories and spectra of three hours."""
-    figure, axes = panels(3, 2, 2.3)
-    shown = {
-        "moment at the ring (kN m)": ("bending_moment", 1e-3),
-        "tension at the ring (kN)": ("effective_tension", 1e-3),
-        "stroke (m)": ("stroke", 1.0),
-    }
-    for row, (label, (name, scale)) in enumerate(shown.items()):
-        history, spectrum = storm[name], storm[f"{name}_spectrum"]
-        if "s" in history.dims:
-            history, spectrum = history.isel(s=-1), spectrum.isel(s=-1)
-        left, right = axes[2 * row], axes[2 * row + 1]
-        left.plot(history["time"], scale * history, color=COLOURS[0], linewidth=0.4)
-        left.set_ylabel(label)
-        low = spectrum["frequency"] < 0.5
-        right.plot(spectrum["frequency"][low], scale**2 * spectrum[low], color=COLOURS[0])
-        right.set_ylabel(
-            f"its density ({label.partition('(')[2][:-1]})²/Hz".replace("(kN m)", "(kN m)")
-        )
-    axes[4].set_xlabel(TIME)
-    axes[5].set_xlabel("frequency (1/s)")
+    """Five minutes about the largest response, the spectra, and how often a size is exceeded."""
+    figure, axes = panels(3, 3, 2.4)
+    hours = float(storm["time"][-1] - storm["time"][0]) / 3600.0
+    worst = {}
+    for row, (name, (label, unit, scale)) in enumerate(RESPONSES.items()):
+        history, density = (_at_ring(storm[key]) for key in (name, f"{name}_spectrum"))
+        swing = scale * (history - history.mean())
+        left, middle, right = axes[3 * row : 3 * row + 3]
+        _about_largest(left, scale * history, abs(swing))
+        left.set_ylabel(f"{label} ({unit})")
+        low = density["frequency"] < HIGHEST
+        middle.plot(density["frequency"][low], scale**2 * density[low], color=COLOURS[0])
+        middle.set_ylabel(f"density (({unit})²/Hz)" if " " in unit else f"density ({unit}²/Hz)")
+        _exceeded(right, swing)
+        right.set_ylabel("peaks exceeding (-)")
+        right.set_xlabel(f"{label.split()[0]} less its mean ({unit})")
+        worst[label] = float(abs(swing).max() / swing.std())
+    axes[6].set_xlabel(TIME)
+    axes[7].set_xlabel("frequency (Hz)")
+    for ax, title in zip(
+        axes, ("about the largest", "spectrum", "share of peaks that exceed"), strict=False
+    ):
+        ax.set_title(title, loc="right", fontsize="small")
+    axes[2].legend(fontsize="small", loc="lower left")
+    tops = (float(_at_ring(storm[f"{name}_spectrum"]).idxmax("frequency")) for name in RESPONSES)
+    said = ", ".join(f"the {label} {sizes:.1f}" for label, sizes in worst.items())
     headline(
         figure,
-        "Three hours of an irregular sea: the riser answers where waves are and at its lateral modes",
+        f"Largest in {hours:.0f} hours, in standard deviations: {said}; spectra peak at "
+        f"{', '.join(f'{top:.2f}' for top in tops)} Hz",
     )
     return figure
+
+
+def _at_ring(values: xr.DataArray) -> xr.DataArray:
+    """At the riser's top, where it is over arclength."""
+    return values.isel(s=-1, drop=True) if "s" in values.dims else values
+
+
+def _about_largest(ax: Axes, history: xr.DataArray, size: xr.DataArray) -> None:
+    middle = float(size.idxmax("time"))
+    shown = history.sel(time=slice(middle - SHOWN / 2.0, middle + SHOWN / 2.0))
+    ax.plot(shown["time"], shown, color=COLOURS[0], linewidth=0.9)
+    ax.axhline(float(history.mean()), color=GREY, linewidth=0.9)
+
+
+def _exceeded(ax: Axes, swing: xr.DataArray) -> None:
+    """Share of peaks above the mean, and below it, that exceed a size; Rayleigh's beside them."""
+    largest = 0.0
+    for colour, sign, label in ((COLOURS[0], 1.0, "above the mean"), (COLOURS[1], -1.0, "below")):
+        sizes = np.sort(peaks(sign * swing.values))
+        ax.step(sizes, 1.0 - np.arange(len(sizes)) / len(sizes), color=colour, label=label)
+        largest = max(largest, float(sizes[-1]))
+    over = np.linspace(0.0, largest, 100)
+    rayleigh = np.exp(-0.5 * (over / float(swing.std())) ** 2)
+    ax.plot(over, rayleigh, ":", color="black", label="Rayleigh")
+    ax.set_yscale("log")
+    ax.set_ylim(bottom=0.5 / len(sizes), top=1.5)
 
 
 def _by_depth(values: xr.DataArray) -> xr.DataArray:

@@ -1,4 +1,4 @@
-"""The unspecified inputs, beside the three numbers that it prints."""
+"""The unspecified inputs, compared with the three numbers that the paper prints."""
 
 from __future__ import annotations
 
@@ -7,41 +7,102 @@ from typing import Any
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
-from riserstudy.chapters.mao_hangoff.runs import STATED
-from riserstudy.chapters.mao_hangoff.towed import displacement
+from riserstudy.chapters.mao_hangoff.runs import PRINTED as NUMBERS
+from riserstudy.chapters.mao_hangoff.runs import distance, largest, misses_of_print
 from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
 
 MARKS = ("o", "s", "^", "D", "v", "P")
+NEAREST = "nearest to all three numbers"
+RING: dict[str, Any] = {
+    "color": "black",
+    "marker": "o",
+    "ms": 9,
+    "mfc": "none",
+    "ls": "none",
+}
 
 
-def readings(readings: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
-    """Every reading of riser weight, flow and profile beside the printed numbers.
+def readings(
+    readings: xr.Dataset, heavy: float, light: float, moment: float, within: float
+) -> Figure:
+    """Every reading of riser weight, flow and profile, compared with the printed numbers.
 
-    ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
+    ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment
+    (kN m); ``within``: share of a number that counts as near.
     """
     numbers = _numbers(readings)
     figure, axes = _beside_print(heavy, light, moment)
-    flows = list(numbers["flow"].values)
-    for weight, colour in _coloured(numbers["riser_weight"]).items():
+    flows = [str(flow) for flow in numbers["flow"].values]
+    weights = _coloured(numbers["riser_weight"])
+    for weight, colour in weights.items():
         for mark, flow in zip(MARKS, flows, strict=False):
             one = numbers.sel(riser_weight=weight, flow=flow)
             style: dict[str, Any] = {"color": colour, "marker": mark, "ls": "none", "ms": 4}
-            axes[0].plot(one["x"], one["moment"], **style)
-            axes[1].plot(one["x"], one["ratio"], **style)
-        axes[0].plot([], [], "o", color=colour, ms=4, label=str(weight))
-    for mark, flow in zip(MARKS, flows, strict=False):
-        axes[0].plot([], [], ls="none", marker=mark, color=GREY, ms=4, label=str(flow))
-    key_below(figure, axes[0], 3)
-    headline(
-        figure,
-        "Readings of weight, flow and profile, all assumed, beside the printed numbers (dashed)",
-    )
+            axes[0].plot(one["x"], one["moment"], label=f"{weight}; {flow}", **style)
+            axes[1].plot(one["x"], one["ratio"], label=f"{weight}; {flow}", **style)
+    _around_print(axes, numbers, heavy, light, moment)
+    _two_way_key(figure, weights, flows)
+    misses = misses_of_print(readings, heavy, light, moment)
+    _ring_nearest(axes, numbers, misses)
+    headline(figure, _how_near(misses, heavy, light, moment, within, "readings"))
     return figure
 
 
-def open_choices(open_lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
-    """Samples of the unspecified inputs beside the printed numbers, as ``readings`` has them."""
+def _ring_nearest(axes: list[Axes], numbers: xr.Dataset, misses: xr.Dataset) -> None:
+    """Ring what misses all three numbers by least."""
+    worst = misses[list(NUMBERS)].to_dataarray("number").max("number")
+    nearest = numbers.isel(worst.argmin(...))
+    for ax, name in zip(axes, ("moment", "ratio"), strict=True):
+        ax.plot(nearest["x"], nearest[name], label=NEAREST, **RING)
+
+
+def _how_near(
+    misses: xr.Dataset, heavy: float, light: float, moment: float, within: float, what: str
+) -> str:
+    """How many come within a share of each number and of all three, and what the nearest misses by."""
+    three = misses[list(NUMBERS)].to_dataarray("number")
+    worst = three.max("number")
+    x_heavy, x_light, m = (int((three.sel(number=name) <= within).sum()) for name in NUMBERS)
+    every = int((worst <= within).sum()) or "none"
+    return (
+        f"Of {worst.size} {what} {x_heavy} come within {100 * within:g} % of {heavy:g} m, {x_light} of "
+        f"{light:g} m and {m} of {moment:g} kN m, {every} of all three; the nearest "
+        f"misses one of them by {100 * float(worst.min()):.0f} %"
+    )
+
+
+def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str]) -> None:
+    """What colours and marks mean, a column each, below the panels."""
+    colours = [_shown(weight, "o", colour) for weight, colour in weights.items()]
+    marks = [_shown(flow, mark, GREY) for mark, flow in zip(MARKS, flows, strict=False)]
+    others = [
+        Line2D([], [], label="printed by the paper", **PRINTED),
+        Line2D([], [], label=NEAREST, **RING),
+    ]
+    columns = [
+        [_shown("weight in water"), *colours],
+        [_shown("current, to the track"), *marks],
+        [_shown("lines and rings"), *others],
+    ]
+    rows = max(len(column) for column in columns)
+    handles = [one for column in columns for one in column + [_shown("")] * (rows - len(column))]
+    key = figure.legend(
+        handles=handles, loc="outside lower center", ncols=len(columns), fontsize="small"
+    )
+    for number in range(len(columns)):
+        key.get_texts()[number * rows].set_fontweight("bold")
+
+
+def _shown(label: str, mark: str = "", colour: str = "none") -> Line2D:
+    return Line2D([], [], ls="none", marker=mark, color=colour, ms=4, label=label)
+
+
+def open_choices(
+    open_lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float, within: float
+) -> Figure:
+    """Samples of the unspecified inputs, compared with the printed numbers as ``readings`` has them."""
     numbers = _numbers(open_lmrp_mass)
     figure, axes = _beside_print(heavy, light, moment)
     weights = open_lmrp_mass["assumed_riser_weight"]
@@ -49,22 +110,29 @@ def open_choices(open_lmrp_mass: xr.Dataset, heavy: float, light: float, moment:
         one = numbers.sel(sample=weights == weight)
         axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=3, label=str(weight))
         axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
-    _around_print(axes, numbers, heavy, moment)
-    key_below(figure, axes[0], 2)
-    headline(figure, "Samples of the unspecified inputs, beside the printed numbers (dashed)")
+    _around_print(axes, numbers, heavy, light, moment)
+    misses = misses_of_print(open_lmrp_mass, heavy, light, moment)
+    _ring_nearest(axes, numbers, misses)
+    key_below(figure, axes[0], 3)
+    headline(figure, _how_near(misses, heavy, light, moment, within, "samples"))
     return figure
 
 
-def _around_print(axes: list[Axes], found: xr.Dataset, heavy: float, moment: float) -> None:
+def _around_print(
+    axes: list[Axes], found: xr.Dataset, heavy: float, light: float, moment: float
+) -> None:
     """Show what is near the printed numbers; samples beyond are counted."""
-    bounds = ((axes[0], "moment", 4.0 * moment), (axes[1], "ratio", 1.5))
-    for ax, name, top in bounds:
-        ax.set_xlim(0.0, 4.0 * heavy)
-        ax.set_ylim(0.0 if name == "moment" else 0.9, top)
-        beyond = int(((found["x"] > 4.0 * heavy) | (found[name] > top)).sum())
-        ax.set_title(
-            f"{beyond} of {found.sizes['sample']} beyond the frame", loc="right", fontsize="small"
-        )
+    growth = light / heavy - 1.0
+    bounds = (
+        (axes[0], "moment", 0.0, 4.0 * moment),
+        (axes[1], "ratio", 1.0 - growth, 1.0 + 3.0 * growth),
+    )
+    for ax, name, bottom, top in bounds:
+        ax.set_xlim(-0.1 * heavy, 4.0 * heavy)
+        ax.set_ylim(bottom, top)
+        outside = (found["x"] > 4.0 * heavy) | (found[name] > top) | (found[name] < bottom)
+        beyond = int(outside.sum())
+        ax.set_title(f"{beyond} of {outside.size} outside the frame", loc="right", fontsize="small")
 
 
 def _coloured(readings: xr.DataArray) -> dict[str, str]:
@@ -73,21 +141,20 @@ def _coloured(readings: xr.DataArray) -> dict[str, str]:
 
 
 def _beside_print(heavy: float, light: float, moment: float) -> tuple[Figure, list[Axes]]:
-    figure, axes = panels(1, 2, 4.2, sharex=True)
+    figure, axes = panels(1, 2, 4.6, sharex=True)
     axes[0].axhline(moment, label="printed", **PRINTED)
     axes[1].axhline(light / heavy, **PRINTED)
-    labels = ("largest moment at 130 s (kN m)", "displacement, 120 t over 140 t (-)")
+    labels = ("largest moment at 130 s (kN m)", "distance, 120 t / 140 t (-)")
     for ax, label in zip(axes, labels, strict=True):
         ax.axvline(heavy, **PRINTED)
-        ax.set_xlabel("LMRP astern at 130 s, 140 t (m)")
+        ax.set_xlabel("distance of the LMRP astern at 130 s, 140 t (m)")
         ax.set_ylabel(label)
     return figure, axes
 
 
 def _numbers(runs: xr.Dataset) -> xr.Dataset:
     """Distance x (m) and M (kN m) with 140 t, and x with 120 t over that."""
-    x = abs(displacement(runs).sel(time=STATED, drop=True).isel(s=0, drop=True))
-    moment = abs(runs["bending_moment"].sel(time=STATED, drop=True)).max("s") / 1e3
+    x, moment = distance(runs), largest(runs) / 1e3
     heavy = x.sel(lmrp_mass=140.0, drop=True)
     return xr.Dataset(
         {

@@ -4,69 +4,77 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
-from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panels
+from riserstudy.figures.style import GREY, headline, panels
 
 PERIODS = (6.0, 8.0)  # s, of heave
+MARKS = ("o", "s", "^", "v")  # of limits; the last where none is reached
+viridis = colormaps["viridis"]
 
 
 def speed_limits(speed_limits: xr.Dataset) -> Figure:
-    """Largest speed through water, and over ground, over length and LMRP mass for each current.
-
-    Coloured by the limit that governs.
-    """
+    """Largest speed over ground over length, a line an LMRP mass, a panel a current; marks: what governs."""
     currents = speed_limits["current_speed"].values
-    figure, axes = panels(1, len(currents), 3.8, sharey=True)
+    figure, axes = panels(1, len(currents), 3.6, sharey=True)
     names = [str(name) for name in speed_limits["limit"].values]
+    governing = np.unique(speed_limits["governing_limit"].values.astype(int))
     for ax, current in zip(axes, currents, strict=True):
         at = speed_limits.sel(current_speed=current)
-        lengths, masses = at["riser_length"].values, at["lmrp_mass"].values
-        for i, mass in enumerate(masses):
-            for j, length in enumerate(lengths):
-                one = at.sel(lmrp_mass=mass, riser_length=length)
-                which = int(one["governing_limit"])
-                colour = COLOURS[which] if which >= 0 else GREY
-                ax.barh(i, 1.0, left=j - 0.5, height=1.0, color=colour, alpha=0.35, ec="white")
-                more = "" if which >= 0 else ">"
-                through, ground = float(one["speed_through_water"]), float(one["speed_limit"])
-                text = f"{more}{through:.1f}\n({more}{ground:.1f})"
-                ax.text(j, i, text, ha="center", va="center", fontsize="small")
-        ax.set_xticks(range(len(lengths)), [f"{x:g}" for x in lengths])
-        ax.set_yticks(range(len(masses)), [f"{x:g}" for x in masses])
-        ax.set_title(f"current against: {current:g} m/s", loc="right", fontsize="small")
-        ax.set_xlim(-0.5, len(lengths) - 0.5)
-        ax.set_ylim(-0.5, len(masses) - 0.5)
+        _speeds(ax, at, governing)
+        knots = float((at["speed_through_water"] - at["speed_limit"]).mean())
+        said = f"current against: {current:g} m/s ({knots:.1f} kn)"
+        ax.set_title(said, loc="right", fontsize="small")
+        ax.set_xticks(at["riser_length"].values)
         ax.set_xlabel("riser length (m)")
-        ax.grid(visible=False)
-    axes[0].set_ylabel("LMRP mass (t)")
-    governing = set(speed_limits["governing_limit"].values.astype(int).ravel().tolist())
-    for which in sorted(governing, reverse=True):
-        colour, name = (
-            (COLOURS[which], f"{names[which]} governs") if which >= 0 else (GREY, "none reached")
-        )
-        axes[0].bar(0, 0, color=colour, alpha=0.35, label=name)
-    axes[0].bar(0, 0, color="none", label="kn through water at the surface")
-    axes[0].bar(0, 0, color="none", label="(kn over ground)")
-    key_below(figure, axes[0], 3)
-    slowest = speed_limits["speed_limit"].where(speed_limits["governing_limit"] >= 0.0)
-    headline(
-        figure,
-        f"From {float(slowest.min()):.1f} to {float(slowest.max()):.1f} kn over ground a limit is reached "
-        f"(assumed), {_first_of_all(speed_limits)}",
-    )
+    axes[0].set_ylim(bottom=0.0)
+    axes[0].set_ylabel("largest speed over ground (kn)")
+    axes[0].legend(title="LMRP mass", loc="lower left", fontsize="small", title_fontsize="small")
+    marks = [
+        Line2D([], [], ls="none", marker=MARKS[which], color=GREY, label=_governs(which, names))
+        for which in governing
+    ]
+    axes[-1].legend(handles=marks, loc="lower left", fontsize="small")
+    headline(figure, _slowest_and_fastest(speed_limits, names))
     return figure
 
 
-def _first_of_all(speed_limits: xr.Dataset) -> str:
-    """Which limit governs, if it is one everywhere."""
-    which = set(speed_limits["governing_limit"].values.astype(int).ravel().tolist()) - {-1}
-    names = [str(speed_limits["limit"].values[k]) for k in sorted(which)]
-    return (
-        f"everywhere that of the {names[0]}" if len(names) == 1 else f"that of {', '.join(names)}"
+def _speeds(ax: Axes, at: xr.Dataset, governing: NDArray[np.int_]) -> None:
+    masses = at["lmrp_mass"].values
+    for colour, mass in zip(viridis(np.linspace(0.0, 0.85, len(masses))), masses, strict=True):
+        one = at.sel(lmrp_mass=mass)
+        ax.plot(one["riser_length"], one["speed_limit"], color=colour, label=f"{mass:g} t")
+        for which in governing:
+            held = one["speed_limit"].where(one["governing_limit"] == which)
+            ax.plot(one["riser_length"], held, MARKS[which], color=colour, ms=5)
+
+
+def _governs(which: int, names: list[str]) -> str:
+    return "no limit reached up to this speed" if which < 0 else f"{names[which]} governs"
+
+
+def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
+    """Where the limits allow the least speed, and where the most, and which of them governs."""
+    speed = speed_limits["speed_limit"]
+    ends = (_place(speed, speed == edge) for edge in (speed.min(), speed.max()))
+    which = sorted(set(speed_limits["governing_limit"].values.astype(int).ravel().tolist()) - {-1})
+    held = " or ".join(names[k] for k in which)
+    return f"Speed limited by {held or 'nothing'} (assumed): {' and '.join(ends)}"
+
+
+def _place(speed: xr.DataArray, where: xr.DataArray) -> str:
+    """One speed of a grid, with its riser and current."""
+    one = speed.where(where, drop=True).stack(point=speed.dims).dropna("point")[0]
+    length, mass, current = (
+        float(one[name]) for name in ("riser_length", "lmrp_mass", "current_speed")
     )
+    flow = f"against {current:g} m/s" if current else "in still water"
+    return f"{float(one):.1f} kn for {length:g} m with {mass:g} t {flow}"
 
 
 def hang_off(tension_limits: xr.Dataset) -> Figure:
