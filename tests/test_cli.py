@@ -266,12 +266,12 @@ def test_effects_tells_what_is_on_and_what_could_be(command):
     code, out, _ = command("effects", SURGE)
     assert code == 0
     assert "added mass" in out
-    assert "could be" in next(line for line in out.splitlines() if "no current" in line)
-    assert "no top.tensioners" not in out
+    assert "could be" in next(line for line in out.splitlines() if "needs current" in line)
+    assert "needs top.tensioners" not in out
     assert "Free in the plane of x and z (platform.surge)." in out
     code, whole, _ = command("effects", SURGE, "--all", "--times")
     assert code == 0
-    assert "no top.tensioners" in whole
+    assert "needs top.tensioners" in whole
     assert "Timed on" in whole
 
 

@@ -32,8 +32,8 @@ def run(tmp_path, monkeypatch):
     """A run, what is fed to it, and its clock."""
     monkeypatch.chdir(tmp_path)
 
-    def new():
-        progress = Progress("preview", tmp_path / "steps.json", clock)
+    def new(tier="preview"):
+        progress = Progress(tier, tmp_path / "steps.json", clock, tmp_path / "points.json")
         for line in BEGIN.splitlines():
             progress.see(line)
         return progress
@@ -95,9 +95,33 @@ def test_time_left_is_that_of_the_last_run(run):
     assert "about 12 s left" in second.text()
 
 
-def test_a_damaged_memory_is_none(run, tmp_path):
+def test_a_tier_that_never_ran_is_told_by_points_from_another(run, tmp_path):
+    new, clock = run
+    planned = tmp_path / "points.json"
+    planned.write_text('{"paper/one": 4, "paper/two": 2}')
+    preview = new()
+    for job, message, rule, seconds in (
+        ("1", "simulate paper/one", "simulate", 8.0),
+        ("2", "simulate paper/two", "simulate", 2.0),
+        ("3", "draw paper/fig01", "figure", 5.0),
+    ):
+        preview.see(f"Job {job}: {message}")
+        clock.now += seconds
+        preview.see(f"Finished jobid: {job} (Rule: {rule})")
+    preview.remember()
+
+    planned.write_text('{"paper/one": 40, "paper/two": 2}')  # ten times the points, and as many
+    standard = new("standard")
+    assert standard.seconds_left() == pytest.approx((80.0 + 2.0 + 5.0) / 2)
+    standard.see("Job 7: simulate paper/one, part 1 of 4")
+    clock.now += 3.0
+    assert standard.seconds_left() == pytest.approx((80.0 + 2.0 + 5.0) / 2)  # a part is not known
+
+
+@pytest.mark.parametrize("damaged", ["{ broken", "[]", '{"preview": {"simulate paper/one": 3}}'])
+def test_a_damaged_memory_is_none(run, tmp_path, damaged):
     new, _ = run
-    (tmp_path / "steps.json").write_text("{ broken")
+    (tmp_path / "steps.json").write_text(damaged)
     assert new().seconds_left() is None
 
 

@@ -40,6 +40,7 @@ def begin_once():
     at_work = workflow.executor_plugin and not (workflow.dryrun or workflow.touch)
     damaged, notes = begin(PLAN.papers, PLAN.outputs(), at_work, PLAN.tier)
     workflow.dag.forcefiles.update(damaged)
+    PLAN.leave_points(Path(".cache/points.json"))
     for note in notes:
         print(f"riserstudy: note: {note}", file=sys.stderr)
 

@@ -7,11 +7,21 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 MEMORY = Path(".cache/steps.json")
+PLANNED = Path(".cache/points.json")  # points of each study of this run, as it was planned
 TAIL = 400  # bytes of a log, at its end, in which its progress stands
 STUDY = re.compile(r"simulate (\S+)/([^\s,]+)(?:, part (\d+) of (\d+))?")
 POINTS = re.compile(r"(\d+) of (\d+) points\s*$")
+
+
+class Taken(NamedTuple):
+    """What a step that is done took: its rule, time (s) and points, 1 where it has none."""
+
+    rule: str
+    seconds: float
+    points: float
 
 
 @dataclass
@@ -29,25 +39,26 @@ class Progress:
     ----------
     tier : its times are remembered apart, in ``memory``.
     clock : gives the time (s).
+    planned : where the plan of this run leaves the points of each study.
     """
 
     def __init__(
-        self, tier: str, memory: Path = MEMORY, clock: Callable[[], float] = time.monotonic
+        self,
+        tier: str,
+        memory: Path = MEMORY,
+        clock: Callable[[], float] = time.monotonic,
+        planned: Path = PLANNED,
     ) -> None:
-        self.tier, self.memory, self.clock = tier, memory, clock
+        self.tier, self.memory, self.clock, self.planned = tier, memory, clock, planned
         self.began = clock()
         self.cores = 1
         self.steps = ""
         self.left: Counter[str] = Counter()  # steps to do, by rule
         self.at_work: dict[str, Step] = {}  # by number of the job
-        self.took: dict[
-            str, tuple[str, float]
-        ] = {}  # rule and time (s) of a step that is done, by message
+        self.took: dict[str, Taken] = {}  # by message
+        self.points: dict[str, float] = {}  # by study
         self._in_table = False
-        try:
-            self.before: dict[str, dict[str, tuple[str, float]]] = json.loads(memory.read_text())
-        except (OSError, ValueError):
-            self.before = {}
+        self.before = _remembered(memory)
 
     def see(self, line: str) -> None:
         """Take in a line of what Snakemake says."""
@@ -63,6 +74,7 @@ class Progress:
             self.at_work.pop(found[1], None)
         elif re.match(r"job\s+count", line):
             self._in_table = True
+            self.points = _planned(self.planned)
         elif self._in_table and (found := re.match(r"(\w+)\s+(\d+)\s*$", line)):
             self.left[found[1]] = int(found[2])
             self._in_table = found[1] != "total"
@@ -71,10 +83,31 @@ class Progress:
         self.left[rule] -= 1
         step = self.at_work.pop(job, None)
         # what only gathers says nothing when it begins
-        self.took[step.message if step else rule] = (
-            rule,
-            self.clock() - step.began if step else 0.0,
-        )
+        message = step.message if step else rule
+        seconds = self.clock() - step.began if step else 0.0
+        self.took[message] = Taken(rule, seconds, self._points(message))
+
+    def _points(self, message: str) -> float:
+        """Points that a step simulates; 1 for any other."""
+        found = STUDY.fullmatch(message)
+        if not found:
+            return 1.0
+        paper, study, _, parts = found.groups()
+        return self.points.get(f"{paper}/{study}", 1.0) / float(parts or 1)
+
+    def _known(self) -> dict[str, tuple[str, float]]:
+        """Rule and time (s) of steps, by message.
+
+        As the last run of the tier had them, or that of another tier, by the points that a study has now.
+        """
+        others = [steps for tier, steps in self.before.items() if tier != self.tier]
+        every: dict[str, Taken] = {}
+        for steps in (*others, self.before.get(self.tier, {})):
+            every |= steps
+        return {
+            message: (step.rule, step.seconds * self._points(message) / step.points)
+            for message, step in every.items()
+        }
 
     def text(self) -> str:
         """Steps done, time gone and left, what is at work, on how many cores."""
@@ -86,11 +119,11 @@ class Progress:
         return f"{gone} on {cores}: {at_work}" if at_work else f"{gone} on {cores}"
 
     def seconds_left(self) -> float | None:
-        """Time left (s) where steps take as long as in earlier runs of the tier.
+        """Time left (s) where steps take as long as in earlier runs, a point for a point.
 
         None where nothing is left, or earlier runs had no step of a kind.
         """
-        known = self.before.get(self.tier, {})
+        known = self._known()
         total = 0.0
         for rule, count in self.left.items():
             if count > 0 and rule != "total":
@@ -115,6 +148,28 @@ class Progress:
         if self.took:
             kept = self.before | {self.tier: self.before.get(self.tier, {}) | self.took}
             self.memory.write_text(json.dumps(kept))
+
+
+def _remembered(memory: Path) -> dict[str, dict[str, Taken]]:
+    """Steps of earlier runs by tier and message; none where they cannot be read."""
+    try:
+        tiers = json.loads(memory.read_text())
+        return {
+            tier: {message: Taken(*step) for message, step in steps.items()}
+            for tier, steps in tiers.items()
+        }
+    except (OSError, ValueError, TypeError, AttributeError):
+        return {}
+
+
+def _planned(planned: Path) -> dict[str, float]:
+    """Points of each study; none where the plan has not been left."""
+    try:
+        return {
+            str(study): float(count) for study, count in json.loads(planned.read_text()).items()
+        }
+    except (OSError, ValueError, AttributeError):
+        return {}
 
 
 def _said(message: str) -> str:

@@ -75,7 +75,8 @@ def effects(
     for row in rows:
         word = "on" if row.on else "could be" if row.name in could else "off"
         if every or word != "off":
-            cells = (row.name, word, row.because, *([share.get(row.name, "")] if times else []))
+            because = row.because if row.on else _needs(row.because)
+            cells = (row.name, word, because, *([share.get(row.name, "")] if times else []))
             table.add_row(*cells, style=None if row.on else "dim")
     console.print(table)
     off = sum(not row.on and row.name not in could for row in rows)
@@ -85,6 +86,13 @@ def effects(
     console.print(f"Free {solved_for(file)}.", highlight=False)
     for line in price.said[:1] if times else []:
         console.print(line, highlight=False)
+
+
+def _needs(missing: str) -> str:
+    """What is missing, as "no wave, and riser.added_mass", as what an effect needs."""
+    if not missing.startswith("no "):
+        return missing
+    return f"needs {missing.removeprefix('no ').replace(', and ', ' and ')}"
 
 
 def advise(scene: SceneArgument, settings: SetOption = None) -> None:

@@ -134,6 +134,14 @@ class Workplan:
         """All studies of all papers."""
         return list(self._studies.values())
 
+    def leave_points(self, where: Path) -> None:
+        """Write how many points each study has: what runs the studies tells by it what time is left."""
+        counts = {
+            f"{paper}/{name}": len(study.plan) for (paper, name), study in self._studies.items()
+        }
+        where.parent.mkdir(exist_ok=True)
+        where.write_text(json.dumps(counts))
+
     def study(self, paper: str, name: str) -> Study:
         """One study, planned once."""
         return self._studies[paper, name]

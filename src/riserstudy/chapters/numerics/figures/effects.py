@@ -69,7 +69,7 @@ def on(effects: xr.Dataset) -> xr.DataArray:
 
 
 def added(effects: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
-    """Time over that of a run, (scene,): what freedom across would add, and all other effects, summed."""
+    """Time over that of a run, (scene,): what motion out of the plane adds, and what all other effects do."""
     comes = [str(name) for name in effects["change"].values if str(name).startswith("with ")]
     others = effects["time_change"].sel(change=[name for name in comes if name != DECIDED])
     across = effects["time_change"].sel(change=[name for name in comes if name == DECIDED])
@@ -106,7 +106,7 @@ def _times(ax: Axes, effects: xr.Dataset, scenes: list[str]) -> None:
         for width, colour, label in (
             *parts,
             (more, "#f0bf9c", "effects that are off would add"),
-            (space, "#f8e4d6", "freedom across would add"),
+            (space, "#f8e4d6", "motion out of the plane would add"),
         ):
             ax.barh(row, width, left=start, height=0.55, color=colour, label="" if row else label)
             start += width
@@ -129,8 +129,8 @@ def _changes(ax: Axes, effects: xr.Dataset, scenes: list[str]) -> None:
     size = change(effects)
     kinds = (
         ("without ", "o", True, "one that is on goes"),
-        ("with ", "o", False, "one comes that the scene could have named"),
-        (DECIDED, "x", True, "freedom comes that nothing calls for"),
+        ("with ", "o", False, "one comes that the scene could have had"),
+        (DECIDED, "x", True, "motion out of the plane comes, which nothing calls for"),
     )
     for row, scene in enumerate(scenes):
         for start, marker, filled, label in kinds:
