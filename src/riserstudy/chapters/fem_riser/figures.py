@@ -441,7 +441,7 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
             scale * api2j_surge[f"{name}_max"].max(over),
         )
         ax.fill_betweenx(
-            api2j_surge["s_node"], low, high, color="0.88", linewidth=0, label="any surge"
+            api2j_surge["s_node"], low, high, color="0.88", linewidth=0, label="over the surge"
         )
         for solver, style in ((LUMPED, {"color": COLOURS[0]}), (BEAM, PRINTED)):
             run = api2j.sel(solver=solver)
@@ -462,5 +462,10 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
     axes[2].set_ylim(0.0, 1.3 * axes[2].get_ylim()[1])
     axes[2].legend(fontsize="x-small", loc="upper right")
     key_below(figure, axes[0], 3)
-    headline(figure, "API Bulletin 2J: both solvers agree, the surge that is open moves more")
+    headline(
+        figure,
+        "API Bulletin 2J: the solvers differ by at most "
+        f"{float((apart['bending_moment'] / largest['bending_moment']).max()):.2%} of the moment, "
+        f"{float((apart['x'] / largest['x']).max()):.2%} of the displacement".replace("%", " %"),
+    )
     return figure

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from riserstudy.figures.style import GREY, headline, panels
 
 PERIODS = (6.0, 8.0)  # s, of heave
+HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
 MARKS = ("o", "s", "^", "v")  # of limits; the last where none is reached
 viridis = colormaps["viridis"]
 
@@ -78,7 +79,7 @@ def _place(speed: xr.DataArray, where: xr.DataArray) -> str:
 
 
 def hang_off(tension_limits: xr.Dataset) -> Figure:
-    """Tension range over heave, soft beside hard; the heave that loses tension, hard, over the riser."""
+    """Tension range over heave, soft and hard; the heave that loses tension, hard, over the riser."""
     figure, axes = panels(2, 2, 3.6)
     of_paper = tension_limits.isel(riser_length=-1, lmrp_mass=-1)
     spread = of_paper["tension_range"].transpose("mode", "heave_amplitude", "heave_period") / 1e6
@@ -88,7 +89,11 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         slack = at["smallest_tension"].transpose("heave_amplitude", "heave_period") < 0.0
         _cells(ax, spread.sel(mode=mode), norm, slack)
         riser = f"{float(of_paper['riser_length']):g} m, {float(of_paper['lmrp_mass']):g} t"
-        ax.set_title(f"{mode}, {riser}: range of top tension (MN)", fontsize="small", loc="right")
+        ax.set_title(
+            f"{HUNG[mode]} ({mode}), {riser}: range of top tension (MN)",
+            fontsize="small",
+            loc="right",
+        )
         ax.set_xlabel("heave period (s)")
         ax.set_ylabel("heave amplitude (m)")
     lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
@@ -104,23 +109,21 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         )
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
-    said = f"orange: tension is lost; on tensioners {_lost_softly(lost, most)}"
-    figure.supxlabel(said, fontsize="small")
-    headline(
-        figure, "Locked to the platform a riser soon loses tension in heave; on tensioners late"
+    figure.supxlabel(
+        "orange: tension is lost; dash: not in the grid's amplitudes", fontsize="small"
     )
+    loses = (f"{word} {_loses(lost.sel(mode=mode), most)}" for mode, word in HUNG.items())
+    headline(figure, f"Heave that loses tension: {', '.join(loses)}")
     return figure
 
 
-def _lost_softly(lost: xr.DataArray, most: float) -> str:
-    """The least heave that loses tension on tensioners, and of which riser."""
-    soft = lost.sel(mode="soft")
-    if bool(soft.isnull().all()):
-        return f"no riser loses it up to {most:g} m"
-    at = soft.where(soft == soft.min(), drop=True)
-    length, mass, period = (float(at[n][0]) for n in ("riser_length", "lmrp_mass", "heave_period"))
-    riser = f"{length:g} m with {mass:g} t at {period:g} s"
-    return f"the first to lose it are {riser}, from {float(soft.min()):.1f} m on"
+def _loses(lost: xr.DataArray, most: float) -> str:
+    """The least heave that loses tension, and of which riser."""
+    if bool(lost.isnull().all()):
+        return f"none up to {most:g} m"
+    at = lost.where(lost == lost.min()).stack(point=lost.dims).dropna("point")[0]
+    length, mass, period = (float(at[n]) for n in ("riser_length", "lmrp_mass", "heave_period"))
+    return f"from {float(at):.1f} m on ({length:g} m with {mass:g} t at {period:g} s)"
 
 
 def _cells(
