@@ -12,7 +12,7 @@ from riserstudy.simulation.starting_mesh import period
 
 PERIODS = 12.0  # of a scene after its ramps, which are run first
 LONG = 20.0  # times these, from which on a run is worth it
-ESTIMATED = 5.0 / 3.0  # times a run on a mesh of the scene: with the two that tell its error
+ESTIMATED = 2.0  # times a run on a mesh of the scene: with those that tell its error
 
 
 class Forecast(NamedTuple):

@@ -8,17 +8,19 @@ from typing import Any
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
-from riserstudy.model.mesh import Mesh, prescribed
+from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import rounding
-from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, difference, estimate
+from riserstudy.simulation.as_asked import as_asked
+from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.halved import Halved
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import finish, march, single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_stepping import steps_in
-from riserstudy.simulation.watch import Tell, Watch
+from riserstudy.simulation.watch import Tell, Watch, size
 
 DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
 RUNS = 16  # halvings of mesh or step, at most
@@ -37,16 +39,15 @@ def run(
 ) -> Result:
     """Simulate a scene.
 
-    With mesh and step in the scene they are used, and runs on half and a quarter of the segments, with
-    twice and four times the step, tell the error. Otherwise mesh or step, whichever errs more, is halved
+    With mesh and step in the scene they are used, and coarser runs, on half and a quarter of the segments,
+    with twice and four times the step, tell the error. Otherwise mesh or step, whichever errs more, is halved
     until the estimated error of displacement, tension and moment is below the accuracy asked for.
 
     Parameters
     ----------
     patience : time (s) after which the finest run so far is the result; its fact ``ended_by`` and a warning
         say so. A run that would not end within it is not begun, one that does not is broken off.
-    estimated : whether a run with mesh and step in the scene tells its error, which takes about two thirds
-        more.
+    estimated : whether a run with mesh and step in the scene tells its error, which takes as long again.
     tell : is told what is at work, and what share of it is done.
 
     Raises
@@ -62,52 +63,9 @@ def run(
     result = (
         Refinement(scene, watch).result()
         if scene.analysis.mesh is None
-        else _as_asked(scene, estimated, watch)
+        else as_asked(scene, estimated, watch)
     )
     result.facts["wall_seconds"] = watch.spent
-    return result
-
-
-def _as_asked(scene: Scene, estimated: bool, watch: Watch) -> Result:
-    """A run with the scene's own mesh and step; its error from two coarser runs.
-
-    These go first, so that the time of the run itself is not that of loading kernels.
-    """
-    a = scene.analysis
-    elements = a.mesh.elements if a.mesh else 1
-
-    def asked() -> Result:
-        watch.begin(f"the run as asked: {_size(elements, a.step)}")
-        try:
-            return single(scene, prescribed(scene, elements), a.step, watch=watch)
-        except TakesTooLong as late:
-            raise TakesTooLong(
-                f"analysis.mesh, analysis.step: take longer than {watch.patience:g} s, {late}"
-            ) from None
-
-    if not estimated:
-        return asked()
-    if elements == 1 and not a.step:
-        return _exact(asked())
-    runs: list[Result] = []
-    for k in (2, 4):
-        step = k * a.step if a.step and a.method != "explicit" else a.step
-        coarser = prescribed(scene, max(1, elements // k))
-        watch.begin(f"a coarser run, for the error: {_size(len(coarser.l0), step)}")
-        try:
-            less = thinned(scene, step)[0]
-            runs.insert(0, march(less, coarser, step, watch=watch))
-        except SimulationError:  # a coarse mesh may buckle, a long step fail
-            break
-    result = asked()
-    runs.append(result)
-    if len(runs) == 1:
-        result.facts["warnings"].append("no error estimate: the coarser run cannot be completed")
-        result.facts["error_estimate"] = {}
-        return result
-    result.facts["error_estimate"] = estimate(
-        difference(*runs[-2:]), difference(*runs[:2]) if len(runs) > 2 else None
-    )
     return result
 
 
@@ -232,7 +190,7 @@ class Refinement:
 
     def _begin(self) -> None:
         """Tell what is run next, how far the last was off, and what is left to do."""
-        on = f"run {len(self.spent) + 1}: {_size(len(self.mesh.l0), self.step)}"
+        on = f"run {len(self.spent) + 1}: {size(len(self.mesh.l0), self.step)}"
         if self.spent and not self._unknown:
             error = self.error
             worst = max(error, key=lambda name: error[name] / self.target[name])
@@ -374,7 +332,7 @@ class Refinement:
             mesh = self.meshes[-1 - k] if way == "mesh" else self.mesh
             step = self.step * 2**k if way == "step" and self.step else self.step
             self.watch.begin(
-                f"run {len(self.spent) + 1}, to look again: {_size(len(mesh.l0), step)}"
+                f"run {len(self.spent) + 1}, to look again: {size(len(mesh.l0), step)}"
             )
             try:
                 runs.append(march(thinned(self.scene, step)[0], mesh, step, watch=self.watch))
@@ -426,30 +384,11 @@ def _give_up_buckling(scene: Scene, finer: Result, excess: list[float]) -> None:
         )
 
 
-class Halved:
-    """What halving mesh or step was seen to change, and the error that it left."""
-
-    def __init__(self, change: dict[str, float], before: Halved | None) -> None:
-        self.change = change
-        # changes beside another mesh or step are alike, but not to the third order
-        most = SURE_FALL if before and before.since else MOST_FALL
-        self.error = estimate(change, before.change if before else None, most)
-        self.since: int = 0  # halvings of the other
-        worst = max(change, key=lambda name: change[name], default="")
-        was = before.change.get(worst, 0.0) if before else 0.0
-        #: of the largest change since the one before; unknown: as much as is believed
-        self.fall = max(was / change[worst], 1.0) if was and change[worst] else MOST_FALL
-
-
 def _longest_step(scene: Scene) -> float:
     """The step that a refinement starts from (s): in turns of platform and riser, a whole part of one."""
     step = period(scene) / STEPS_A_PERIOD
     coupling = scene.vessel and scene.vessel.coupling
     return coupling.interval / steps_in(coupling.interval, step) if coupling else step
-
-
-def _size(elements: int, step: float | None) -> str:
-    return f"{elements} segments" + (f", steps of {step:.3g} s" if step else "")
 
 
 def _duration(seconds: float) -> str:

@@ -69,3 +69,8 @@ class Watch:
 def share(record: Record) -> float:
     """Share of the outputs that is written."""
     return float(record.written[0]) / max(1, len(record.time))
+
+
+def size(elements: int, step: float | None) -> str:
+    """How a run is named: by its mesh and step (s)."""
+    return f"{elements} segments" + (f", steps of {step:.3g} s" if step else "")

@@ -1,0 +1,79 @@
+"""Run a scene with the mesh and the step that it names; its error from coarser runs."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from riserstudy.dataset.result import Result
+from riserstudy.errors import SimulationError, TakesTooLong
+from riserstudy.model.mesh import prescribed
+from riserstudy.scene.models import Scene
+from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.halved import Halved
+from riserstudy.simulation.run import march, single
+from riserstudy.simulation.thinning import thinned
+from riserstudy.simulation.watch import Watch, size
+
+COARSER = ("step", "mesh", "step", "mesh")  # what is doubled from run to run, in turn
+
+
+def as_asked(scene: Scene, estimated: bool, watch: Watch) -> Result:
+    """A run with the scene's own mesh and step; its error from coarser runs.
+
+    These go first, so that the time of the run itself is not that of loading kernels. Mesh and step are
+    doubled one at a time: together, the large and falling error of the one hides what the other leaves.
+
+    Raises
+    ------
+    SimulationError
+        As `run` does.
+    TakesTooLong
+        When that takes longer than the watch's patience.
+    """
+    a = scene.analysis
+    elements = a.mesh.elements if a.mesh else 1
+    ways = ["mesh"] if elements > 1 else []
+    ways += ["step"] if a.step and a.method != "explicit" else []
+    coarser = _coarser(scene, elements, ways, watch) if estimated else []
+    watch.begin(f"the run as asked: {size(elements, a.step)}")
+    try:
+        result = single(scene, prescribed(scene, elements), a.step, watch=watch)
+    except TakesTooLong as late:
+        raise TakesTooLong(
+            f"analysis.mesh, analysis.step: take longer than {watch.patience:g} s, {late}"
+        ) from None
+    if not estimated:
+        return result
+    seen: dict[str, Halved] = {}
+    finer = [result, *(run for _, run in coarser)]
+    for (way, _), (fine, coarse) in reversed([*zip(coarser, pairwise(finer), strict=True)]):
+        for other in seen.values():
+            other.since += 1
+        seen[way] = Halved(difference(coarse, fine), seen.get(way))
+    result.facts["error_estimate"] = {}
+    if all(way in seen for way in ways):
+        errors = [one.error for one in seen.values()]
+        names = dict.fromkeys(name for error in errors for name in error)
+        result.facts["error_estimate"] = {
+            name: sum(error.get(name, 0.0) for error in errors) for name in names
+        }
+    else:
+        result.facts["warnings"].append("no error estimate: the coarser run cannot be completed")
+    return result
+
+
+def _coarser(
+    scene: Scene, elements: int, ways: list[str], watch: Watch
+) -> list[tuple[str, Result]]:
+    """Runs with mesh or step doubled, and which of them, each beside the one before."""
+    step, runs = scene.analysis.step, []
+    for way in (way for way in COARSER if way in ways):
+        elements = max(1, elements // 2) if way == "mesh" else elements
+        step = 2.0 * step if way == "step" and step else step
+        mesh = prescribed(scene, elements)
+        watch.begin(f"a coarser run, for the error: {size(len(mesh.l0), step)}")
+        try:
+            runs.append((way, march(thinned(scene, step)[0], mesh, step, watch=watch)))
+        except SimulationError:  # a coarse mesh may buckle, a long step fail
+            break
+    return runs

@@ -1,0 +1,26 @@
+"""What halving a mesh or a time step was seen to change, and the error that it left."""
+
+from __future__ import annotations
+
+from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, estimate
+
+
+class Halved:
+    """What halving mesh or step was seen to change, and the error that it left.
+
+    Parameters
+    ----------
+    change : relative difference of the two runs, by quantity.
+    before : the same of the halving before, of the same of mesh and step.
+    """
+
+    def __init__(self, change: dict[str, float], before: Halved | None) -> None:
+        self.change = change
+        # changes beside another mesh or step are alike, but not to the third order
+        most = SURE_FALL if before and before.since else MOST_FALL
+        self.error = estimate(change, before.change if before else None, most)
+        self.since: int = 0  # halvings of the other
+        worst = max(change, key=lambda name: change[name], default="")
+        was = before.change.get(worst, 0.0) if before else 0.0
+        #: of the largest change since the one before; unknown: as much as is believed
+        self.fall = max(was / change[worst], 1.0) if was and change[worst] else MOST_FALL
