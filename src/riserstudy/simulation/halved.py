@@ -16,11 +16,13 @@ class Halved:
 
     def __init__(self, change: dict[str, float], before: Halved | None) -> None:
         self.change = change
-        # changes beside another mesh or step are alike, but not to the third order
-        most = SURE_FALL if before and before.since else MOST_FALL
-        self.error = estimate(change, before.change if before else None, most)
-        self.since: int = 0  # halvings of the other
         worst = max(change, key=lambda name: change[name], default="")
         was = before.change.get(worst, 0.0) if before else 0.0
         #: of the largest change since the one before; unknown: as much as is believed
-        self.fall = max(was / change[worst], 1.0) if was and change[worst] else MOST_FALL
+        self.fall: float = max(was / change[worst], 1.0) if was and change[worst] else MOST_FALL
+        # beside another mesh or step changes are alike, but not to the third order; and after a fall that
+        # was less than that of the second, a steep one may be chance
+        doubtful = before and (before.since or before.fall < SURE_FALL)
+        most = SURE_FALL if doubtful else MOST_FALL
+        self.error = estimate(change, before.change if before else None, most)
+        self.since: int = 0  # halvings of the other

@@ -10,8 +10,8 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
-from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.as_asked import as_asked
+from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved
 from riserstudy.simulation.outputs import keep_stations

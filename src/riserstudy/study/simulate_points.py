@@ -22,8 +22,8 @@ ONE_IN = 8  # points of others, by their keys: the same whatever the study
 def tells_error(study: Study, point: Point) -> bool:
     """Whether the error of a point is estimated where its mesh and step are prescribed.
 
-    To estimate it takes as long again as the run. In a study whose points have one mesh and one step it is much the
-    same from point to point, so that one in so many tells it.
+    To estimate it takes as long again as the run. In a study whose points have one mesh and one step it is
+    much the same from point to point, so that one in so many tells it.
     """
     return len(study.grid) <= FEW or int(point.key[:4], 16) % ONE_IN == 0
 
