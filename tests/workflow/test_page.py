@@ -308,6 +308,22 @@ def test_verdicts_are_on_printed_paper(browser):
     assert 0 < min(ends) <= max(ends) <= 703
 
 
+def test_what_is_short_is_unfolded_for_print_and_folded_again(browser):
+    folded = "return document.querySelectorAll(arguments[0] + ':not([open])').length"
+    long = browser.execute_script(folded, "details.long")
+    assert long > 0
+    browser.execute_script(
+        "const p = document.createElement('details'); p.className = 'added';"
+        "p.innerHTML = '<summary>s</summary>t'; document.querySelector('main').append(p);"
+        "addEventListener('beforeprint', () => {"
+        " window.printed = [p.open, document.querySelector('details.long').open]; });"
+    )
+    browser.execute_cdp_cmd("Page.printToPDF", {})
+    assert browser.execute_script("return window.printed") == [True, False]
+    assert browser.execute_script(folded, "details.added") == 1
+    assert browser.execute_script(folded, "details.long") == long
+
+
 CONTRAST = """
 const light = (colour) => {
   const parts = colour.match(/[0-9.]+/g).slice(0, 3).map((x) => x / 255);

@@ -93,6 +93,18 @@ def test_a_run_ends_with_the_verdicts_and_a_second_run_does_nothing(folder):
     assert said.startswith("Nothing to do")
 
 
+def test_verdicts_are_those_of_the_papers_where_the_joined_table_is_older(folder):
+    assert finish(start(folder, "--tier", "preview"))[0] == 0
+    graded = folder / "results/paper/reproduction.csv"
+    graded.write_text(TABLE.replace("holds", "fails"))
+    later = (folder / "results/reproduction.csv").stat().st_mtime + 1.0
+    os.utime(graded, (later, later))
+    _, said, _ = finish(start(folder, "--tier", "preview"))
+    assert "results/reproduction.csv (of an earlier run)" in said
+    lines = [line.split() for line in said.splitlines()]
+    assert ["reproduced", "fails", "not", "reproducible"] in lines
+
+
 def test_after_the_clock_was_set_back_results_are_used_and_made(folder):
     assert finish(start(folder))[0] == 0
     tomorrow = time.time() + 86400

@@ -331,12 +331,21 @@ def summarise(seconds: float) -> None:
     print(f"Done in {seconds:.0f} s.")
     for folder, count in datasets.items():
         print(f"  datasets  {folder}/*.nc ({count})")
-    if report.exists():
-        print(f"  report    {report}")
-    if table.exists():
-        print(f"  table     {table}\n")
-        with table.open(newline="", encoding="utf-8") as file:
-            print(verdicts(csv.DictReader(file)))
+    graded = sorted(Path("results").glob("*/reproduction.csv"))
+    newest = max((path.stat().st_mtime for path in graded), default=0.0)
+    old = {path for path in (report, table) if path.exists() and path.stat().st_mtime < newest}
+    for what, path in (("report", report), ("table", table)):
+        if path.exists():
+            print(f"  {what:9} {path}{' (of an earlier run)' if path in old else ''}")
+    told = graded if table in old else [table] if table.exists() else []
+    if told:
+        print(f"\n{verdicts(row for path in told for row in graded_in(path))}")
+
+
+def graded_in(table: Path) -> list[dict[str, str]]:
+    """Rows of a table of numbers and claims."""
+    with table.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
 
 
 def verdicts(rows: Iterable[dict[str, str]]) -> str:

@@ -83,6 +83,18 @@ const enlargeFigures = () => {
   dialog.addEventListener("click", () => dialog.close());
 };
 
+// On paper nothing unfolds: what is short is printed open, tables of hundreds of rows only if they are open.
+const unfoldForPrint = () => {
+  let unfolded = [];
+  addEventListener("beforeprint", () => {
+    unfolded = [...document.querySelectorAll("main details:not([open], .long, td details)")];
+    for (const one of unfolded) one.open = true;
+  });
+  addEventListener("afterprint", () => {
+    for (const one of unfolded) one.open = false;
+  });
+};
+
 // Contents stand at the side where there is room, else they are folded.
 if (matchMedia("(max-width: 75rem)").matches) document.querySelector(".contents details").open = false;
 
@@ -164,6 +176,7 @@ const drawRunsInMotion = () => {
 };
 
 enlargeFigures();
+unfoldForPrint();
 drawPicturesNearTheView();
 drawRunsInMotion();
 followLinks(letBarsFilter(await makeTablesSortable()));
