@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import math
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -14,9 +15,11 @@ from riserstudy.errors import RiserStudyError
 from riserstudy.numerics.ablation import Ablation, ablate
 from riserstudy.numerics.effect_cost import Cost, Freedom, costs, freedom
 from riserstudy.numerics.scenes import Setting, bases
+from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.kernel_cache import kernel_cache
 from riserstudy.study.measured import EffectsStudy
+from riserstudy.study.processes import each
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -25,24 +28,30 @@ if TYPE_CHECKING:
 QUANTITIES = ("displacement", "moment", "tension")
 
 
+class Tried(NamedTuple):
+    """What became of one scene."""
+
+    ablation: Ablation
+    costs: list[Cost]
+    freedom: Freedom | None
+
+
 def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
-    """Every fitting change of every kind of scene, one after another: they are timed."""
+    """Every fitting change of every kind of scene.
+
+    As many scenes at once as there are threads: what is compared, the changes of one scene, runs in turn in
+    one process, and no other job beside these.
+    """
     import xarray as xr
 
-    repeats = study.repeats[setting.tier]
-    ablations: dict[str, Ablation] = {}
-    refused: dict[str, str] = {}
-    spent: dict[str, list[Cost]] = {}
-    free: dict[str, Freedom] = {}
-    for name, file in bases(setting.studies, setting.tier):
-        try:
-            one = ablations[name] = ablate(file, repeats, study.budget[setting.tier])
-            scene = one.file.scene()
-            if scene.analysis.solver is None:
-                free[name] = freedom(scene, settle(scene, one.mesh)[0])
-                spent[name] = costs(scene, one.mesh, one.step)
-        except RiserStudyError as error:
-            refused[name] = str(error)
+    scenes = dict(bases(setting.studies, setting.tier))
+    one = partial(_tried, study.repeats[setting.tier], study.budget[setting.tier])
+    came = dict(zip(scenes, each(one, list(scenes.values()), setting.threads), strict=True))
+    tried = {name: what for name, what in came.items() if isinstance(what, Tried)}
+    refused = {name: what for name, what in came.items() if isinstance(what, str)}
+    ablations = {name: what.ablation for name, what in tried.items()}
+    spent = {name: what.costs for name, what in tried.items()}
+    free = {name: what.freedom for name, what in tried.items() if what.freedom}
     dataset = xr.Dataset(_changed(ablations) | _cost(ablations, spent) | kernels(setting.compiled))
     dataset = dataset.assign_coords(scene=list(ablations), change=_labels())
     for key in ("base_seconds", "elements", "unknowns"):
@@ -57,6 +66,19 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
         dataset[name].attrs = {"units": about[0], "long_name": about[1]}
     dataset.attrs = {"refused": json.dumps(refused)} | compiling(setting.compiled)
     return dataset
+
+
+def _tried(repeats: int, budget: float, file: SceneFile) -> Tried | str:
+    """One scene with its changes, or why it cannot be run."""
+    try:
+        ablation = ablate(file, repeats, budget)
+        scene = ablation.file.scene()
+        if scene.analysis.solver:
+            return Tried(ablation, [], None)
+        model = settle(scene, ablation.mesh)[0]
+        return Tried(ablation, costs(scene, ablation.mesh, ablation.step), freedom(scene, model))
+    except RiserStudyError as error:
+        return str(error)
 
 
 def _labels() -> list[str]:
@@ -135,7 +157,7 @@ ABOUT = {
     "compile_seconds": ("s", "time of compiling all signatures of a kernel, without what it calls"),
     "signatures": ("1", "signatures of a kernel that the study compiles"),
     "calls": ("1", "calls of an effect that a run makes"),
-    "base_seconds": ("s", "run time of the scene as it is"),
+    "base_seconds": ("s", "run time of the scene as it is, other scenes at work beside it"),
     "elements": ("1", "segments of the riser"),
     "unknowns": ("1", "degrees of freedom solved"),
 }
