@@ -124,12 +124,12 @@ def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
     assert found.attrs["compiled_functions"] > 0
     figure = draw("numerics", "effects", {"effects": found})
     assert [t.get_text() for t in figure.axes[0].get_yticklabels()] == ["bench/s3", "bench/s1"]
-    assert "none of 1 was wrong" in figure.get_suptitle()
+    assert "left out in 1 scenes, wrongly in none" in figure.get_suptitle()
     # a riser whose answer freedom across would change is a decision that was wrong
     changed = found.copy(deep=True)
     changed["moment_change"].loc[{"scene": "bench/s1", "change": DECIDED}] = 0.02
     assert decisions(changed) == (1, 1)
-    assert "1 of 1 were wrong" in draw("numerics", "effects", {"effects": changed}).get_suptitle()
+    assert "wrongly in 1 " in draw("numerics", "effects", {"effects": changed}).get_suptitle()
 
 
 def test_what_compiling_takes_is_told_kernel_by_kernel():

@@ -87,7 +87,7 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
     assert (of.points, of.off, of.asked, of.asked_off, of.estimated) == (4, 1, 1, 0, 2)
     assert of.verdicts == [("paper", "N1")]
     assert of.reasons == [("a stop is met", 1, ["paper/blow"])]
-    assert "Mesh and step of 3 points are prescribed; 2 of these tell an error" in of.said
+    assert "3 others have a prescribed mesh and step; the error of 2 is estimated" in of.said
 
 
 def test_each_point_is_held_to_the_accuracy_that_it_asks_for():

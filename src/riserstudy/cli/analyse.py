@@ -54,7 +54,7 @@ def effects(
 ) -> None:
     """Say which effects a scene has, because of which line, and which it could call for.
 
-    What each changes and costs is told by ``advise``.
+    ``advise`` says what each changes and costs.
     """
     from rich.console import Console
     from rich.table import Table

@@ -32,7 +32,7 @@ def tension(
 ) -> None:
     """Say the smallest tension at which no point of a riser is slack, by the formula and by the engine.
 
-    Exit status 4 where the scene does not tell what it takes, such as steel and buoyancy apart.
+    Exit status 4 where the scene does not give what it takes, such as steel and buoyancy apart.
     """
     file = scene_of(scene, settings)
     if failed >= units:

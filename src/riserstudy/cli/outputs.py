@@ -124,7 +124,7 @@ def statistics(
     ] = "0 s",
     exposure: Annotated[
         str | None,
-        typer.Option(help="time for which extremes are told: 3 h; absent: the record's"),
+        typer.Option(help="time for which extremes are estimated: 3 h; absent: the record's"),
     ] = None,
     over: Annotated[
         str | None, typer.Option(help="axis of seeds: extremes by Gumbel", metavar="AXIS")

@@ -82,16 +82,19 @@ class Missed(NamedTuple):
         if not self.off:
             return f"All {self.points} points have estimated errors within their tolerance."
         asked = (
-            f"{self.asked_off} of the {self.asked} points that ask for an accuracy miss it"
+            f"{self.asked_off} of the {self.asked} points that request an accuracy miss it"
             if self.asked_off
-            else f"All {self.asked} points that ask for an accuracy are estimated to reach it"
+            else f"All {self.asked} points that request an accuracy are estimated to reach it"
         )
         fixed, prescribed = self.off - self.asked_off, self.points - self.asked
-        told = f"Mesh and step of {prescribed} points are prescribed; {self.estimated} of these tell an error"
+        told = (
+            f"{prescribed} others have a prescribed mesh and step; "
+            f"the error of {self.estimated} is estimated"
+        )
         if not fixed:
-            return f"{asked}. {told}, of {share(TOLERANCE)} at most."
+            return f"{asked}. {told}, to {share(TOLERANCE)} at most."
         return (
-            f"{asked}. {told}, and in {fixed} it is above {share(TOLERANCE)} of a quantity that is kept. "
+            f"{asked}. {told}, in {fixed} to more than {share(TOLERANCE)}. "
             f"The largest is {share(self.worst)}, in {self.where}."
         )
 

@@ -120,7 +120,7 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     left = int(drawn["message"].str.startswith("not judged").sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
     counts = (
-        f"{counted(count, 'random scene')} asked for {100 * asked:g} %: "
+        f"{counted(count, 'random scene')} requested {100 * asked:g} %: "
         f"{count - left - ran.sizes['drawn']} refused, {left} not judged because the request took long"
     )
     if not ran.sizes["drawn"]:

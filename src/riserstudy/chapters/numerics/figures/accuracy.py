@@ -99,7 +99,7 @@ def asked(accuracy: xr.Dataset) -> Figure:
     for ax, word in ((left, "error (%)"), (right, "time of all runs (s)")):
         ax.set_xscale("log")
         ax.set_yscale("log")
-        ax.set_xlabel("accuracy asked for (%)")
+        ax.set_xlabel("requested accuracy (%)")
         ax.set_ylabel(word)
         asked = sorted(set(accuracy["requested"].values.tolist()))
         ax.set_xticks(asked, [f"{100 * x:g}" for x in asked])
@@ -134,4 +134,4 @@ def _met(accuracy: xr.Dataset) -> str:
     worst = _largest(accuracy, "reached")
     judged = np.isfinite(worst)
     kept = int((worst[judged] <= accuracy["requested"].values[judged]).sum())
-    return f"{kept} of {judged.sum()} requests err no more than was asked for"
+    return f"{kept} of {judged.sum()} requests err no more than they allow"
