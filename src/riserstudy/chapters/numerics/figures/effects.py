@@ -80,11 +80,12 @@ def added(effects: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
 def answer(effects: xr.Dataset) -> str:
     """How many decisions were wrong, and what was saved."""
     count, wrong = decisions(effects)
-    extra = sum(added(effects))
+    extra, scenes = 100.0 * float(np.median(sum(added(effects)))), len(effects["scene"])
     return (
         "Effects that a scene does not call for are not simulated: they would add "
-        f"{100 * float(np.median(extra)):.0f} % to the time of a run (median of {len(effects['scene'])} scenes).\n"
-        f"Motion out of the plane is left out in {count} scenes, wrongly in {wrong or 'none'} (by more than 1 %)"
+        f"{extra:.0f} % to the time of a run (median of {scenes} scenes).\n"
+        f"Motion out of the plane is left out in {count} scenes, wrongly in {wrong or 'none'} "
+        "(by more than 1 %)"
     )
 
 
