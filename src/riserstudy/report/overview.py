@@ -95,11 +95,15 @@ def short_of(files: dict[str, StudyFile], paper: str) -> str:
 def findings(
     claims: list[Claim], files: dict[str, StudyFile], figures: list[Figure], images: dict[str, Path]
 ) -> list[Finding]:
-    """The number or claim that each study file names first."""
+    """The number or claim that each study file names first, with the last of its figures.
+
+    Those that the paper does not print come last, and show the claim itself.
+    """
     rows = []
     for paper, file in files.items():
         for claim in (c for c in claims if c.paper == paper and c.id == file.finding):
-            shown = next((f for f in figures if f.paper == paper and claim in f.claims), None)
+            own = [f for f in figures if f.paper == paper and claim in f.claims]
+            shown = own[-1] if own else None
             small = picture_of(images[shown.anchor], SMALL) if shown else None
             rows.append(
                 Finding(claim, title_of(files, paper), shown.anchor if shown else "", small)

@@ -90,6 +90,8 @@ def claims_by_figure(
 ) -> dict[str, list[Claim]]:
     """Claims of each figure of a chapter: those that name it, else those that rest on what it shows.
 
+    A figure that the paper does not print has, besides, those that rest on all that it shows.
+
     Parameters
     ----------
     rests : datasets by paper and id of a claim.
@@ -97,9 +99,12 @@ def claims_by_figure(
     """
     claims_of: dict[str, list[Claim]] = {name: [] for name in names}
     for claim in claims:
+        behind = rests.get((claim.paper, claim.id), set())
         own = [name for name in names if belongs(claim, name)]
-        if not own:
-            behind = rests.get((claim.paper, claim.id), set())
+        if own:
+            added = [name for name in names if not _PRINTED.fullmatch(name)]
+            own += [name for name in added if reads.get(name) and reads[name] <= behind]
+        else:
             own = [name for name in names if behind & reads.get(name, set())]
         for name in own:
             claims_of[name].append(claim)
