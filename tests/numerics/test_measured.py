@@ -68,7 +68,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours():
     assert (found["wall_seconds"] > 0.0).all()
     assert (found["error_moment"] < 1.0).all()
     assert draw("numerics", "long_runs", {"long_runs": found}).axes
-    assert engine({"long_runs": found}).said[0].startswith("46 hours: ")
+    assert engine({"long_runs": found}).said[0].startswith("Long simulation, 46 hours: ")
 
 
 def test_random_scenes_are_the_same_every_time_and_half_are_held_out():

@@ -244,9 +244,10 @@ def test_numbers_read_well():
         "",
         "",
     ]
-    assert [seconds(x) for x in (0.0123, 3.14159, 119.0, 150.0)] == [
+    assert [seconds(x) for x in (0.0123, 3.14159, 119.0, 150.0, 165600.0)] == [
         "12 ms",
         "3.14 s",
         "119 s",
         "2.5 min",
+        "46 h",
     ]

@@ -149,23 +149,23 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
 
 
 def long_runs(long: xr.Dataset) -> list[str]:
-    """The cheapest candidates of each long simulation, beside what a paper names."""
+    """The cheapest settings of each long simulation, and the time that a paper names."""
     lines = []
     for case in dict.fromkeys(long["case"].values.tolist()):
         of = long.isel(run=long["case"].values == case)
         for error, what in (("error_peak", "the largest moment"), ("error_moment", "all moments")):
             good = of.isel(run=((of[error] <= WANTED) & of["cpu_seconds"].notnull()).values)
             if not good.sizes["run"]:
-                lines.append(f"{case}: no candidate errs less than {100 * WANTED:g} % in {what}.")
+                lines.append(
+                    f"Long simulation, {case}: no setting gives {what} to {100 * WANTED:g} %."
+                )
                 continue
             best = good.isel(run=int(good["cpu_seconds"].values.argmin()))
             spent, named = float(best["cpu_seconds"]), float(best["published_seconds"])
-            beside = (
-                f", {named / spent:.2g} times less than the paper names" if named == named else ""
-            )
+            paper = f"; the paper names {seconds(named)}" if named == named else ""
             lines.append(
-                f"{case}: {seconds(spent)} of a processor ({best['candidate'].item()}, "
-                f"{int(best['elements'])} segments, step {float(best['asked_step']):g} s) for "
-                f"{100 * float(best[error]):.2g} % in {what}{beside}."
+                f"Long simulation, {case}: {seconds(spent)} of a processor give {what} to "
+                f"{100 * float(best[error]):.2g} % ({best['candidate'].item()}, {int(best['elements'])} "
+                f"segments, step {float(best['asked_step']):g} s){paper}."
             )
     return lines

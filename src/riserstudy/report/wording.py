@@ -33,7 +33,9 @@ def seconds(value: float) -> str:
     """A time, in the unit one would say it in."""
     if value < 1.0:
         return f"{float(f'{1000 * value:.2g}'):g} ms"
-    return f"{value:.3g} s" if value < 120 else f"{value / 60:.3g} min"
+    if value < 120.0:
+        return f"{value:.3g} s"
+    return f"{value / 60.0:.3g} min" if value < 7200.0 else f"{value / 3600.0:.3g} h"
 
 
 def counted(count: int, thing: str) -> str:
