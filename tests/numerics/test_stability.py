@@ -78,7 +78,19 @@ def test_the_figure_has_a_square_for_every_case_and_its_title_counts_them(few):
     wrong = int((~few["as_expected"]).sum())
     verdict = "all ended as expected" if not wrong else f"{wrong} did not end as expected"
     title = figure.axes[0].get_title(loc="left")
-    assert title.startswith(f"(a) {len(FEW)} hard cases, {verdict}:")
+    assert title.startswith(f"(a) {len(FEW)} hard cases, {verdict}")
+
+
+def test_the_title_counts_the_cases_that_nothing_judges(few):
+    one = few.copy(deep=True)
+    one["as_expected"][0] = False
+    one["written_outcome"] = one["written_outcome"].astype(object)
+    one["written_outcome"][0] = str(Outcome.UNJUDGED)
+    title = draw("numerics", "stability", {"stability": one}).axes[0].get_title(loc="left")
+    assert ", 1 of them for want of a reference:" in title
+    assert "want of" not in draw("numerics", "stability", {"stability": few}).axes[0].get_title(
+        loc="left"
+    )
 
 
 def test_the_range_of_a_family_runs_from_the_accurate_to_the_surviving_step(few):

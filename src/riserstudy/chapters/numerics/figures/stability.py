@@ -21,6 +21,7 @@ ENDS = {
     "not as expected": "#c0392b",
 }
 ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
+NO_REFERENCE = "finished, but no reference"  # an outcome of the dataset
 #: methods of the lower panel, as far as they were run; the table has all
 EXPLICIT = "explicit"
 SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
@@ -61,6 +62,9 @@ def answer(stability: xr.Dataset) -> str:
     counts = [f"{ends.count(end)} {end}" for end in ENDS if end in ends and end != WRONG]
     wrong = ends.count(WRONG)
     verdict = "all ended as expected" if not wrong else f"{wrong} did not end as expected"
+    unmet = stability["written_outcome"].values[~stability["as_expected"].values]
+    if unjudged := sum(str(outcome) == NO_REFERENCE for outcome in unmet):
+        verdict += f", {unjudged} of them for want of a reference"
     return f"{len(ends)} hard cases, {verdict}:\n{'; '.join(counts)}"
 
 
