@@ -26,7 +26,7 @@ call(
                     "platform.cruise.heading": "=cruise turned",
                     "platform.sway": {"amplitude": "1e-9 m", "period": "10 s"},
                 },
-                "freedom across, hardly called for: headings turned by 0.0001 deg, sway of 1e-9 m",
+                "almost nothing leads out of the plane: headings turned by 0.0001 deg, sway of 1e-9 m",
                 "lateral",
             ),
         ),
