@@ -59,5 +59,5 @@ def _told(what: str, force: FloatArray, each: str, time: FloatArray | None) -> l
     apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""
     return [
         f"{what}: stop touched, first at t = {first:.6g} s, largest force {force.max():.3g} N{each}; "
-        f"as far as outputs{apart} from t = {time[0]:.6g} s on tell"
+        f"judged by outputs{apart} from t = {time[0]:.6g} s on"
     ]

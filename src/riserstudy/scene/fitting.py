@@ -104,7 +104,9 @@ def _vessel_and_soil(scene: Parts, bends: bool) -> None:
     if (scene.vessel is None) != (scene.top.x != "vessel"):
         raise ValueError("vessel and 'top.x: vessel' go together")
     if scene.vessel and scene.platform:
-        raise ValueError("give platform, which moves as told, or vessel, which is free; not both")
+        raise ValueError(
+            "give platform, whose motion is prescribed, or vessel, which is free; not both"
+        )
     turning = scene.vessel and scene.vessel.yaw and scene.spatial
     if turning and scene.analysis.method == "explicit":
         raise ValueError(

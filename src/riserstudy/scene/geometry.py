@@ -201,7 +201,7 @@ def _in_water(scene: Parts) -> None:
     elevations = [point.elevation for point in points if point.elevation is not None]
     if surface is not None and elevations and min(elevations) >= surface:
         raise ValueError(
-            f"current.profile tells nothing of the water: its elevations are from {min(elevations):g} m to "
+            f"current.profile says nothing of the water: its elevations are from {min(elevations):g} m to "
             f"{max(elevations):g} m, the surface is at {surface:g} m; allowed are points below it, or 'depth'"
         )
 

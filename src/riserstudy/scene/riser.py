@@ -185,7 +185,9 @@ class Section(Strict):
         if (self.modules or self.lines) and not (self.mass or self.wall_density):
             raise ValueError("modules and lines need the mass of the pipe, or its wall_density")
         if self.modules and self.buoyancy_lift is not None:
-            raise ValueError("give modules or buoyancy_lift, not both: modules tell their lift")
+            raise ValueError(
+                "give modules or buoyancy_lift, not both: modules have a lift of their own"
+            )
         if len({line.name for line in self.lines or []}) < len(self.lines or []):
             raise ValueError("lines: names must differ")
         if self.wall_density:

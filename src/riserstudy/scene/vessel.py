@@ -145,7 +145,7 @@ class Coupling(Strict):
         if analysis.step and STEPS_A_TURN * analysis.step > self.interval * (1.0 + 1e-9):
             raise ValueError(
                 f"vessel.coupling.interval {self.interval:g} s: allowed is from {STEPS_A_TURN} times "
-                "analysis.step on, for runs with longer steps tell the error"
+                "analysis.step on, for runs with longer steps estimate the error"
             )
 
 
