@@ -21,6 +21,7 @@ from theory_drawings import drawings
 ROOT = Path(__file__).resolve().parents[2]
 IMAGES = ROOT / "docs/images"
 THUMBNAIL = 520  # pixels wide: twice as wide as shown, for fine screens
+PAGES = {"numerics/random_scenes": 1126}  # figures that pages show, and how wide (pixels)
 SHOWN = ("ref_0", (10, 20, 30, 40, 50, 60))  # a run of Liu et al. (2017), and times (s)
 
 
@@ -31,11 +32,17 @@ def main() -> None:
     for name, figure in drawings().items():
         figure.savefig(IMAGES / f"{name}.svg", metadata={"Date": None}, transparent=False)
     for name in gallery():
-        target = IMAGES / "gallery" / f"{name.replace('/', '_')}.png"
-        target.parent.mkdir(exist_ok=True)
-        with Image.open(ROOT / f"results/{name}.png") as picture:
-            height = round(picture.height * THUMBNAIL / picture.width)
-            few_colours(picture.resize((THUMBNAIL, height), Image.Resampling.LANCZOS), target)
+        shrunk(name, THUMBNAIL, IMAGES / "gallery" / f"{name.replace('/', '_')}.png")
+    for name, width in PAGES.items():
+        shrunk(name, width, IMAGES / f"{Path(name).name}.png")
+
+
+def shrunk(name: str, width: int, target: Path) -> None:
+    """A figure of the results, so many pixels wide."""
+    target.parent.mkdir(exist_ok=True)
+    with Image.open(ROOT / f"results/{name}.png") as picture:
+        height = round(picture.height * width / picture.width)
+        few_colours(picture.resize((width, height), Image.Resampling.LANCZOS), target)
 
 
 def gallery() -> list[str]:
