@@ -194,7 +194,7 @@ class Refinement:
         if self.spent and not self._unknown:
             error = self.error
             worst = max(error, key=lambda name: error[name] / self.target[name])
-            off = f"error of {worst} {100 * error[worst]:.2g} %, asked for {100 * self.target[worst]:.2g} %"
+            off = f"{worst} off by {100 * error[worst]:.2g} %, request {100 * self.target[worst]:.2g} %"
             on += f"; {off}, up to {_duration(self._left())} to go"
         self.watch.begin(on)
 
