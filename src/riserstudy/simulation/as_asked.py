@@ -9,7 +9,7 @@ from riserstudy.errors import SimulationError, TakesTooLong
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.halved import Halved
+from riserstudy.simulation.halved import Halved, enter
 from riserstudy.simulation.run import march, single
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.watch import Watch, size
@@ -45,11 +45,9 @@ def as_asked(scene: Scene, estimated: bool, watch: Watch) -> Result:
     if not estimated:
         return result
     seen: dict[str, Halved] = {}
-    finer = [result, *(run for _, run in coarser)]
-    for (way, _), (fine, coarse) in reversed([*zip(coarser, pairwise(finer), strict=True)]):
-        for other in seen.values():
-            other.since += 1
-        seen[way] = Halved(difference(coarse, fine), seen.get(way))
+    runs = [result, *(run for _, run in coarser)]
+    for (way, _), (fine, coarse) in reversed([*zip(coarser, pairwise(runs), strict=True)]):
+        enter(seen, way, difference(coarse, fine))
     result.facts["error_estimate"] = {}
     if all(way in seen for way in ways):
         errors = [one.error for one in seen.values()]

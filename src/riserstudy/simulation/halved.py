@@ -26,3 +26,12 @@ class Halved:
         most = SURE_FALL if doubtful else MOST_FALL
         self.error = estimate(change, before.change if before else None, most)
         self.since: int = 0  # halvings of the other
+
+
+def enter(seen: dict[str, Halved], way: str, change: dict[str, float]) -> Halved:
+    """Enter the relative change by halving one of mesh and step (1); what was seen before is older now."""
+    now = Halved(change, seen.get(way))
+    for one in seen.values():
+        one.since += 1
+    seen[way] = now
+    return now

@@ -13,7 +13,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.simulation.as_asked import as_asked
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.halved import Halved
+from riserstudy.simulation.halved import Halved, enter
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import finish, march, single
@@ -271,13 +271,10 @@ class Refinement:
         self.spent.append(_cost(finer))
         if self.last is not None:
             before = self.seen.get(self.way)
-            now = Halved(difference(self.last, finer), before)
+            now = enter(self.seen, self.way, difference(self.last, finer))
             self.helps = before is None or (
                 self._excess(before.change) > FALL * self._excess(now.change)
             )
-            for one in self.seen.values():
-                one.since += 1
-            self.seen[self.way] = now
         self.last = self.finest = finer
         self.finest_mesh = self.mesh
         known = self.seen[self.way].change if self.way in self.seen and not self._unknown else {}
