@@ -1,4 +1,4 @@
-"""Weight and top tension of a riser told by a buoyant factor and a tension ratio."""
+"""Weight and top tension of a riser given by a buoyant factor and a tension ratio."""
 
 from __future__ import annotations
 

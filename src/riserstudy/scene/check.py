@@ -1,4 +1,4 @@
-"""Data against a model: what does not fit is told as one readable fault."""
+"""Data against a model: what does not fit becomes one readable fault."""
 
 from __future__ import annotations
 

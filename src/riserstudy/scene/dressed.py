@@ -1,6 +1,6 @@
 """What the pipe of a joint carries: buoyancy modules, choke and kill lines.
 
-Their mass, weight and stiffness are told apart from the pipe's, and added to it once a scene is whole.
+Their mass, weight and stiffness are given apart from the pipe's, and added to it once a scene is whole.
 """
 
 from __future__ import annotations

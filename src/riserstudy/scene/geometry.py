@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
 STRETCH = 0.01  # share of its length that a held riser is off, at most: steel yields at 0.003
-SLIDES = 0.003  # the same below a telescopic joint, whose length is told
+SLIDES = 0.003  # the same below a telescopic joint, whose length is given
 ROUNDED = 1.0  # m, to which decks are drawn
 FAR = 0.5  # share of its length by which no riser is held aside, and cables that hang slack are
 STACK = 50.0  # m, the tallest wellhead, BOP and LMRP below a riser's lower end
@@ -23,7 +23,7 @@ KEEL = 30.0  # m, the deepest keel below it, from which a riser may hang
 
 
 class Span(NamedTuple):
-    """Elevations of a riser's ends, told or as they are before it stretches (m)."""
+    """Elevations of a riser's ends, as given or as they are before it stretches (m)."""
 
     bottom: float
     top: float
@@ -207,7 +207,7 @@ def _in_water(scene: Parts) -> None:
 
 
 def _levels_of_current(scene: Parts) -> tuple[float, float] | None:
-    """Elevations between which a current is told (m); None where the sea's own levels bound it."""
+    """Elevations between which a current is given (m); None where the sea's own levels bound it."""
     flow, water = scene.current, scene.water
     if flow is None:
         return None

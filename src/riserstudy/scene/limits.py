@@ -36,7 +36,7 @@ class Limit(Strict):
 
     Of outputs whose sign is a convention, such as moments and angles, the size is meant.
     ``at``: a section of the riser, or ``lower end of`` or ``upper end of`` one; absent: all along it. The
-    allowable's origin is told as that of any other value.
+    allowable's origin is given like that of any other value.
     """
 
     output: str

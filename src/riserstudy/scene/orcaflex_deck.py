@@ -72,7 +72,7 @@ class Part:
             raise self.refused(key, str(entry), f"allowed is {wanted}")
 
     def alike(self, one: str, other: str) -> None:
-        """See that both directions are alike, where the second is told."""
+        """See that both directions are alike, where the second is given."""
         if (second := self.optional(other)) not in (None, self.optional(one)):
             raise self.refused(other, str(second), f"allowed is that of {one}")
 

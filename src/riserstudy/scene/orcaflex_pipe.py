@@ -1,6 +1,6 @@
 """Line types of an OrcaFlex text model as properties of sections.
 
-What acts across a line is told as one entry a direction (``EIx``, ``EIy``) in decks of earlier versions, as
+What acts across a line is given as one entry a direction (``EIx``, ``EIy``) in decks of earlier versions, as
 a list of both and of that along it (``EI``, ``Cd``, ``Ca``) or, for pipes, as one entry (``Cdn``, ``Can``)
 in later ones.
 """

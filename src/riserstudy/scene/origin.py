@@ -5,7 +5,7 @@ In a scene file a value may be wrapped to say so::
     count: {assumed: 6, options: [6, 7], because: "six make the 232 t the paper states"}
     roll_centre: {calibrated: 4.5 m, to: liu2020/N3, range: [0 m, 25 m]}
     added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
-    interval: {chosen: 0.1 s, because: "what is told of a run, no property of the riser"}
+    interval: {chosen: 0.1 s, because: "what is kept of a run, no property of the riser"}
 
 ``unwrap`` takes the wrappers off and keeps what they said, so that a study can vary every assumption.
 """

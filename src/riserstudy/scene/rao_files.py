@@ -113,7 +113,7 @@ def _rows_of_wamit(path: Path) -> list[Row]:
             raise InputError(path, f"line {number}", f"{len(cells)} numbers", allowed)
         value, told = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
         if abs(value - told) > ROUNDED * abs(value) + 1e-6:
-            found = f"modulus and phase tell {told:.4g}, real and imaginary part {value:.4g}"
+            found = f"modulus and phase give {told:.4g}, real and imaginary part {value:.4g}"
             raise InputError(path, f"line {number}", found, "allowed is that both tell the same")
         rows.append(Row(cells[0], cells[1], int(cells[2]), value))
     return rows

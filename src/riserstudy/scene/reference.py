@@ -35,10 +35,10 @@ count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper 
 pin_length: {assumed: 24 m, range: [22.5 m, 30 m], because: "the retracted body is longer than 15 m"}
 roll_centre: {calibrated: 4.5 m, to: paper/ID of the number it was fitted to}
 added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
-interval: {chosen: 0.1 s, because: "what is told of a run"}
+interval: {chosen: 0.1 s, because: "what is kept of a run"}
 ```
 
-*Chosen* is what says nothing of the riser: where elevations count from, what is computed and told.
+*Chosen* is what says nothing of the riser: where elevations count from, what is computed and kept.
 `inputs` in `config/published` lists what a paper prints; tests compare plain values of its scenes with it.
 A study can then vary every assumption over its range or options at once.
 

@@ -128,9 +128,9 @@ class Section(Strict):
     ``buoyancy_lift``: what buoyancy modules lift in water beyond their own weight, which ``submerged_weight``
     has taken off. It moves nothing; the minimum tension counts steel and modules apart. Absent: not known.
 
-    ``modules`` and ``lines`` are told apart from the pipe: mass, weight and stiffness of the section are then
-    those of the pipe alone, and theirs are added. Their lift is ``buoyancy_lift``; where any section has
-    modules, those without have none. Diameters for drag and added mass are those told, of all together.
+    ``modules`` and ``lines`` are given apart from the pipe: mass, weight and stiffness of the section are
+    then those of the pipe alone, and theirs are added. Their lift is ``buoyancy_lift``; where any section has
+    modules, those without have none. Diameters for drag and added mass are those given, of all together.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Weights of sections: each is told, or follows from its mass, its diameters and what is inside.
+"""Weights of sections: each is given, or follows from its mass, its diameters and what is inside.
 
 ``submerged_weight`` leaves the contents out: it is the weight of the pipe, and of all that is fixed to it,
 less that of the water which its outer surface displaces, as if the bore were empty; contents are added. A
@@ -25,7 +25,7 @@ def weighed(scene: Parts) -> list[Section]:
     Raises
     ------
     ValueError
-        Where a weight is neither told nor follows, in a scene that has gravity, water or other weights.
+        Where a weight is neither given nor follows, in a scene that has gravity, water or other weights.
     """
     without = [k for k, section in enumerate(scene.riser) if section.submerged_weight is None]
     weightless = scene.gravity is None and scene.water is None
@@ -110,7 +110,7 @@ def _weightless(scene: Parts) -> list[str]:
 
 
 def _levels(scene: Parts, k: int) -> tuple[float, float] | None:
-    """Elevations of a section's ends before it stretches (m); None where they are not told."""
+    """Elevations of a section's ends before it stretches (m); None where they are not given."""
     lengths = [section.total_length for section in scene.riser]
     bottom = scene.bottom.elevation
     if bottom is None:
