@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sqlite3
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -196,8 +197,15 @@ def _figures(
     present = {path for (path,) in db.execute("select path from files")}
     images: dict[str, Path] = {}
     figures: list[Figure] = []
+    names_of = {
+        paper: [n for n in (*file.schematics, *file.figures) if (paper, n) in known]
+        for paper, file in files.items()
+    }
+    drawn = [sources.folder / known[paper, n][1] for paper in names_of for n in names_of[paper]]
+    with ThreadPoolExecutor() as pool:  # encoding lets other threads go on
+        pictures = dict(zip(drawn, pool.map(picture_of, drawn), strict=True))
     for paper, file in files.items():
-        names = [n for n in (*file.schematics, *file.figures) if (paper, n) in known]
+        names = names_of[paper]
         own = claims_by_figure(
             [claim for claim in claims if claim.paper == paper],
             names,
@@ -210,7 +218,7 @@ def _figures(
                 [f"{paper}/{n}" for n in file.figures[name].reads] if name in file.figures else []
             )
             simulated = set().union(*(behind.get(study, set()) for study in read))
-            picture = picture_of(sources.folder / png)
+            picture = pictures[sources.folder / png]
             beside = [("PDF", pdf), ("PNG", png), ("data as CSV", f"{paper}/{name}.csv")]
             figure = Figure(
                 paper,
