@@ -149,7 +149,7 @@ def fig05(settled: xr.Dataset) -> Figure:
 
 def tides(tides: xr.Dataset) -> Figure:
     """Mid-length over time and the tide; how far it swings back, and when it settles."""
-    figure, axes = panels(1, 2, 3.6)
+    figure, axes = panels(1, 3, 3.6)
     slow = averaged(middle(tides))
     values = tides["tide"].values
     for k, tide in enumerate(values):
@@ -164,13 +164,16 @@ def tides(tides: xr.Dataset) -> Figure:
         title="tide at the surface", fontsize="x-small", title_fontsize="x-small", ncols=2
     )
     time, back = settling_time(tides, SETTLED), 100.0 * reciprocates(tides, 0.0).value
-    axes[1].plot(values, time, "o-", color=BLUE, label="settling time (s)")
-    axes[1].plot(values, back, "s-", color=RED, label="swing back in 17 to 260 s (%)")
-    axes[1].axhline(PHASES["second"][1], label="printed: 260 s", **PRINTED)
+    axes[1].plot(values, back, "o-", color=BLUE)
+    axes[1].set_ylabel("swing back, of the last mean (%)")
+    axes[2].plot(values, time, "o-", color=BLUE)
+    axes[2].axhline(PHASES["second"][1], label="printed: 260 s", **PRINTED)
+    axes[2].set_ylabel("settling time (s)")
+    axes[2].legend(loc="lower right", fontsize="x-small")
+    for ax in axes[1:]:
+        ax.set_xlabel("surface speed of the tide (m/s)")
+        ax.set_ylim(bottom=0.0)
     nearest = float(abs(time - PHASES["second"][1]).idxmin("tide"))
-    axes[1].set_xlabel("surface speed of the tide (m/s)")
-    axes[1].set_ylabel("time (s), share of the last mean (%)")
-    axes[1].legend(fontsize="x-small")
     headline(
         figure,
         f"A tide of {values[0]:g} m/s has the riser swing back by {float(back[0]):.0f} %, one of "
