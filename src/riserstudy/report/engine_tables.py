@@ -87,18 +87,15 @@ def hard_cases(stability: xr.Dataset) -> Table:
 def changes(effects: xr.Dataset) -> Table:
     """A row a scene and change: what it did to the answer and the time."""
     rows = []
-    # each variable read once: of a file, every cell is a read of its own
-    held = {
-        name: effects[name].transpose("scene", "change").values
-        for name in (*CHANGES, "message", "time_change")
-    }
-    for i, scene in enumerate(effects["scene"].values):
-        for j, change in enumerate(effects["change"].values):
-            values = [abs(float(held[name][i, j])) for name in CHANGES]
-            said = str(held["message"][i, j])
+    for scene in effects["scene"].values:
+        of = effects.sel(scene=scene)
+        for change in of["change"].values:
+            one = of.sel(change=change)
+            values = [float(abs(one[name])) for name in CHANGES]
+            said = str(one["message"].values)
             if not said and np.isnan(values).all():
                 continue
-            time = float(held["time_change"][i, j])
+            time = float(one["time_change"])
             signed = f"{100 * time:+.0f} %" if time == time else ""
             cells = [
                 Cell(str(scene)),
