@@ -329,7 +329,7 @@ def _at_rest(beam: Beam) -> Response:
 
 
 def _moving(scene: Scene, beam: Beam, step: float) -> Response:
-    """Newmark's method with the drag of the last iterate, as the paper has it."""
+    """Newmark's method; Newton's iteration finds what the paper's, with the drag of the last iterate, does."""
     a = scene.analysis
     if a.duration is None or a.output is None:
         raise TypeError("a step without a duration")  # refused by the scene
@@ -339,6 +339,6 @@ def _moving(scene: Scene, beam: Beam, step: float) -> Response:
         beam,
         np.asarray(a.output.interval * np.arange(count + 1), np.float64),
         step,
-        Stepping(method.beta, method.gamma, drag="picard", tolerance=CORRECTION),
+        Stepping(method.beta, method.gamma, drag="newton", tolerance=CORRECTION),
         start="straight" if a.start == "undeflected" else "equilibrium",
     )

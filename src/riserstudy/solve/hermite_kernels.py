@@ -9,11 +9,17 @@ from math import cos, pi, sin
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from riserstudy.solve.jit import inner, kernel
 
 Array = NDArray[np.float64]
 CALM = 1e-12  # speed of water that is none (m/s)
+LAGGED, PICARD, NEWTON = 0, 1, 2  # what the drag takes |U - u.| of
+CONFIRM_EVERY = 32  # steps of one correction, after which a second measures anew how they fall
+SAFETY = 4.0  # on the correction that is foreseen
+EPSILON = 2e-16  # relative rounding of an acceleration
+NEAR = 1e6  # tolerances: corrections below it fall by Newton's law
 
 
 class Mesh(NamedTuple):
@@ -62,7 +68,7 @@ class Prescribed(NamedTuple):
     motion: Array  # (3, fixed, steps) displacement, velocity, acceleration
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) -> None:
     """Velocity of the water across the beam (m/s) and force of its acceleration (N) at the Gauss points.
 
@@ -70,7 +76,7 @@ def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) ->
     speed - rise u'. Both go to ``water`` and ``push``, (n, 4).
     """
     for e in range(water.shape[0]):
-        for g in range(water.shape[1]):
+        for g in range(4):
             water[e, g], push[e, g] = sea.current[e, g], 0.0
     if t <= 0.0:
         return
@@ -80,7 +86,8 @@ def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) ->
         grown, rate = 0.5 * (1.0 - cos(p * t)), 0.5 * p * sin(p * t)
     for c in range(len(sea.frequency)):
         w = sea.frequency[c]
-        for e in range(len(water)):
+        sign = -1.0 if sea.number[c] < 0.0 else 1.0
+        for e in range(water.shape[0]):
             if sea.speed[c, e, 0] < CALM and sea.speed[c, e, 3] < CALM:
                 continue
             for g in range(4):
@@ -89,16 +96,15 @@ def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) ->
                     x += mesh.value[e, g, i] * u[2 * e + i]
                     lean += mesh.slope[e, g, i] * u[2 * e + i]
                 angle = sea.number[c] * x - w * t + sea.phase[c]
-                along, up = sea.speed[c, e, g], sea.rise[c, e, g] * lean
-                if sea.number[c] < 0.0:
-                    along = -along
-                here = along * cos(angle) - up * sin(angle)
-                turned = along * sin(angle) + up * cos(angle)
+                sine, cosine = sin(angle), cos(angle)
+                along, up = sign * sea.speed[c, e, g], sea.rise[c, e, g] * lean
+                here = along * cosine - up * sine
+                turned = along * sine + up * cosine
                 water[e, g] += grown * here
                 push[e, g] += (grown * w * turned + rate * here) * sea.inertia[e, g]
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def pin(band: Array, right: Array, dof: int) -> None:
     """Replace row and column of a band (2n + 2, 4) by the identity, the right side (2n + 2,) by zero."""
     band[dof] = 0.0
@@ -108,46 +114,59 @@ def pin(band: Array, right: Array, dof: int) -> None:
         band[dof - k, k] = 0.0
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def factorise(band: Array) -> int:
     """L D L' of a band (2n + 2, 4) in place; the first row with a pivot not positive, or no number, or -1."""
-    n = len(band)
-    for i in range(n):
-        if not band[i, 0] > 0.0:
+    own = own_1 = own_2 = next_0 = next_1 = third = 0.0  # what rows take off those after them
+    for i in range(band.shape[0]):
+        pivot, one, two, three = (
+            band[i, 0] - own,
+            band[i, 1] - own_1,
+            band[i, 2] - own_2,
+            band[i, 3],
+        )
+        if not pivot > 0.0:
             return i
-        for j in range(1, min(4, n - i)):
-            share = band[i, j] / band[i, 0]
-            for k in range(j, 4):
-                band[i + j, k - j] -= share * band[i, k]
-            band[i, j] = share
+        inverse = 1.0 / pivot
+        band[i, 0] = pivot
+        band[i, 1], band[i, 2], band[i, 3] = one * inverse, two * inverse, three * inverse
+        own = next_0 + band[i, 1] * one
+        own_1, own_2 = next_1 + band[i, 1] * two, band[i, 1] * three
+        next_0, next_1 = third + band[i, 2] * two, band[i, 2] * three
+        third = band[i, 3] * three
     return -1
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def substitute(band: Array, x: Array) -> None:
     """Solve for x, (2n + 2,), in place with the factors of ``factorise``."""
-    n = len(band)
+    n = band.shape[0]
+    one = two = three = 0.0  # of the rows before, or after
     for i in range(n):
-        for j in range(1, min(4, n - i)):
-            x[i + j] -= band[i, j] * x[i]
+        here = x[i]
+        here -= one
+        one, two, three = two + band[i, 1] * here, three + band[i, 2] * here, band[i, 3] * here
+        x[i] = here
+    one = two = three = 0.0
     for i in range(n - 1, -1, -1):
-        x[i] /= band[i, 0]
-        for j in range(1, min(4, n - i)):
-            x[i] -= band[i, j] * x[i + j]
+        here = x[i] / band[i, 0] - band[i, 1] * one - band[i, 2] * two - band[i, 3] * three
+        one, two, three = here, one, two
+        x[i] = here
 
 
-@njit(cache=True, nogil=True)
+@inner
 def multiply(band: Array, x: Array, out: Array) -> None:
     """Add the symmetric band (2n + 2, 4) times x to out, both (2n + 2,)."""
-    n = len(band)
+    n = band.shape[0]
     for i in range(n):
         out[i] += band[i, 0] * x[i]
-        for j in range(1, min(4, n - i)):
-            out[i] += band[i, j] * x[i + j]
-            out[i + j] += band[i, j] * x[i]
+    for k in range(1, 4):
+        for i in range(n - k):
+            out[i] += band[i, k] * x[i + k]
+            out[i + k] += band[i, k] * x[i]
 
 
-@njit(cache=True, nogil=True)
+@inner
 def add_water(
     out: Array,
     band: Array,
@@ -158,25 +177,40 @@ def add_water(
     lag: Array,
     factor: float,
 ) -> None:
-    """Subtract push and drag c |U - lag| (U - v) from out (N); add ``factor`` c |U - lag| to the band.
+    """Add push and drag c |U - lag| (U - v) to out (N); add ``factor`` c |U - lag| to the band.
 
     Water and push are (n, 4) at the Gauss points, v and lag (2n + 2,) in m/s, the factor is in s.
     """
-    for e in range(len(mesh.value)):
-        shape = mesh.value[e]
+    value = mesh.value
+    for e in range(water.shape[0]):  # an element's sums stay in registers: half the time
+        i = 2 * e
+        v0, v1, v2, v3 = v[i], v[i + 1], v[i + 2], v[i + 3]
+        lag0, lag1, lag2, lag3 = lag[i], lag[i + 1], lag[i + 2], lag[i + 3]
+        f0 = f1 = f2 = f3 = 0.0
+        k00 = k01 = k02 = k03 = k11 = k12 = k13 = k22 = k23 = k33 = 0.0
         for g in range(4):
-            relative, weighing = water[e, g], water[e, g]
-            for i in range(4):
-                relative -= shape[g, i] * v[2 * e + i]
-                weighing -= shape[g, i] * lag[2 * e + i]
+            a, b, c, d = value[e, g, 0], value[e, g, 1], value[e, g, 2], value[e, g, 3]
+            relative = water[e, g] - (a * v0 + b * v1 + c * v2 + d * v3)
+            weighing = water[e, g] - (a * lag0 + b * lag1 + c * lag2 + d * lag3)
             damping = mesh.strength[e, g] * abs(weighing)
-            for i in range(4):
-                out[2 * e + i] -= (damping * relative + push[e, g]) * shape[g, i]
-                for j in range(i, 4):
-                    band[2 * e + i, j - i] += factor * damping * shape[g, i] * shape[g, j]
+            force, slope = damping * relative + push[e, g], factor * damping
+            f0, f1, f2, f3 = f0 + force * a, f1 + force * b, f2 + force * c, f3 + force * d
+            ka, kb, kc, kd = slope * a, slope * b, slope * c, slope * d
+            k00, k01, k02, k03 = k00 + ka * a, k01 + ka * b, k02 + ka * c, k03 + ka * d
+            k11, k12, k13 = k11 + kb * b, k12 + kb * c, k13 + kb * d
+            k22, k23, k33 = k22 + kc * c, k23 + kc * d, k33 + kd * d
+        for k, force in enumerate((f0, f1, f2, f3)):
+            out[i + k] += force
+        for k, slope in enumerate((k00, k01, k02, k03)):
+            band[i, k] += slope
+        for k, slope in enumerate((k11, k12, k13)):
+            band[i + 1, k] += slope
+        band[i + 2, 0] += k22
+        band[i + 2, 1] += k23
+        band[i + 3, 0] += k33
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def march(
     mesh: Mesh, sea: Sea, damping: Array, start: Array, prescribed: Prescribed, steps: Steps
 ) -> tuple[Array, int, int]:
@@ -193,38 +227,53 @@ def march(
     steady = mass + gamma * h * damping + beta * h * h * stiffness
     water, push = np.zeros_like(sea.current), np.zeros_like(sea.current)
     most = 0
+    curvature = np.inf  # of Newton's iteration: a correction over the square of the one before
+    since = 0  # steps since it was measured
     for step in range(forced.shape[2]):
         moving = 1.0 if step > 0 else 0.0
         lag = v.copy()
         u += moving * h * (v + 0.5 * h * a)
         v += moving * h * a
-        for k in range(len(fixed)):
-            u[fixed[k]], v[fixed[k]], a[fixed[k]] = forced[:, k, step]
+        for k, dof in enumerate(fixed):
+            u[dof], v[dof], a[dof] = forced[0, k, step], forced[1, k, step], forced[2, k, step]
         flow(mesh, sea, step * h, u, water, push)  # where it is predicted to be
+        of_unknowns = steady if step > 0 else mass
+        linear = -mesh.force
+        multiply(mass, a, linear)
+        multiply(damping, v, linear)
+        multiply(stiffness, u, linear)
+        last = 0.0
         for iteration in range(steps.iterations):
-            band = steady.copy() if step > 0 else mass.copy()
-            residual = -mesh.force
-            multiply(mass, a, residual)
-            multiply(damping, v, residual)
-            multiply(stiffness, u, residual)
-            if steps.drag == 2 or iteration > 0 or step == 0:
+            band, change = of_unknowns.copy(), -linear
+            if steps.drag == NEWTON or iteration > 0 or step == 0:
                 lag[:] = v
-            factor = moving * gamma * h * (2.0 if steps.drag == 2 else 1.0)
-            add_water(residual, band, mesh, water, push, v, lag, factor)
+            factor = moving * gamma * h * (2.0 if steps.drag == NEWTON else 1.0)
+            add_water(change, band, mesh, water, push, v, lag, factor)
             for dof in fixed:
-                pin(band, residual, dof)
+                pin(band, change, dof)
             if factorise(band) >= 0:
                 return history, most, step
-            substitute(band, residual)
-            a -= residual
-            v -= moving * gamma * h * residual
-            u -= moving * beta * h * h * residual
+            substitute(band, change)
+            a += change
+            v += moving * gamma * h * change
+            u += moving * beta * h * h * change
             most = max(most, iteration + 1)
-            size = np.sqrt(np.sum(residual**2)) * h * h
-            if size < steps.tolerance or (size < np.inf and (step == 0 or steps.drag == 0)):
+            size = np.sqrt(np.sum(change**2)) * h * h
+            rounding = EPSILON * np.sqrt(np.sum(a**2)) * h * h
+            if not (size < np.inf and rounding < steps.tolerance):
+                return history, most, step  # it is running away
+            if last > 0.0:
+                curvature = size / (last * last)
+            last = size
+            known = iteration > 0 or since < CONFIRM_EVERY
+            if steps.drag == NEWTON and known and size < NEAR * steps.tolerance:
+                size = min(size, SAFETY * curvature * size * size)  # what the next would be
+            if size < steps.tolerance or step == 0 or steps.drag == LAGGED:
+                since = 0 if iteration > 0 else since + 1
                 break
-            if iteration == steps.iterations - 1 or not size < np.inf:
+            if iteration == steps.iterations - 1:
                 return history, most, step
+            multiply(of_unknowns, change, linear)
         if step % steps.each == 0:
             stored = step // steps.each
             history[0, stored], history[1, stored], history[2, stored] = u, v, a
