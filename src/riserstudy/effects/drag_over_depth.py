@@ -38,6 +38,7 @@ class DragOverDepth(NamedTuple):
     scale: np.ndarray  # (n,) rho D / 2 times length (kg/m), 0 in segments without this table
     elevation: np.ndarray  # (k,) not falling (m)
     coefficient: np.ndarray  # (k,) C_D there; beyond the table its end values hold
+    slope: np.ndarray  # (3, n) derivatives of the means, see `means`, times the scale (kg/m2)
 
 
 @inner
@@ -88,12 +89,16 @@ def at_level(z, c, k, level):
 
 @inner
 def weigh(drag, s):
-    """Fill in the coefficients of the segments where they are."""
+    """Fill in the coefficients of the segments where they are, and how they change with that."""
     for e in range(s.l0.shape[0]):
         drag.low[e], drag.up[e] = 0.0, 0.0
+        drag.slope[0, e], drag.slope[1, e], drag.slope[2, e] = 0.0, 0.0, 0.0
         if drag.scale[e] > 0.0:
-            low, up, _, _, _ = means(drag, s, e)
+            low, up, low_low, low_up, up_up = means(drag, s, e)
             drag.low[e], drag.up[e] = drag.scale[e] * low, drag.scale[e] * up
+            drag.slope[0, e] = drag.scale[e] * low_low
+            drag.slope[1, e] = drag.scale[e] * low_up
+            drag.slope[2, e] = drag.scale[e] * up_up
     return 0.0
 
 
@@ -104,13 +109,11 @@ def tangent(drag, s):
     press(drag, s)
     d, q = len(s.dim), s.density
     for e in range(s.l0.shape[0]):
-        if drag.scale[e] == 0.0:
-            continue
-        _, _, low_low, low_up, up_up = means(drag, s, e)
+        low_low, low_up, up_up = drag.slope[0, e], drag.slope[1, e], drag.slope[2, e]
         for k in range(d):
             c = k * d + d - 1
-            low = drag.scale[e] * (OWN * q[k, e] + OTHER * q[k, e + 1])
-            up = drag.scale[e] * (OWN * q[k, e + 1] + OTHER * q[k, e])
+            low = OWN * q[k, e] + OTHER * q[k, e + 1]
+            up = OWN * q[k, e + 1] + OTHER * q[k, e]
             s.k_node[e, c] -= low_low * low
             s.k_up[e, c] -= low_up * low
             s.k_low[e, c] -= low_up * up

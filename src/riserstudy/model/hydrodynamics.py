@@ -117,7 +117,8 @@ def _drag(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
         if table:
             low, up = np.zeros((2, len(mesh.l0)))
             points = np.array(table).T.copy()
-            record = DragOverDepth(low, up, scratch, horizontal, over(mesh, scale), *points)
+            slope = np.zeros((3, len(mesh.l0)))
+            record = DragOverDepth(low, up, scratch, horizontal, over(mesh, scale), *points, slope)
             yield Effect("drag", record, "riser.drag")
             continue
         whole = over(

@@ -14,7 +14,7 @@ def depths(d: int) -> DragOverDepth:
     return DragOverDepth(
         *np.zeros((2, N)), np.zeros((d, N + 1)), 0, 6e3 * np.append(SEGMENTS[:-1], 0.0),
         np.array([4.0, 20.0, 22.0, 29.0, 29.0, 31.0, 31.0, 41.0]),
-        np.array([0.9, 1.5, 0.6, 0.8, 1.3, 1.2, 0.5, 0.7]),
+        np.array([0.9, 1.5, 0.6, 0.8, 1.3, 1.2, 0.5, 0.7]), np.zeros((3, N)),
     )  # fmt: skip
 
 
