@@ -36,7 +36,7 @@ from numba.extending import (
 )
 from numba.np.arrayobj import populate_array
 
-from riserstudy.solve.jit import inner
+from riserstudy.solve.jit import inner, kernel
 
 WORD = ir.IntType(64)
 
@@ -76,9 +76,26 @@ def _signature(member):
     return tuple(map(_signature, member)) if isinstance(member, tuple) else type(member)
 
 
+@intrinsic
+def _data(typing, array):
+    """Address of an array's first number."""
+
+    def generate(context, builder, signature, arguments):
+        whole = context.make_array(signature.args[0])(context, builder, arguments[0])
+        return builder.ptrtoint(whole.data, WORD)
+
+    return types.int64(array), generate
+
+
+@kernel
+def _address_of(array):
+    """Where an array lies: a tenth of the time that numpy takes to tell, and a model has 200 arrays."""
+    return _data(array)
+
+
 def _words(member) -> list[int]:
     if isinstance(member, np.ndarray):
-        return [member.__array_interface__["data"][0], *member.shape, *member.strides]
+        return [_address_of(member), *member.shape, *member.strides]
     if isinstance(member, tuple):
         return [word for part in member for word in _words(part)]
     if isinstance(member, int | np.integer):
