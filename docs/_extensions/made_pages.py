@@ -10,8 +10,9 @@ import pkgutil
 import re
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 import typer
 import typer.cli
@@ -32,6 +33,7 @@ from riserstudy.study.read import read_studies
 
 ROOT = Path(__file__).resolve().parents[2]
 MARK = re.compile(r"<!-- made: (\w+)(.*?)-->", re.DOTALL)
+LONGEST_HELP = 1000  # characters: none is cut
 NO_EFFECT = ("catalogue", "registry")  # modules of the folder that hold none
 
 
@@ -41,8 +43,19 @@ def commands(_: str) -> str:
     context = typer.Context(command, info_name="riserstudy")
     text = typer.cli.get_docs_for_click(obj=command, ctx=context, name="riserstudy")
     text = text.partition("\n")[2]  # the page has a title
+    text = _with_whole_help(text, getattr(command, "commands", {}))
     text = re.sub(r"^\* `--help`.*\n", "", text, flags=re.MULTILINE)
     return re.sub(r"^\*\*Options\*\*:\n\n(?!\*)", "", text, flags=re.MULTILINE)
+
+
+def _with_whole_help(text: str, commands: Mapping[str, Any]) -> str:
+    """The list of commands with the whole first sentence of each, which Typer cuts short."""
+    for name, command in commands.items():
+        said = str(command.get_short_help_str(LONGEST_HELP))
+        text = re.sub(
+            rf"^\* `{name}`: .*$", f"* [`{name}`](#riserstudy-{name}): {said}", text, flags=re.M
+        )
+    return text
 
 
 def functions(_: str) -> str:

@@ -37,7 +37,7 @@ def mathml(formula: str, **options: bool) -> str:
 
 
 def _elements(text: str) -> ElementTree.Element:
-    """MathML as a tree: without its name space, which HTML does not need, and with letters for names of letters."""
+    """MathML as a tree: without its name space, which HTML does not need, names of letters as letters."""
     text = NAMED.sub(lambda name: unescape(name[0]), NAMESPACE.sub("", text))
     return ElementTree.fromstring(text)
 
