@@ -1,4 +1,4 @@
-"""Advice on a scene: what could go at the accuracy asked for, and what is missing."""
+"""Advice on a scene: what could go at the requested accuracy, and what is missing."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def advice(file: SceneFile, tell: Tell = lambda _: None) -> Advice:
 
 
 def asked(scene: Scene) -> tuple[float, float, float]:
-    """Accuracy asked for, of displacement, moment and tension."""
+    """Requested accuracy, of displacement, moment and tension."""
     accuracy = scene.analysis.accuracy
     return (accuracy or DISPLACEMENT, accuracy or MOMENT, accuracy or MOMENT)
 
