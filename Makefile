@@ -69,7 +69,7 @@ test-strangers: $(READY)  ## run a short study as machines differ: user, locale,
 figures: $(READY)  ## draw the figures, simulating only what they miss
 	@exec $(STUDY) figures
 
-bench: .venv/.bench-$(ID)  ## time the engine beside other simulators
+bench: .venv/.bench-$(ID)  ## time the engine and other simulators in turns
 	@$(IN_ENVIRONMENT) python benchmarks/run.py
 
 clean:  ## remove results and stored points; keep environment and compiled kernels

@@ -16,8 +16,9 @@ extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
-    "mathml",  # these two stand in _extensions
+    "mathml",  # these three stand in _extensions
     "made_pages",
+    "notebooks",
 ]
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath"]
 myst_heading_anchors = 3

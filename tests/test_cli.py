@@ -241,8 +241,9 @@ def test_cost_tells_what_accuracy_takes(command, tmp_path):
     )
     assert code == 0, complaint
     lines = said.splitlines()
-    assert [line.split()[0] for line in lines[1:]] == ["5", "1", "0.2", "0.05"]
-    segments = [int(line.split()[4]) for line in lines[1:]]
+    requests = [line[:9].strip() for line in lines[1:]]
+    assert requests == ["5 %", "1 %", "default", "0.2 %", "0.05 %"]
+    segments = [int(line[9:].split()[2]) for line in lines[1:]]
     assert segments == sorted(segments)
     assert picture.stat().st_size > 1000
 

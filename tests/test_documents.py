@@ -9,6 +9,7 @@ import sys
 from functools import cache
 from importlib import import_module
 from pathlib import Path
+from xml.etree import ElementTree
 
 import jsonschema
 import pytest
@@ -125,6 +126,40 @@ def test_the_site_builds_and_needs_no_network(docs, tmp_path):
     for style in site.rglob("*.css"):
         assert not within.findall(style.read_text("utf-8")), style
     assert (site / "theory.html").read_text("utf-8").count("<math") > 80
+    notebook = json.loads((site / "sweep.ipynb").read_text("utf-8"))
+    assert {cell["cell_type"] for cell in notebook["cells"]} == {"markdown", "code"}
+    assert 'href="sweep.ipynb"' in (site / "sweep.html").read_text("utf-8")
+    formulas = formulas_of(site)
+    assert len(formulas) > 200
+    for page, formula in formulas:
+        assert not operators_in_fractions(formula), (page, ElementTree.tostring(formula))
+
+
+def formulas_of(site):
+    """Every formula of a site, with its page."""
+    return [
+        (page.name, ElementTree.fromstring(found))
+        for page in site.rglob("*.html")
+        for found in re.findall(r"<math.*?</math>", page.read_text("utf-8"), re.S)
+    ]
+
+
+def operators_in_fractions(formula):
+    """Operators that stand alone above or below a bar, where a reader of TeX took too little."""
+    return [part for fraction in formula.iter("mfrac") for part in fraction if part.tag == "mo"]
+
+
+def test_fractions_and_indices_are_drawn_as_tex_has_them(monkeypatch):
+    monkeypatch.syspath_prepend(ROOT / "docs/_extensions")
+    drawn = import_module("mathml").mathml
+    (half,) = ElementTree.fromstring(drawn(r"\tfrac12 - \beta")).iter("mfrac")
+    assert [part.text for part in half] == ["1", "2"]
+    assert drawn(r"\frac12") == drawn(r"\frac{1}{2}")
+    indexed = ElementTree.fromstring(drawn(r"\hat a_{k+1}"))
+    assert [part.tag for part in indexed.find("msub")] == ["mover", "mrow"]
+    assert (
+        ElementTree.fromstring(drawn(r"\sum_i^n x_i", as_block=True)).find("munderover") is not None
+    )
 
 
 def test_every_function_command_and_effect_has_its_place_on_the_site(monkeypatch):
@@ -132,6 +167,9 @@ def test_every_function_command_and_effect_has_its_place_on_the_site(monkeypatch
     made = import_module("made_pages")
     assert all(f"riserstudy.{name}" in made.functions("") for name in ("simulate", "load_scene"))
     text = made.commands("")
+    listed = text.partition("**Commands**")[2].partition("\n## ")[0]
+    assert "import" in listed
+    assert "..." not in listed
     for command in typer.main.get_command(app).commands:
         assert f"## `riserstudy {command}`" in text
     assert all(f"| {name} |" in made.called_by("") for name in catalogue())

@@ -10,9 +10,12 @@ import pkgutil
 import re
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import typer
 import typer.cli
 import xarray as xr
@@ -32,6 +35,7 @@ from riserstudy.study.read import read_studies
 
 ROOT = Path(__file__).resolve().parents[2]
 MARK = re.compile(r"<!-- made: (\w+)(.*?)-->", re.DOTALL)
+LONGEST_HELP = 1000  # characters: none is cut
 NO_EFFECT = ("catalogue", "registry")  # modules of the folder that hold none
 
 
@@ -41,8 +45,19 @@ def commands(_: str) -> str:
     context = typer.Context(command, info_name="riserstudy")
     text = typer.cli.get_docs_for_click(obj=command, ctx=context, name="riserstudy")
     text = text.partition("\n")[2]  # the page has a title
+    text = _with_whole_help(text, getattr(command, "commands", {}))
     text = re.sub(r"^\* `--help`.*\n", "", text, flags=re.MULTILINE)
     return re.sub(r"^\*\*Options\*\*:\n\n(?!\*)", "", text, flags=re.MULTILINE)
+
+
+def _with_whole_help(text: str, commands: Mapping[str, Any]) -> str:
+    """The list of commands with the whole first sentence of each, which Typer cuts short."""
+    for name, command in commands.items():
+        said = str(command.get_short_help_str(LONGEST_HELP))
+        text = re.sub(
+            rf"^\* `{name}`: .*$", f"* [`{name}`](#riserstudy-{name}): {said}", text, flags=re.M
+        )
+    return text
 
 
 def functions(_: str) -> str:
@@ -89,27 +104,31 @@ def coming(_: str) -> str:
     return "\n" + done.stdout.partition("## ")[2].partition("\n")[2]
 
 
-def validation(_: str) -> str:
-    """What the engine computes, compared with what is known; run now where there is no study."""
-    file = ROOT / "results/numerics/validation.nc"
-    found = xr.load_dataset(file) if file.is_file() else _validated()
-    rows = [_compared(found.isel(row=k)) for k in range(found.sizes["row"])]
+def validation(kind: str) -> str:
+    """What the engine computes, compared with what is known by one kind of reference."""
+    found = _validated()
+    rows = [_compared(found.isel(row=k)) for k in np.flatnonzero(found["kind"] == kind.strip())]
     head = "| Number | Reference | Known | Computed | Error | Tolerance, and why |"
     return "\n".join([head, "|---|---|---|---|---|---|", *rows])
 
 
 def _compared(row: xr.Dataset) -> str:
-    """A number beside what is known, as a line of a table."""
+    """A number compared with what is known, as a line of a table."""
     of = {str(name): variable.item() for name, variable in row.data_vars.items()}
     unit = "" if of["unit"] == "1" else f" {of['unit']}"
     held = "" if of["holds"] else " **does not hold**"
-    cells = [f"{of['name']}: {of['quantity']}", f"{of['kind']}: {of['by']}"]
+    cells = [f"{of['name']}: {of['quantity']}", of["by"]]
     cells += [f"{of[name]:.7g}{unit}" for name in ("reference", "value")]
     cells += [f"{of['error']:.1e}{held}", f"{of['tolerance']:.0e}: {of['because']}"]
     return f"| {' | '.join(cells)} |"
 
 
+@cache
 def _validated() -> xr.Dataset:
+    """The last run's comparisons; run now where there is none."""
+    file = ROOT / "results/numerics/validation.nc"
+    if file.is_file():
+        return xr.load_dataset(file)
     study = read_studies(ROOT / "config", "numerics").measured.validation
     return measure("numerics validation", study, Setting(ROOT / "config", "standard"))
 

@@ -1,4 +1,4 @@
-"""The engine beside what is known: all of it holds, and what does not is told."""
+"""The engine compared with what is known: all of it holds, and what does not is told."""
 
 import sys
 from importlib import import_module
@@ -70,14 +70,23 @@ def test_the_page_shows_every_row(found, tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(ROOT / "docs/_extensions")
     made = import_module("made_pages")
     monkeypatch.setattr(made, "ROOT", tmp_path)
+    made._validated.cache_clear()
     (tmp_path / "results/numerics").mkdir(parents=True)
     found.to_netcdf(tmp_path / "results/numerics/validation.nc")
-    lines = made.validation("").splitlines()
-    assert len(lines) == 2 + found.sizes["row"]
-    assert {line.count("|") for line in lines} == {7}
-    assert "does not hold" not in made.validation("")
+    kinds = dict(zip(*np.unique(found["kind"], return_counts=True), strict=True))
+    for kind, count in kinds.items():
+        lines = made.validation(f" {kind}").splitlines()
+        assert len(lines) == 2 + count
+        assert {line.count("|") for line in lines} == {7}
+        assert "does not hold" not in made.validation(kind)
+        # and the page has a place for it
+        assert f"<!-- made: validation {kind} -->" in (ROOT / "docs/validation.md").read_text(
+            "utf-8"
+        )
     found.assign(holds=~found["holds"]).to_netcdf(tmp_path / "results/numerics/validation.nc")
-    assert made.validation("").count("does not hold") == found.sizes["row"]
+    made._validated.cache_clear()
+    for kind, count in kinds.items():
+        assert made.validation(kind).count("does not hold") == count
 
 
 def test_closed_forms_are_those_that_the_tests_have_of_their_own():

@@ -366,7 +366,7 @@ def test_line_types_of_later_versions_are_the_same(tmp_path):
         (lambda d: in_soil(d, ModelType="API RP 2A sand"), "no curves of sand"),
         (lambda d: in_soil(d, ModelType="P-y table"), "no tables"),
         (lambda d: in_soil(d, Epsilonc=None), "Epsilonc: missing"),
-        (lambda d: later(d) or d["LineTypes"][0].update(Cdx=1.1), "Cd: told twice"),
+        (lambda d: later(d) or d["LineTypes"][0].update(Cdx=1.1), "Cd: given twice"),
         (lambda d: later(d) or d["LineTypes"][0].update(EI=[250e3, 200e3]), "EI: 250000.0, 200000.0"),
         (lambda d: rig(d, links=1) or d["Links"][0].update(Stiffness=40.0), "equal ones"),
         (lambda d: rig(d) or d["Constraints"][0].update(TranslationalStiffness=5.0), "slides freely"),

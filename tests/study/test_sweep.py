@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -113,13 +114,18 @@ def test_what_cannot_be_meant_is_refused_before_anything_runs(axes, options, fau
         swept(axes, **options)
 
 
-def test_the_page_about_it_runs_as_it_stands(tmp_path):
+def test_the_notebook_of_its_page_runs_as_it_stands(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(ROOT / "docs/_extensions")
+    page = ROOT / "docs/sweep.md"
+    cells = import_module("notebooks").notebook(page)["cells"]
+    code = [cell["source"] for cell in cells if cell["cell_type"] == "code"]
+    blocks = re.findall(r"```python\n(.*?)\n```", page.read_text("utf-8"), re.DOTALL)
+    assert [cell.startswith(block) for cell, block in zip(code, blocks, strict=True)] == [True] * 3
+    (picture,) = (output for cell in cells for output in cell.get("outputs", []))
+    assert picture["data"]["image/png"].startswith("iVBOR")  # as PNG begins in base64
     (tmp_path / "config").symlink_to(ROOT / "config")
-    blocks = re.findall(
-        r"```python\n(.*?)```", (ROOT / "docs/sweep.md").read_text("utf-8"), re.DOTALL
-    )
     done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", "\n".join(blocks)],
+        [sys.executable, "-W", "error", "-c", "\n".join(code)],
         cwd=tmp_path,
         capture_output=True,
         text=True,

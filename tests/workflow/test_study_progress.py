@@ -1,12 +1,14 @@
 """What a run of the study says of itself, from what Snakemake says and from the logs of its jobs."""
 
+import json
+import re
 import sys
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "workflow/scripts"))
-from study_progress import Progress, lasting
+from study_progress import FIRST, Progress, lasting
 
 BEGIN = """\
 Provided cores: 2 (use --cores to define parallelism)
@@ -48,14 +50,16 @@ def test_steps_points_and_cores_are_told(run):
     progress.see("Job 3: simulate paper/one")
     progress.see("Job 4: draw paper/fig01")
     clock.now += 5.0
-    assert progress.text() == "no step done, 5 s on 2 cores: simulate paper/one, draw paper/fig01"
+    said = progress.text()
+    assert said.startswith("no step done, 5 s, about ")
+    assert said.endswith(" left on 2 cores: simulate paper/one, draw paper/fig01")
     log = Path("logs/paper/one.log")
     log.parent.mkdir(parents=True)
     log.write_text("1 of 40 points\n12 of 40 points\n")
     assert "simulate paper/one (12 of 40 points)" in progress.text()
     progress.see("Finished jobid: 3 (Rule: simulate)")
     progress.see("1 of 3 steps (33%) done")
-    assert progress.text() == "1 of 3 steps done, 5 s on 2 cores: draw paper/fig01"
+    assert progress.text().startswith("1 of 3 steps done, 5 s, about ")
 
 
 def test_a_part_of_a_study_has_a_log_of_its_own(run):
@@ -71,7 +75,6 @@ def test_a_part_of_a_study_has_a_log_of_its_own(run):
 def test_time_left_is_that_of_the_last_run(run):
     new, clock = run
     first = new()
-    assert first.seconds_left() is None
     for job, message, rule, seconds in (
         ("1", "simulate paper/one", "simulate", 60.0),
         ("2", "simulate paper/two", "simulate", 20.0),
@@ -93,6 +96,28 @@ def test_time_left_is_that_of_the_last_run(run):
     second.see("Finished jobid: 7 (Rule: simulate)")
     assert second.seconds_left() == pytest.approx((20.0 + 4.0) / 2)
     assert "about 12 s left" in second.text()
+
+
+def test_a_first_run_takes_the_times_that_come_with_the_project(run, tmp_path):
+    new, clock = run
+    (tmp_path / "points.json").write_text('{"paper/one": 1000, "paper/two": 10}')
+    progress = new()
+    of = progress.first
+    whole = 2 * of["a_step"]["simulate"] + 1010 * of["a_point"]["simulate"] + of["a_step"]["figure"]
+    assert progress.seconds_left() == pytest.approx(whole / 2)
+    progress.see("Job 3: simulate paper/one")
+    clock.now += 40.0
+    progress.see("Finished jobid: 3 (Rule: simulate)")
+    small = of["a_step"]["simulate"] + 10 * of["a_point"]["simulate"] + of["a_step"]["figure"]
+    assert "about" in progress.text()
+    # what this run had of a rule is in its memory only once it has ended
+    assert progress.seconds_left() == pytest.approx(small / 2)
+
+
+def test_every_rule_has_a_time_for_a_first_run():
+    rules = (Path(__file__).parents[2] / "workflow").glob("rules/*.smk")
+    named = {name for file in rules for name in re.findall(r"^rule (\w+):", file.read_text(), re.M)}
+    assert named - {"figures"} <= json.loads(FIRST.read_text())["a_step"].keys()
 
 
 def test_a_tier_that_never_ran_is_told_by_points_from_another(run, tmp_path):
@@ -122,7 +147,7 @@ def test_a_tier_that_never_ran_is_told_by_points_from_another(run, tmp_path):
 def test_a_damaged_memory_is_none(run, tmp_path, damaged):
     new, _ = run
     (tmp_path / "steps.json").write_text(damaged)
-    assert new().seconds_left() is None
+    assert new().seconds_left() > 0.0  # as in a first run
 
 
 def test_a_failed_step_is_no_longer_at_work(run):

@@ -1,4 +1,7 @@
-"""How far a run of the study is: steps, what is at work, points of studies, time left by earlier runs."""
+"""How far a run of the study is: steps, what is at work, points of studies, time left by earlier runs.
+
+A first run has none before it: it takes the times of rules that come with the project.
+"""
 
 import json
 import re
@@ -11,6 +14,7 @@ from typing import NamedTuple
 
 MEMORY = Path(".cache/steps.json")
 PLANNED = Path(".cache/points.json")  # points of each study of this run, as it was planned
+FIRST = Path(__file__).with_name("first_times.json")  # for rules that no earlier run had
 TAIL = 400  # bytes of a log, at its end, in which its progress stands
 STUDY = re.compile(r"simulate (\S+)/([^\s,]+)(?:, part (\d+) of (\d+))?")
 POINTS = re.compile(r"(\d+) of (\d+) points\s*$")
@@ -59,6 +63,7 @@ class Progress:
         self.points: dict[str, float] = {}  # by study
         self._in_table = False
         self.before = _remembered(memory)
+        self.first: dict[str, dict[str, float]] = json.loads(FIRST.read_text("utf-8"))
 
     def see(self, line: str) -> None:
         """Take in a line of what Snakemake says."""
@@ -109,6 +114,15 @@ class Progress:
             for message, step in every.items()
         }
 
+    def _at_first(self, rule: str) -> dict[str, float]:
+        """Time (s) of steps of a rule that no run had yet, by message: by points where it simulates."""
+        step, point = (self.first[what].get(rule) for what in ("a_step", "a_point"))
+        if step is None:
+            return {}
+        if point is None or not self.points:
+            return {rule: step}
+        return {f"simulate {study}": step + point * n for study, n in self.points.items()}
+
     def text(self) -> str:
         """Steps done, time gone and left, what is at work, on how many cores."""
         gone = f"{self.steps or 'no step'} done, {lasting(self.clock() - self.began)}"
@@ -121,13 +135,14 @@ class Progress:
     def seconds_left(self) -> float | None:
         """Time left (s) where steps take as long as in earlier runs, a point for a point.
 
-        None where nothing is left, or earlier runs had no step of a kind.
+        None where nothing is left, or nothing is known of a rule.
         """
         known = self._known()
         total = 0.0
         for rule, count in self.left.items():
             if count > 0 and rule != "total":
                 alike = {m: seconds for m, (of, seconds) in known.items() if of == rule}
+                alike = alike or self._at_first(rule)
                 if not alike:
                     return None
                 to_do = [seconds for m, seconds in alike.items() if m not in self.took]

@@ -69,11 +69,13 @@ def tension(
 def operability(
     scene: SceneArgument,
     reach: Annotated[
-        str, typer.Option(help="how far to either side of the well is looked", metavar="LENGTH")
+        str, typer.Option(help="how far to either side of the well to look", metavar="LENGTH")
     ],
     allowance: Annotated[
         list[str] | None,
-        typer.Option(help="what waves add: lfj_angle='0.5 deg'; again", metavar="OUTPUT=VALUE"),
+        typer.Option(
+            help="what waves add: lfj_angle='0.5 deg'; may be repeated", metavar="OUTPUT=VALUE"
+        ),
     ] = None,
     settings: SetOption = None,
 ) -> None:

@@ -38,7 +38,7 @@ def plot(
     kind: Annotated[PlotKind, typer.Option(help="which plot")] = PlotKind.RANGE,
     of: Annotated[
         list[str] | None,
-        typer.Option(help="quantity to show: bending_moment; again for more", metavar="NAME"),
+        typer.Option(help="quantity to show: bending_moment; may be repeated", metavar="NAME"),
     ] = None,
     at: AtOption = None,
 ) -> None:
@@ -161,7 +161,7 @@ def statistics(
     tables.write_csv(made, output)
 
 
-SHORT = 10.0  # records for which an exposure is told, beyond which it is said
+SHORT = 10.0  # records that an exposure may last before a warning is given
 
 
 def _tell_of_short_record(record: float, exposure: float | None) -> None:

@@ -127,7 +127,7 @@ def prune(
     ] = Path("config"),
     folder: ResultsOption = IN_RESULTS,
 ) -> None:
-    """Remove stored points that nothing needs, once their size was told and it was agreed to.
+    """Remove stored points that nothing needs, after showing their size and asking for agreement.
 
     Those of other engines, of former formats, or damaged. Where studies of several folders share a store,
     ``--all`` takes what only the others need.

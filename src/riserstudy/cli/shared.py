@@ -19,12 +19,18 @@ SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar
 
 SetOption = Annotated[
     list[str] | None,
-    typer.Option("--set", help="set a value: platform.heave.amplitude='3 m'", metavar="PATH=VALUE"),
+    typer.Option(
+        "--set",
+        help="set a value: platform.heave.amplitude='3 m'; may be repeated",
+        metavar="PATH=VALUE",
+    ),
 ]
 
 AtOption = Annotated[
     list[str] | None,
-    typer.Option("--at", help="which point: heave_amplitude=5", metavar="AXIS=VALUE"),
+    typer.Option(
+        "--at", help="which point: heave_amplitude=5; may be repeated", metavar="AXIS=VALUE"
+    ),
 ]
 
 
@@ -65,7 +71,7 @@ def compile_kernels(scene: Scene | None = None) -> None:
         from riserstudy.simulation.refine import run
 
         tell_of_compiling(tell)
-        with suppress(RiserStudyError):  # which the run itself will tell
+        with suppress(RiserStudyError):  # which the run itself will report
             run(scene, patience=0.0)
     _plain_xarray()
 

@@ -94,8 +94,17 @@ def query(sql: str, values: Sequence[Any] = (), database: str | Path = DATABASE)
 
     Parameters
     ----------
-    sql : one statement that reads, with a ``?`` for each of ``values``.
-    database : its file.
+    sql : str
+        One statement that reads, with a ``?`` for each of ``values``.
+    values : sequence
+        What stands for the question marks, in their order.
+    database : str or Path
+        The database's file.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A column for each that the statement selects, a row for each that it finds.
 
     Raises
     ------

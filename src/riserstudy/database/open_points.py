@@ -24,8 +24,15 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
 
     Parameters
     ----------
-    key : of the point; ``select key from points where ...`` finds it.
-    whole : with the rest, for which the scene of the point is simulated anew where the store has it not.
+    key : str
+        Key of the point; ``select key from points where ...`` finds it.
+    whole : bool
+        With the rest, for which the scene of the point is simulated anew where the store has it not.
+
+    Returns
+    -------
+    xarray.Dataset
+        The run, as from :func:`simulate`.
 
     Raises
     ------
@@ -78,7 +85,15 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
 
     Parameters
     ----------
-    points : numbers of points, as in ``query("select point from ...")["point"]``.
+    points : iterable of int
+        Numbers of points, as in ``query("select point from ...")["point"]``.
+    database : str or Path
+        The results database; the datasets are found from its folder.
+
+    Returns
+    -------
+    xarray.Dataset
+        The points in the order of ``points``, with the axes of their studies as coordinates.
 
     Raises
     ------

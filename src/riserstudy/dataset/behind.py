@@ -30,7 +30,7 @@ def provenance(dataset: xr.Dataset) -> dict[str, Any]:
     if "provenance" in said:
         return {"origins": {}, **json.loads(said["provenance"])}
     if "scene" not in said or "tables" not in said:
-        found = "does not tell a scene and its tables"
+        found = "does not hold a scene and its tables"
         allowed = "allowed is a dataset that was simulated, by this version or a later one"
         raise InputError("dataset", "", found, allowed)
     parts = {name: json.loads(said[name]) for name in ("scene", "tables")}

@@ -14,6 +14,16 @@ if TYPE_CHECKING:
 def open_results(folder: str | Path = "results") -> xr.DataTree:
     """All datasets as a tree: ``tree["chang2020/asymmetry"]``.
 
+    Parameters
+    ----------
+    folder : str or Path
+        The results folder.
+
+    Returns
+    -------
+    xarray.DataTree
+        A node for each dataset ``<paper>/<name>.nc``; arrays are read when they are used.
+
     Raises
     ------
     InputError

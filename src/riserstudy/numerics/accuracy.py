@@ -1,4 +1,4 @@
-"""What accuracy costs in time: every method on a ladder of meshes and steps, errors beside wall time.
+"""What accuracy costs in time: every method on a ladder of meshes and steps, errors and wall times.
 
 And the accuracy that a user asks for: what was asked, estimated, reached and spent.
 """
@@ -241,7 +241,7 @@ ABOUT = {
     "opinion_difference": ("1", "what fine runs by other methods differ from the reference"),
     "peer_error": ("1", "error of displacement of another simulator"),
     "peer_ratio": ("1", "its time over that of our cheapest run of that error"),
-    "requested": ("1", "accuracy asked for"),
+    "requested": ("1", "requested accuracy"),
     "request_seconds": ("s", "wall time of all runs that a request took"),
     "request_last_seconds": ("s", "time of the last of them"),
     "request_elements": ("1", "segments that were chosen"),

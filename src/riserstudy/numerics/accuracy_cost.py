@@ -9,18 +9,21 @@ from typing import NamedTuple
 
 from riserstudy.numerics.attempt import deciding
 from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
 from riserstudy.simulation.forecast import forecast
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.simulate import at_accuracy
 
-REQUESTS = (0.05, 0.01, 0.002, 0.0005)
+#: relative errors, and None for what a scene without a request gets, from the cheapest on
+REQUESTS = (0.05, 0.01, None, 0.002, 0.0005)
+OF_ACCURACY = ("analysis.mesh", "analysis.step", "analysis.accuracy")  # absent where it is default
 SLOWEST = 60.0  # seconds: a request that took longer is the last
 
 
 class Price(NamedTuple):
     """What one request came to."""
 
-    requested: float
+    requested: float | None  # None: the default, which has an error for each quantity
     estimated: float  # largest of moment, or of tension and displacement
     elements: int
     step: float | None  # (s)
@@ -37,10 +40,11 @@ def prices(file: SceneFile) -> Iterator[Price]:
     SimulationError
         When a run cannot be completed.
     """
-    if forecast(at_accuracy(file, f"{100 * REQUESTS[0]!r} %").scene()) is None:
-        run(at_accuracy(file, f"{100 * REQUESTS[0]!r} %").scene())
+    coarsest = requesting(file, REQUESTS[0])
+    if forecast(coarsest) is None:
+        run(coarsest)
     for share in REQUESTS:
-        scene = at_accuracy(file, f"{100 * share!r} %").scene()
+        scene = requesting(file, share)
         if price := forecast(scene):
             yield Price(share, deciding(price.error), price.elements, price.step, price.seconds)
             continue
@@ -53,8 +57,20 @@ def prices(file: SceneFile) -> Iterator[Price]:
             return
 
 
+def requesting(file: SceneFile, share: float | None) -> Scene:
+    """The scene with a relative error requested in place of its mesh and step; None for the default."""
+    if share is not None:
+        return at_accuracy(file, f"{100 * share!r} %").scene()
+    return file.with_values(dict.fromkeys(OF_ACCURACY), "default").scene()
+
+
+def _name(price: Price) -> str:
+    """A request in a label."""
+    return "default" if price.requested is None else f"{100 * price.requested:g} %"
+
+
 def plot(found: list[Price], title: str, target: Path) -> None:
-    """Draw error and time over what was asked for."""
+    """Draw error and time over the request."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import NullFormatter
 
@@ -65,7 +81,7 @@ def plot(found: list[Price], title: str, target: Path) -> None:
     ax.loglog([p.seconds for p in found], [p.estimated for p in found], "o-", ms=5)
     for p in found:
         ax.annotate(
-            f"  {100 * p.requested:g} %: {p.elements} segments",
+            f"  {_name(p)}: {p.elements} segments",
             (p.seconds, p.estimated),
             fontsize=8,
         )

@@ -1,4 +1,4 @@
-"""Advice on a scene: what could go at the accuracy asked for, and what is missing."""
+"""Advice on a scene: what could go at the requested accuracy, and what is missing."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from riserstudy.simulation.refine import DISPLACEMENT, MOMENT
 
 REPEATS = 5  # rounds of timed runs, of which the median counts
 BUDGET = 5e5  # node-steps a run; longer scenes are cut short
-COULD_GO, NEEDED = "could go", "needed"
+COULD_GO, NEEDED, NO_GAIN = "could go", "needed", "could go, saves no time"
 MISSING, NOT_MISSED = "would change the answer", "not missed"
 
 
@@ -48,7 +48,7 @@ def advice(file: SceneFile, tell: Tell = lambda _: None) -> Advice:
     limits = asked(file.scene())
     base = ablate(file, REPEATS, BUDGET, tell)
     rows = [row(base, changed, limits) for changed in base.changed]
-    order = (COULD_GO, MISSING, NEEDED, NOT_MISSED)
+    order = (COULD_GO, MISSING, NEEDED, NO_GAIN, NOT_MISSED)
     rows.sort(key=lambda r: order.index(r.verdict) if r.verdict in order else len(order))
     go = [f"{r.label} (run time {r.changes[-1]})" for r in rows if r.verdict == COULD_GO]
     missing = [r.label.removeprefix("with ") for r in rows if r.verdict == MISSING]
@@ -71,7 +71,7 @@ def advice(file: SceneFile, tell: Tell = lambda _: None) -> Advice:
 
 
 def asked(scene: Scene) -> tuple[float, float, float]:
-    """Accuracy asked for, of displacement, moment and tension."""
+    """Requested accuracy, of displacement, moment and tension."""
     accuracy = scene.analysis.accuracy
     return (accuracy or DISPLACEMENT, accuracy or MOMENT, accuracy or MOMENT)
 
@@ -87,11 +87,16 @@ def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) ->
         math.isnan(size) or abs(size) <= limit for size, limit in zip(sizes, limits, strict=True)
     )
     if changed.change.kind == "removed":
-        verdict = COULD_GO if small else NEEDED
+        verdict = (COULD_GO if saves(base, changed) else NO_GAIN) if small else NEEDED
     else:
         verdict = NOT_MISSED if small else MISSING
     shown = [*map(percent, sizes), longer(base, changed)]
     return Row(label, because, shown, verdict, verdict in (COULD_GO, MISSING))
+
+
+def saves(base: Ablation, changed: Changed) -> bool:
+    """Whether a change shortens the run, by more than repeats of it scatter."""
+    return 1.0 - changed.seconds / base.seconds > max(base.scatter, changed.scatter)
 
 
 def longer(base: Ablation, changed: Changed) -> str:

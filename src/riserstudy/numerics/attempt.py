@@ -64,7 +64,7 @@ def attempt(do: Callable[[], Result]) -> Attempt:
 
 
 def in_time(scene: Scene, patience: float) -> Result:
-    """A run to the accuracy that is asked for.
+    """A run to the requested accuracy.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def deciding(found: dict[str, float]) -> float:
 
 
 def judged(tried: Attempt, reference: Result | None) -> tuple[Outcome, float]:
-    """Outcome and deciding error of an attempt beside a reference."""
+    """Outcome and deciding error of an attempt compared with a reference."""
     if tried.result is None:
         return tried.refused or Outcome.REFUSED, math.nan
     if reference is None:

@@ -40,7 +40,7 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
     """Every fitting change of every kind of scene.
 
     As many scenes at once as there are threads: what is compared, the changes of one scene, runs in turn in
-    one process, and no other job beside these.
+    one process, and no other job.
     """
     import xarray as xr
 
@@ -157,7 +157,7 @@ ABOUT = {
     "compile_seconds": ("s", "time of compiling all signatures of a kernel, without what it calls"),
     "signatures": ("1", "signatures of a kernel that the study compiles"),
     "calls": ("1", "calls of an effect that a run makes"),
-    "base_seconds": ("s", "run time of the scene as it is, other scenes at work beside it"),
+    "base_seconds": ("s", "run time of the scene as it is, with other scenes at work"),
     "elements": ("1", "segments of the riser"),
     "unknowns": ("1", "degrees of freedom solved"),
 }

@@ -1,9 +1,9 @@
-"""Is an accuracy that is asked for reached, honestly estimated, and cheap? Over seeded random scenes.
+"""Is a requested accuracy reached, its error estimated well, and cheap? Over seeded random scenes.
 
 Scenes are drawn from what papers leave open and from the ranges of their studies; half of them are held
 out, which nobody may look at when refinement is tuned. The true error is measured by a run on segments a
 quarter as long (half as long on fine meshes), with half the step of the fourth-order method. The cost is
-beside that of the cheapest even mesh and step that err no more, which nobody knows beforehand.
+compared with that of the cheapest even mesh and step that err no more, which nobody knows beforehand.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ def draw(
 
 
 def judge(one: Drawn, patience: float) -> None:
-    """Run at the accuracy asked for, tell the true error, and find the cheapest that errs no more.
+    """Run at the requested accuracy, find the true error, and find the cheapest that errs no more.
 
     A request that takes more than ``patience`` (s) is not judged: its true error would take far longer.
     """
@@ -165,7 +165,7 @@ def by_work(scene: Scene) -> Iterator[tuple[float, int, float]]:
 
 
 def spend(one: Drawn) -> None:
-    """Time of the request beside that of the fixed mesh and step, in turn; work beside work."""
+    """Time of the request and that of the fixed mesh and step, in turn; work for work."""
     if one.asked is None:
         return
     one.cost["work_asked"] = sum(map(_work, one.asked.facts["refinements"]))

@@ -372,8 +372,8 @@ BEST: Iterable[str] = (
 
 ABOUT = {
     "step": ("s", "time step"),
-    "error": ("1", "error of moment, or of tension and displacement, beside the reference"),
-    "wall_seconds": ("s", "wall time of a run, other runs beside it"),
+    "error": ("1", "error of moment, or of tension and displacement, against the reference"),
+    "wall_seconds": ("s", "wall time of a run, with other runs at work"),
     "largest_stable_step": ("s", "largest step that survives"),
     "largest_accurate_step": ("s", "largest step accurate to 1 %"),
     "best_seconds": ("s", "wall time at the largest accurate step"),

@@ -1,4 +1,4 @@
-"""Explicit stepping: the stable step as predicted beside the one that is measured.
+"""Explicit stepping: the stable step as predicted and as measured.
 
 Measured is the longest step at which a small disturbance of every mode does not grow; it is found by
 halving a bracket around the prediction, to 0.6 %, with the engine's own refusal put aside.

@@ -1,4 +1,4 @@
-"""The engine beside what is known: every case run now, its error over what it is allowed."""
+"""The engine compared with what is known: every case run now, its error over what it is allowed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the engine computes beside what is known: closed forms, second methods, conservation laws.
+"""What the engine computes, compared with what is known: closed forms, second methods, conservation laws.
 
 Each case runs the engine and names its references, which ``closed_forms`` computes without it. Tolerances
 are what the closed form leaves out, or what the mesh may err by, and say which.
@@ -31,7 +31,7 @@ Files = Mapping[str, SceneFile]
 
 
 class Row(NamedTuple):
-    """One quantity beside its reference.
+    """One quantity and its reference.
 
     ``tolerance`` is relative to ``scale``, which is the reference's own size where it is not given.
     """
@@ -124,7 +124,7 @@ def chain(_: Files) -> Iterator[Row]:
     for mode in (1, 2):
         exact = known.hanging_chain_frequency(mode, 300.0, 2700.0, 320.0)
         what, by = "hanging chain", "j₀ₙ / 2 √(w / (m L)) (Bernoulli)"
-        because = "second order at the free end, where tension vanishes; rounding beside EA"
+        because = "second order at the free end, where tension vanishes; rounding of the large EA"
         yield Row(
             what,
             f"frequency {mode}",
@@ -539,7 +539,7 @@ def methods(files: Files) -> Iterator[Row]:
         base = files["S2c"].with_values(SURGE | mesh, "validation")
         ours = _envelope(base)
         other = _envelope(base.with_values({"analysis.method": name} | sets, "validation"))
-        what = f"surge, generalised-α beside {name}"
+        what = f"surge, generalised-α and {name}"
         for (quantity, unit), tolerance in zip(UNITS.items(), tolerances, strict=True):
             by = f"{name}, on the same mesh"
             one, two = other[quantity], ours[quantity]
@@ -557,7 +557,7 @@ def hermite(files: Files) -> Iterator[Row]:
     )
     one, other = _envelope(lumped), _envelope(beam)
     for quantity, unit in UNITS.items():
-        what, by = "small surge, lumped masses beside finite elements", "Hermite's beam"
+        what, by = "small surge, lumped masses and finite elements", "Hermite's beam"
         because = "the beam neither stretches nor turns: strain 3e-4, slopes 3e-3"
         yield Row(what, quantity, unit, SECOND, by, other[quantity], one[quantity], 1e-3, because)
 

@@ -242,8 +242,15 @@ def load_scene(path: str | Path, **overrides: Any) -> SceneFile:
 
     Parameters
     ----------
-    path : the YAML file.
-    **overrides : values by dotted path, given as ``**{"platform.heave.amplitude": "3 m"}``.
+    path : str or Path
+        The YAML file.
+    **overrides : dict
+        Values by dotted path, given as ``**{"platform.heave.amplitude": "3 m"}``.
+
+    Returns
+    -------
+    SceneFile
+        The scene as its file and the overrides say it, for :func:`simulate` and :func:`sweep`.
 
     Raises
     ------

@@ -52,7 +52,7 @@ def bending_stiffness(kind: Part) -> float:
 
 
 def _across(kind: Part, name: str) -> float | None:
-    """What acts across the line, the same in both directions; None where the deck does not tell it."""
+    """What acts across the line, the same in both directions; None where the deck does not give it."""
     kind.alike(f"{name}x", f"{name}y")
     whole = kind.optional(name)
     if isinstance(whole, list):
@@ -60,10 +60,10 @@ def _across(kind: Part, name: str) -> float | None:
         if len(whole) > 2 and whole[2] not in (None, "~", 0):
             kind.otherwise[name] = f"{whole[2]} along the line is left out"
         whole = whole[0]
-    told = [kind.optional(f"{name}x"), kind.optional(f"{name}n"), whole]
-    values = [value for value in told if value not in (None, "~")]
+    given = [kind.optional(f"{name}x"), kind.optional(f"{name}n"), whole]
+    values = [value for value in given if value not in (None, "~")]
     if len(values) > 1:
-        raise kind.refused(name, "told twice", f"allowed is one of {name}, {name}x, {name}n")
+        raise kind.refused(name, "given twice", f"allowed is one of {name}, {name}x, {name}n")
     if values and (isinstance(values[0], bool) or not isinstance(values[0], int | float)):
         raise kind.refused(name, repr(values[0]), "allowed is a number")
     return float(values[0]) if values else None

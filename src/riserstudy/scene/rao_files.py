@@ -1,7 +1,7 @@
 """Response amplitude operators from the files of diffraction codes, as the table that a scene reads.
 
 WAMIT's ``.4`` (columns period, heading, mode, modulus, phase, real and imaginary part) and the netCDF that
-Capytaine's datasets are saved as. Both tell where waves go to; WAMIT's phases lead the crest at the origin,
+Capytaine's datasets are saved as. Both say where waves go to; WAMIT's phases lead the crest at the origin,
 Capytaine's, whose time goes as exp(-i w t), lag it. Axes are those of scenes: x, y to port of it, z up.
 
 References
@@ -111,10 +111,10 @@ def _rows_of_wamit(path: Path) -> list[Row]:
         if len(cells) != 7 or cells[2] != int(cells[2]):
             allowed = "allowed are period, heading, mode, modulus, phase, real and imaginary part"
             raise InputError(path, f"line {number}", f"{len(cells)} numbers", allowed)
-        value, told = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
-        if abs(value - told) > ROUNDED * abs(value) + 1e-6:
-            found = f"modulus and phase give {told:.4g}, real and imaginary part {value:.4g}"
-            raise InputError(path, f"line {number}", found, "allowed is that both tell the same")
+        value, polar = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
+        if abs(value - polar) > ROUNDED * abs(value) + 1e-6:
+            found = f"modulus and phase give {polar:.4g}, real and imaginary part {value:.4g}"
+            raise InputError(path, f"line {number}", found, "allowed is that both are the same")
         rows.append(Row(cells[0], cells[1], int(cells[2]), value))
     return rows
 
@@ -210,7 +210,7 @@ def write_table(found: Operators, target: Path) -> None:
 
 
 def lines_of_scene(found: Operators, target: Path) -> str:
-    """What the scene says beside the table."""
+    """What the scene says in addition to the table."""
     headed = ", headings: towards" if "heading (deg)" in found.columns else ""
     return (
         f"platform.response: {{operators: {{file: {target.name}}}, phases: {found.phases}{headed}}}"

@@ -26,7 +26,7 @@ class FigureModel(Strict):
     study's limits over one or two, an envelope along the riser, time series. Absent: the function of the
     figure's name in its chapter's figures.
     ``of``: the quantities to plot. Absent: those that matter most among what there is.
-    ``with``: what the function is told besides, ``{printed: N1}`` for a printed number of the paper.
+    ``with``: further arguments of the function, ``{printed: N1}`` for a printed number of the paper.
     """
 
     caption: str
@@ -44,5 +44,5 @@ class FigureModel(Strict):
         if self.of and self.plot == "utilisation":
             raise ValueError("of: utilisation is that of all limits of the study")
         if self.settings and self.plot:
-            raise ValueError("with: a plot that fits any grid is told nothing")
+            raise ValueError("with: a plot that fits any grid takes no arguments")
         return self

@@ -14,7 +14,7 @@ Factors = Annotated[list[Positive], Field(min_length=1)]
 
 
 class EngineStudy(Strict):
-    """What is measured. ``timed``: no other job may run beside it."""
+    """What is measured. ``timed``: no other job may run at the same time."""
 
     timed: ClassVar[bool] = True
     caption: str
@@ -110,7 +110,7 @@ class Ladder(Strict):
 
 
 class AccuracyStudy(EngineStudy):
-    """Error against time, every method on every rung of a scene's ladder, and accuracy asked for.
+    """Error against time, every method on every rung of a scene's ladder, and requested accuracy.
 
     ``budget``: node-steps that a run may take; more are left out. ``patience``: seconds that a request for an
     accuracy may take; one beyond it is a row that says so. ``peers``: by scene and other simulator, errors of
@@ -128,7 +128,7 @@ class AccuracyStudy(EngineStudy):
 
 
 class Family(Strict):
-    """Scenes of one kind: a scene, values set on it, and ranges to draw from beside its assumptions.
+    """Scenes of one kind: a scene, values set on it, and ranges to draw from in addition to its assumptions.
 
     Absent preview: not part of that tier.
     """
@@ -228,7 +228,7 @@ class TiersStudy(EngineStudy):
 
 
 class ValidationStudy(EngineStudy):
-    """Closed forms, second methods and conservation laws beside the engine, on these scenes and its own.
+    """Closed forms, second methods and conservation laws against the engine, on these scenes and its own.
 
     ``stored``: of some of the scenes, the file of a history that another program made.
     """

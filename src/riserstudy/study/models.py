@@ -112,9 +112,9 @@ class Samples(Strict):
 
 
 class Derived(Strict):
-    """A dataset derived from studies: those that it reads, and what its function is told besides.
+    """A dataset derived from studies: those that it reads, and further arguments of its function.
 
-    What it is told may say where it comes from, as values of scenes do: ``assumed`` with a range and why, or
+    These may say where they come from, as values of scenes do: ``assumed`` with a range and why, or
     ``{printed: N1}`` for a printed number of the paper.
     """
 

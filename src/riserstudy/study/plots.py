@@ -36,7 +36,7 @@ USUAL: dict[Plot, tuple[str, ...]] = {
 }
 SIDES = ("_max", "_min", "_absmax")
 _AHEAD = ("platform_speed", "riser_reaction", "environment_force")
-#: what is told over time alone, not at rest
+#: what is given over time alone, not at rest
 _MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift")
 
 #: outputs that only some scenes call for, with what these have, and whether a scene has it
@@ -61,7 +61,7 @@ CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
     ),
     (
         ("von_mises_stress",),
-        "section whose wall is told: diameters, contents, gravity and water.surface",
+        "section whose wall is given: diameters, contents, gravity and water.surface",
         lambda s: not all(wall_lacks(s, section) for section in s.riser),
     ),
     (("lift", "lift_rate"), "disconnect", lambda s: s.disconnect is not None),
@@ -99,7 +99,7 @@ CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
 
 
 def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[str]:
-    """Why a figure's plot cannot show what it names, a line each; nothing where only runs can tell."""
+    """Why a figure's plot cannot show what it names, a line each; nothing where only runs can say."""
     (name, *_) = figure.reads
     if figure.plot is None or name not in studies:
         return
@@ -119,7 +119,7 @@ def shows(plot: Plot, study: Study) -> bool:
 
 
 def unshown(plot: Plot, quantity: str, study: Study) -> str:
-    """Why a plot cannot show a quantity of a study; "" where it can, or where only runs can tell."""
+    """Why a plot cannot show a quantity of a study; "" where it can, or where only runs can say."""
     stem = next((quantity.removesuffix(e) for e in ENDINGS if quantity.endswith(e)), quantity)
     over_grid = plot in ("lines", "heat map")
     if quantity in OF_POINTS:
@@ -194,7 +194,7 @@ def _scenes(study: Study) -> Iterator[Scene]:
         places += [[*first[:number], k, *first[number + 1 :]] for k in range(1, labels)]
     try:
         scenes = [study.grid.file(tuple(place)).scene() for place in places]
-    except InputError:  # planning tells what is wrong
+    except InputError:  # planning says what is wrong
         return
     yield from scenes
 

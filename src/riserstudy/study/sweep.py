@@ -71,21 +71,28 @@ def sweep(
 
     Parameters
     ----------
-    scene : from :func:`riserstudy.load_scene`, or the path of its file.
-    axes : by path in the scene the values that it takes, as ``{"platform.surge.period": [8, 10, 12]}``.
+    scene : SceneFile or str or Path
+        A scene from :func:`riserstudy.load_scene`, or the path of its file.
+    axes : mapping
+        By path in the scene the values that it takes, as ``{"platform.surge.period": [8, 10, 12]}``.
         Numbers count in the unit that the scene has there. The dimension is the path with ``_`` for dots.
         Or by name of a dimension, labels and what each sets: ``{"law": {"stiff": {"top.x": "held"}, ...}}``.
-    keep : variables to keep, such as ``bending_moment``; absent: all. Those of a whole run, such as
+    keep : iterable of str, optional
+        Variables to keep, such as ``bending_moment``; absent: all. Those of a whole run, such as
         ``largest_bending_moment`` (N m) and ``smallest_tension`` (N), are always there.
-    on_error : ``"nan"``: a point that cannot be completed has no numbers, and its reason in ``failure``;
-        ``"raise"``: the first such point is an error.
-    cores : processes at most; absent: as many as there are cores.
-    progress : show how many points are done.
+    on_error : {"nan", "raise"}
+        With ``"nan"`` a point that cannot be completed has no numbers, and its reason in ``failure``;
+        with ``"raise"`` the first such point is an error.
+    cores : int, optional
+        Processes at most; absent: as many as there are cores.
+    progress : bool
+        Show how many points are done.
 
     Returns
     -------
-    Dataset with the axes as dimensions, in their order, as datasets of studies are; ``failure`` is empty
-    where a point was completed.
+    xarray.Dataset
+        The axes are its dimensions, in their order, as in datasets of studies; ``failure`` is empty where a
+        point was completed.
 
     Raises
     ------

@@ -7,7 +7,7 @@ from riserstudy.figures.style import COLOURS, panels
 
 
 def swing_over_heave(tension_swing: xr.Dataset) -> Figure:
-    """Swing of the top tension beside the straight line through its first value."""
+    """Swing of the top tension compared with the straight line through its first value."""
     figure, (ax,) = panels()
     swing = tension_swing["tension_swing"] / 1e3
     amplitude = swing["heave_amplitude"]
