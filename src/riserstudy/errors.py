@@ -25,10 +25,14 @@ class InputError(RiserStudyError):
 
     Parameters
     ----------
-    where : file, or "command line".
-    field : dotted path of the field, "" for the whole file.
-    found : what stands there.
-    allowed : what may stand there, or what to do.
+    where : object
+        File, or "command line".
+    field : str
+        Dotted path of the field, "" for the whole file.
+    found : str
+        What stands there.
+    allowed : str
+        What may stand there, or what to do.
     """
 
     exit_code = 2

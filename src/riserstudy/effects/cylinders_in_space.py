@@ -5,7 +5,7 @@ line. The ring turns with the top of the riser below it. Unequal pulls leave a m
 :math:`m = \sum_c a_c \times F_c` about the ring's centre, so the telescopic joint above starts with
 :math:`M - m` where the riser below ends with M.
 
-The derivative of that moment is left out of the stiffness: it is small beside the riser's own.
+The derivative of that moment is left out of the stiffness: it is small compared with the riser's own.
 
 References
 ----------

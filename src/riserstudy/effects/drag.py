@@ -6,7 +6,7 @@ per unstretched length, with the pipe's tangent t; a drag that acts horizontally
 A node's tangent hangs on both its neighbours, so the load of the node beyond a neighbour would leave the
 band of the stiffness. How loads turn with the pipe is therefore counted as if each acted on its own node
 alone: the rest is a second difference, small for corrections that reach over several segments. In motion,
-beside inertia, all of it is small: iterations are the same without.
+compared with inertia, all of it is small: iterations are the same without.
 
 References
 ----------

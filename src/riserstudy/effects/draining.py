@@ -8,7 +8,7 @@ sees
 
 over the length that is filled. Speed and level come from a table (`model.mud_column`). This effect gives the
 effects `weight` and `contents` the mass that is left. What leaves takes its motion with it. The momentum of
-the flow through a riser that bends or turns is left out: :math:`\rho A V^2`, beside the tension.
+the flow through a riser that bends or turns is left out: :math:`\rho A V^2`, compared with the tension.
 
 References
 ----------

@@ -8,11 +8,11 @@ of water as at its ends, whose velocity above the surface is carried on from the
 that errs by the square of the segment's length, and does not jump when a node comes up or goes under.
 
 Weight in water does not follow: it is the scene's own number. What a changing mass does to the momentum
-of the water beside the pipe (slamming) is left out.
+of the water around the pipe (slamming) is left out.
 
 References
 ----------
-None: our own, with its error above.
+None: the project's own, with its error above.
 """
 
 from __future__ import annotations

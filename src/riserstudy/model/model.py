@@ -36,7 +36,7 @@ class Unknowns(NamedTuple):
         OTHER,
     )  # of a segment's mass that its nodes carry, see `State`
     cylinders: int = 0  # of the tensioners
-    probes: Sequence[str] = ()  # names of what effects report beside the cylinders
+    probes: Sequence[str] = ()  # names of what effects report besides the cylinders
     loose: int = 0  # nodes beyond the riser's
     ring: int | None = None  # node above which a telescopic joint carries no tension
 

@@ -272,9 +272,9 @@ class Combined(Strict):
 class Current(Strict):
     """Steady current. Absent heading: it flows along x; ramp: it flows from the start.
 
-    Headings tell where it flows to (towards; so where absent) or comes from, those of its points
+    Headings say where it flows to (towards; so where absent) or comes from, those of its points
     (``direction``, in all or none) too. A current of which the direction changes is straight between
-    its points in its parts along x and y. ``beyond`` the elevations that its profile tells its end values
+    its points in its parts along x and y. ``beyond`` the elevations of its profile its end values
     hold, or the water is still; needed where it does not reach all along the riser.
     """
 

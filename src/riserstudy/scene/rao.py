@@ -92,7 +92,7 @@ class Response(Strict):
     """Platform motion from response amplitude operators, as points or a CSV table ``{file: name.csv}``.
 
     Phases lead or lag the crest of the wave at the platform, whose surface is amplitude cos(w t - phase)
-    there. Headings of operators tell where waves go to (towards) or come from; between them operators
+    there. Headings of operators say where waves go to (towards) or come from; between them operators
     are linear. Their lines may stand in any order. ``symmetry``: headings that are not there follow from
     those mirrored about the plane of x and z (sides), or of y and z as well (sides and ends).
     ``beyond`` the periods of the operators those at their ends hold, or there is no motion, or the wave is

@@ -12,7 +12,7 @@ from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient, Strict
 from riserstudy.scene.dressed import Line, Modules
 
-RIGID = 1e3  # bending stiffness of what does not bend, over that beside it
+RIGID = 1e3  # bending stiffness of what does not bend, over that of its neighbour
 
 
 class CoefficientAt(Strict):
@@ -234,7 +234,7 @@ class Section(Strict):
         return self.young_modulus * self.wall_area, self.young_modulus * second
 
     def rigid(self, name: str, length: float) -> Section:
-        """A weightless section of a length (m) that is rigid beside this one, and bears as this one does."""
+        """A weightless section of a length (m) that is rigid compared with this one, and bears as this one does."""
         axial, bending = self.elasticity
         return Section.model_construct(
             name=name,

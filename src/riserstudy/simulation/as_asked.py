@@ -63,7 +63,7 @@ def as_asked(scene: Scene, estimated: bool, watch: Watch) -> Result:
 def _coarser(
     scene: Scene, elements: int, ways: list[str], watch: Watch
 ) -> list[tuple[str, Result]]:
-    """Runs with mesh or step doubled, and which of them, each beside the one before."""
+    """Runs with mesh or step doubled, and which of them, each to be compared with the one before."""
     step, runs = scene.analysis.step, []
     for way in (way for way in COARSER if way in ways):
         elements = max(1, elements // 2) if way == "mesh" else elements

@@ -20,7 +20,7 @@ class Halved:
         was = before.change.get(worst, 0.0) if before else 0.0
         #: of the largest change since the one before; unknown: as much as is believed
         self.fall: float = max(was / change[worst], 1.0) if was and change[worst] else MOST_FALL
-        # beside another mesh or step changes are alike, but not to the third order; and after a fall that
+        # with another mesh or step changes are alike, but not to the third order; and after a fall that
         # was less than that of the second, a steep one may be chance
         doubtful = before and (before.since or before.fall < SURE_FALL)
         most = SURE_FALL if doubtful else MOST_FALL

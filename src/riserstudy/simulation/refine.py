@@ -195,7 +195,7 @@ class Refinement:
             error = self.error
             worst = max(error, key=lambda name: error[name] / self.target[name])
             off = f"{worst} off by {100 * error[worst]:.2g} %, request {100 * self.target[worst]:.2g} %"
-            on += f"; {off}, up to {_duration(self._left())} to go"
+            on += f"; {off}, about {_duration(self._left())} to go"
         self.watch.begin(on)
 
     def _left(self) -> float:
@@ -318,7 +318,7 @@ class Refinement:
         return next((w for w in old if self._excess(self.seen[w].error) > MATTERS), None)
 
     def _look_again(self, finer: Result, way: str) -> None:
-        """See how changes by a way fall beside what the other is now, by two runs coarser in it alone.
+        """See how changes by a way fall with the other as it is now, by two runs coarser in it alone.
 
         Where the first fails, the way is halved once more.
         """

@@ -53,7 +53,7 @@ def derived(
     Returns
     -------
     ``shear_force`` (N), signed in a plane, its size in space, and ``von_mises_stress`` (Pa) over the nodes,
-    at rest and as envelopes of the outputs; ``lower_end_tension`` (N) at rest and over time. Beside them the
+    at rest and as envelopes of the outputs; ``lower_end_tension`` (N) at rest and over time. With them the
     histories that envelopes are of, (time, n + 1).
     """
     foot = riser_foot(scene, mesh)

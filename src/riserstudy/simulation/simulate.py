@@ -27,20 +27,24 @@ def simulate(
 
     Parameters
     ----------
-    scene : a scene from :func:`riserstudy.load_scene`, or the path of its file.
-    accuracy : relative accuracy of displacement and moment asked for, in place of the scene's mesh,
-        step or accuracy.
-    patience : time after which the best result so far is returned, with what it errs by: seconds, or text
-        such as ``"10 min"``. The attribute ``ended_by`` and a warning then say so. A scene with a mesh of its
-        own has no coarser result to return, and is refused instead. Absent: without end.
-    progress : show on a terminal or a notebook what is run, how far it is and what is left to do.
+    scene : SceneFile or str or Path
+        A scene from :func:`riserstudy.load_scene`, or the path of its file.
+    accuracy : float, optional
+        Relative accuracy of displacement and moment requested in place of the scene's mesh, step or accuracy.
+    patience : float or str, optional
+        Time after which the best result so far is returned, with its estimated error: seconds, or text
+        such as ``"10 min"``. The attribute ``ended_by`` and a warning then say so. A scene with a mesh of
+        its own has no coarser result to return, and is refused instead. Absent: without end.
+    progress : bool
+        Show on a terminal or in a notebook what is run, how far it is and what is left to do.
 
     Returns
     -------
-    Dataset with ``x``, ``z`` (m, those that exist), ``effective_tension`` (N) and ``bending_moment``
-    (N m) over ``time`` (s) and ``s`` (m, unstretched arclength from the bottom); without ``time`` for
-    statics. Envelopes (``_max``, ``_min``) and the state at rest (``_static``) over ``s_node``, at all
-    nodes. Attributes hold effects, audit, error estimate and provenance as JSON text.
+    xarray.Dataset
+        ``x``, ``z`` (m, those that exist), ``effective_tension`` (N) and ``bending_moment`` (N m) over
+        ``time`` (s) and ``s`` (m, unstretched arclength from the bottom); without ``time`` for statics.
+        Envelopes (``_max``, ``_min``) and the state at rest (``_static``) over ``s_node``, at all nodes.
+        Attributes hold effects, audit, error estimate and provenance as JSON text.
 
     Raises
     ------
@@ -64,7 +68,7 @@ def simulate(
 
 
 def at_accuracy(file: SceneFile, accuracy: str) -> SceneFile:
-    """The scene with an accuracy asked for in place of mesh and step."""
+    """The scene with an accuracy requested in place of mesh and step."""
     wanted = {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": accuracy}
     return file.with_values(wanted, "accuracy")
 

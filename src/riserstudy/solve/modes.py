@@ -177,7 +177,7 @@ def _both(step, stiff, damping, x):
 
 
 def _largest(operator, mass: csr_array) -> tuple[float, np.ndarray]:
-    """Largest eigenvalue of a symmetric operator beside a mass, and its vector x with x' M x = 1."""
+    """Largest eigenvalue of a symmetric operator with a mass, and its vector x with x' M x = 1."""
     size = mass.shape[0]
     if size <= FEW:
         last = [size - 1, size - 1]

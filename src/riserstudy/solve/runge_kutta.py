@@ -49,7 +49,7 @@ TABLEAUS = {
         ]
     ),
 }
-SUPPORTS, INERTIA = 2, 3  # entries of power of a stage, beside those of `flow`
+SUPPORTS, INERTIA = 2, 3  # entries of power of a stage, after those of `flow`
 
 
 class Stages(NamedTuple):

@@ -2,7 +2,7 @@
 
 While a kernel is compiled the plain function is run once, on numbers that note down what is done to
 them. What it does so stands in the caller, as if written there by hand: it is no function of its own
-to compile, and no call. Beside functions of numba's own this halves what a kernel takes to compile.
+to compile, and no call. Compared with functions of numba's own this halves what a kernel takes to compile.
 """
 
 from __future__ import annotations
