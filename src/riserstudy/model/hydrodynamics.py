@@ -116,9 +116,11 @@ def _drag(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
         scale = [0.5 * rho * a.diameter if a else 0.0 for a in these]
         if table:
             low, up = np.zeros((2, len(mesh.l0)))
-            points = np.array(table).T.copy()
-            slope = np.zeros((3, len(mesh.l0)))
-            record = DragOverDepth(low, up, scratch, horizontal, over(mesh, scale), *points, slope)
+            elevation, coefficient = np.array(table).T.copy()
+            slope, whole = np.zeros((3, len(mesh.l0))), over(mesh, scale)
+            record = DragOverDepth(
+                low, up, scratch, horizontal, whole, elevation, coefficient, slope
+            )
             yield Effect("drag", record, "riser.drag")
             continue
         whole = over(

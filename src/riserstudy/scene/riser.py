@@ -234,7 +234,7 @@ class Section(Strict):
         return self.young_modulus * self.wall_area, self.young_modulus * second
 
     def rigid(self, name: str, length: float) -> Section:
-        """A weightless section of a length (m) that is rigid compared with this one, and bears as this one does."""
+        """A weightless section of a length (m) that does not bend, and stretches as this one does."""
         axial, bending = self.elasticity
         return Section.model_construct(
             name=name,

@@ -13,7 +13,9 @@ from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE, Strict
 
 MOST_TURNS = 1_000_000  # of platform and riser, each some hundred microseconds and its steps
 MOST_STEPS_A_TURN = 100_000  # whose motions and forces are kept
-STEPS_A_TURN = 4  # at least, of a run whose error is estimated by two with twice and four times the step
+STEPS_A_TURN = (
+    4  # at least, of a run whose error is estimated by two with twice and four times the step
+)
 
 
 class Wind(Strict):

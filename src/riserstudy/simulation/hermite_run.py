@@ -329,7 +329,7 @@ def _at_rest(beam: Beam) -> Response:
 
 
 def _moving(scene: Scene, beam: Beam, step: float) -> Response:
-    """Newmark's method; Newton's iteration finds what the paper's, with the drag of the last iterate, does."""
+    """Newmark's method; Newton's iteration finds what the paper's repetition with the last drag does."""
     a = scene.analysis
     if a.duration is None or a.output is None:
         raise TypeError("a step without a duration")  # refused by the scene
