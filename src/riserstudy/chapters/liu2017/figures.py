@@ -246,13 +246,9 @@ def envelope(envelope: xr.Dataset) -> Figure:
     figure, (ax,) = panels(height=3.8)
     for colour, name in zip(COLOURS, LIMITS, strict=False):
         offset = envelope["limit_offset"].sel(limit=name)
-        ax.plot(
-            offset["surface_speed"],
-            offset.where(np.isfinite(offset)),
-            ".-",
-            color=colour,
-            label=name,
-        )
+        found = offset.where(np.isfinite(offset))
+        said = name if bool(found.notnull().any()) else f"{name} (not reached)"
+        ax.plot(offset["surface_speed"], found, ".-", color=colour, label=said)
     ax.set_xlabel("current at the surface, + away from the well (m/s)")
     ax.set_ylabel("offset at rest (m)")
     ax.set_ylim(bottom=0.0)
