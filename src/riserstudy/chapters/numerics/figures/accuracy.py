@@ -17,6 +17,7 @@ QUANTITIES = ("displacement", "moment", "tension")
 MARKERS = "osD^vPX*<>"
 STYLES = ("-", (0, (4, 2)))
 LARGEST = 0.5  # error that is drawn, at most
+CHANGED = (0, (6, 2, 1, 2))  # dashes of what the reference changed by
 TARGET = 0.002  # error at which methods are compared
 
 
@@ -79,10 +80,11 @@ def _edge(one: xr.Dataset) -> NDArray[np.float64]:
 
 
 def asked(accuracy: xr.Dataset) -> Figure:
-    """Accuracy asked for, estimated and reached, and the time it took; late scenes are named."""
+    """Accuracy requested, estimated and reached, and the time it took; late scenes are named."""
     figure, (left, right) = panels(1, 2, height=3.9)
     known = accuracy["request_seconds"].notnull().values
     scenes = list(dict.fromkeys(map(str, accuracy["request_scene"].values)))
+    halved = ""
     drawn = [name for name in scenes if known[accuracy["request_scene"].values == name].any()]
     for k, scene in enumerate(drawn):
         of = accuracy.isel(request=np.flatnonzero(accuracy["request_scene"].values == scene))
@@ -93,9 +95,13 @@ def asked(accuracy: xr.Dataset) -> Figure:
         right.plot(of["requested"], of["request_seconds"], "o-", color=colour, ms=4)
         change = float(accuracy["reference_change"].sel(scene=scene).max())
         if change == change:
-            left.axhline(change, color=colour, linewidth=0.7, linestyle=(0, (1, 3)))
+            left.axhline(change, color=colour, linewidth=0.9, linestyle=CHANGED)
+            halved = "last halving of the reference"
     ends = np.array([float(accuracy["requested"].min()), float(accuracy["requested"].max())])
-    left.plot(ends, ends, color="0.6", lw=1.0, label="reached as asked")
+    left.plot(ends, ends, color="0.6", lw=1.0, label="error equal to the request")
+    left.plot([], [], "x:", color="0.4", ms=4, label="estimated")
+    if halved:
+        left.plot([], [], color="0.4", linewidth=0.9, linestyle=CHANGED, label=halved)
     for ax, word in ((left, "error (%)"), (right, "time of all runs (s)")):
         ax.set_xscale("log")
         ax.set_yscale("log")
@@ -111,8 +117,8 @@ def asked(accuracy: xr.Dataset) -> Figure:
     right.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     bottom, top = right.get_ylim()
     right.set_ylim(min(bottom, 0.5 * top), max(top, 2.0 * bottom))
-    left.set_title("(a) reached (o), estimated (x)", loc="left", fontsize="medium")
-    right.set_title("(b) time", loc="left", fontsize="medium")
+    left.set_title("(a) error reached (o), estimated (x)", loc="left", fontsize="medium")
+    right.set_title("(b) time of all runs of a request", loc="left", fontsize="medium")
     if late := sorted(set(scenes) - set(drawn)):
         right.text(
             0.02, 0.02, f"not within the time allowed: {', '.join(late)}",
