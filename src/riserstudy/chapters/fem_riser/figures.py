@@ -198,7 +198,7 @@ def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Datas
     figure = _envelopes(
         {"500 m": length_500, "1000 m": length_1000, "1500 m": length_1500}, (BLUE, BLACK, RED)
     )
-    headline(figure, f"1500 m over 500 m: {_ratios(length_500, length_1500)}")
+    headline(figure, f"A riser of 1500 m over one of 500 m: {_ratios(length_500, length_1500)}")
     return figure
 
 
@@ -356,7 +356,7 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset) -> Figure:
     shares = _shares(axes[3], claims(open_trends))
     headline(
         figure,
-        f"B5 to B10 hold together in {_most(held)}, and in {shares['all six']:.0%} of the samples; "
+        f"B5 to B10 hold together in {_most(held)}, and in {100 * shares['all six']:.0f} % of the samples; "
         "numbers: claims that do not hold",
     )
     return figure

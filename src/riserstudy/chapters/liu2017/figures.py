@@ -57,7 +57,10 @@ def fig04(driveoff: xr.Dataset) -> Figure:
         float(first_crossing(driveoff["platform_surge"].sel(case=f"ref_{h}"), 100.0))
         for h in HEADINGS
     )
-    says(figure, f"100 m are reached after {first:.0f} s along, {later:.0f} s against (a)")
+    says(
+        figure,
+        f"The platform is 100 m away after {first:.0f} s along the environment, {later:.0f} s against it",
+    )
     axes[0].set_ylabel(SURGE)
     axes[2].set_ylabel("speed of the platform (m/s)")
     key_below(figure, axes[0], 4)

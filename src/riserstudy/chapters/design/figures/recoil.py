@@ -130,7 +130,7 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
     serves = recoil_failures_outcome["recoil_verdict"] == 0
     headline(
         figure,
-        f"Valves that stay open let the LMRP rise {opened:.0f} m instead of {closed:.0f} m, {min(units):g} "
+        f"The LMRP rises {closed:.0f} m, with valves that stay open {opened:.0f} m, with {min(units):g} "
         f"units {fewer:.0f} m; {int(serves.sum())} of {serves.size} settings stay clear at every phase "
         "(numbers: largest lift, m)",
     )

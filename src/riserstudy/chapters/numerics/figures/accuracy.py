@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import COLOURS, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
 QUANTITIES = ("displacement", "moment", "tension")
 MARKERS = "osD^vPX*<>"
@@ -26,9 +27,12 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     scenes = [str(scene) for scene in accuracy["scene"].values]
     columns = min(2, len(scenes))
     figure, axes = panels(-(-len(scenes) // columns), columns, height=3.3)
+    quickest: list[str] = []
     for ax, scene in zip(axes, scenes, strict=False):
-        best = _scene(ax, accuracy.sel({"scene": scene}))
-        ax.set_title(f"{scene}: {best}", fontsize="small")
+        first = _scene(ax, accuracy.sel({"scene": scene}))
+        quickest.append(first)
+        said = f"{first or 'no method'} reaches {100 * TARGET:g} %{' first' if first else ''}"
+        ax.set_title(f"{scene}: {said}", fontsize="small")
         ax.set_xlabel("time of a run (s)")
         ax.set_ylabel("largest error (%)")
         ax.set_xscale("log")
@@ -45,12 +49,22 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     figure.legend(
         shown.values(), shown.keys(), loc="outside lower center", ncols=4, fontsize="small"
     )
+    headline(figure, _answer(quickest))
     return figure
 
 
+def _answer(quickest: list[str]) -> str:
+    """In how many scenes which method is the quickest at the target; "" of those where none reaches it."""
+    wins = Counter(name for name in quickest if name).most_common()
+    said = [f"{name} in {count} of {len(quickest)} scenes" for name, count in wins]
+    if none := quickest.count(""):
+        said.append(f"no method in {none}")
+    return f"Quickest at an error of {100 * TARGET:g} %: {', '.join(said)}"
+
+
 def _scene(ax: Axes, of: xr.Dataset) -> str:
-    """Draw the edges of all methods; which of them is the quickest at the target."""
-    quickest = (np.inf, "no method")
+    """Draw the edges of all methods; the quickest at the target, "" where none reaches it."""
+    quickest = (np.inf, "")
     for k, method in enumerate(map(str, of["method"].values)):
         edge = _edge(of.sel({"method": method}))
         if not len(edge):
@@ -63,8 +77,7 @@ def _scene(ax: Axes, of: xr.Dataset) -> str:
         if len(met):
             quickest = min(quickest, (float(met.min()), method))
     ax.axhline(TARGET, color="0.5", linewidth=0.8, linestyle=":")
-    name = quickest[1]
-    return f"{name} reaches {100 * TARGET:g} %" + ("" if name == "no method" else " first")
+    return quickest[1]
 
 
 def _edge(one: xr.Dataset) -> NDArray[np.float64]:
