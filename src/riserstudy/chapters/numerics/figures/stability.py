@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,7 @@ NO_REFERENCE = "finished, but no reference"  # an outcome of the dataset
 #: methods of the lower panel, as far as they were run; the table has all
 EXPLICIT = "explicit"
 SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
+LETTERS = 85  # of a title, in a row
 MORE = ">"  # mark of a range that goes on
 SAME = 1e-9  # relative difference of steps that are the same
 WORST = 2  # cases that are named, at least
@@ -45,6 +47,8 @@ def stability(stability: xr.Dataset) -> Figure:
     above, below = figure.subplots(2, 1, height_ratios=heights)
     _squares(above, stability, families)
     _steps(below, stability, stepped, methods)
+    if stepped:
+        _steps_key(figure, below, [m for m in SHOWN if m not in methods])
     return figure
 
 
@@ -213,25 +217,22 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
     ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     ax.set_xlabel("step over the step that the default accuracy chooses (1)")
     ax.set_title(f"(b) {_bearable(stability, families, methods)}", loc="left", fontsize="medium")
-    if families:
-        _steps_key(ax, [m for m in SHOWN if m not in methods], len(families))
 
 
-def _steps_key(ax: Axes, absent: list[str], families: int) -> None:
+def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
     """Methods by colour, ends of ranges by mark, and which methods were not run."""
     grey: dict[str, Any] = {"color": "0.4", "linestyle": ""}
     ax.plot([], [], "o", markersize=4.5, label="largest accurate", **grey)
     hollow = grey | {"markersize": 7.5, "markerfacecolor": "none"}
     ax.plot([], [], "o", label="largest that survives", **hollow)
-    ax.plot([], [], MORE, label="the longest tried survives: or more", **hollow)
+    ax.plot([], [], MORE, label="survives the longest tried", **hollow)
     handles, labels = ax.get_legend_handles_labels()
     if absent:
         handles.append(Patch(visible=False))
         labels.append(f"not run at this tier: {', '.join(absent)}")
-    ax.legend(
-        handles, labels, loc="upper center", bbox_to_anchor=(0.5, -0.09 - 0.25 / families),
-        ncols=4, fontsize="small", frameon=False,
-    )  # fmt: skip
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=4, fontsize="small", frameon=False
+    )
 
 
 def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) -> str:
@@ -246,4 +247,5 @@ def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) ->
     tied = int((first[:, leading].any(axis=1) & (first.sum(axis=1) > 1)).sum())
     others = f", in {tied} of them no longer than others" if tied else ""
     names = " and ".join(methods[k] for k in leading)
-    return f"Longest accurate steps: {names}, in {count} of {len(seen)} families{others}"
+    said = f"Longest accurate steps: {names}, in {count} of {len(seen)} families{others}"
+    return textwrap.fill(said, LETTERS)
