@@ -325,7 +325,7 @@ def readings(reading_trends: xr.Dataset) -> Figure:
     ]
     headline(
         figure,
-        "The factor raises deflection, stress and angle, as the text says, in reading "
+        "The buoyant factor raises deflection, stress and angle, as the text says, in reading "
         f"{', '.join(raised) or 'none'} alone",
     )
     return figure
