@@ -28,7 +28,7 @@ NO_REFERENCE = "finished, but no reference"  # an outcome of the dataset
 #: methods of the lower panel, as far as they were run; the table has all
 EXPLICIT = "explicit"
 SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
-LETTERS = 85  # of a title, in a row
+LETTERS = 92  # of a title, in a row
 MORE = ">"  # mark of a range that goes on
 SAME = 1e-9  # relative difference of steps that are the same
 WORST = 2  # cases that are named, at least
