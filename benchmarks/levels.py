@@ -1,4 +1,4 @@
-"""What each level of error costs a method, read off the lower edge of its settings, and its ratio to ours."""
+"""What each level of error costs a method, off the lower edge of its settings; ratios to riserstudy."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import itertools
 import math
 from typing import Any
 
-OURS = "ours"
+OURS = "riserstudy"
 LEVELS = (0.05, 0.01, 0.002, 0.0005)
 
 

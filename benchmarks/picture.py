@@ -1,4 +1,4 @@
-"""Error against time of all codes, a row a scene, displacement beside moment or tension."""
+"""Error against time of all codes, a row a scene: displacement, then moment or tension."""
 
 from __future__ import annotations
 
@@ -6,10 +6,27 @@ from pathlib import Path
 from typing import Any
 
 from levels import LEVELS, edge, points
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter
 
 COLOURS = ("#0072b2", "#000000", "#d55e00", "#009e73", "#cc79a7", "#e69f00")
+
+
+def _axes(ax: Axes) -> None:
+    """Errors in per cent, plain times, and the levels at which the tables compare codes."""
+    ax.set(xscale="log", yscale="log")
+    for level in LEVELS:
+        ax.axhline(level, color="0.6", lw=0.6, ls=":", zorder=0)
+        ax.annotate(
+            f"{100 * level:g} %", (1.0, level), xycoords=("axes fraction", "data"), xytext=(3, 0),
+            textcoords="offset points", va="center", fontsize="x-small", color="0.4",
+        )  # fmt: skip
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
+    ax.set_ylabel("largest error (%)")
+    ax.grid(alpha=0.2)
 
 
 def picture(rows: list[Any], target: Path, told: str) -> Path:
@@ -28,14 +45,10 @@ def picture(rows: list[Any], target: Path, told: str) -> Path:
                     drawn.add(method)
                     ax.plot(*zip(*found, strict=True), "os^Dv<"[k], color=COLOURS[k], ms=4)
                     ax.plot(*zip(*edge(found), strict=True), color=COLOURS[k], lw=1.2)
-            for level in LEVELS:
-                ax.axhline(level, color="0.75", lw=0.6, ls=":", zorder=0)
-            ax.set(xscale="log", yscale="log")
+            _axes(ax)
             ax.set_title(f"{scene}: {what}", fontsize="medium")
-            ax.set_ylabel("largest error (-)")
-            ax.grid(alpha=0.2)
     for ax in axes[-1]:
-        ax.set_xlabel("processor time (ms)")
+        ax.set_xlabel("processor time of a run (ms)")
     keys = [
         Line2D([], [], color=COLOURS[k], marker="os^Dv<"[k], ms=4, label=method)
         for k, method in enumerate(methods)

@@ -187,6 +187,18 @@ def test_a_figure_says_what_is_seen_and_gives_its_values(tmp_path):
     assert rows[1:] == [f"{title},0,3,", f"{title},1,,", f"{title},2,5,"]
 
 
+def test_the_shares_of_samples_are_those_on_the_side_of_the_claim():
+    figure = drawn("liu2020", "baselines")
+    readings = datasets_of("liu2020")["statics_readings"]["largest_displacement"]
+    moved = readings.sel(surface_speed=1.0)
+    further = moved > moved.sel(tensioner_model="gas law")
+    rows = [label.get_text() for label in figure.axes[0].get_yticklabels()]
+    said = [text.get_text() for text in figure.axes[0].texts]
+    name = "vertical force at the ring"
+    share = 100.0 * float(further.sel(tensioner_model=name).mean())
+    assert said[rows.index(name)] == f"{share:.0f} %"
+
+
 def test_all_figures_of_the_paper_that_show_results_are_drawn():
     printed = {f"fig{k:02d}" for k in (5, 6, 8, 9, 10, 11, 12, 13, 14)}
     assert printed <= {name for paper, name in FIGURES if paper == "chang2020"}

@@ -95,6 +95,31 @@ def test_both_figures_are_drawn_from_it(surge):
         assert draw("numerics", name, {"accuracy": surge}).axes
 
 
+def test_the_title_counts_the_scenes_in_which_a_method_is_quickest(surge):
+    found = surge.copy(deep=True)
+    errors = [name for name in found if name.startswith("error_")]
+    for name in errors:
+        found[name][:] = 0.01
+    said = draw("numerics", "accuracy", {"accuracy": found}).get_suptitle()
+    assert said == "Quickest at an error of 0.2 %: no method in 1"
+    for name in errors:
+        found[name].loc[{"method": "ESDIRK4"}] = 0.001
+    said = draw("numerics", "accuracy", {"accuracy": found}).get_suptitle()
+    assert said == "Quickest at an error of 0.2 %: ESDIRK4 in 1 of 1 scenes"
+
+
+def test_the_change_of_the_reference_is_in_the_key_where_it_is_drawn(surge):
+    def key(accuracy):
+        figure = draw("numerics", "asked", {"accuracy": accuracy})
+        return [text.get_text() for text in figure.legends[0].get_texts()]
+
+    halved = surge.copy(deep=True)
+    halved["reference_change"][:] = 1e-4
+    assert "last halving of the reference" in key(halved)
+    halved["reference_change"][:] = np.nan
+    assert "last halving of the reference" not in key(halved)
+
+
 def test_every_scene_is_a_line_or_named_as_too_slow(surge):
     drawn = xr.Dataset(
         {

@@ -134,13 +134,27 @@ def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
     assert np.isnan(found.attrs["cold_compile_seconds"])
     assert found.attrs["compiled_functions"] > 0
     figure = draw("numerics", "effects", {"effects": found})
-    assert [t.get_text() for t in figure.axes[0].get_yticklabels()] == ["bench/s3", "bench/s1"]
+    assert [t.get_text() for t in figure.axes[0].get_yticklabels()] == ["bench, s3", "bench, s1"]
     assert "left out in 1 scenes, wrongly in none" in figure.get_suptitle()
     # a riser whose answer freedom across would change is a decision that was wrong
     changed = found.copy(deep=True)
     changed["moment_change"].loc[{"scene": "bench/s1", "change": DECIDED}] = 0.02
     assert decisions(changed) == (1, 1)
     assert "wrongly in 1 " in draw("numerics", "effects", {"effects": changed}).get_suptitle()
+    loud = "motion out of the plane added: above 1 %, wrongly left out"
+    assert loud in words_of(changed)
+    assert loud not in words_of(found)
+    # what the scene could name is another answer however large, and no wrong decision
+    added = next(n for n in found["change"].values if n.startswith("with ") and n != DECIDED)
+    changed["moment_change"].loc[{"scene": "bench/s1", "change": added}] = 0.5
+    assert sum("above 1 %" in word for word in words_of(changed)) <= 2
+
+
+def words_of(effects):
+    """The key of the changes, with papers by name."""
+    axes = draw("numerics", "effects", {"effects": effects}, {"papers": {"bench": "B"}}).axes
+    assert axes[0].get_yticklabels()[0].get_text().startswith("B, ")
+    return [text.get_text() for text in axes[1].get_legend().get_texts()]
 
 
 def test_what_compiling_takes_is_told_kernel_by_kernel():

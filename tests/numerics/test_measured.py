@@ -7,6 +7,7 @@ import pytest
 import xarray as xr
 
 from riserstudy.chapters.draw import draw
+from riserstudy.chapters.numerics.figures.stable_step import answer
 from riserstudy.errors import InputError
 from riserstudy.numerics.energy import energy
 from riserstudy.numerics.long_runs import long_runs
@@ -67,8 +68,18 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours():
     assert len(labels) == 1 + 2 * len(case.methods)
     assert (found["wall_seconds"] > 0.0).all()
     assert (found["error_moment"] < 1.0).all()
-    assert draw("numerics", "long_runs", {"long_runs": found}).axes
+    said = draw("numerics", "long_runs", {"long_runs": found}).get_suptitle()
+    assert f"46 hours: none (least error {100 * float(found['error_moment'].min()):.2g} %)" in said
+    found["error_moment"][1] = 0.005
+    said = draw("numerics", "long_runs", {"long_runs": found}).get_suptitle()
+    assert f"46 hours: {float(found['cpu_seconds'][1]):.2g} s (the paper: 46 h)" in said
     assert engine({"long_runs": found}).said[0].startswith("Long simulation, 46 hours: ")
+
+
+def key_of_random_scenes(found):
+    """All that the figure's key says."""
+    figure = draw("numerics", "random_scenes", {"random_scenes": found})
+    return " ".join(text.get_text() for text in figure.legends[0].get_texts())
 
 
 def test_random_scenes_are_the_same_every_time_and_half_are_held_out():
@@ -89,7 +100,9 @@ def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_mor
     assert there.sizes["drawn"] > 0
     assert (there["fixed_error"] <= there["true"]).all()
     assert (there["work_fixed"] <= there["work_asked"]).all()
-    assert draw("numerics", "random_scenes", {"random_scenes": found}).axes
+    assert "misses" not in key_of_random_scenes(found)
+    missed = found.assign(true=found["true"] + 0.02)
+    assert "misses the request" in key_of_random_scenes(missed)
     assert (
         engine({"random_scenes": found})
         .said[0]
@@ -136,3 +149,15 @@ def test_the_figure_of_energy_says_how_far_the_balance_is_off_and_who_dissipates
     )
     marks = [line.get_xdata() for line in figure.axes[0].lines if line.get_label() == "one"]
     assert float(marks[0][0]) == pytest.approx(0.02)
+
+
+@pytest.mark.parametrize(
+    "ends, said",
+    [
+        ((0.9998, 1.0004), "is the predicted one, to 0.1 %"),
+        ((1.0, 1.044), "is up to 4.4 % longer than the predicted one"),
+        ((0.97, 1.044), "is up to 3.0 % shorter than the predicted one, which is not safe"),
+    ],
+)
+def test_the_title_of_the_stable_step_says_whether_the_prediction_is_safe(ends, said):
+    assert answer(xr.DataArray(list(ends))).endswith(said)

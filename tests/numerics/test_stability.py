@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 
 from riserstudy.chapters.draw import draw
@@ -100,6 +101,40 @@ def test_the_range_of_a_family_runs_from_the_accurate_to_the_surviving_step(few)
     accurate, stable = (float(surge[name] / surge["written_step"]) for name in names)
     spans = [line.get_xdata() for line in figure.axes[1].lines if len(line.get_xdata()) == 2]
     assert any(np.allclose(span, [accurate, stable]) for span in spans)
+
+
+def steps_that_survive(few, stable):
+    """Marks of the steps that survive in the lower panel, as (marker, x), a longest one of them set."""
+    changed = few.copy(deep=True)
+    changed["largest_stable_step"].loc[{"case": "surge", "method": "gen.-alpha 0.8"}] = stable
+    lines = draw("numerics", "stability", {"stability": changed}).axes[1].lines
+    over = stable / float(few["written_step"].sel(case="surge"))
+    hollow = [line for line in lines if line.get_markerfacecolor() == "none"]
+    there = [line for line in hollow if len(line.get_xdata())]
+    return [line.get_marker() for line in there if np.allclose(line.get_xdata(), over)]
+
+
+def test_a_ladder_that_ends_before_the_method_fails_is_no_limit(few):
+    longest = float(few["step"].sel({"case": "surge", "method": "gen.-alpha 0.8"}).max())
+    assert steps_that_survive(few, longest)[0] == ">"
+    assert steps_that_survive(few, 0.7 * longest) == ["o"]
+
+
+def test_methods_that_did_not_run_and_ties_are_told(few):
+    less = few.sel({"method": [m for m in few["method"].values if m != "ESDIRK4"]})
+    figure = draw("numerics", "stability", {"stability": less})
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    inside, (width, _) = figure.get_tightbbox(canvas.get_renderer()), figure.get_size_inches()
+    assert inside.x0 >= -0.01
+    assert inside.x1 <= width + 0.01
+    key = figure.legends[0]
+    said = [text.get_text() for text in key.get_texts()]
+    assert "not run at this tier: TR-BDF2, ESDIRK4" in said
+    same = few.copy(deep=True)
+    same["largest_accurate_step"][:] = same["written_step"]
+    title = draw("numerics", "stability", {"stability": same}).axes[1].get_title(loc="left")
+    assert "of them no longer than others" in title.replace("\n", " ")
 
 
 def test_the_two_worst_cases_are_named_with_their_errors(few):

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Annotation, Text
 
+from riserstudy.figures.drawn import headline
 from riserstudy.scene.load import load_scene
 from riserstudy.schematic import schematic
 from riserstudy.schematic.geometry import Geometry
@@ -51,6 +52,12 @@ def test_every_scene_can_be_drawn(path):
     figure = schematic(load_scene(path).scene())
     assert len(figure.axes) in (3, 4)
     assert "lower end:" in words(figure)
+
+
+@pytest.mark.parametrize("paper, name", SHOWN)
+def test_a_schematic_is_headed_by_the_title_of_its_scene(paper, name):
+    scene = read_studies(CONFIG, paper).schematics[name].file(CONFIG).scene()
+    assert headline(drawn(paper, name)) == scene.title
 
 
 @pytest.mark.parametrize("paper, name", SHOWN)

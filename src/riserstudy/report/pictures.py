@@ -69,8 +69,10 @@ def picture_of(path: Path, across: int | None = None) -> Picture:
 
 
 def heading(name: str, title: str) -> str:
-    """How a figure is headed: by what it says, or by its number in the paper, or by its name."""
+    """How a figure is headed: by its number in the paper and what it says, else by its name."""
     printed = _PRINTED.fullmatch(name)
+    if title and not printed:
+        return title  # the name is that of a file
     plain = f"Figure {printed[1]}" if printed else name.replace("_", " ").capitalize()
     return f"{plain}: {title}" if title else plain
 

@@ -154,7 +154,7 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
 def _texts(figure: Figure, scene: Scene) -> None:
     """Title, directions of motion, what colours mean, and what is to scale."""
     title = "\n".join(textwrap.wrap(scene.title, 110))
-    figure.text(0.03, 0.985, title, fontsize=10, va="top")
+    figure.suptitle(title, x=0.03, y=0.985, ha="left", va="top", fontsize=10)
     figure.text(
         0.03, 0.945, freedom_text(scene), fontsize=8, va="top", color=KEY["freedoms and motions"]
     )

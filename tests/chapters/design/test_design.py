@@ -7,6 +7,7 @@ import xarray as xr
 from riserstudy.chapters.design.derived.operability import envelopes
 from riserstudy.chapters.design.derived.seas import allowances
 from riserstudy.chapters.design.figures.operability import operability_drilling
+from riserstudy.chapters.design.figures.recoil import recoil_failures
 from riserstudy.chapters.design.figures.tension import heaviest
 
 LIMITS = ["drilling: mean lfj_angle", "drilling: largest stroke", "connected: largest stroke"]
@@ -60,8 +61,9 @@ def test_the_chart_says_where_drilling_goes_on():
     dataset = xr.Dataset({"offset_of_limit": NARROW}, attrs={"reach": 240.0})
     title = operability_drilling(dataset.merge(envelopes(NARROW))).get_suptitle()
     assert "Up to 0 m/s" in title
-    assert "between −40 m (mean lower flex joint) and +30 m (largest stroke)" in title.replace(
-        "\n", " "
+    assert (
+        "may be −40 m (mean lower flex joint) to +30 m (largest stroke) from the well"
+        in title.replace("\n", " ")
     )
 
 
@@ -104,3 +106,28 @@ def test_an_allowance_is_what_the_sea_adds_to_the_state_at_rest():
     }
     for name, value in expected.items():
         assert float(found[f"{name}_allowance"]) == pytest.approx(value, rel=1e-4)
+
+
+def outcomes(verdicts):
+    """Disconnects at one pressure, by what the valves leave open and how many units pull."""
+    verdict = xr.DataArray(
+        np.asarray(verdicts)[None],
+        dims=("gas_pressure", "valve_left_open", "units"),
+        coords={"gas_pressure": [64.0], "valve_left_open": [0.05, 1.0], "units": [6, 5]},
+    )
+    lift = xr.ones_like(verdict, float).expand_dims(phase=[0.0])
+    return xr.Dataset({"recoil_verdict": verdict, "lift_max": lift})
+
+
+def test_a_single_pressure_is_a_row_of_cells_that_are_seen():
+    figure = recoil_failures(outcomes([[0, 0], [3, 3]]))
+    for ax in figure.axes:
+        corners = ax.collections[0].get_coordinates()
+        assert np.ptp(corners[..., 1]) == pytest.approx(1.0)
+        assert np.ptp(corners[..., 0]) == pytest.approx(2.0)
+
+
+def test_the_key_of_disconnects_names_the_outcomes_that_occur():
+    key = recoil_failures(outcomes([[0, 0], [1, 0]])).legends[0]
+    said = [text.get_text() for text in key.get_texts()]
+    assert said == ["stays clear of stack and stops", "comes down on the stack"]

@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
-from riserstudy.chapters.mao_hangoff.claims.errata import load_power, readings_near
+from riserstudy.chapters.mao_hangoff.claims.errata import load_power, readings_near, variants
 from riserstudy.chapters.mao_hangoff.claims.heave import (
     harmonic,
     largest_rise,
@@ -388,6 +388,19 @@ def test_all_numbers_claims_and_errata_of_the_dossier_are_there():
     assert {f"{letter}{k}" for letter, most in wanted for k in range(1, most + 1)} <= ids
     for item in file.items:
         assert item.impossible or callable(checks_of(PAPER)(item.check))
+
+
+def test_the_depth_of_a_moment_counts_from_the_end_of_its_own_riser():
+    """A lever arm makes the riser of one variant longer, whose nodes all variants then have."""
+    names = list(FILE.studies["variants"].axes["variant"])
+    s = np.array([0.0, 50.0, 100.0, 108.0])
+    moment = np.tile([0.0, 1.0, 2.0, np.nan], (2, len(names), 1)).transpose(1, 0, 2)
+    moment[names.index("LMRP with lever arm and rotary inertia"), :, 3] = 3.0
+    dims = ("variant", "time", "s")
+    coords = {"variant": names, "time": [0.0, 130.0], "s": s}
+    runs = xr.Dataset({"bending_moment": (dims, moment), "x": (dims, moment)}, coords)
+    facts = variants(runs)
+    assert facts["d_base"] == facts["d_lever"] == 0.0
 
 
 # figures and grading, from few and coarse runs

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.figure import Figure
 
 from riserstudy.figures.style import COLOURS, headline, panels
@@ -39,9 +41,13 @@ def statics(s1: xr.Dataset, s4b: xr.Dataset, s4c: xr.Dataset, s4e: xr.Dataset) -
 def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
     """Histories, moment envelopes, top tension."""
     figure, axes = panels(1, 3)
-    for colour, s in zip(COLOURS, STATIONS, strict=False):
+    # shades of the colour that S2 has in the other panels
+    shades = colormaps["Blues"](np.linspace(0.95, 0.4, len(STATIONS)))
+    for colour, s in zip(shades, STATIONS, strict=True):
         history = s2["x"].interp(s=s, method="cubic")
-        axes[0].plot(history["time"], history, color=colour, linewidth=0.8, label=f"s = {s:.0f} m")
+        axes[0].plot(
+            history["time"], history, color=colour, linewidth=1.2, label=f"S2, s = {s:.0f} m"
+        )
     axes[0].set_xlabel("time (s)")
     axes[0].set_ylabel("lateral position x (m)")
     axes[0].set_title("S2, at four heights", loc="right", fontsize="small")

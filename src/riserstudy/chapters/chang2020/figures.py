@@ -247,7 +247,8 @@ def settled_response(steady: xr.Dataset) -> Figure:
     )
     axes[0].set_xlim(0, 20)
     headline(
-        figure, "Without start-up ringing: high crests and flat lows, which a line does not have"
+        figure,
+        "Without start-up ringing: high crests and flat lows, which a linear tensioner does not have",
     )
     return figure
 
@@ -347,7 +348,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
     parts = [
         f"{float(far['displacement_up'].sel(tensioner_model=model)):.2f} m up and "
         f"{float(far['displacement_down'].sel(tensioner_model=model)):.2f} m down {words}"
-        for model, words in (("gas law", "with the gas law"), ("linear", "with a line"))
+        for model, words in (("gas law", "with the gas law"), ("linear", "with a linear tensioner"))
     ]
     headline(
         figure,
@@ -382,7 +383,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     headline(
         figure,
         f"Settled at {float(far['heave_amplitude']):g} m the asymmetry index is {curved:.2f} with the gas "
-        f"law, {straight:.2f} with a line",
+        f"law, {straight:.2f} with a linear tensioner",
     )
     return figure
 
@@ -479,7 +480,7 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
 
 
 def period_sweep(period_sweep: xr.Dataset) -> Figure:
-    """Settled motion over the platform's period."""
+    """Settled motion over the platform's period, with the periods at which a curve is largest."""
     figure, axes = panels(1, 2, 3.6, sharex=True)
     top = period_sweep.isel(s_node=-1)
     up, down = top["z_max"] - top["z_static"], top["z_static"] - top["z_min"]
@@ -492,27 +493,38 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
             for model, line in MODELS.items():
                 curve = values.sel(heave_amplitude=amplitude, tensioner_model=model)
                 name = f"platform {amplitude:g} m, {model}"
-                wide = 3.0 if amplitude == values["heave_amplitude"].values[0] else 1.0
+                # of the linear model the open marks show where amplitudes coincide
                 ax.plot(
-                    curve["heave_period"],
-                    curve,
-                    line,
-                    color=colour,
-                    marker=".",
-                    ms=3,
-                    lw=wide,
-                    alpha=0.5 if wide > 1.0 else 1.0,
-                    label=name,
-                )
+                    curve["heave_period"], curve, line, color=colour, marker="o", ms=5, lw=1.4,
+                    markerfacecolor=colour if model == "gas law" else "none", label=name,
+                )  # fmt: skip
         ax.set_xlabel("heave period of the platform (s)")
         ax.set_ylabel(label)
+        ax.margins(y=0.15)
+    response, index = (values.sel(tensioner_model="gas law") for values in curves.values())
+    resonance = _name_peak(axes[0], response.max("heave_amplitude"))
+    index = index.max("heave_amplitude")
+    near = index.where(abs(index["heave_period"] - resonance) < 0.5 * resonance, drop=True)
+    far = index.where(index["heave_period"] > 1.5 * resonance, drop=True)
+    first, second = _name_peak(axes[1], near), _name_peak(axes[1], far)
     axes[0].set_yscale("log")
     key_below(figure, axes[0], 2)
     headline(
         figure,
-        "Resonance at 2.6 s; with the gas law asymmetry peaks there and at twice that period",
+        f"The riser resonates at {resonance:g} s; with the gas law its asymmetry is largest near "
+        f"{first:g} s and {second:g} s, of the periods simulated",
     )
     return figure
+
+
+def _name_peak(ax: Axes, curve: xr.DataArray) -> float:
+    """Write the period at which a curve is largest at its peak; it (s)."""
+    period = float(curve.idxmax("heave_period"))
+    ax.annotate(
+        f"{period:g} s", (period, float(curve.max())), xytext=(0, 6),
+        textcoords="offset points", ha="center", fontsize="small",
+    )  # fmt: skip
+    return period
 
 
 def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:

@@ -94,8 +94,8 @@ def _answer(of: xr.Dataset, mode: str) -> str:
         for end in (lowest, highest)
     ]
     return (
-        f"Up to {speeds[-1]:g} m/s of current and in every mud {allowed}, there between {ends[0]} "
-        f"({low_by}) and {ends[1]} ({high_by})"
+        f"Up to {speeds[-1]:g} m/s of current, in every mud, {allowed}; at {speeds[-1]:g} m/s the platform "
+        f"may be {ends[0]} ({low_by}) to {ends[1]} ({high_by}) from the well"
     )
 
 

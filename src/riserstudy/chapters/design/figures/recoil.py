@@ -41,19 +41,22 @@ def recoil_window(recoil_outcome: xr.Dataset) -> Figure:
         ax.set_xlabel("heave amplitude (m)")
     for ax in axes[::columns]:
         ax.set_ylabel("tension setting (MN)")
-    _key(figure)
+    _key(figure, recoil_outcome["recoil_verdict"])
     headline(figure, _answer(recoil_outcome))
     return figure
 
 
 def _cells(ax: Axes, verdict: np.ndarray) -> None:
+    """A cell a value; by their edges, since the centres of a single row give it no height."""
     ax.grid(False)
-    rows, columns = (np.arange(size) for size in verdict.shape)
+    rows, columns = (np.arange(size + 1) - 0.5 for size in verdict.shape)
     ax.pcolormesh(columns, rows, verdict, cmap=ListedColormap(FILL), vmin=-0.5, vmax=3.5)
 
 
-def _key(figure: Figure) -> None:
-    handles = [Patch(color=fill, label=said) for fill, said in zip(FILL, SAID, strict=True)]
+def _key(figure: Figure, verdict: xr.DataArray) -> None:
+    """Of the outcomes those that occur."""
+    there = [kind for kind in range(len(SAID)) if bool((verdict == kind).any())]
+    handles = [Patch(color=FILL[kind], label=SAID[kind]) for kind in there]
     figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize="small")
 
 
@@ -118,7 +121,7 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
     pressures = recoil_failures_outcome["gas_pressure"].values
     axes[0].set_yticks(range(len(pressures)), [f"{p / 10:g}" for p in pressures])
     axes[0].set_ylabel("gas pressure, absolute (MPa)")
-    _key(figure)
+    _key(figure, recoil_failures_outcome["recoil_verdict"])
     highest = recoil_failures_outcome["lift_max"].max("phase").max("gas_pressure")
     closed, opened, fewer = (
         float(highest.sel(units=count).isel(valve_left_open=k))
@@ -127,7 +130,7 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
     serves = recoil_failures_outcome["recoil_verdict"] == 0
     headline(
         figure,
-        f"Valves that stay open let the LMRP rise {opened:.0f} m instead of {closed:.0f} m, {min(units):g} "
+        f"The LMRP rises {closed:.0f} m, with valves that stay open {opened:.0f} m, with {min(units):g} "
         f"units {fewer:.0f} m; {int(serves.sum())} of {serves.size} settings stay clear at every phase "
         "(numbers: largest lift, m)",
     )

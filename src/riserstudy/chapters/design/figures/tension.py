@@ -85,13 +85,14 @@ def tension_window(
 
 
 def _recoil(ax: Axes, outcome: xr.Dataset, tension_ratio: float) -> None:
-    """The settings between which a disconnect in the least heave stays clear of stack and stops."""
+    """From the least to the largest setting that serves a disconnect in the least heave, often the same."""
     calm = outcome.isel(heave_amplitude=0)
     heave = float(calm["heave_amplitude"])
-    for name, mark in (("recoil_minimum", "^"), ("recoil_maximum", "v")):
-        label = f"{name.replace('_', ' ')}, heave of {heave:g} m"
-        values = calm[name] / tension_ratio / 1e6
-        ax.plot(calm["mud_weight"], values, mark, color=COLOURS[3], label=label)
+    low, high = (calm[f"recoil_{end}"] / tension_ratio / 1e6 for end in ("minimum", "maximum"))
+    label = f"of those tried, serve a disconnect\n(heave of {heave:g} m)"
+    for mud, least, most in zip(calm["mud_weight"].values, low.values, high.values, strict=True):
+        ax.plot([mud, mud], [least, most], "D-", color=COLOURS[3], ms=5, lw=2.0, label=label)
+        label = ""
 
 
 def _answer(tension_window: xr.Dataset) -> str:

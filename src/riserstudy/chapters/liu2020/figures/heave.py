@@ -129,12 +129,21 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
                     marker=".",
                     label=label,
                 )
-    for limit in (-STROKE, STROKE):
-        axes[0].axhline(limit, color=GREY, linewidth=0.9)
-    axes[1].axhline(0.0, color=GREY, linewidth=0.9)
-    axes[0].set_ylabel("reach of a cylinder, extremes (m)")
+    for limit, name in ((-STROKE, "stop, retracted"), (STROKE, "stop, extended")):
+        axes[0].axhline(limit, color="black", linewidth=1.0)
+        axes[0].annotate(
+            f"{name}: {abs(limit):g} m", (0.02, limit), xycoords=("axes fraction", "data"),
+            xytext=(0, 4 if limit > 0.0 else -4), textcoords="offset points", fontsize="small",
+            va="bottom" if limit > 0.0 else "top",
+        )  # fmt: skip
+    axes[0].margins(y=0.15)
+    axes[1].axhline(0.0, color="black", linewidth=1.0)
+    axes[1].annotate(
+        "slack below", (0.02, 0.0), xycoords=("axes fraction", "data"), xytext=(0, -4),
+        textcoords="offset points", fontsize="small", va="top",
+    )  # fmt: skip
+    axes[0].set_ylabel("stroke of a cylinder, extremes (m)")
     axes[1].set_ylabel("tension at the bottom, extremes (MN)")
-    axes[1].set_title("below zero: slack", loc="right", fontsize="small")
     for ax in axes:
         ax.set_xlabel(AMPLITUDE)
     slack = tension.min(("time", "stop_stiffness")) < 0.0
@@ -142,8 +151,8 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     hardest = float(tension.max())
     headline(
         figure,
-        f"Cylinders reach {STROKE:g} m; from heave of {first:g} m on the riser goes slack, and is then "
-        f"pulled with up to {hardest:.0f} MN",
+        f"Where heave takes the cylinders to their stops at {STROKE:g} m the riser goes slack (from "
+        f"{first:g} m on) and is then pulled with up to {hardest:.0f} MN",
     )
     key_below(figure, axes[0], 3)
     return figure

@@ -106,8 +106,8 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
 
 
 def baselines(statics_readings: xr.Dataset, surge_readings: xr.Dataset) -> Figure:
-    """Samples in which the riser on tensioners moves less and lags, by what stands without them."""
-    figure, axes = panels(1, 3, 3.6, sharey=True)
+    """By what stands without tensioners: in how many samples the riser on them moves less and lags."""
+    figure, axes = panels(1, 3, 3.4, sharey=True)
     at_rest = statics_readings["largest_displacement"].sel(surface_speed=1.0)
     surging = surge_readings["displacement_amplitude"]
     lag = surge_readings["displacement_lag"]
@@ -118,35 +118,51 @@ def baselines(statics_readings: xr.Dataset, surge_readings: xr.Dataset) -> Figur
         (180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)).min("depth"),
     )
     titles = (
-        "current of 1 m/s: largest",
-        "surge: least of four depths",
-        "surge: least of four depths",
+        "largest displacement in 1 m/s",
+        "surge, least of four depths",
+        "surge, least of four depths",
     )
-    over = "displacement, without / with tensioners (-)"
-    labels, same = (over, over, "lag of the riser on tensioners (deg)"), (1.0, 1.0, 0.0)
+    over = "displacement ratio (-)"
+    labels, same = (over, over, "lag on tensioners (deg)"), (1.0, 1.0, 0.0)
     for ax, values, title, x, even in zip(axes, compared, titles, labels, same, strict=True):
-        for colour, (model, label) in zip(COLOURS[1:], BASELINES.items(), strict=False):
-            risen = np.sort(values.sel(tensioner_model=model).values)
-            share = np.arange(1, len(risen) + 1) / len(risen)
-            ax.step(risen, 100.0 * share, color=colour, where="post", label=label)
-        right = ax.get_xlim()[1]
-        ax.axvspan(even, right, color="0.92", zorder=0, label="the paper's claim")
-        ax.set_xlim(right=right)
+        _samples(ax, values.sel(tensioner_model=list(BASELINES)), even)
         ax.set_xlabel(x)
         ax.set_title(title, loc="right", fontsize="small")
-    axes[0].set_ylabel("samples below (%)")
+    axes[0].set_yticks(range(len(BASELINES)), list(BASELINES.values()))
+    axes[0].set_ylim(len(BASELINES) - 0.5, -0.5)
+    axes[-1].yaxis.set_label_position("right")
+    axes[-1].set_ylabel("samples with the claim (%)")
     middle = [
         [float(values.sel(tensioner_model=model).median()) for values in compared[:2]]
         for model in ("vertical force at the ring", WITHOUT)
     ]
     headline(
         figure,
-        f"Medians: a vertical force has the riser move {middle[0][0]:.1f} times as much as tensioners do at "
-        f"rest and {middle[0][1]:.1f} times under surge, a top on the platform {middle[1][0]:.1f} and "
-        f"{middle[1][1]:.1f} times",
+        f"Without tensioners, under a vertical force, the riser moves {middle[0][0]:.1f} times as far at "
+        f"rest and {middle[0][1]:.1f} times under surge; with its top on the platform {middle[1][0]:.1f} and "
+        f"{middle[1][1]:.1f} times (medians)",
     )
-    key_below(figure, axes[0], 2)
+    key_below(figure, axes[0], 4)
     return figure
+
+
+def _samples(ax: Axes, values: xr.DataArray, even: float) -> None:
+    """A row a baseline: its samples, their middle 90 %, their median; shaded where the claim holds."""
+    for row, model in enumerate(values["tensioner_model"].values):
+        of = values.sel(tensioner_model=model).values
+        low, middle, high = np.quantile(of, (0.05, 0.5, 0.95))
+        words = ("a sample", "90 % of them", "median") if not row else (None, None, None)
+        ax.plot(of, np.full(of.size, row), "o", color=COLOURS[0], ms=4, alpha=0.3, label=words[0])
+        ax.plot([low, high], [row, row], color=COLOURS[0], lw=2.0, label=words[1])
+        ax.plot(middle, row, "|", color="black", ms=11, mew=2.0, label=words[2])
+        ax.annotate(
+            f"{100.0 * np.mean(of > even):.0f} %", (0.99, row - 0.34),
+            xycoords=("axes fraction", "data"), ha="right", va="center", fontsize="x-small",
+        )  # fmt: skip
+    ax.axvline(even, color=GREY, linewidth=0.9)
+    right = max(ax.get_xlim()[1], even + 0.1 * abs(np.ptp(ax.get_xlim())))
+    ax.axvspan(even, right, color="0.92", zorder=0, label="the paper's claim holds")
+    ax.set_xlim(right=right)
 
 
 # roll

@@ -98,8 +98,8 @@ def fig10(codes: xr.Dataset) -> Figure:
     apart = 100.0 * float(codes["codes_apart"].max())
     headline(
         figure,
-        f"Three methods agree to {apart:.1f} %; contents and profile, both assumed, decide the size. "
-        "The two drawn black take slopes as small",
+        f"Three methods agree to {apart:.1f} %, two of them (black) for small slopes; contents and current "
+        "profile, both assumed, decide the size",
     )
     key_below(figure, axes[0], 3)
     return figure
@@ -242,44 +242,52 @@ def dat_force(
     fast: float,
 ) -> Figure:
     """Horizontal force of the tensioners over surface speed, as multiples of the printed (N)."""
-    forces = (slow, middle, fast)
-    figure, axes = panels(1, 2, 3.8)
-    wide = axes[0]
     printed = xr.DataArray(
-        list(forces), dims="surface_speed", coords={"surface_speed": list(SPEEDS)}
+        [slow, middle, fast], dims="surface_speed", coords={"surface_speed": list(SPEEDS)}
     )
-    for colour, shape in zip(COLOURS, dat_force["current_profile"].values, strict=False):
-        for line, counted in (("-", "all cylinders"), (":", "one cylinder")):
-            force = dat_force["horizontal_force"].sel(current_profile=shape, counted=counted)
-            label = f"{shape}, assumed" if counted == "all cylinders" else None
-            over = force / printed
-            wide.plot(over["surface_speed"], over, line, color=colour, marker=".", label=label)
-    for line, calibration in zip(
-        ("-", "--"), dat_force_calibrated["calibration"].values, strict=True
+    figure, (wide, close) = panels(1, 2, 3.8)
+    _profiles(wide, dat_force["horizontal_force"] / printed)
+    calibrated = dat_force_calibrated["horizontal_force"] / printed
+    for colour, mark, calibration in zip(
+        COLOURS, "os", dat_force_calibrated["calibration"].values, strict=False
     ):
-        over = dat_force_calibrated["horizontal_force"].sel(calibration=calibration) / printed
-        for ax, style in zip(axes, (line, "none"), strict=True):
-            ax.plot(
-                over["surface_speed"],
-                over,
-                linestyle=style,
-                color="black",
-                marker="." if line == "-" else "x",
-                label=f"calibrated: {calibration}",
-            )
-    for ax, title in zip(
-        axes, ("solid: all cylinders; dotted: one", "calibrated alone"), strict=True
-    ):
-        ax.axhline(1.0, label=f"printed: {slow:g}, {middle:g}, {fast:g} N", **PRINTED)
-        ax.set_xlabel("surface speed of the current (m/s)")
-        ax.set_title(title, loc="right", fontsize="small")
-    wide.set_yscale("log")
-    wide.set_ylabel("horizontal force over the printed (-)")
+        over = calibrated.sel(calibration=calibration)
+        close.plot(
+            over["surface_speed"], 100.0 * (over - 1.0), mark, color=colour, ms=7 if mark == "o" else 4,
+            markerfacecolor="none" if mark == "o" else colour, label=f"calibrated: {calibration}",
+        )  # fmt: skip
+    close.axhline(0.0, label=f"printed: {slow:g}, {middle:g}, {fast:g} N", **PRINTED)
+    close.set_xticks(SPEEDS)
+    close.set_xlabel("surface speed of the current (m/s)")
+    close.set_ylabel("calibrated force over the printed, less 1 (%)")
+    close.margins(0.15)
+    close.legend(fontsize="small", loc="upper right")
     slowest = dat_force_calibrated["horizontal_force"].sel(surface_speed=0.2).isel(calibration=0)
     headline(
         figure,
         "Printed forces do not grow with the square of the speed: fitted at 1 m/s, "
         f"that at 0.2 m/s comes out {100.0 * (float(slowest) / slow - 1.0):.1f} % too large",
     )
-    key_below(figure, wide, 3)
     return figure
+
+
+def _profiles(ax: Axes, over: xr.DataArray) -> None:
+    """A row a profile that was assumed: its force over the printed, over all speeds."""
+    profiles = [str(shape) for shape in over["current_profile"].values]
+    for colour, counted, away in zip(
+        COLOURS, ("all cylinders", "one cylinder"), (-0.12, 0.12), strict=False
+    ):
+        of = over.sel(counted=counted)
+        low, high = of.min("surface_speed"), of.max("surface_speed")
+        for row, shape in enumerate(profiles):
+            ends = [float(end.sel(current_profile=shape)) for end in (low, high)]
+            label = f"force of {counted}" if not row else None
+            ax.plot(ends, [row + away] * 2, "o-", color=colour, lw=3.0, ms=6, label=label)
+    ax.axvline(1.0, label="printed", **PRINTED)
+    ax.set_xscale("log")
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.set_yticks(range(len(profiles)), profiles)
+    ax.set_ylim(len(profiles) - 0.5, -0.5)
+    ax.set_xlabel("force over the printed, least to most of three speeds (-)")
+    ax.set_title("by current profile, assumed", loc="right", fontsize="small")
+    ax.legend(fontsize="small", loc="best")

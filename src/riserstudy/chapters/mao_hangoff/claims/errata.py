@@ -103,10 +103,11 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
     }
     top, x = at_top(over_s), distance(runs)
     for short, name in names.items():
-        one = over_s.sel(variant=name)
+        # its own nodes alone: a lever arm makes the riser of another variant longer
+        one = over_s.sel(variant=name).dropna("s")
         facts[f"x_{short}"] = float(x.sel(variant=name))
         facts[f"m_{short}"] = float(one.max()) / 1e3
-        facts[f"d_{short}"] = float(over_s["s"][-1] - one.idxmax("s"))
+        facts[f"d_{short}"] = float(one["s"][-1] - one.idxmax("s"))
         facts[f"t_{short}"] = float(top.sel(variant=name)) / 1e3
     return facts
 

@@ -64,11 +64,11 @@ def _how_near(
     """How many come within a share of each number and of all three, and what the nearest misses by."""
     three = misses[list(NUMBERS)].to_dataarray("number")
     worst = three.max("number")
-    x_heavy, x_light, m = (int((three.sel(number=name) <= within).sum()) for name in NUMBERS)
+    near = [int((three.sel(number=name) <= within).sum()) or "none" for name in NUMBERS]
     every = int((worst <= within).sum()) or "none"
     return (
-        f"Of {worst.size} {what} {x_heavy} come within {100 * within:g} % of {heavy:g} m, {x_light} of "
-        f"{light:g} m and {m} of {moment:g} kN m, {every} of all three; the nearest "
+        f"Of {worst.size} {what}, within {100 * within:g} % of the printed {heavy:g} m: {near[0]}, "
+        f"{light:g} m: {near[1]}, {moment:g} kN m: {near[2]}, all three: {every}; the nearest "
         f"misses one of them by {100 * float(worst.min()):.0f} %"
     )
 
@@ -108,8 +108,10 @@ def open_choices(
     weights = open_lmrp_mass["assumed_riser_weight"]
     for weight, colour in _coloured(weights).items():
         one = numbers.sel(sample=weights == weight)
-        axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=3, label=str(weight))
-        axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=3)
+        outside = all(bool(_beyond(one, *of).all()) for of in _frames(heavy, light, moment))
+        label = f"{weight} (outside the frame)" if outside else str(weight)
+        axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=4, label=label)
+        axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=4)
     _around_print(axes, numbers, heavy, light, moment)
     misses = misses_of_print(open_lmrp_mass, heavy, light, moment)
     _ring_nearest(axes, numbers, misses)
@@ -122,17 +124,28 @@ def _around_print(
     axes: list[Axes], found: xr.Dataset, heavy: float, light: float, moment: float
 ) -> None:
     """Show what is near the printed numbers; samples beyond are counted."""
-    growth = light / heavy - 1.0
-    bounds = (
-        (axes[0], "moment", 0.0, 4.0 * moment),
-        (axes[1], "ratio", 1.0 - growth, 1.0 + 3.0 * growth),
-    )
-    for ax, name, bottom, top in bounds:
-        ax.set_xlim(-0.1 * heavy, 4.0 * heavy)
+    for ax, (name, right, bottom, top) in zip(axes, _frames(heavy, light, moment), strict=True):
+        ax.set_xlim(-0.1 * heavy, right)
         ax.set_ylim(bottom, top)
-        outside = (found["x"] > 4.0 * heavy) | (found[name] > top) | (found[name] < bottom)
+        outside = _beyond(found, name, right, bottom, top)
         beyond = int(outside.sum())
         ax.set_title(f"{beyond} of {outside.size} outside the frame", loc="right", fontsize="small")
+
+
+def _frames(
+    heavy: float, light: float, moment: float
+) -> tuple[tuple[str, float, float, float], ...]:
+    """Of each panel what is upwards, and the right end, bottom and top of what is shown."""
+    growth = light / heavy - 1.0
+    return (
+        ("moment", 4.0 * heavy, 0.0, 4.0 * moment),
+        ("ratio", 4.0 * heavy, 1.0 - growth, 1.0 + 3.0 * growth),
+    )
+
+
+def _beyond(found: xr.Dataset, name: str, right: float, bottom: float, top: float) -> xr.DataArray:
+    """Which of what was found lies outside a panel's frame."""
+    return (found["x"] > right) | (found[name] > top) | (found[name] < bottom)
 
 
 def _coloured(readings: xr.DataArray) -> dict[str, str]:

@@ -6,9 +6,11 @@ import numpy as np
 import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
 from riserstudy.figures.style import GREY, headline, panels
@@ -89,32 +91,34 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         slack = at["smallest_tension"].transpose("heave_amplitude", "heave_period") < 0.0
         _cells(ax, spread.sel(mode=mode), norm, slack)
         riser = f"{float(of_paper['riser_length']):g} m, {float(of_paper['lmrp_mass']):g} t"
-        ax.set_title(
-            f"{HUNG[mode]} ({mode}), {riser}: range of top tension (MN)",
-            fontsize="small",
-            loc="right",
-        )
+        ax.set_title(f"{HUNG[mode]} ({mode}), {riser}", fontsize="small", loc="right")
         ax.set_xlabel("heave period (s)")
         ax.set_ylabel("heave amplitude (m)")
+    _bar(figure, axes[:2], norm, "range of top tension (MN)")
     lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
     most = float(tension_limits["heave_amplitude"].max())
     for ax, wanted in zip(axes[2:], PERIODS, strict=True):
         hard = lost.sel(mode="hard").sel(heave_period=wanted, method="nearest")
         _cells(ax, hard, Normalize(0.0, most))
         period = float(hard["heave_period"])
-        ax.set_title(
-            f"hard, {period:g} s, each riser: heave that loses tension (m)",
-            fontsize="small",
-            loc="right",
-        )
+        ax.set_title(f"hard, {period:g} s, each riser", fontsize="small", loc="right")
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
+    _bar(figure, axes[2:], Normalize(0.0, most), "heave that loses tension (m)")
     figure.supxlabel(
-        "orange: tension is lost; dash: not in the grid's amplitudes", fontsize="small"
+        "orange: tension is lost, on the scale of the blue; dash: not in the grid's amplitudes",
+        fontsize="small",
     )
     loses = (f"{word} {_loses(lost.sel(mode=mode), most)}" for mode, word in HUNG.items())
     headline(figure, f"Heave that loses tension: {', '.join(loses)}")
     return figure
+
+
+def _bar(figure: Figure, of: list[Axes], norm: Normalize, label: str) -> None:
+    """One colour bar for panels that have the same colours."""
+    bar = figure.colorbar(ScalarMappable(norm, "Blues"), ax=of, label=label, pad=0.01)
+    bar.ax.yaxis.set_major_formatter("{x:g}")
+    bar.ax.yaxis.set_minor_formatter(NullFormatter())
 
 
 def _loses(lost: xr.DataArray, most: float) -> str:

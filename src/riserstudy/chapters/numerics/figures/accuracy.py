@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Any
 
 import numpy as np
@@ -11,12 +12,13 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import COLOURS, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
 QUANTITIES = ("displacement", "moment", "tension")
 MARKERS = "osD^vPX*<>"
 STYLES = ("-", (0, (4, 2)))
 LARGEST = 0.5  # error that is drawn, at most
+CHANGED = (0, (6, 2, 1, 2))  # dashes of what the reference changed by
 TARGET = 0.002  # error at which methods are compared
 
 
@@ -25,9 +27,12 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     scenes = [str(scene) for scene in accuracy["scene"].values]
     columns = min(2, len(scenes))
     figure, axes = panels(-(-len(scenes) // columns), columns, height=3.3)
+    quickest: list[str] = []
     for ax, scene in zip(axes, scenes, strict=False):
-        best = _scene(ax, accuracy.sel({"scene": scene}))
-        ax.set_title(f"{scene}: {best}", fontsize="small")
+        first = _scene(ax, accuracy.sel({"scene": scene}))
+        quickest.append(first)
+        said = f"{first or 'no method'} reaches {100 * TARGET:g} %{' first' if first else ''}"
+        ax.set_title(f"{scene}: {said}", fontsize="small")
         ax.set_xlabel("time of a run (s)")
         ax.set_ylabel("largest error (%)")
         ax.set_xscale("log")
@@ -44,12 +49,22 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     figure.legend(
         shown.values(), shown.keys(), loc="outside lower center", ncols=4, fontsize="small"
     )
+    headline(figure, _answer(quickest))
     return figure
 
 
+def _answer(quickest: list[str]) -> str:
+    """In how many scenes which method is the quickest at the target; "" of those where none reaches it."""
+    wins = Counter(name for name in quickest if name).most_common()
+    said = [f"{name} in {count} of {len(quickest)} scenes" for name, count in wins]
+    if none := quickest.count(""):
+        said.append(f"no method in {none}")
+    return f"Quickest at an error of {100 * TARGET:g} %: {', '.join(said)}"
+
+
 def _scene(ax: Axes, of: xr.Dataset) -> str:
-    """Draw the edges of all methods; which of them is the quickest at the target."""
-    quickest = (np.inf, "no method")
+    """Draw the edges of all methods; the quickest at the target, "" where none reaches it."""
+    quickest = (np.inf, "")
     for k, method in enumerate(map(str, of["method"].values)):
         edge = _edge(of.sel({"method": method}))
         if not len(edge):
@@ -62,8 +77,7 @@ def _scene(ax: Axes, of: xr.Dataset) -> str:
         if len(met):
             quickest = min(quickest, (float(met.min()), method))
     ax.axhline(TARGET, color="0.5", linewidth=0.8, linestyle=":")
-    name = quickest[1]
-    return f"{name} reaches {100 * TARGET:g} %" + ("" if name == "no method" else " first")
+    return quickest[1]
 
 
 def _edge(one: xr.Dataset) -> NDArray[np.float64]:
@@ -79,10 +93,11 @@ def _edge(one: xr.Dataset) -> NDArray[np.float64]:
 
 
 def asked(accuracy: xr.Dataset) -> Figure:
-    """Accuracy asked for, estimated and reached, and the time it took; late scenes are named."""
+    """Accuracy requested, estimated and reached, and the time it took; late scenes are named."""
     figure, (left, right) = panels(1, 2, height=3.9)
     known = accuracy["request_seconds"].notnull().values
     scenes = list(dict.fromkeys(map(str, accuracy["request_scene"].values)))
+    halved = ""
     drawn = [name for name in scenes if known[accuracy["request_scene"].values == name].any()]
     for k, scene in enumerate(drawn):
         of = accuracy.isel(request=np.flatnonzero(accuracy["request_scene"].values == scene))
@@ -93,9 +108,13 @@ def asked(accuracy: xr.Dataset) -> Figure:
         right.plot(of["requested"], of["request_seconds"], "o-", color=colour, ms=4)
         change = float(accuracy["reference_change"].sel(scene=scene).max())
         if change == change:
-            left.axhline(change, color=colour, linewidth=0.7, linestyle=(0, (1, 3)))
+            left.axhline(change, color=colour, linewidth=0.9, linestyle=CHANGED)
+            halved = "last halving of the reference"
     ends = np.array([float(accuracy["requested"].min()), float(accuracy["requested"].max())])
-    left.plot(ends, ends, color="0.6", lw=1.0, label="reached as asked")
+    left.plot(ends, ends, color="0.6", lw=1.0, label="error equal to the request")
+    left.plot([], [], "x:", color="0.4", ms=4, label="estimated")
+    if halved:
+        left.plot([], [], color="0.4", linewidth=0.9, linestyle=CHANGED, label=halved)
     for ax, word in ((left, "error (%)"), (right, "time of all runs (s)")):
         ax.set_xscale("log")
         ax.set_yscale("log")
@@ -111,8 +130,8 @@ def asked(accuracy: xr.Dataset) -> Figure:
     right.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     bottom, top = right.get_ylim()
     right.set_ylim(min(bottom, 0.5 * top), max(top, 2.0 * bottom))
-    left.set_title("(a) reached (o), estimated (x)", loc="left", fontsize="medium")
-    right.set_title("(b) time", loc="left", fontsize="medium")
+    left.set_title("(a) error reached (o), estimated (x)", loc="left", fontsize="medium")
+    right.set_title("(b) time of all runs of a request", loc="left", fontsize="medium")
     if late := sorted(set(scenes) - set(drawn)):
         right.text(
             0.02, 0.02, f"not within the time allowed: {', '.join(late)}",

@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 from numpy.typing import NDArray
 
@@ -21,15 +22,16 @@ TICKS = (0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001, 0.0
 WIDEST, FINEST = 0.07, 0.00012  # errors that the axis reaches, at least
 LEAST = 1e-5  # error that is drawn, at least
 LETTERS = 16  # of a line's name, in a row
+DASHED = (0, (4, 2))
 APART = 1.35  # times, by which names stand apart
 
 Array = NDArray[np.float64]
 
 
 def cost(accuracy: xr.Dataset, random_scenes: xr.Dataset) -> Figure:
-    """A line a scene, the default as a band, peers behind, and how honest estimates are as an inset."""
+    """A line a scene, the default as a band, single runs behind, and how honest estimates are."""
     figure = Figure((9.6, 5.6), dpi=150, layout="constrained")
-    ax, inset = figure.subplots(1, 2, width_ratios=[2.3, 1.0])
+    ax, right = figure.subplots(1, 2, width_ratios=[2.3, 1.0])
     lines = {
         str(scene): _line(accuracy, scene)
         for scene in dict.fromkeys(accuracy["request_scene"].values)
@@ -51,14 +53,15 @@ def cost(accuracy: xr.Dataset, random_scenes: xr.Dataset) -> Figure:
         transform=ax.get_xaxis_transform(), ha="center", va="top", fontsize="x-small", color="0.4",
     )  # fmt: skip
     ax.set_xlabel("error reached, the largest of displacement, moment and tension (%)")
-    ax.set_ylabel("time: all runs of a request; dotted: the last")
+    ax.set_ylabel("time (see the key)")
+    _key(figure, peers="peer_scene" in accuracy)
     if late := sorted(set(lines) - set(drawn)):
         ax.text(
             0.02, 0.02, f"not within the time allowed: {', '.join(late)}",
             transform=ax.transAxes, fontsize="x-small", color="0.3",
         )  # fmt: skip
     ax.set_title(f"(a) {answer(accuracy)}", loc="left", fontsize="medium")
-    _honesty(inset, random_scenes)
+    _honesty(right, random_scenes)
     return figure
 
 
@@ -104,25 +107,43 @@ def _line(accuracy: xr.Dataset, scene: object) -> Array:
 
 
 def _behind(ax: Axes, accuracy: xr.Dataset) -> None:
-    """Of scenes with peers, the cheapest single runs of ours and the peers by their ratios to them."""
+    """Of scenes with peers, the cheapest single runs and, in the same grey, those of other simulators."""
     for scene in dict.fromkeys(accuracy["peer_scene"].values if "peer_scene" in accuracy else []):
         single = _cheapest(accuracy.sel(scene=scene))
         if not len(single):
             continue
         inside = single[(single[:, 0] < WIDEST) & (single[:, 0] > 3.0 * FINEST)]
-        ax.plot(*inside.T, color="0.35", linewidth=1.0, linestyle=(0, (4, 2)), zorder=1)
+        ax.plot(*inside.T, color=GREY, linewidth=1.2, linestyle=DASHED, zorder=1)
         if len(inside):
-            _named(ax, inside[-1], f"{scene}, cheapest run", "0.35", "x-small")
+            _named(ax, inside[-1], f"riserstudy, {scene}\n(one run)", GREY, "x-small")
         here = accuracy["peer_scene"].values == scene
         for peer in dict.fromkeys(accuracy["peer"].values[here]):
             of = here & (accuracy["peer"].values == peer)
             error = accuracy["peer_error"].values[of]
-            ours = np.interp(np.log(error), np.log(single[::-1, 0]), np.log(single[::-1, 1]))
+            here_too = np.interp(np.log(error), np.log(single[::-1, 0]), np.log(single[::-1, 1]))
             near = (error >= 0.7 * single[:, 0].min()) & (error <= 1.4 * single[:, 0].max())
-            seconds = np.exp(ours) * accuracy["peer_ratio"].values[of]
+            seconds = np.exp(here_too) * accuracy["peer_ratio"].values[of]
             if near.any():
                 ax.plot(error[near], seconds[near], color=GREY, linewidth=0.9, zorder=1)
-                _named(ax, (error[near][-1], seconds[near][-1]), str(peer), GREY, "x-small")
+                _named(
+                    ax, (error[near][-1], seconds[near][-1]), f"{peer} (one run)", GREY, "x-small"
+                )
+
+
+def _key(figure: Figure, peers: bool) -> None:
+    """What is timed: a request takes several runs, a mesh and step that one knew would take one."""
+    bold: dict[str, Any] = {"color": "0.25", "linewidth": 2.2}
+    shown = [
+        Line2D([], [], marker="o", markersize=5, **bold, label="all runs of a request"),
+        Line2D([], [], color="0.25", linewidth=1.6, linestyle=":", label="its last run"),
+    ]
+    if peers:
+        cheapest = "one run on the cheapest mesh and step"
+        shown += [
+            Line2D([], [], color=GREY, linewidth=1.2, linestyle=DASHED, label=cheapest),
+            Line2D([], [], color=GREY, linewidth=0.9, label="one such run of another simulator"),
+        ]
+    figure.legend(handles=shown, loc="outside lower left", ncols=len(shown), fontsize="x-small")
 
 
 def _cheapest(of: xr.Dataset) -> Array:
@@ -179,7 +200,7 @@ def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
     ax.plot(ends, ends, color=GREY, linewidth=0.8)
     ax.axvline(asked, color="black", linestyle=":", linewidth=1.0)
     ax.text(
-        0.93 * asked, 0.03, f"asked: {100 * asked:g} %", transform=ax.get_xaxis_transform(),
+        0.93 * asked, 0.03, f"request: {100 * asked:g} %", transform=ax.get_xaxis_transform(),
         rotation=90, ha="right", va="bottom", fontsize="x-small", color="0.3",
     )  # fmt: skip
     over = true > asked
@@ -197,6 +218,6 @@ def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
     ax.set_xlabel("true error (%)")
     ax.set_ylabel("estimated error (%)")
     ax.set_title(
-        f"(b) {kept} of {len(true)} random scenes\nare as accurate as they ask",
+        f"(b) {kept} of {len(true)} random scenes\nare as accurate as they request",
         loc="left", fontsize="medium",
     )  # fmt: skip

@@ -14,6 +14,7 @@ from riserstudy.figures.style import COLOURS
 CHANGES = ("displacement_change", "moment_change", "tension_change")
 REST = "solver and bookkeeping"
 TOLERANCE = 0.01  # change of an answer that matters
+WRONG = "#c0392b"  # a decision that was wrong, as where stability has its own
 LEAST, MOST = 1e-7, 10.0  # change that is drawn, at least and at most
 SCENES = 6
 #: freedom that nothing calls for: whether a riser has it is for the engine to say, not for the scene
@@ -22,17 +23,27 @@ DECIDED = "with motion out of the plane"
 Array = NDArray[np.float64]
 
 
-def effects(effects: xr.Dataset) -> Figure:
-    """Time of six scenes with and without the rest, and the change of the answer an effect."""
+def effects(effects: xr.Dataset, papers: dict[str, str] | None = None) -> Figure:
+    """Time of six scenes with and without the rest, and the change of the answer an effect.
+
+    ``papers``: what papers are called; absent: by their folders.
+    """
     scenes = chosen(effects)
-    figure = Figure((10.2, 0.55 * len(scenes) + 2.4), dpi=150, layout="constrained")
+    figure = Figure((10.2, 0.62 * len(scenes) + 2.6), dpi=150, layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=[1.0, 1.25], sharey=True)
     _times(left, effects, scenes)
     _changes(right, effects, scenes)
-    left.set_yticks(range(len(scenes)), scenes, fontsize="small")
-    left.set_ylim(len(scenes) - 0.5, -0.5)
+    names = [named(scene, papers or {}) for scene in scenes]
+    left.set_yticks(range(len(scenes)), names, fontsize="small")
+    left.set_ylim(len(scenes) - 0.5, -0.9)  # a note stands above the first row
     figure.suptitle(answer(effects), fontsize="medium", x=0.01, ha="left")
     return figure
+
+
+def named(scene: str, papers: dict[str, str]) -> str:
+    """A scene in words: its paper, its study, and of what options make of it which."""
+    paper, _, study = scene.partition("/")
+    return f"{papers.get(paper, paper)}, {study.replace('_', ' ')}" if study else scene
 
 
 def change(effects: xr.Dataset) -> xr.DataArray:
@@ -125,35 +136,56 @@ def _times(ax: Axes, effects: xr.Dataset, scenes: list[str]) -> None:
     )
 
 
+#: what was done to a scene: how its change begins, mark, whether filled, place in the row, what it is,
+#: what it is above the tolerance, and the colour there
+KINDS = (
+    ("without ", "o", True, -0.26, "an effect of the scene removed", "so it is needed", COLOURS[1]),
+    ("with ", "o", False, 0.0, "an effect added that the scene could name", "", "0.5"),
+    (DECIDED, "X", True, 0.26, "motion out of the plane added", "wrongly left out", WRONG),
+)
+
+
 def _changes(ax: Axes, effects: xr.Dataset, scenes: list[str]) -> None:
+    """A row a scene, in which each kind of change has its own height."""
     size = change(effects)
-    kinds = (
-        ("without ", "o", True, "one that is on goes"),
-        ("with ", "o", False, "one comes that the scene could have had"),
-        (DECIDED, "x", True, "motion out of the plane comes, which nothing calls for"),
-    )
-    for row, scene in enumerate(scenes):
-        for start, marker, filled, label in kinds:
-            names = [
-                str(name)
-                for name in effects["change"].values
-                if str(name).startswith(start) and (name == DECIDED) == (start == DECIDED)
-            ]
-            values = size.sel(scene=scene, change=names).dropna("change").values
-            shown = np.clip(values, LEAST, MOST)
-            matters = shown > TOLERANCE
-            loud = "0.5" if start == "with " else COLOURS[1]
-            for here, colour in ((matters, loud), (~matters, "0.5")):
+    for start, marker, filled, away, said, verdict, loud in KINDS:
+        names = [
+            str(name)
+            for name in effects["change"].values
+            if str(name).startswith(start) and (name == DECIDED) == (start == DECIDED)
+        ]
+        of = [size.sel(scene=scene, change=names).dropna("change").values for scene in scenes]
+        shown = np.clip(np.concatenate(of), LEAST, MOST)
+        rows = np.repeat(np.arange(len(scenes)), [len(values) for values in of])
+        heights = rows + away + np.concatenate([_spread(len(values)) for values in of])
+        matters = shown > TOLERANCE
+        for here, colour, words in (
+            (~matters, "0.5", said),
+            (matters, loud, f"{said}: above 1 %, {verdict}"),
+        ):
+            if here.any():
                 ax.plot(
-                    shown[here], np.full(here.sum(), row) + _spread(here.sum()), marker,
-                    color=colour, markerfacecolor=colour if filled else "white", markersize=5.5,
-                    alpha=0.85, linestyle="",
+                    shown[here], heights[here], marker, color=colour, linestyle="",
+                    markerfacecolor=colour if filled else "white", markersize=5.5, alpha=0.85,
+                    label=words if verdict or not matters[here].any() else "_beyond",
                 )  # fmt: skip
-            if not row:
-                ax.plot([], [], marker, color="0.3", markerfacecolor="0.3" if filled else "white",
-                        linestyle="", markersize=5.5, label=label)  # fmt: skip
-    ax.plot([], [], "s", color=COLOURS[1], linestyle="", label="orange: above 1 %, so it is needed")
     ax.axvline(TOLERANCE, color="black", linestyle=":", linewidth=1.0)
+    ax.axvspan(TOLERANCE, 2.0 * MOST, color="0.95", zorder=0)
+    _across(ax)
+    ax.text(
+        np.sqrt(2.0 * TOLERANCE * MOST), 0.99, "above 1 %: another answer;\nopen marks: the user's choice",
+        transform=ax.get_xaxis_transform(), ha="center", va="top", fontsize="x-small", color="0.3",
+    )  # fmt: skip
+    for edge in range(1, len(scenes)):
+        ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)
+    ax.set_title("(b) change of the answer by one effect", loc="left", fontsize="medium")
+    ax.legend(
+        loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=1, fontsize="x-small", frameon=False
+    )
+
+
+def _across(ax: Axes) -> None:
+    """Changes in per cent, on a scale that ends where they are too small to be drawn."""
     ax.set_xscale("log")
     ax.set_xlim(0.5 * LEAST, 2.0 * MOST)
     ticks = (1e-5, 1e-3, TOLERANCE, 1e-1, 10.0)
@@ -162,12 +194,8 @@ def _changes(ax: Axes, effects: xr.Dataset, scenes: list[str]) -> None:
     ax.set_xlabel("largest change of the answer (%); dotted: 1 %")
     ax.grid(True, axis="x", color="0.92", linewidth=0.6)
     ax.set_axisbelow(True)
-    ax.set_title("(b) change of the answer by one effect", loc="left", fontsize="medium")
-    ax.legend(
-        loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=1, fontsize="x-small", frameon=False
-    )
 
 
 def _spread(count: int) -> Array:
-    """Heights that keep marks of one row apart."""
-    return np.asarray(0.16 * np.sin(2.4 * np.arange(count)))
+    """Heights that keep marks of one kind apart."""
+    return np.asarray(0.07 * np.sin(2.4 * np.arange(count)))

@@ -6,20 +6,21 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panels
 
 HONEST = (0.5, 5.0)  # estimate over error
-CHEAP = (5.0, 10.0)  # times the cheapest: in the median, in 95 %
+CHEAP = (5.0, 10.0)  # times the cheapest, aimed at: in the median, in 95 %
 LEAST = 1e-6  # error below which a point is drawn at the edge
 
 
 def random_scenes(random_scenes: xr.Dataset) -> Figure:
-    """Estimated beside true error; work beside that of the cheapest fixed mesh and step."""
+    """Estimated and true error; work of the request over that of the cheapest fixed mesh and step."""
     figure, (left, right) = panels(1, 2, height=4.4)
     _errors(left, random_scenes)
     _costs(right, random_scenes)
-    key_below(figure, left, 4)
+    key_below(figure, left, 3)
     headline(figure, answer(random_scenes))
     return figure
 
@@ -31,7 +32,7 @@ def answer(of: xr.Dataset) -> str:
     honest = ((ratio >= HONEST[0]) & (ratio <= HONEST[1])).sum()
     return (
         f"{int((true <= asked).sum())} of {true.size} random scenes reach the {100 * asked:g} % that "
-        f"they ask for; in {int(honest)} the estimate is between half and five times the error"
+        f"they request; in {int(honest)} the estimate is between half and five times the error"
     )
 
 
@@ -40,57 +41,69 @@ def _families(of: xr.Dataset) -> list[str]:
 
 
 def _errors(ax: Axes, of: xr.Dataset) -> None:
+    """A mark a scene; those that miss the request are named by their family."""
     asked = float(of.attrs["requested"])
+    true, estimated = (np.maximum(of[name], LEAST) for name in ("true", "estimated"))
     ends = np.array([LEAST, 1.0])
-    ax.fill_between(ends, HONEST[0] * ends, HONEST[1] * ends, color="0.92", linewidth=0.0)
-    ax.plot(ends, ends, color=GREY, linewidth=0.8)
-    ax.axvline(asked, color="black", linestyle=":", linewidth=1.0)
-    for k, family in enumerate(_families(of)):
-        for held_out in (False, True):
-            here = (of["family"] == family) & (of["held_out"] == held_out)
-            one = of.isel(drawn=np.flatnonzero(here.values))
-            ax.plot(
-                np.maximum(one["true"], LEAST),
-                np.maximum(one["estimated"], LEAST),
-                "osD^v<>p"[k % 8],
-                color=COLOURS[k % len(COLOURS)],
-                markerfacecolor=COLOURS[k % len(COLOURS)] if held_out else "none",
-                markersize=5,
-                label=family if held_out else "",
-            )
+    band = "estimate of half to five times the error"
+    ax.fill_between(ends, HONEST[0] * ends, HONEST[1] * ends, color="0.92", lw=0.0, label=band)
+    ax.plot(ends, ends, color=GREY, linewidth=0.8, label="estimate equal to the error")
+    ax.axvline(asked, color="black", linestyle=":", linewidth=1.0, label="request")
+    missed = (of["true"] > asked).values
+    for here, colour, words in (
+        (~missed, COLOURS[0], ""),
+        (missed, COLOURS[1], ", misses the request"),
+    ):
+        for held_out, kind in ((False, "used to tune"), (True, "held out from tuning")):
+            shown = here & (of["held_out"] == held_out).values
+            if shown.any():
+                ax.plot(
+                    true[shown], estimated[shown], "o", color=colour, markersize=5, label=kind + words,
+                    markerfacecolor=colour if held_out else "none",
+                )  # fmt: skip
+    for k in np.flatnonzero(missed):
+        ax.annotate(
+            str(of["family"].values[k]), (float(true[k]), float(estimated[k])), xytext=(-6, 0),
+            textcoords="offset points", ha="right", va="center", fontsize="x-small", color=COLOURS[1],
+        )  # fmt: skip
     ax.set_xscale("log")
     ax.set_yscale("log")
     low = max(LEAST, 0.5 * float(of["true"].where(of["true"] > 0.0).min()))
-    ax.set_xlim(low, max(3.0 * asked, 1.5 * float(of["true"].max())))
+    ax.set_xlim(low, max(3.0 * asked, *(1.5 * float(of[n].max()) for n in ("true", "estimated"))))
     ax.set_ylim(ax.get_xlim())
-    ax.set_xlabel("true error (-), dotted: the request")
-    ax.set_ylabel("estimated error (-)")
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
+        axis.set_minor_formatter(NullFormatter())
+    ax.set_xlabel("true error (%)")
+    ax.set_ylabel("estimated error (%)")
 
 
 def _costs(ax: Axes, of: xr.Dataset) -> None:
-    ratio = of["work_asked"] / of["work_fixed"]
-    judged = of["true"].notnull().values
-    for k, family in enumerate(_families(of)):
+    """A row a family, marks as in the other panel."""
+    ratio = (of["work_asked"] / of["work_fixed"]).values
+    judged, held_out = of["true"].notnull().values, of["held_out"].values.astype(bool)
+    families = _families(of)
+    for row, family in enumerate(families):
         here = (of["family"] == family).values & judged
-        values = np.sort(ratio.values[here])
-        none = int(np.isnan(values).sum())
+        none = int(np.isnan(ratio[here]).sum())
         text = f"{none} of {here.sum()}: none cheaper" if here.any() else "none judged"
         ax.annotate(
-            text if none or not here.any() else "", (0.98, k), xycoords=("axes fraction", "data"),
+            text if none or not here.any() else "", (0.98, row), xycoords=("axes fraction", "data"),
             ha="right", va="center", fontsize="x-small",
         )  # fmt: skip
-        ax.plot(
-            values,
-            np.full(len(values), k),
-            "osD^v<>p"[k % 8],
-            color=COLOURS[k % len(COLOURS)],
-            ms=5,
-        )
-    for limit in CHEAP:
+        for kind in (False, True):
+            values = ratio[here & (held_out == kind)]
+            ax.plot(values, np.full(len(values), row), "o", color=COLOURS[0], markersize=5,
+                    markerfacecolor=COLOURS[0] if kind else "none")  # fmt: skip
+    for limit, of_which in zip(CHEAP, ("median", "95 %"), strict=True):
         ax.axvline(limit, color="black", linestyle=":", linewidth=1.0)
+        ax.annotate(
+            f"{of_which} of scenes:\nat most {limit:g}", (limit, 1.0), xycoords=("data", "axes fraction"),
+            ha="right" if limit == CHEAP[0] else "left", va="bottom", fontsize="x-small",
+        )  # fmt: skip
     ax.set_xscale("log")
     ax.set_xticks([0.5, 1, 2, 5, 10, 20], ["0.5", "1", "2", "5", "10", "20"])
-    ax.set_yticks(range(len(_families(of))), _families(of), fontsize="small")
+    ax.set_yticks(range(len(families)), families, fontsize="small")
     ax.set_xlim(0.4, 80.0)
-    ax.set_ylim(len(_families(of)) - 0.5, -0.5)
+    ax.set_ylim(len(families) - 0.5, -0.5)
     ax.set_xlabel("work of the request over that of the cheapest (-)")

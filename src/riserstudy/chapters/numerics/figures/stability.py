@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import textwrap
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -25,6 +28,9 @@ NO_REFERENCE = "finished, but no reference"  # an outcome of the dataset
 #: methods of the lower panel, as far as they were run; the table has all
 EXPLICIT = "explicit"
 SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
+LETTERS = 92  # of a title, in a row
+MORE = ">"  # mark of a range that goes on
+SAME = 1e-9  # relative difference of steps that are the same
 WORST = 2  # cases that are named, at least
 
 
@@ -41,6 +47,8 @@ def stability(stability: xr.Dataset) -> Figure:
     above, below = figure.subplots(2, 1, height_ratios=heights)
     _squares(above, stability, families)
     _steps(below, stability, stepped, methods)
+    if stepped:
+        _steps_key(figure, below, [m for m in SHOWN if m not in methods])
     return figure
 
 
@@ -115,17 +123,33 @@ def _named(stability: xr.Dataset, case: int) -> str:
     return f"{of['case'].values}: {error:.2g} % off, {estimate:.2g} % estimated"
 
 
+def _laddered(stability: xr.Dataset, family: str) -> xr.Dataset:
+    """The cases of a family that were tried with more than one step."""
+    of = stability.isel(case=np.flatnonzero(stability["family"].values.astype(str) == family))
+    tried = (of["step"].notnull().sum("rung") > 1).any("method").values
+    return of.isel(case=np.flatnonzero(tried))
+
+
 def _ranges(stability: xr.Dataset, family: str, methods: list[str]) -> NDArray[np.float64]:
     """Mean largest accurate and largest surviving step of methods over the default's, (methods, 2)."""
-    here = np.flatnonzero(stability["family"].values.astype(str) == family)
-    of = stability.isel(case=here)
-    laddered = (of["step"].notnull().sum("rung") > 1).any("method").values
-    of = of.isel(case=np.flatnonzero(laddered))
+    of = _laddered(stability, family)
     out = np.full((len(methods), 2), np.nan)
     for row, method in enumerate(methods):
         ratio = _over_default(of, method)
         out[row] = [_mean(values) for values in ratio[_shown(ratio)].T]
     return out
+
+
+def _goes_on(stability: xr.Dataset, family: str, method: str) -> bool:
+    """Whether in some case of a range the longest step that was tried survives, so that it is no limit.
+
+    Explicit stepping is tried up to its predicted limit, which is drawn.
+    """
+    if method == EXPLICIT:
+        return False
+    of = _laddered(stability, family)
+    one = of.isel(case=np.flatnonzero(_shown(_over_default(of, method)))).sel({"method": method})
+    return bool((one["largest_stable_step"] >= (1 - SAME) * one["step"].max("rung")).any())
 
 
 def _shown(ratio: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -161,6 +185,7 @@ def _explicit_limit(stability: xr.Dataset, family: str) -> float:
 def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:
     height, ticked = 1.0 / (len(methods) + 1.2), False
     for row, family in enumerate(families):
+        on = [_goes_on(stability, family, method) for method in methods]
         for k, (accurate, stable) in enumerate(_ranges(stability, family, methods)):
             y = row + (k - 0.5 * (len(methods) - 1)) * height
             colour = COLOURS[k % len(COLOURS)]
@@ -175,7 +200,8 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
                 zorder=3,
                 label=methods[k] if not row else "",
             )
-            ax.plot(stable, y, "o", color=colour, markersize=7.5, markerfacecolor="none", zorder=3)
+            mark = MORE if on[k] else "o"
+            ax.plot(stable, y, mark, color=colour, markersize=7.5, markerfacecolor="none", zorder=3)
         if np.isfinite(limit := _explicit_limit(stability, family)):
             y = row + (0.5 * (len(methods) - 1) if EXPLICIT in methods else 0.0) * height
             ax.plot(limit, y, "|", color="black", markersize=11, markeredgewidth=1.6, zorder=4)
@@ -191,12 +217,22 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
     ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     ax.set_xlabel("step over the step that the default accuracy chooses (1)")
     ax.set_title(f"(b) {_bearable(stability, families, methods)}", loc="left", fontsize="medium")
+
+
+def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
+    """Methods by colour, ends of ranges by mark, and which methods were not run."""
+    grey: dict[str, Any] = {"color": "0.4", "linestyle": ""}
+    ax.plot([], [], "o", markersize=4.5, label="largest accurate", **grey)
+    hollow = grey | {"markersize": 7.5, "markerfacecolor": "none"}
+    ax.plot([], [], "o", label="largest that survives", **hollow)
+    ax.plot([], [], MORE, label="survives the longest tried", **hollow)
     handles, labels = ax.get_legend_handles_labels()
-    if handles:
-        ax.legend(
-            handles, labels, loc="upper center", bbox_to_anchor=(0.5, -0.09 - 0.25 / len(families)),
-            ncols=5, fontsize="small", frameon=False,
-        )  # fmt: skip
+    if absent:
+        handles.append(Patch(visible=False))
+        labels.append(f"not run at this tier: {', '.join(absent)}")
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=4, fontsize="small", frameon=False
+    )
 
 
 def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) -> str:
@@ -205,8 +241,11 @@ def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) ->
     seen = ranges[~np.isnan(ranges).all(axis=1)] if len(ranges) else ranges
     if not len(seen):
         return "steps that methods bear"
-    best = np.nanmax(seen, axis=1)
-    wins = [(int((seen[:, k] >= (1 - 1e-9) * best).sum()), m) for k, m in enumerate(methods)]
-    count = max(wins)[0]
-    names = " and ".join(m for n, m in wins if n == count)
-    return f"Longest accurate steps: {names}, in {count} of {len(seen)} families"
+    first = seen >= (1 - SAME) * np.nanmax(seen, axis=1)[:, None]
+    count = int(first.sum(axis=0).max())
+    leading = [k for k in range(len(methods)) if first[:, k].sum() == count]
+    tied = int((first[:, leading].any(axis=1) & (first.sum(axis=1) > 1)).sum())
+    others = f", in {tied} of them no longer than others" if tied else ""
+    names = " and ".join(methods[k] for k in leading)
+    said = f"Longest accurate steps: {names}, in {count} of {len(seen)} families{others}"
+    return textwrap.fill(said, LETTERS)

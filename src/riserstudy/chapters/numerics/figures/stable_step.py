@@ -9,6 +9,7 @@ from matplotlib.ticker import NullFormatter
 from riserstudy.figures.style import COLOURS, key_below, panels
 
 UNSAFE = 1.0  # measured over predicted, below which a predicted step is too long
+ALIKE = 0.1  # % by which steps differ that are told as the same
 
 
 def stable_step(stable_step: xr.Dataset) -> Figure:
@@ -33,10 +34,17 @@ def stable_step(stable_step: xr.Dataset) -> Figure:
     ax.xaxis.set_minor_formatter(NullFormatter())
     ax.set_xlabel("segments (1)")
     ax.set_ylabel("measured over predicted stable step (1)")
-    low, high = float(ratio.min()), float(ratio.max())
-    ax.set_title(
-        f"The measured stable step is {low:.3f} to {high:.3f} of the predicted one",
-        fontsize="medium",
-    )
+    ax.set_title(answer(ratio), fontsize="medium")
     key_below(figure, ax, 4)
     return figure
+
+
+def answer(ratio: xr.DataArray) -> str:
+    """How far the measured stable step is from the predicted one, and whether that is safe."""
+    low, high = (100.0 * (float(end) - UNSAFE) for end in (ratio.min(), ratio.max()))
+    said = "Explicit stepping: the longest stable step"
+    if max(abs(low), abs(high)) < ALIKE:
+        return f"{said} is the predicted one, to {ALIKE:g} %"
+    if low < -ALIKE:
+        return f"{said} is up to {-low:.1f} % shorter than the predicted one, which is not safe"
+    return f"{said} is up to {high:.1f} % longer than the predicted one"

@@ -44,7 +44,7 @@ def answer(tiers: xr.Dataset) -> str:
     if not ratio.size:
         return f"No scene was simulated at both {first} and {last}"
     return (
-        f"{last.capitalize()} takes {float(ratio.median()):.2g} times as long as {first} "
+        f"The tier {last} takes {float(ratio.median()):.2g} times as long as {first} "
         f"(median of {ratio.size} of {tiers.sizes['scene']} scenes)"
     )
 
