@@ -291,6 +291,55 @@ def test_nothing_is_wider_than_the_screen(browser, width):
     assert seen["x"] + seen["width"] <= width
 
 
+TOPS = """
+const place = document.getElementById(arguments[0]);
+return [place.getBoundingClientRect().top, document.documentElement.scrollHeight - scrollY - innerHeight]
+"""
+INTERNAL = """
+return [...document.querySelectorAll('main a[href^="#"], nav a[href^="#"]')].map((a) => a.hash)
+"""
+MARGIN = 16  # that the page leaves above what a link leads to (pixels)
+
+
+def stands(browser, name):
+    """Where the target of a link comes to rest below the view's top, and what is left below the view."""
+    seen = []
+
+    def still():
+        seen.append(browser.execute_script(TOPS, name))
+        return len(seen) > 5 and all(one == seen[-1] for one in seen[-5:]) and seen[-1]
+
+    return WebDriverWait(browser, PATIENCE, poll_frequency=0.2).until(lambda _: still())
+
+
+@pytest.mark.parametrize("width", [1440, 390])
+def test_links_end_where_they_lead(browser, width):
+    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        names = sorted({name[1:] for name in browser.execute_script(INTERNAL)})
+        far = {}
+        for name in [*names[:: max(1, len(names) // 8)], *reversed(names[-2:])]:
+            link = f"document.querySelector('a[href=\"#{name}\"]').click()"
+            browser.execute_script(link)
+            far[name] = stands(browser, name)
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    assert len(far) > 5
+    far.pop("main", None)  # at the page's start there is nothing above it
+    # what is nearer to the page's end than a view is high cannot be at its top
+    assert {n: top for n, (top, below) in far.items() if abs(top - MARGIN) > 2 and below > 2} == {}
+
+
+def test_an_address_leads_to_a_place_in_the_page(browser, page):
+    last = browser.execute_script("return [...document.querySelectorAll('figure[id]')].at(-3).id")
+    browser.get("about:blank")
+    browser.get(f"{page.as_uri()}#{last}")
+    wait(browser, lambda: browser.find_elements(By.CSS_SELECTOR, "table.dataTable"))
+    top, _ = stands(browser, last)
+    assert abs(top - MARGIN) <= 2
+
+
 def test_verdicts_are_on_printed_paper(browser):
     pdf = base64.b64decode(browser.execute_cdp_cmd("Page.printToPDF", {})["data"])
     assert pdf.startswith(b"%PDF")

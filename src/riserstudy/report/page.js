@@ -57,15 +57,21 @@ const letBarsFilter = (tables) => {
 
 // A link to a row or a scene that a filter or an opener hides shows it.
 const followLinks = (showAll) => {
-  document.addEventListener("click", (event) => {
-    const id = event.target.closest?.('a[href^="#"]')?.getAttribute("href").slice(1);
-    if (!id || event.target.closest(".bar")) return;
+  const reveal = (id) => {
     if (id.startsWith("claim-") && !document.getElementById(id)) showAll();
     const place = document.getElementById(id);
     for (let above = place; above; above = above.parentElement) {
       if (above.tagName === "DETAILS") above.open = true;
     }
+    return place;
+  };
+  document.addEventListener("click", (event) => {
+    const id = event.target.closest?.('a[href^="#"]')?.getAttribute("href").slice(1);
+    if (id && !event.target.closest(".bar")) reveal(id);
   });
+  // the address named a place before tables took their heights
+  if (location.hash) reveal(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
+  document.documentElement.classList.add("settled");
 };
 
 // Figures open in their full size.
