@@ -11,11 +11,11 @@ from riserstudy.grading.samples import SAMPLES_MET
 from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
-    "reproduced": "inside the printed rounding or 1 %, nothing calibrated on the way",
-    "calibrated": "met, with an input that was fitted to a printed number",
-    "holds": "a claim true in at least 95 % of the samples of unspecified inputs",
-    "depends": "decided by an input that the paper does not specify",
-    "fails": "a number that no sample meets, or a claim true in at most 5 % of them",
+    "reproduced": "within the printed rounding or 1 %, with nothing fitted",
+    "calibrated": "met with an input that was fitted to a printed number",
+    "holds": "true in at least 95 % of samples of what the paper leaves open",
+    "depends": "decided by an input that the paper does not give",
+    "fails": "a number that no sample meets, a claim true in at most 5 %",
     "not reproducible": "the paper does not say enough",
 }
 ENOUGH = 100  # samples from which a share has an interval
