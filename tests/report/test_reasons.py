@@ -4,7 +4,7 @@ import pytest
 
 from riserstudy.report.claims import Claim
 
-PLAIN = {name: None for name in Claim._fields} | {
+PLAIN = dict.fromkeys(Claim._fields) | {
     "unit": "",
     "decided_by": "",
     "said": [],

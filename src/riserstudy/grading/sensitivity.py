@@ -68,9 +68,9 @@ def deciding(
         if together >= explained + WORTH:
             names, explained = pair, together
     word = "explains" if len(names) == 1 else "together explain"
+    which = _capital(listed(map(in_words, names)))
     return Deciding(
-        names,
-        f"{_capital(listed(map(in_words, names)))} {word} {100 * explained:.0f} % of the variance of the outcome.",
+        names, f"{which} {word} {100 * explained:.0f} % of the variance of the outcome."
     )
 
 
