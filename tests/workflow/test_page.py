@@ -1,6 +1,7 @@
 """The report in a real browser without a network: it moves, sorts and filters, and nothing complains."""
 
 import base64
+import itertools
 import json
 import shutil
 from pathlib import Path
@@ -218,6 +219,47 @@ def test_a_picture_opens_in_its_full_size(browser):
     wait(browser, lambda: large.size["width"] == 1000)
     large.click()
     wait(browser, lambda: not browser.find_elements(By.CSS_SELECTOR, "dialog[open]"))
+
+
+def test_a_picture_larger_than_the_window_is_seen_whole_and_then_in_its_full_size(browser):
+    size = {"width": 800, "height": 700, "deviceScaleFactor": 1, "mobile": False}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        button = browser.find_elements(By.CSS_SELECTOR, "button.enlarge")[0]
+        browser.execute_script("arguments[0].click()", button)
+        large = wait(browser, lambda: browser.find_element(By.CSS_SELECTOR, "dialog[open] img"))
+        wait(browser, lambda: 700 < large.size["width"] < 800)
+        large.click()
+        wait(browser, lambda: large.size["width"] == 1000)
+        browser.execute_script("arguments[0].click()", large)
+        wait(browser, lambda: not browser.find_elements(By.CSS_SELECTOR, "dialog[open]"))
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+BOXES = """
+const boxes = (of) => [...arguments[0].querySelectorAll(of)].map((e) => e.getBoundingClientRect().toJSON());
+return [".slider-container", ".updatemenu-button", ".colorbar", ".draglayer .nsewdrag"].map(boxes)
+"""
+
+
+def apart(one, other):
+    """Whether two boxes share nothing."""
+    across = one["right"] <= other["left"] or other["right"] <= one["left"]
+    return across or one["bottom"] <= other["top"] or other["bottom"] <= one["top"]
+
+
+def test_on_a_narrow_screen_nothing_of_a_run_in_motion_lies_on_anything_else(browser):
+    size = {"width": 390, "height": 1000, "deviceScaleFactor": 1, "mobile": True}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        sliders, buttons, bars, views = browser.execute_script(BOXES, drawn(browser, IN_PLANE))
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    assert (len(sliders), len(buttons), len(bars), len(views)) == (1, 2, 1, 4)
+    parts = [*sliders, *buttons, *bars, *views]
+    for one, other in itertools.combinations(parts, 2):
+        assert apart(one, other), (one, other)
 
 
 def test_all_pictures_are_printed(browser):

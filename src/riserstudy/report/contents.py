@@ -53,10 +53,11 @@ class Sources:
 
 
 class MovingRun(NamedTuple):
-    """One run in motion: its paper, its study, what it is, and its figure as JSON."""
+    """One run in motion: its paper, its study and where that lies, what it is, and its figure as JSON."""
 
     paper: str
     name: str
+    path: str  # of the dataset, beside the page
     title: str
     figure: str
 
@@ -110,7 +111,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         "verdicts": VERDICTS,
         "numbers": [claim for claim in claims if claim.kind == "number"],
         "claims": [claim for claim in claims if claim.kind != "number"],
-        "chapters": [*_chapters(files, claims, errata, figures, datasets, tables)],
+        "chapters": [*_chapters(files, claims, errata, figures, datasets, tables, paths)],
         "short": {paper: short_of(files, paper) for paper in sources.papers},
         "figures_of": _figures_of(figures),
         "engine": engine(measured),
@@ -135,6 +136,7 @@ def _chapters(
     figures: list[Figure],
     datasets: dict[Any, xr.Dataset],
     tables: dict[str, list[SceneTable]],
+    paths: dict[str, str],
 ) -> Iterator[Chapter]:
     for paper, file in files.items():
         yield Chapter(
@@ -143,7 +145,7 @@ def _chapters(
             file.reference,
             file.about,
             [claim for claim in claims if claim.paper == paper],
-            _motion(paper, file, datasets),
+            _motion(paper, file, datasets, paths),
             [figure for figure in figures if figure.paper == paper],
             [row for row in errata if row["paper"] == paper],
             file.left_out,
@@ -152,12 +154,15 @@ def _chapters(
         )
 
 
-def _motion(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> MovingRun | None:
+def _motion(
+    paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset], paths: dict[str, str]
+) -> MovingRun | None:
     shown = file.in_motion
     if not shown or (paper, shown.study) not in datasets:
         return None
     motion = motion_of(shown, datasets[paper, shown.study])
-    return MovingRun(paper, shown.study, motion.title, animation(motion))
+    path = paths[f"{paper}/{shown.study}"]
+    return MovingRun(paper, shown.study, path, motion.title, animation(motion))
 
 
 def _scenes(

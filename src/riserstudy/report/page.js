@@ -74,19 +74,30 @@ const followLinks = (showAll) => {
   document.documentElement.classList.add("settled");
 };
 
-// Figures open in their full size.
+// Figures open as large as the window allows; where that is smaller than they are, a click shows their full size.
 const enlargeFigures = () => {
   const dialog = document.querySelector("dialog");
   const large = dialog.querySelector("img");
+  const look = () => {
+    const whole = !dialog.classList.contains("natural");
+    dialog.classList.toggle("shrunk", whole && large.naturalWidth > large.clientWidth);
+  };
+  large.addEventListener("load", look);
   for (const button of document.querySelectorAll("button.enlarge")) {
     button.addEventListener("click", () => {
       const small = button.querySelector("img");
+      dialog.classList.remove("natural", "shrunk");
       large.src = small.src;
       large.alt = small.alt;
       dialog.showModal();
+      look();
     });
   }
-  dialog.addEventListener("click", () => dialog.close());
+  dialog.addEventListener("click", (event) => {
+    if (event.target !== large || !dialog.classList.contains("shrunk")) return dialog.close();
+    dialog.classList.add("natural");
+    look();
+  });
 };
 
 // On paper nothing unfolds: what is short is printed open, tables of hundreds of rows only if they are open.
@@ -156,6 +167,7 @@ const drawPicturesNearTheView = () => {
 
 // A run is drawn when it comes into view, and put away when it is far.
 const drawRunsInMotion = () => {
+  const narrow = matchMedia("(max-width: 45rem)");
   let plotly;
   const load = async () => {
     const script = document.createElement("script");
@@ -168,6 +180,7 @@ const drawRunsInMotion = () => {
     await (plotly ??= load());
     const figure = JSON.parse(await unpacked(`${place.id}-figure`));
     await Plotly.newPlot(place, figure.data, figure.layout, { responsive: true, displayModeBar: false });
+    if (narrow.matches) await Plotly.update(place, figure.narrow.riser, figure.narrow.layout, [1]);
     await Plotly.addFrames(place, figure.frames);
     place.dataset.ready = "yes";
   };
