@@ -1,4 +1,4 @@
-"""What becomes of verdicts without the points whose error is above the tolerance: from the margins of cases."""
+"""What becomes of verdicts without the points whose error is above tolerance: from margins of cases."""
 
 from __future__ import annotations
 
@@ -85,6 +85,6 @@ def _dims(place: str) -> dict[str, str]:
 
 
 def _rests(dims: Mapping[str, str], point: str) -> bool:
-    """Whether a case rests on a point, ``sample=3, speed=1.0``: at the same place on all axes that both have."""
+    """If a case rests on a point, ``sample=3, speed=1.0``: at the same place on each axis that both have."""
     shared = {name: value for name, value in dims.items() if f", {name}=" in f", {point}"}
     return all(f", {name}={value}," in f", {point}," for name, value in shared.items())
