@@ -35,13 +35,14 @@ SAMPLES = {"sample=1": 0.2, "sample=2": 0.1, "sample=12": -0.1}
 def test_a_verdict_that_a_point_alone_made_turns_without_it():
     found = graded(SAMPLES, ["sample=12, speed=1.0"])
     assert found.turned == [(CLAIM, "holds")]
-    assert found.said == "Without these points 1 of the 1 verdicts that can be graded anew turns"
+    said = "Without these points 1 of the 1 verdicts that can be graded anew turns"
+    assert (found.turning, found.left) == (said, "")
 
 
 def test_other_samples_leave_a_verdict_as_it_is():
     found = graded(SAMPLES, ["sample=2, speed=1.0"])  # and not sample 12
     assert (found.stand, found.turned) == ([CLAIM], [])
-    assert found.said.startswith("Without these points none of the 1 verdicts")
+    assert found.turning.startswith("Without these points none of the 1 verdicts")
 
 
 def test_axes_that_only_one_of_both_has_do_not_tell_them_apart():
@@ -54,7 +55,7 @@ def test_axes_that_only_one_of_both_has_do_not_tell_them_apart():
 def test_what_rests_on_such_a_point_in_every_case_cannot_be_graded(off):
     found = graded(SAMPLES, off)
     assert found.bound == [CLAIM]
-    assert found.said.endswith("1 cannot, as all of their cases rest on one")
+    assert found.left.startswith("1 cannot")
 
 
 def test_a_number_keeps_its_base_case():

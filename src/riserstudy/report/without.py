@@ -19,18 +19,17 @@ class Without(NamedTuple):
     bound: list[Verdict]  # every case rests on such a point, which cannot be left out
 
     @property
-    def said(self) -> str:
-        """In words."""
+    def turning(self) -> str:
+        """How many turn, in words."""
+        many, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
         graded = len(self.turned) + len(self.stand)
-        turned = len(self.turned) or "none"
-        text = (
-            f"Without these points {turned} of the {graded} verdicts that can be graded anew turn"
-            + ("s" if len(self.turned) < 2 else "")
-        )
+        return f"Without these points {many} of the {graded} verdicts that can be graded anew turn{ends}"
+
+    @property
+    def left(self) -> str:
+        """How many cannot be graded anew, in words; "" where all can."""
         return (
-            f"{text}; {len(self.bound)} cannot, as all of their cases rest on one"
-            if self.bound
-            else text
+            f"{len(self.bound)} cannot, as every case rests on such a point" if self.bound else ""
         )
 
 
