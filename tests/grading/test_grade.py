@@ -16,7 +16,7 @@ from riserstudy.chapters.chang2020 import claims as checks
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.grade import ErratumRow, Found, Row, graded, table
-from riserstudy.grading.models import Item, read_published
+from riserstudy.grading.models import Item, PublishedFile, read_published
 from riserstudy.grading.names import input_name, option_name
 from riserstudy.grading.sensitivity import (
     correlation_ratio,
@@ -139,7 +139,7 @@ def test_an_option_that_decides_is_named():
     outcome = about["assumed_analysis_start"] == "equilibrium"
     names, why = deciding(outcome, about)
     assert names == ["analysis.start"]
-    assert why == "start of analysis explains 100 % of the variance of the outcome."
+    assert why == "Start of analysis explains 100 % of the variance of the outcome."
 
 
 def test_a_range_that_decides_is_named_though_its_effect_has_no_direction():
@@ -252,9 +252,9 @@ def dataset(quantity, **origins):
     return xr.Dataset({"quantity": (dims, values)}, attrs={"origins": json.dumps(origins)})
 
 
-def row(datasets, **about):
+def row(datasets, called=None, **about):
     fields = {"id": "X1", "figure": "1", "statement": "invented", "reads": {"runs": "base"}}
-    return graded("paper", Item(**(fields | about)), partial(getattr, Checks), datasets)
+    return graded("paper", Item(**(fields | about)), partial(getattr, Checks), datasets, called)
 
 
 def number_row(datasets, **about):
@@ -335,6 +335,24 @@ def test_a_claim_that_an_option_decides_tells_the_share_under_each():
     found = row({"base": dataset(2.0), "space": space}, **about, over={"runs": "space"})
     assert found.verdict == "depends"
     assert "True by model: with (100 %); without (0 %)." in found.note
+
+
+def test_a_paper_may_say_what_its_inputs_are_called():
+    models = np.array(["with", "without"] * 8)
+    space = dataset(np.where(models == "with", 2.0, 0.0)).merge(samples(model=models))
+    about = {"kind": "claim", "check": "claim", "with": {"at_least": 1.0}}
+    datasets = {"base": dataset(2.0), "space": space}
+    found = row(datasets, **about, over={"runs": "space"}, called={"model": "which model is meant"})
+    assert found.depends_on.startswith("which model is meant; true in")
+    assert "True by which model is meant: with" in found.note
+    assert found.note.startswith("Which model is meant explains")
+
+
+@pytest.mark.parametrize("word", ["of 2: or 3", "a; b", "e.g. this", ""])
+def test_names_of_inputs_cannot_take_a_note_apart(word):
+    item = {"id": "C1", "figure": "1", "kind": "claim", "statement": "s", "impossible": "no scale"}
+    with pytest.raises(ValueError, match="called"):
+        PublishedFile(paper="p", items=[item], called={"model": word})
 
 
 def test_inputs_and_options_are_told_in_words_and_not_as_paths():

@@ -10,12 +10,14 @@ from riserstudy.report.audit import UNSAID, missed, told_by
 TABLES = """
 create table parameters (point, path, value);
 create table studies (study, paper, name, caption);
-create table points (point integer primary key, study, error_displacement, error_moment,
+create table points (point integer primary key, study, place, error_displacement, error_moment,
     error_tension, warnings, wall_seconds, unexplained_energy);
 create table rests_on (paper, id, study);
 create table simulated_behind (study, source);
-create table numbers_and_claims (paper, id);
-insert into numbers_and_claims values ('paper', 'N1'), ('paper', 'N2');
+create table numbers_and_claims (paper, id, kind, verdict, margin);
+create table margins (paper, id, place, margin);
+insert into numbers_and_claims values
+    ('paper', 'N1', 'claim', 'depends', null), ('paper', 'N2', 'claim', 'holds', null);
 """
 
 
@@ -40,7 +42,8 @@ def database(rows):
     for point, (name, fixed, accuracy, *errors) in enumerate(rows):
         db.execute("insert into studies values (?, 'paper', ?, '')", (f"paper/{name}", name))
         db.execute(
-            "insert into points values (?, ?, ?, ?, ?, '', 1, 0)", (point, f"paper/{name}", *errors)
+            "insert into points values (?, ?, '', ?, ?, ?, '', 1, 0)",
+            (point, f"paper/{name}", *errors),
         )
         if fixed:
             db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))

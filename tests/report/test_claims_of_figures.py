@@ -13,10 +13,19 @@ READS = {
 }
 
 
-def figures_of(figure, *rests):
-    claim = SimpleNamespace(paper="paper", id="C1", figure=figure)
-    of = claims_by_figure([claim], [*READS], {("paper", "C1"): set(rests)}, READS)
-    return [name for name, claims in of.items() if claims]
+#: of another claim, so that figures without any need no claim that fits less
+RESTS = {("paper", "C2"): {"paper/open", "paper/other"}, ("paper", "C3"): set()}
+BEHIND = {("paper/derived",): {"paper/other"}, ("paper/other",): {"paper/other"}}
+
+
+def figures_of(figure, *rests, words=None, alone=False):
+    claims = [SimpleNamespace(paper="paper", id="C1", figure=figure)]
+    if not alone:
+        claims.append(SimpleNamespace(paper="paper", id="C2", figure="99"))
+        claims.append(SimpleNamespace(paper="paper", id="C3", figure="8, 9"))
+    rest = RESTS | {("paper", "C1"): set(rests)}
+    of = claims_by_figure(claims, [*READS], rest, READS, BEHIND, words or {})
+    return [name for name, claims in of.items() if any(c.id == "C1" for c in claims)]
 
 
 def test_a_claim_has_the_printed_figure_that_it_names_and_own_ones_that_show_what_it_rests_on():
@@ -30,3 +39,17 @@ def test_a_figure_that_shows_more_than_a_claim_rests_on_is_not_linked():
 
 def test_a_claim_that_names_no_figure_has_all_that_show_something_of_it():
     assert figures_of("", "paper/other") == ["fig09", "trends"]
+
+
+def test_a_figure_without_claims_has_those_that_rest_on_some_of_what_it_shows():
+    assert figures_of("8a", "paper/other", alone=True) == ["fig08", "fig09", "trends"]
+
+
+def test_a_figure_whose_words_name_claims_has_these():
+    said = {"drawing": "C1 to C2 hold together", "trends": "C2 alone"}
+    assert figures_of("8", words=said) == ["fig08", "drawing"]
+
+
+def test_a_claim_that_no_figure_has_is_linked_by_the_runs_behind_it():
+    assert figures_of("text", "paper/derived") == ["fig09", "trends"]
+    assert figures_of("text", "paper/unknown") == []

@@ -1,6 +1,7 @@
 """The report in a real browser without a network: it moves, sorts and filters, and nothing complains."""
 
 import base64
+import itertools
 import json
 import shutil
 from pathlib import Path
@@ -220,6 +221,47 @@ def test_a_picture_opens_in_its_full_size(browser):
     wait(browser, lambda: not browser.find_elements(By.CSS_SELECTOR, "dialog[open]"))
 
 
+def test_a_picture_larger_than_the_window_is_seen_whole_and_then_in_its_full_size(browser):
+    size = {"width": 800, "height": 700, "deviceScaleFactor": 1, "mobile": False}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        button = browser.find_elements(By.CSS_SELECTOR, "button.enlarge")[0]
+        browser.execute_script("arguments[0].click()", button)
+        large = wait(browser, lambda: browser.find_element(By.CSS_SELECTOR, "dialog[open] img"))
+        wait(browser, lambda: 700 < large.size["width"] < 800)
+        large.click()
+        wait(browser, lambda: large.size["width"] == 1000)
+        browser.execute_script("arguments[0].click()", large)
+        wait(browser, lambda: not browser.find_elements(By.CSS_SELECTOR, "dialog[open]"))
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+BOXES = """
+const boxes = (of) => [...arguments[0].querySelectorAll(of)].map((e) => e.getBoundingClientRect().toJSON());
+return [".slider-container", ".updatemenu-button", ".colorbar", ".draglayer .nsewdrag"].map(boxes)
+"""
+
+
+def apart(one, other):
+    """Whether two boxes share nothing."""
+    across = one["right"] <= other["left"] or other["right"] <= one["left"]
+    return across or one["bottom"] <= other["top"] or other["bottom"] <= one["top"]
+
+
+def test_on_a_narrow_screen_nothing_of_a_run_in_motion_lies_on_anything_else(browser):
+    size = {"width": 390, "height": 1000, "deviceScaleFactor": 1, "mobile": True}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        sliders, buttons, bars, views = browser.execute_script(BOXES, drawn(browser, IN_PLANE))
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    assert (len(sliders), len(buttons), len(bars), len(views)) == (1, 2, 1, 4)
+    parts = [*sliders, *buttons, *bars, *views]
+    for one, other in itertools.combinations(parts, 2):
+        assert apart(one, other), (one, other)
+
+
 def test_all_pictures_are_printed(browser):
     pdf = base64.b64decode(browser.execute_cdp_cmd("Page.printToPDF", {})["data"])
     browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
@@ -289,6 +331,55 @@ def test_nothing_is_wider_than_the_screen(browser, width):
         browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
     assert wide <= width
     assert seen["x"] + seen["width"] <= width
+
+
+TOPS = """
+const place = document.getElementById(arguments[0]);
+return [place.getBoundingClientRect().top, document.documentElement.scrollHeight - scrollY - innerHeight]
+"""
+INTERNAL = """
+return [...document.querySelectorAll('main a[href^="#"], nav a[href^="#"]')].map((a) => a.hash)
+"""
+MARGIN = 16  # that the page leaves above what a link leads to (pixels)
+
+
+def stands(browser, name):
+    """Where the target of a link comes to rest below the view's top, and what is left below the view."""
+    seen = []
+
+    def still():
+        seen.append(browser.execute_script(TOPS, name))
+        return len(seen) > 5 and all(one == seen[-1] for one in seen[-5:]) and seen[-1]
+
+    return WebDriverWait(browser, PATIENCE, poll_frequency=0.2).until(lambda _: still())
+
+
+@pytest.mark.parametrize("width", [1440, 390])
+def test_links_end_where_they_lead(browser, width):
+    size = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        names = sorted({name[1:] for name in browser.execute_script(INTERNAL)})
+        far = {}
+        for name in [*names[:: max(1, len(names) // 8)], *reversed(names[-2:])]:
+            link = f"document.querySelector('a[href=\"#{name}\"]').click()"
+            browser.execute_script(link)
+            far[name] = stands(browser, name)
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    assert len(far) > 5
+    far.pop("main", None)  # at the page's start there is nothing above it
+    # what is nearer to the page's end than a view is high cannot be at its top
+    assert {n: top for n, (top, below) in far.items() if abs(top - MARGIN) > 2 and below > 2} == {}
+
+
+def test_an_address_leads_to_a_place_in_the_page(browser, page):
+    last = browser.execute_script("return [...document.querySelectorAll('figure[id]')].at(-3).id")
+    browser.get("about:blank")
+    browser.get(f"{page.as_uri()}#{last}")
+    wait(browser, lambda: browser.find_elements(By.CSS_SELECTOR, "table.dataTable"))
+    top, _ = stands(browser, last)
+    assert abs(top - MARGIN) <= 2
 
 
 def test_verdicts_are_on_printed_paper(browser):

@@ -130,16 +130,30 @@ def weigh(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Weigh
     SimulationError
         When a check finds no finite value.
     """
-    return [weighed(file.paper, item, checks, datasets) for item in file.items]
+    return [weighed(file.paper, item, checks, datasets, file.called) for item in file.items]
 
 
-def graded(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Row:
+def graded(
+    paper: str,
+    item: Item,
+    checks: Checks,
+    datasets: Datasets,
+    called: Mapping[str, str] | None = None,
+) -> Row:
     """The row of one number or claim; as ``weighed``."""
-    return weighed(paper, item, checks, datasets).row
+    return weighed(paper, item, checks, datasets, called).row
 
 
-def weighed(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Weighed:
+def weighed(
+    paper: str,
+    item: Item,
+    checks: Checks,
+    datasets: Datasets,
+    called: Mapping[str, str] | None = None,
+) -> Weighed:
     """The row of one number or claim, with the margins of all its cases.
+
+    ``called``: what inputs are called, as in ``riserstudy.grading.names.input_name``.
 
     Raises
     ------
@@ -174,11 +188,11 @@ def weighed(paper: str, item: Item, checks: Checks, datasets: Datasets) -> Weigh
     about = datasets[next(iter((item.over or item.reads).values()))]
     if left_out and hits.ndim:
         about = about.sel(sample=hits["sample"])
-    depends_on, said = _explained(item, hits, about, verdict) if hits.ndim else ("", "")
-    cases = [_case(item, "Base case", base, about) if item.published is None else ""]
+    depends_on, said = _explained(item, hits, about, verdict, called) if hits.ndim else ("", "")
+    cases = [_case(item, "Base case", base, about, called) if item.published is None else ""]
     for name, reads in item.beside.items():
         about = datasets[next(iter(reads.values()))]
-        cases.append(_case(item, name, _at_base(item, look(reads)), about))
+        cases.append(_case(item, name, _at_base(item, look(reads)), about, called))
     sure = settled(hits.values) if hits.dims == ("sample",) and hits.size >= MANY else ""
     notes = [said, left_out, sure, *cases, item.note]
     row = _row(paper, item, simulated, off, verdict, depends_on, notes)
@@ -226,7 +240,9 @@ def _at_base(item: Item, found: Found) -> Found:
     return found.at({dim: value for dim, value in item.base.items() if dim in found.value.dims})
 
 
-def _case(item: Item, name: str, found: Found, about: xr.Dataset) -> str:
+def _case(
+    item: Item, name: str, found: Found, about: xr.Dataset, called: Mapping[str, str] | None
+) -> str:
     """One further case as a sentence, of one cell or many."""
     hits = _hits(item, found)
     words = ("met", "missed") if item.kind == "number" else ("true", "false")
@@ -235,8 +251,8 @@ def _case(item: Item, name: str, found: Found, about: xr.Dataset) -> str:
         hit = words[0] if bool(hits) else words[1]
         return f"{name}: {float(found.value):.3g}{unit}, {hit}."
     low, high = float(found.value.min()), float(found.value.max())
-    names = deciding(hits, about).names
-    by = f", decided by {listed(map(input_name, names))}" if names else ""
+    names = [input_name(name, called) for name in deciding(hits, about).names]
+    by = f", decided by {listed(names)}" if names else ""
     return f"{name}: {low:.3g} to {high:.3g}{unit}, {_hits_in_words(hits, words[0])}{by}."
 
 
@@ -284,24 +300,35 @@ def _filled(erratum: Erratum, checks: Checks, datasets: Datasets) -> str:
 
 
 def _explained(
-    item: Item, hits: xr.DataArray, about: xr.Dataset, verdict: Verdict
+    item: Item,
+    hits: xr.DataArray,
+    about: xr.Dataset,
+    verdict: Verdict,
+    called: Mapping[str, str] | None,
 ) -> tuple[str, str]:
     """What decides, and the share of the samples, as text."""
     word = "met" if item.kind == "number" else "true"
     share = _hits_in_words(hits, word)
     if verdict != "depends":
         return "", f"{share[0].upper()}{share[1:]}."
-    names, why = deciding(hits, about)
-    said = [why, *_by_option(hits, about, names, word)]
-    name = listed(map(input_name, names)) if names else "no single input or pair"
+    names, why = deciding(hits, about, called)
+    said = [why, *_by_option(hits, about, names, word, called)]
+    in_words = [input_name(name, called) for name in names]
+    name = listed(in_words) if names else "no single input or pair"
     return f"{name}; {share}", " ".join(text for text in said if text)
 
 
-def _by_option(hits: xr.DataArray, about: xr.Dataset, names: list[str], word: str) -> Iterator[str]:
+def _by_option(
+    hits: xr.DataArray,
+    about: xr.Dataset,
+    names: list[str],
+    word: str,
+    called: Mapping[str, str] | None,
+) -> Iterator[str]:
     """How often it comes out under each option of deciding inputs, a sentence an input."""
     for name, shares in shares_by_option(hits, about, names).items():
         each = "; ".join(f"{option_name(o)} ({100 * share:.0f} %)" for o, share in shares.items())
-        yield f"{word.capitalize()} by {input_name(name)}: {each}."
+        yield f"{word.capitalize()} by {input_name(name, called)}: {each}."
 
 
 def _band(hits: xr.DataArray) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -21,6 +21,8 @@ class PrintedNumber(Strict):
     printed: str
 
 
+#: notes list inputs with their options, which these would take apart
+InWords = Annotated[str, Field(pattern=r"^[^:;.]+$")]
 Option = str | float | list[float] | list[str] | PrintedNumber
 
 
@@ -122,9 +124,14 @@ class PrintedInput(Strict):
 
 
 class PublishedFile(Strict):
-    """All that a paper printed: its inputs, and what is graded of it. Absent inputs: not yet listed."""
+    """All that a paper printed: its inputs, and what is graded of it. Absent inputs: not yet listed.
+
+    ``called``: what verdicts call an unspecified input, by its path in a scene, or the name of its axis or
+    readings. Absent: as ``riserstudy.grading.names.input_name`` says it.
+    """
 
     paper: str
+    called: dict[str, InWords] = Field(default_factory=dict)
     inputs: list[PrintedInput] = Field(default_factory=list)
     items: list[Item] = Field(min_length=1)
     errata: list[Erratum] = Field(default_factory=list)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 _INDEX = re.compile(r"^(\w+)\[(\d+)\]$")
 _COUNTED = {"riser": "riser section"}
@@ -10,11 +11,18 @@ _JOINED = re.compile(r"[a-z]+(_[a-z0-9]+)+")
 ABSENT = "absent"
 
 
-def input_name(path: str) -> str:
+def input_name(path: str, called: Mapping[str, str] | None = None) -> str:
     """A path of a scene, or the name of an axis or of readings, as one would say it.
 
     ``current.profile.sum[0].surface_speed`` is the surface speed of current profile part 1.
+
+    Parameters
+    ----------
+    path : of an input.
+    called : what a paper's file calls inputs, by path. None: nothing of its own.
     """
+    if called and path in called:
+        return called[path]
     *above, last = path.split(".")
     words = " ".join(_part(part) for part in above)
     return f"{_part(last)} of {words}" if words else _part(last)

@@ -9,7 +9,8 @@ for options without an order. Over a full grid of readings: total effects, which
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from itertools import combinations
 from typing import NamedTuple
 
@@ -33,18 +34,22 @@ class Deciding(NamedTuple):
     why: str
 
 
-def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
+def deciding(
+    outcome: xr.DataArray, about: xr.Dataset, called: Mapping[str, str] | None = None
+) -> Deciding:
     """Inputs that decide a boolean outcome.
 
     Parameters
     ----------
     outcome : boolean, over ``sample`` and any other dimensions.
     about : holds what each sample assumed, as variables ``assumed_...`` with the path as long_name.
+    called : what inputs are called, as in ``input_name``.
     """
+    in_words = partial(input_name, called=called)
     if bool(outcome.all()) or not bool(outcome.any()):
         return Deciding([], "")
     if "sample" not in outcome.dims:
-        return _of_a_grid(outcome)
+        return _of_a_grid(outcome, in_words)
     values = outcome.values.astype(float).ravel()
     groups = {name: _groups(x) for name, x in inputs(outcome, about).items()}
     groups = {name: group for name, group in groups.items() if group.max(initial=0) > 0}
@@ -63,9 +68,9 @@ def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
         if together >= explained + WORTH:
             names, explained = pair, together
     word = "explains" if len(names) == 1 else "together explain"
+    which = _capital(listed(map(in_words, names)))
     return Deciding(
-        names,
-        f"{listed(map(input_name, names))} {word} {100 * explained:.0f} % of the variance of the outcome.",
+        names, f"{which} {word} {100 * explained:.0f} % of the variance of the outcome."
     )
 
 
@@ -105,7 +110,11 @@ def _coarser(group: NDArray[np.int64], most: int) -> NDArray[np.int64]:
     return coarse
 
 
-def _of_a_grid(outcome: xr.DataArray) -> Deciding:
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _of_a_grid(outcome: xr.DataArray, in_words: Callable[[str], str]) -> Deciding:
     """The dimensions whose total effect is at least half of the largest."""
     effects = total_effects(outcome)
     largest = max(effects.values(), default=0.0)
@@ -113,7 +122,7 @@ def _of_a_grid(outcome: xr.DataArray) -> Deciding:
         (name for name, effect in effects.items() if effect >= 0.5 * largest),
         key=lambda name: -effects[name],
     )
-    shares = ", ".join(f"{input_name(name)} {100 * effects[name]:.0f} %" for name in names)
+    shares = ", ".join(f"{in_words(name)} {100 * effects[name]:.0f} %" for name in names)
     return Deciding(names, f"Total effects: {shares}.")
 
 

@@ -20,6 +20,10 @@ from riserstudy.report.motion import Motion
 
 RISER, BAR, BESIDE = (0.0, 0.4), 0.43, 0.61  # of the width: riser, its colours, histories
 HEIGHT = 560  # of the figure (pixels)
+NARROW = 890  # the same where histories stand below the riser
+#: there: bottom and top of the riser's view and how wide it is, and the height of all histories, as shares
+ABOVE, BELOW = (0.53, 1.0, 0.7), 0.42
+FARTHER = 1.45  # off a view in space, whose labels need the room
 RISER_ASPECT = 0.95  # width over height of the side view, as far as its scale is told
 NICE = np.array([1.0, 2.0, 5.0])
 WIDE, SLIM = (
@@ -27,6 +31,8 @@ WIDE, SLIM = (
     0.06,
 )  # breadth of the view in space over its height: at most, for the wider; at least
 FONT = {"family": "Source Sans 3, Segoe UI, Helvetica Neue, Arial, sans-serif", "size": 12}
+IN_SPACE = {"family": "Arial", "size": 13}  # one name: of a list, views in space take none
+EYE = {"x": 0.85, "y": -1.25, "z": 0.25}  # from where a view in space is seen
 DIVERGING = [
     [0.0, "#2166ac"],
     [0.5, "#b9c0c7"],
@@ -72,7 +78,8 @@ def animation(motion: Motion) -> str:
         for k in range(len(motion.time))
     ]
     # plain: as objects of plotly's, each checked, a thousand frames take seconds
-    return str(pio.to_json(figure.to_dict() | {"frames": frames}, validate=False))
+    whole = figure.to_dict() | {"frames": frames, "narrow": _narrow(motion, rows)}
+    return str(pio.to_json(whole, validate=False))
 
 
 def small(values: NDArray[np.float64]) -> Trace:
@@ -117,7 +124,13 @@ def _from_the_side(
     platform = go.Scatter(  # a symbol above the riser, with the tensioners that it carries it by
         mode="lines+markers",
         line={"color": "#22282e", "width": 2, "dash": "dot"},
-        marker={"symbol": ["line-ew-open", "square"], "size": [14, 18], "color": "#22282e"},
+        # bars, which leave the riser's top between them to be seen
+        marker={
+            "symbol": "line-ew",
+            "size": [9, 17],
+            "color": "#22282e",
+            "line": {"color": "#22282e", "width": [2, 5]},
+        },
         hovertemplate="platform<br>x %{x:.4g} m, z %{y:.5g} m<extra></extra>",
     )
 
@@ -152,7 +165,7 @@ def _in_space(
     )
     top = go.Scatter3d(
         mode="markers",
-        marker={"symbol": "square", "size": 7, "color": "#22282e"},
+        marker={"symbol": "square-open", "size": 9, "color": "#22282e"},
         hovertemplate="platform<extra></extra>",
     )
 
@@ -213,21 +226,14 @@ def _axes(figure: go.Figure, motion: Motion) -> None:
         span = [float(np.ptp(values)) or 1.0 for values in (motion.x, motion.y, motion.z)]
         factor = _nice(WIDE * span[2] / max(span[:2]))
         shares = [max(SLIM, factor * across / span[2]) for across in span[:2]]
-        tick = {"size": 10}
-
-        def title(text: str) -> Trace:
-            return {"text": text, "font": {"size": 11}}
-
+        along = {name: {"title": {"text": f"{name} (m)", "font": IN_SPACE}} for name in "xyz"}
         figure.update_scenes(
-            xaxis={"title": title("x (m)"), "nticks": 4, "tickfont": tick},
-            yaxis={"title": title("y (m)"), "nticks": 4, "tickfont": tick},
-            zaxis={"title": title("z (m)"), "tickfont": tick},
+            xaxis={**along["x"], "nticks": 4, "tickfont": IN_SPACE},
+            yaxis={**along["y"], "nticks": 4, "tickfont": IN_SPACE},
+            zaxis={**along["z"], "tickfont": IN_SPACE},
             aspectmode="manual",
             aspectratio={"x": shares[0], "y": shares[1], "z": 1.0},
-            camera={
-                "eye": {"x": 0.85, "y": -1.25, "z": 0.25},
-                "center": {"x": 0, "y": 0, "z": -0.08},
-            },
+            camera={"eye": EYE, "center": {"x": 0, "y": 0, "z": -0.08}},
             domain={"x": list(RISER)},
         )
         figure.add_annotation(
@@ -296,12 +302,19 @@ def _controls(figure: go.Figure, motion: Motion) -> None:
         sliders=[
             {
                 "steps": steps,
-                "currentvalue": {"prefix": "t = ", "suffix": " s", "font": {"size": 12}},
+                "currentvalue": {
+                    "prefix": "t = ",
+                    "suffix": " s",
+                    "font": {"size": 12, "color": "#22282e"},
+                },
                 "x": 0.13,
                 "len": 0.87,
                 "y": -0.1,
                 "pad": {"t": 20},
-                "font": {"size": 10},
+                # ticks would stand at every so many frames, not at round times, which the histories have
+                "ticklen": 0,
+                "minorticklen": 0,
+                "font": {"color": "rgba(0,0,0,0)", "size": 1},
             }
         ],
         updatemenus=[
@@ -318,3 +331,32 @@ def _controls(figure: go.Figure, motion: Motion) -> None:
             }
         ],
     )
+
+
+def _narrow(motion: Motion, rows: int) -> dict[str, Trace]:
+    """What a narrow screen changes: the riser above, histories below it, buttons under the slider.
+
+    ``layout``: of the figure; ``riser``: of the trace that carries the bar of colours.
+    """
+    layout: Trace = {"height": NARROW, "margin.l": 55, "margin.r": 10}
+    if motion.y is None:
+        layout |= {"xaxis.domain": [0.0, ABOVE[2]], "yaxis.domain": [ABOVE[0], ABOVE[1]]}
+        layout |= {"xaxis.title.font.size": 11}
+    else:
+        layout |= {"scene.domain.x": [0.0, ABOVE[2]], "scene.domain.y": [ABOVE[0], ABOVE[1]]}
+        layout |= {"annotations[0].y": ABOVE[0] - 0.02}
+        layout |= {"scene.camera.eye": {name: FARTHER * place for name, place in EYE.items()}}
+        for name in "xyz":
+            layout |= {f"scene.{name}axis.{of}.size": 10 for of in ("tickfont", "title.font")}
+    each = (BELOW - 0.05 * (rows - 1)) / rows
+    for row in range(rows):
+        axis = row + 1 if motion.y is not None else row + 2
+        name = "" if axis == 1 else f"{axis}"
+        top = BELOW - row * (each + 0.05)
+        layout |= {f"xaxis{name}.domain": [0.08, 1.0], f"yaxis{name}.domain": [top - each, top]}
+    layout |= {"sliders[0].x": 0.0, "sliders[0].len": 1.0, "sliders[0].y": -0.07}
+    layout |= {"updatemenus[0].y": -0.14}
+    bar = "line.colorbar" if motion.y is not None else "marker.colorbar"
+    middle = 0.5 * (ABOVE[0] + ABOVE[1])
+    riser: Trace = {f"{bar}.x": ABOVE[2] + 0.02, f"{bar}.y": middle, f"{bar}.len": 0.3}
+    return {"layout": layout, "riser": riser}

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import sqlite3
 from collections import Counter
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from riserstudy.report.without import Without, without
 from riserstudy.report.wording import grouped, listed, share
 from riserstudy.study.models import StudyFile, StudyModel
 
@@ -75,6 +77,7 @@ class Missed(NamedTuple):
     worst: float
     where: str
     verdicts: list[tuple[str, str]]  # paper and id of numbers and claims that rest on one
+    without: Without  # what becomes of these
 
     @property
     def said(self) -> str:
@@ -186,8 +189,15 @@ def warned(db: sqlite3.Connection) -> list[Warned]:
     return sorted(warnings, key=lambda one: -one.points)
 
 
-def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
-    """How many points miss the tolerance, why, and which verdicts rest on one."""
+def missed(
+    db: sqlite3.Connection,
+    files: dict[str, StudyFile],
+    judging: Mapping[tuple[str, str], set[str]] | None = None,
+) -> Missed:
+    """How many points miss the tolerance, why, and which verdicts rest on one.
+
+    ``judging``: datasets whose cases make a verdict, as ``without`` takes them. None: all that it rests on.
+    """
     points = _points(db, files)
     off = [p for p in points if _misses(p)]
     asked = [p for p in points if not p["fixed"]]
@@ -195,11 +205,17 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
     studies = sorted({p["study"] for p in off})
     marks = ", ".join("?" * len(studies))
     verdicts = db.execute(
-        "select distinct rests_on.paper, rests_on.id from rests_on join simulated_behind using (study) "
-        f"join numbers_and_claims as n on n.paper = rests_on.paper and n.id = rests_on.id "
-        f"where source in ({marks}) order by 1, 2",
+        "select n.paper, n.id from rests_on join simulated_behind using (study) "
+        "join numbers_and_claims as n on n.paper = rests_on.paper and n.id = rests_on.id "
+        f"where source in ({marks}) group by n.rowid order by n.rowid",
         studies,
     ).fetchall()
+    rests: dict[tuple[str, str], set[str]] = {}
+    for paper, id_, study in db.execute("select paper, id, study from rests_on"):
+        rests.setdefault((paper, id_), set()).add(study)
+    places: dict[str, list[str]] = {}
+    for point in off:
+        places.setdefault(point["study"], []).append(point["place"])
     return Missed(
         len(points),
         len(off),
@@ -210,6 +226,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         worst["error"] if worst else 0.0,
         f"{worst['study']} ({_largest(worst)})" if worst else "",
         verdicts,
+        without(db, verdicts, places, rests | dict(judging or {})),
     )
 
 

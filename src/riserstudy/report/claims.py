@@ -11,14 +11,14 @@ from riserstudy.grading.samples import SAMPLES_MET
 from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
-    "reproduced": "inside the printed rounding or 1 %, nothing calibrated on the way",
-    "calibrated": "met, with an input that was fitted to a printed number",
-    "holds": "a claim true in at least 95 % of the samples of unspecified inputs",
-    "depends": "decided by an input that the paper does not specify",
-    "fails": "a number that no sample meets, or a claim true in at most 5 % of them",
+    "reproduced": "within the printed rounding or 1 %, with nothing fitted",
+    "calibrated": "met with an input that was fitted to a printed number",
+    "holds": "true in at least 95 % of samples of what the paper leaves open",
+    "depends": "decided by an input that the paper does not give",
+    "fails": "a number that no sample meets, a claim true in at most 5 %",
     "not reproducible": "the paper does not say enough",
 }
-ENOUGH = 100  # samples from which a share has an interval
+ENOUGH = 100  # samples from which a share has an interval, where they are draws
 #: columns of the database that a claim has under the same name
 AS_IT_IS = (
     *("paper", "id", "figure", "kind", "statement", "published", "simulated", "unit", "error"),
@@ -74,6 +74,11 @@ class Claim(NamedTuple):
         return 100.0 * self.met / self.samples
 
     @property
+    def complete(self) -> bool:
+        """Whether its samples are all combinations of readings: enough for an interval, and none is told."""
+        return self.band is None and (self.samples or 0) >= ENOUGH
+
+    @property
     def why(self) -> str:
         """One short reason for the verdict."""
         if self.verdict == "not reproducible":
@@ -89,7 +94,9 @@ class Claim(NamedTuple):
         if self.samples:
             every = {self.samples: f"all {self.samples}", 0: f"none of {self.samples}"}
             return f"True in {every.get(self.met or 0, f'{self.met} of {self.samples}')} samples."
-        return "True with a fitted input." if self.verdict == "calibrated" else ""
+        if self.verdict == "calibrated":
+            return "True with a fitted input."
+        return f"{'True' if self.verdict == 'holds' else 'Not true'}; nothing open is varied in it."
 
 
 def read_claims(db: sqlite3.Connection) -> list[Claim]:

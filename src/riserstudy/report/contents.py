@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.database.ask import opened
+from riserstudy.grading.models import printed_of, published_path
 from riserstudy.report import audit
 from riserstudy.report.animation import animation
 from riserstudy.report.claims import VERDICTS, Claim, read_claims
@@ -18,7 +19,7 @@ from riserstudy.report.engine import engine
 from riserstudy.report.limits import LimitTable, limit_tables
 from riserstudy.report.motion import motion_of
 from riserstudy.report.overview import amounts, bars, findings, short_of, subject, tiles, title_of
-from riserstudy.report.pictures import Figure, claims_by_figure, heading, picture_of
+from riserstudy.report.pictures import Figure, called, claims_by_figure, heading, picture_of
 from riserstudy.report.scenes import SceneTable, scene_tables
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
@@ -53,10 +54,11 @@ class Sources:
 
 
 class MovingRun(NamedTuple):
-    """One run in motion: its paper, its study, what it is, and its figure as JSON."""
+    """One run in motion: its paper, its study and where that lies, what it is, and its figure as JSON."""
 
     paper: str
     name: str
+    path: str  # of the dataset, beside the page
     title: str
     figure: str
 
@@ -91,9 +93,9 @@ def contents(sources: Sources) -> dict[str, Any]:
             for study, path in paths.items()
         }
         tables = {p: _scenes(p, files[p], datasets, sources.config) for p in sources.papers}
-        images, figures = _figures(db, sources, files, claims, paths, tables)
+        figures = _figures(db, sources, files, claims, paths, tables)
         rows, warned = audit.audit(db, files), audit.warned(db)
-        missed = audit.missed(db, files)
+        missed = audit.missed(db, files, _judging(sources.config, sources.papers))
         facts = audit.run_facts(db)
     cold = json.loads(sources.compiled.read_text() or "{}").get("cold_seconds")
     # tables show each cell of these: of a file, every cell would be a read of its own
@@ -102,15 +104,15 @@ def contents(sources: Sources) -> dict[str, Any]:
     return {
         "subject": subject(files),
         "bars": bars(claims, files),
-        "findings": findings(claims, files, figures, images),
-        "tiles": tiles(figures, images),
+        "findings": findings(claims, files, figures),
+        "tiles": tiles(figures),
         "facts": [amounts(claims, len(paths), len(figures), points), facts],
         "total": sum(row.total for row in rows),
         "cold": cold,
         "verdicts": VERDICTS,
         "numbers": [claim for claim in claims if claim.kind == "number"],
         "claims": [claim for claim in claims if claim.kind != "number"],
-        "chapters": [*_chapters(files, claims, errata, figures, datasets, tables)],
+        "chapters": [*_chapters(files, claims, errata, figures, datasets, tables, paths)],
         "short": {paper: short_of(files, paper) for paper in sources.papers},
         "figures_of": _figures_of(figures),
         "engine": engine(measured),
@@ -118,6 +120,23 @@ def contents(sources: Sources) -> dict[str, Any]:
         "rows": rows,
         "warned": warned,
         "missed": missed,
+    }
+
+
+def _judging(config: Path, papers: list[str]) -> dict[tuple[str, str], set[str]]:
+    """Datasets whose cases make each verdict: of claims over what is open no base case."""
+    return {
+        (paper, item.id): {
+            f"{paper}/{name}"
+            for name in (
+                item.over.values()
+                if item.over and item.kind == "claim"
+                else [*item.reads.values(), *item.over.values()]
+            )
+        }
+        for paper in papers
+        if published_path(config, paper).exists()
+        for item in printed_of(config, paper).items
     }
 
 
@@ -135,6 +154,7 @@ def _chapters(
     figures: list[Figure],
     datasets: dict[Any, xr.Dataset],
     tables: dict[str, list[SceneTable]],
+    paths: dict[str, str],
 ) -> Iterator[Chapter]:
     for paper, file in files.items():
         yield Chapter(
@@ -143,7 +163,7 @@ def _chapters(
             file.reference,
             file.about,
             [claim for claim in claims if claim.paper == paper],
-            _motion(paper, file, datasets),
+            _motion(paper, file, datasets, paths),
             [figure for figure in figures if figure.paper == paper],
             [row for row in errata if row["paper"] == paper],
             file.left_out,
@@ -152,12 +172,15 @@ def _chapters(
         )
 
 
-def _motion(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> MovingRun | None:
+def _motion(
+    paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset], paths: dict[str, str]
+) -> MovingRun | None:
     shown = file.in_motion
     if not shown or (paper, shown.study) not in datasets:
         return None
     motion = motion_of(shown, datasets[paper, shown.study])
-    return MovingRun(paper, shown.study, motion.title, animation(motion))
+    path = paths[f"{paper}/{shown.study}"]
+    return MovingRun(paper, shown.study, path, motion.title, animation(motion))
 
 
 def _scenes(
@@ -178,8 +201,8 @@ def _figures(
     claims: list[Claim],
     paths: dict[str, str],
     tables: dict[str, list[SceneTable]],
-) -> tuple[dict[str, Path], list[Figure]]:
-    """Images by anchor, and figures in the order of study files, with all that they are linked to."""
+) -> list[Figure]:
+    """Figures in the order of study files, with all that they are linked to."""
     known = {
         (paper, name): (caption, png, pdf)
         for paper, name, caption, png, pdf in db.execute(
@@ -191,12 +214,8 @@ def _figures(
         key[0]: studies
         for key, studies in _sets(db, "select figure, study from figure_reads").items()
     }
-    behind = {
-        key[0]: studies
-        for key, studies in _sets(db, "select study, source from simulated_behind").items()
-    }
+    behind = _sets(db, "select study, source from simulated_behind")
     present = {path for (path,) in db.execute("select path from files")}
-    images: dict[str, Path] = {}
     figures: list[Figure] = []
     names_of = {
         paper: [n for n in (*file.schematics, *file.figures) if (paper, n) in known]
@@ -212,13 +231,19 @@ def _figures(
             names,
             rests,
             {name: reads.get(f"{paper}/{name}", set()) for name in names},
+            behind,
+            {
+                n: f"{pictures[sources.folder / known[paper, n][1]].title} {known[paper, n][0]}"
+                for n in names
+            },
         )
         for name in names:
             caption, png, pdf = known[paper, name]
             read = (
                 [f"{paper}/{n}" for n in file.figures[name].reads] if name in file.figures else []
             )
-            simulated = set().union(*(behind.get(study, set()) for study in read))
+            simulated = set().union(*(behind.get((study,), set()) for study in read))
+            drawn_scene = _drawn_scene(file, name, sources.config)
             picture = pictures[sources.folder / png]
             beside = [("PDF", pdf), ("PNG", png), ("data as CSV", f"{paper}/{name}.csv")]
             figure = Figure(
@@ -230,12 +255,20 @@ def _figures(
                 [(what, path) for what, path in beside if path in present],
                 [(study.split("/")[1], paths[study]) for study in read if study in paths],
                 own[name],
-                [(t.title, t.anchor(paper)) for t in tables[paper] if simulated & t.studies(paper)],
+                [
+                    (t.title, t.anchor(paper))
+                    for t in tables[paper]
+                    if simulated & t.studies(paper) or t.title == drawn_scene
+                ],
                 f"snakemake -c1 {paper}_{name}",
             )
-            images[figure.anchor] = sources.folder / png
             figures.append(figure)
-    return images, figures
+    return figures
+
+
+def _drawn_scene(file: StudyFile, name: str, config: Path) -> str:
+    """Title of the scene that a schematic draws, "" for other figures."""
+    return str(file.schematics[name].file(config).tree["title"]) if name in file.schematics else ""
 
 
 def _sets(db: sqlite3.Connection, sql: str) -> dict[tuple[str, ...], set[str]]:
@@ -251,6 +284,5 @@ def _figures_of(figures: list[Figure]) -> dict[str, list[tuple[str, str]]]:
     by_dataset: dict[str, list[tuple[str, str]]] = {}
     for figure in figures:
         for claim in figure.claims:
-            short = heading(figure.name, "").replace("Figure ", "Fig. ")
-            by_dataset.setdefault(claim.anchor, []).append((figure.anchor, short))
+            by_dataset.setdefault(claim.anchor, []).append((figure.anchor, called(figure.name)))
     return by_dataset

@@ -31,9 +31,9 @@ class LimitRow(NamedTuple):
 
 
 class LimitTable(NamedTuple):
-    """Limits of one study."""
+    """Limits of one study; ``about`` says what it varies."""
 
-    study: str
+    about: str
     points: int
     rows: list[LimitRow]
 
@@ -50,10 +50,15 @@ class LimitTable(NamedTuple):
 def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
     """A table for each study that has limits."""
     return [
-        LimitTable(name, dataset["point_key"].size, _rows(dataset))
+        LimitTable(_about(name, dataset), dataset["point_key"].size, _rows(dataset))
         for name, dataset in datasets.items()
         if "use_of_limit" in dataset
     ]
+
+
+def _about(name: str, dataset: xr.Dataset) -> str:
+    """What a study is about: its title without the paper's name, else its own name."""
+    return str(dataset.attrs.get("title", "")).partition(": ")[2] or name.replace("_", " ")
 
 
 def _rows(dataset: xr.Dataset) -> list[LimitRow]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.report.wording import unit
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
@@ -129,8 +130,15 @@ def _scene(dataset: xr.Dataset, at: dict[str, Any]) -> Scene:
 
 def _title(dataset: xr.Dataset, at: dict[str, Any]) -> str:
     about = str(dataset.attrs["title"]).partition(": ")[2]
-    chosen = [f"{axis.replace('_', ' ')} {value}" for axis, value in at.items()]
+    chosen = [f"{axis.replace('_', ' ')} {_with_unit(dataset[axis], at[axis])}" for axis in at]
     return "; ".join([about, *chosen])
+
+
+def _with_unit(axis: xr.DataArray, value: Any) -> str:
+    """A place on an axis, a number with its unit."""
+    if axis.dtype.kind != "f":
+        return str(value)
+    return f"{float(value):g}{unit(axis.attrs.get('units', '')).replace('degree', 'deg')}"
 
 
 def _rest(run: xr.Dataset, geometry: Geometry, s: Array) -> tuple[Array, Array]:

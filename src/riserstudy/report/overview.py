@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from pathlib import Path
 from typing import NamedTuple
 
 from riserstudy.report.claims import Claim, counted_verdicts
-from riserstudy.report.pictures import SMALL, Figure, Picture, picture_of
+from riserstudy.report.pictures import Figure, called
 from riserstudy.report.wording import counted, sentence
 from riserstudy.study.models import StudyFile
 
@@ -35,21 +34,21 @@ class Bar(NamedTuple):
 
 
 class Finding(NamedTuple):
-    """One claim in words with its figure."""
+    """What was found of one number or claim: what its figure says, and where that stands."""
 
     claim: Claim
-    title: str
+    paper: str
+    said: str  # "" where no figure says anything
     figure: str  # anchor, "" where none is linked
-    picture: Picture | None
+    short: str  # name of the figure
 
 
 class Tile(NamedTuple):
-    """The answer to one demand, with its figure."""
+    """The answer to one demand, and its figure's anchor."""
 
     demand: str
     answer: str
     figure: str
-    picture: Picture
 
 
 def subject(files: dict[str, StudyFile]) -> tuple[str, str]:
@@ -64,7 +63,7 @@ def subject(files: dict[str, StudyFile]) -> tuple[str, str]:
     return (
         f"{count} {things}, simulated again",
         f"{count} published {plain} on deepwater drilling risers: every printed number, claim and figure, "
-        "simulated anew and graded over what the papers leave unspecified.",
+        "simulated anew and graded over what they leave open.",
     )
 
 
@@ -93,32 +92,32 @@ def short_of(files: dict[str, StudyFile], paper: str) -> str:
 
 
 def findings(
-    claims: list[Claim], files: dict[str, StudyFile], figures: list[Figure], images: dict[str, Path]
+    claims: list[Claim], files: dict[str, StudyFile], figures: list[Figure]
 ) -> list[Finding]:
-    """The number or claim that each study file names first, with the last of its figures.
-
-    Those that the paper does not print come last, and show the claim itself.
-    """
+    """The number or claim that each study file names, by what a figure of it says."""
     rows = []
     for paper, file in files.items():
         for claim in (c for c in claims if c.paper == paper and c.id == file.finding):
-            own = [f for f in figures if f.paper == paper and claim in f.claims]
-            shown = own[-1] if own else None
-            small = picture_of(images[shown.anchor], SMALL) if shown else None
-            rows.append(
-                Finding(claim, title_of(files, paper), shown.anchor if shown else "", small)
-            )
+            shown = _telling([f for f in figures if f.paper == paper and claim in f.claims])
+            said = sentence(shown.picture.title) if shown and shown.picture.title else ""
+            anchor, short = (shown.anchor, called(shown.name)) if shown else ("", "")
+            rows.append(Finding(claim, short_of(files, paper), said, anchor, short))
     return rows
 
 
-def tiles(figures: Iterable[Figure], images: dict[str, Path]) -> list[Tile]:
-    """The answers that the figures of the demands carry as titles."""
+def _telling(own: list[Figure]) -> Figure | None:
+    """Of a claim's figures one that says a number, of these the one that shows the fewest other claims."""
+    numbers = [figure for figure in own if any(map(str.isdigit, figure.picture.title))]
+    return min(reversed(numbers or own), key=lambda figure: len(figure.claims), default=None)
+
+
+def tiles(figures: Iterable[Figure]) -> list[Tile]:
+    """The answers that the figures of the demands carry as titles; of several sentences the first."""
     return [
         Tile(
             DEMANDS[figure.paper, figure.name],
-            sentence(figure.picture.title),
+            sentence(figure.picture.title.partition(". ")[0]),
             figure.anchor,
-            picture_of(images[figure.anchor], SMALL),
         )
         for figure in figures
         if (figure.paper, figure.name) in DEMANDS

@@ -57,30 +57,47 @@ const letBarsFilter = (tables) => {
 
 // A link to a row or a scene that a filter or an opener hides shows it.
 const followLinks = (showAll) => {
-  document.addEventListener("click", (event) => {
-    const id = event.target.closest?.('a[href^="#"]')?.getAttribute("href").slice(1);
-    if (!id || event.target.closest(".bar")) return;
+  const reveal = (id) => {
     if (id.startsWith("claim-") && !document.getElementById(id)) showAll();
     const place = document.getElementById(id);
     for (let above = place; above; above = above.parentElement) {
       if (above.tagName === "DETAILS") above.open = true;
     }
+    return place;
+  };
+  document.addEventListener("click", (event) => {
+    const id = event.target.closest?.('a[href^="#"]')?.getAttribute("href").slice(1);
+    if (id && !event.target.closest(".bar")) reveal(id);
   });
+  // the address named a place before tables took their heights
+  if (location.hash) reveal(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
+  document.documentElement.classList.add("settled");
 };
 
-// Figures open in their full size.
+// Figures open as large as the window allows; where that is smaller than they are, a click shows their full size.
 const enlargeFigures = () => {
   const dialog = document.querySelector("dialog");
   const large = dialog.querySelector("img");
+  const look = () => {
+    const whole = !dialog.classList.contains("natural");
+    dialog.classList.toggle("shrunk", whole && large.naturalWidth > large.clientWidth);
+  };
+  large.addEventListener("load", look);
   for (const button of document.querySelectorAll("button.enlarge")) {
     button.addEventListener("click", () => {
       const small = button.querySelector("img");
+      dialog.classList.remove("natural", "shrunk");
       large.src = small.src;
       large.alt = small.alt;
       dialog.showModal();
+      look();
     });
   }
-  dialog.addEventListener("click", () => dialog.close());
+  dialog.addEventListener("click", (event) => {
+    if (event.target !== large || !dialog.classList.contains("shrunk")) return dialog.close();
+    dialog.classList.add("natural");
+    look();
+  });
 };
 
 // On paper nothing unfolds: what is short is printed open, tables of hundreds of rows only if they are open.
@@ -150,6 +167,7 @@ const drawPicturesNearTheView = () => {
 
 // A run is drawn when it comes into view, and put away when it is far.
 const drawRunsInMotion = () => {
+  const narrow = matchMedia("(max-width: 45rem)");
   let plotly;
   const load = async () => {
     const script = document.createElement("script");
@@ -162,6 +180,7 @@ const drawRunsInMotion = () => {
     await (plotly ??= load());
     const figure = JSON.parse(await unpacked(`${place.id}-figure`));
     await Plotly.newPlot(place, figure.data, figure.layout, { responsive: true, displayModeBar: false });
+    if (narrow.matches) await Plotly.update(place, figure.narrow.riser, figure.narrow.layout, [1]);
     await Plotly.addFrames(place, figure.frames);
     place.dataset.ready = "yes";
   };

@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,8 +15,8 @@ from riserstudy.report.claims import Claim
 
 _PRINTED = re.compile(r"fig0*(\d+)")
 _NUMBERS = re.compile(r"(?<![\w.])(\d+)[a-z]?(?: to (\d+))?")
+_IDS = re.compile(r"\b([A-Z]\d+[a-z]?)\b(?: to ([A-Z]\d+[a-z]?)\b)?")
 COLOURS = 192  # of a figure on the page, chosen so that none is far from what it was
-SMALL = 420  # pixels across, of a picture beside words
 
 
 class Picture(NamedTuple):
@@ -49,19 +49,16 @@ class Figure(NamedTuple):
         return f"{self.paper}-{self.name}"
 
 
-def picture_of(path: Path, across: int | None = None) -> Picture:
-    """A PNG, with the words that it carries, as a smaller image for the page."""
+def picture_of(path: Path) -> Picture:
+    """A PNG, with the words that it carries, as a smaller file for the page."""
     with Image.open(path) as image:
         said = {str(key): str(value) for key, value in getattr(image, "text", {}).items()}
         plain = Image.new("RGB", image.size, "white")
         plain.paste(image, mask=image.getchannel("A") if image.mode == "RGBA" else None)
-    if across and plain.width > across:
-        plain = plain.resize((across, round(plain.height * across / plain.width)))
     coverage = Image.Quantize.MAXCOVERAGE
     few = plain.quantize(COLOURS, method=coverage, dither=Image.Dither.NONE).convert("RGB")
-    shown = plain if across else few
     data = io.BytesIO()
-    shown.save(data, "WEBP", lossless=not across, quality=80, method=4)
+    few.save(data, "WEBP", lossless=True, quality=80, method=4)
     address = "data:image/webp;base64," + base64.b64encode(data.getvalue()).decode()
     return Picture(
         address, plain.width, plain.height, said.get("Title", ""), said.get("Description", "")
@@ -77,6 +74,11 @@ def heading(name: str, title: str) -> str:
     return f"{plain}: {title}" if title else plain
 
 
+def called(name: str) -> str:
+    """A figure's name where it is linked to: short, without what it says."""
+    return heading(name, "").replace("Figure ", "Fig. ")
+
+
 def belongs(claim: Claim, name: str) -> bool:
     """Whether a claim is about a printed figure."""
     printed = _PRINTED.fullmatch(name)
@@ -87,27 +89,63 @@ def belongs(claim: Claim, name: str) -> bool:
 def claims_by_figure(
     claims: Iterable[Claim],
     names: list[str],
-    rests: dict[tuple[str, ...], set[str]],
-    reads: dict[str, set[str]],
+    rests: Mapping[tuple[str, ...], set[str]],
+    reads: Mapping[str, set[str]],
+    behind: Mapping[tuple[str, ...], set[str]],
+    words: Mapping[str, str],
 ) -> dict[str, list[Claim]]:
     """Claims of each figure of a chapter: those that name it, else those that rest on what it shows.
 
-    A figure that the paper does not print has, besides, those that rest on all that it shows.
+    A figure that the paper does not print has, besides, those that rest on all that it shows; where there is
+    none, those that its words name, else those that rest on some of what it shows. Claims that no figure has
+    by then are linked to those that show something of the runs behind them.
 
     Parameters
     ----------
     rests : datasets by paper and id of a claim.
     reads : datasets by figure.
+    behind : simulated datasets by dataset.
+    words : title and caption by figure.
     """
+    graded = list(claims)
+    rest = {claim.id: rests.get((claim.paper, claim.id), set()) for claim in graded}
     claims_of: dict[str, list[Claim]] = {name: [] for name in names}
-    for claim in claims:
-        behind = rests.get((claim.paper, claim.id), set())
-        own = [name for name in names if belongs(claim, name)]
-        if own:
-            added = [name for name in names if not _PRINTED.fullmatch(name)]
-            own += [name for name in added if reads.get(name) and reads[name] <= behind]
-        else:
-            own = [name for name in names if behind & reads.get(name, set())]
-        for name in own:
+    for claim in graded:
+        for name in _strictly(claim, names, rest[claim.id], reads):
             claims_of[name].append(claim)
+    for name in [name for name in names if not claims_of[name]]:
+        some = [c for c in graded if rest[c.id] & reads.get(name, set())]
+        claims_of[name] = _named(graded, words.get(name, "")) or some
+    linked = {claim.id for of in claims_of.values() for claim in of}
+    for claim in (c for c in graded if c.id not in linked):
+        runs = _runs(rest[claim.id], behind)
+        for name in names:
+            if runs & _runs(reads.get(name, set()), behind):
+                claims_of[name].append(claim)
     return claims_of
+
+
+def _strictly(
+    claim: Claim, names: list[str], rest: set[str], reads: Mapping[str, set[str]]
+) -> list[str]:
+    """Figures that a claim names, with added ones that show nothing but what it rests on."""
+    own = [name for name in names if belongs(claim, name)]
+    if not own:
+        return [name for name in names if rest & reads.get(name, set())]
+    added = [name for name in names if not _PRINTED.fullmatch(name)]
+    return own + [name for name in added if reads.get(name) and reads[name] <= rest]
+
+
+def _runs(datasets: set[str], behind: Mapping[tuple[str, ...], set[str]]) -> set[str]:
+    return set().union(*(behind.get((name,), set()) for name in datasets))
+
+
+def _named(claims: list[Claim], text: str) -> list[Claim]:
+    """Claims whose ids stand in a text, and those between two that ``to`` joins."""
+    ids = [claim.id for claim in claims]
+    found: set[str] = set()
+    for low, high in _IDS.findall(text):
+        if low in ids:
+            found.update(ids[ids.index(low) : ids.index(high) + 1] if high in ids else [low])
+            found.add(f"{low}-{high}")
+    return [claim for claim in claims if claim.id in found]
