@@ -13,7 +13,7 @@ from riserstudy.report.wording import number, sentence, share, unit
 VERDICTS = {
     "reproduced": "within the printed rounding or 1 %, with nothing fitted",
     "calibrated": "met with an input that was fitted to a printed number",
-    "holds": "true in at least 95 % of samples of what the paper leaves open",
+    "holds": "true in at least 95 % of samples of the unspecified inputs",
     "depends": "decided by an input that the paper does not give",
     "fails": "a number that no sample meets, a claim true in at most 5 %",
     "not reproducible": "the paper does not say enough",

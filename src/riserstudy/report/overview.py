@@ -63,7 +63,7 @@ def subject(files: dict[str, StudyFile]) -> tuple[str, str]:
     return (
         f"{count} {things}, simulated again",
         f"{count} published {plain} on deepwater drilling risers: every printed number, claim and figure, "
-        "simulated anew and graded over what they leave open.",
+        "simulated anew and graded over the inputs that they do not specify.",
     )
 
 
