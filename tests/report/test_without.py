@@ -67,3 +67,9 @@ def test_a_number_keeps_its_base_case():
 def test_a_verdict_of_other_datasets_stands():
     found = graded(SAMPLES, [])
     assert found.stand == [CLAIM]
+
+
+def test_a_case_whose_margin_is_no_number_is_not_true():
+    cases = {"sample=1": 0.2, "sample=2": None, "sample=3": 0.1}
+    assert graded(cases, ["sample=1"]).stand == [CLAIM]  # one of two
+    assert graded(cases, ["sample=1", "sample=3"]).turned == [(CLAIM, "fails")]

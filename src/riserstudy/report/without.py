@@ -66,7 +66,9 @@ def without(
         if not left:
             of.bound.append(verdict)
             continue
-        share, fitted = sum(margin > 0.0 for margin in left) / len(left), graded == "calibrated"
+        # a case without a margin, which is no number, is true of nothing
+        true = sum(margin is not None and margin > 0.0 for margin in left)
+        share, fitted = true / len(left), graded == "calibrated"
         if kind == "number":
             anew = verdict_of_number((at_base or 0.0) > 0.0, share, fitted)
         else:

@@ -429,7 +429,9 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     left.yaxis.set_major_formatter("{x:g}")
     left.set_xlabel("length of the elements (m)")
     left.set_ylabel("error against the finest grid (%)")
-    step = float(own_setting["time_step"].min())  # the paper's own, or the nearest to it at this tier
+    step = float(
+        own_setting["time_step"].min()
+    )  # the paper's own, or the nearest to it at this tier
     seconds = GRID_TIME / DURATION * float(own_setting["wall_seconds"].sel(time_step=step))
     right.plot([seconds], [len(elements)], "*", color=BLACK, ms=11)
     own = (
