@@ -18,6 +18,7 @@ QUANTITIES = ("displacement", "moment", "tension")
 MARKERS = "osD^vPX*<>"
 STYLES = ("-", (0, (4, 2)))
 LARGEST = 0.5  # error that is drawn, at most
+BELOW = 0.02  # of the smallest request, down to which errors are drawn
 CHANGED = (0, (6, 2, 1, 2))  # dashes of what the reference changed by
 TARGET = 0.002  # error at which methods are compared
 
@@ -97,7 +98,7 @@ def asked(accuracy: xr.Dataset) -> Figure:
     figure, (left, right) = panels(1, 2, height=3.9)
     known = accuracy["request_seconds"].notnull().values
     scenes = list(dict.fromkeys(map(str, accuracy["request_scene"].values)))
-    halved = ""
+    halved, changes = "", []
     drawn = [name for name in scenes if known[accuracy["request_scene"].values == name].any()]
     for k, scene in enumerate(drawn):
         of = accuracy.isel(request=np.flatnonzero(accuracy["request_scene"].values == scene))
@@ -110,7 +111,11 @@ def asked(accuracy: xr.Dataset) -> Figure:
         if change == change:
             left.axhline(change, color=colour, linewidth=0.9, linestyle=CHANGED)
             halved = "last halving of the reference"
+            changes.append(change)
     ends = np.array([float(accuracy["requested"].min()), float(accuracy["requested"].max())])
+    floor = BELOW * ends[0]  # a reference that is far better says no more
+    if min(changes, default=floor) < floor:
+        halved += " (or below the frame)"
     left.plot(ends, ends, color="0.6", lw=1.0, label="error equal to the request")
     left.plot([], [], "x:", color="0.4", ms=4, label="estimated")
     if halved:
@@ -128,6 +133,7 @@ def asked(accuracy: xr.Dataset) -> Figure:
         ax.margins(y=0.15)
     left.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
     right.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+    left.set_ylim(bottom=max(left.get_ylim()[0], floor))
     bottom, top = right.get_ylim()
     right.set_ylim(min(bottom, 0.5 * top), max(top, 2.0 * bottom))
     left.set_title("(a) error reached (o), estimated (x)", loc="left", fontsize="medium")
