@@ -432,8 +432,8 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     step = float(
         own_setting["time_step"].min()
     )  # the paper's own, or the nearest to it at this tier
-    seconds = GRID_TIME / DURATION * float(own_setting["wall_seconds"].sel(time_step=step))
-    right.plot([seconds], [len(elements)], "*", color=BLACK, ms=11)
+    whole = float(own_setting["wall_seconds"].sel(time_step=step))
+    right.plot([GRID_TIME / DURATION * whole], [len(elements)], "*", color=BLACK, ms=11)
     own = (
         "its step" if np.isclose(step, PAPER_STEP) else f"here {step:g} s, its own {PAPER_STEP:g} s"
     )
