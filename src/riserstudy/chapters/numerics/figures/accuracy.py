@@ -98,7 +98,7 @@ def asked(accuracy: xr.Dataset) -> Figure:
     figure, (left, right) = panels(1, 2, height=3.9)
     known = accuracy["request_seconds"].notnull().values
     scenes = list(dict.fromkeys(map(str, accuracy["request_scene"].values)))
-    halved, changes = "", []
+    halved, changes = "", {}
     drawn = [name for name in scenes if known[accuracy["request_scene"].values == name].any()]
     for k, scene in enumerate(drawn):
         of = accuracy.isel(request=np.flatnonzero(accuracy["request_scene"].values == scene))
@@ -111,11 +111,14 @@ def asked(accuracy: xr.Dataset) -> Figure:
         if change == change:
             left.axhline(change, color=colour, linewidth=0.9, linestyle=CHANGED)
             halved = "last halving of the reference"
-            changes.append(change)
+            changes[scene] = change
     ends = np.array([float(accuracy["requested"].min()), float(accuracy["requested"].max())])
     floor = BELOW * ends[0]  # a reference that is far better says no more
-    if min(changes, default=floor) < floor:
-        halved += " (or below the frame)"
+    if far := [scene for scene, change in changes.items() if change < floor]:
+        left.text(
+            0.02, 0.93, f"reference's line below the frame: {', '.join(far)}",
+            transform=left.transAxes, fontsize="x-small",
+        )  # fmt: skip
     left.plot(ends, ends, color="0.6", lw=1.0, label="error equal to the request")
     left.plot([], [], "x:", color="0.4", ms=4, label="estimated")
     if halved:
