@@ -53,15 +53,15 @@ def without(
     for verdict in verdicts:
         sources = set().union(*(behind.get(study, set()) for study in judging.get(verdict, set())))
         places = [place for source in sources for place in off.get(source, [])]
+        if not places:
+            of.stand.append(verdict)
+            continue
         kind, graded, at_base = db.execute(
             "select kind, verdict, margin from numbers_and_claims where paper = ? and id = ?",
             verdict,
         ).fetchone()
         rows = db.execute("select place, margin from margins where paper = ? and id = ?", verdict)
         cases = [(_dims(place), margin) for place, margin in rows]
-        if not places:
-            of.stand.append(verdict)
-            continue
         left = [margin for dims, margin in cases if not any(_rests(dims, at) for at in places)]
         if not left:
             of.bound.append(verdict)

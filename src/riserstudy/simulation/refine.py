@@ -39,8 +39,8 @@ def run(
 ) -> Result:
     """Simulate a scene.
 
-    With mesh and step in the scene they are used, and coarser runs, on half and a quarter of the segments,
-    with twice and four times the step, tell the error. Otherwise mesh or step, whichever errs more, is halved
+    With mesh and step in the scene they are used, and four coarser runs, step and mesh doubled one at a time,
+    tell the error. Otherwise mesh or step, whichever errs more, is halved
     until the estimated error of displacement, tension and moment is below the accuracy asked for.
 
     Parameters
