@@ -5,6 +5,9 @@ line. The ring turns with the top of the riser below it. Unequal pulls leave a m
 :math:`m = \sum_c a_c \times F_c` about the ring's centre, so the telescopic joint above starts with
 :math:`M - m` where the riser below ends with M.
 
+The deck moves with a platform whose motion is prescribed, or horizontally with a vessel that floats freely:
+the vessel is then the riser's top node, and bears the horizontal part of the pulls.
+
 The derivative of that moment is left out of the stiffness: it is small compared with the riser's own.
 
 References
@@ -30,8 +33,9 @@ class CylindersInSpace(NamedTuple):
     """Where the cylinders are; the ring is a node with one segment below and one above it."""
 
     node: int  # tension ring
-    centre: np.ndarray  # (3,) the platform's centre of rotation, at rest (m)
-    deck: np.ndarray  # (3, c) deck points from that centre, platform upright (m)
+    vessel: int  # node of a vessel that the deck moves with, 0 where its motion is prescribed
+    centre: np.ndarray  # (3,) the platform's centre of rotation, at rest (m); zero with a vessel
+    deck: np.ndarray  # (3, c) deck points from that centre, or from the vessel's node at z = 0 (m)
     ring: np.ndarray  # (3, c) ring points from the ring's centre, riser upright (m)
     length: np.ndarray  # (c,) at mid-stroke (m)
     below: (
@@ -88,10 +92,21 @@ def _tilt(cylinders, s, w):
 
 
 @inner
+def _move_with_vessel(cylinders, s):
+    """Deck points and their velocities where the vessel's node is."""
+    for c in range(cylinders.length.shape[0]):
+        for k in range(len(s.dim) - 1):
+            s.deck[0, k, c] = cylinders.deck[k, c] + s.r[k, cylinders.vessel]
+            s.deck[1, k, c] = s.v[k, cylinders.vessel]
+
+
+@inner
 def drive(cylinders, s):
     """Reach, its rate, and lines of the cylinders."""
     i, w, arm, line = cylinders.node, cylinders.work, s.arm, s.line
     d = len(s.dim)
+    if cylinders.vessel > 0:
+        _move_with_vessel(cylinders, s)
     _tilt(cylinders, s, w)
     tx, ty, tz = w[0, 0], w[0, 1], w[0, 2]
     for c in range(
@@ -159,6 +174,8 @@ def force(cylinders, s):
         for k in range(d):
             axis = 2 if k == d - 1 else k
             s.force[k, i] += s.pull[c] * s.line[axis, c]
+            if cylinders.vessel > 0 and k < d - 1:
+                s.force[k, cylinders.vessel] -= s.pull[c] * s.line[axis, c]
     if len(s.dof) > d and i < s.length.shape[0]:
         m = s.ring_moment
         inverse = s.inverse_length[i]
@@ -173,8 +190,8 @@ def force(cylinders, s):
 
 @inner
 def tangent(cylinders, s):
-    """Stiffness of all cylinders at the ring."""
-    d = len(s.dim)
+    """Stiffness of all cylinders at the ring, and between the ring and a vessel above it."""
+    d, i, vessel = len(s.dim), cylinders.node, cylinders.vessel
     for c in range(cylinders.length.shape[0]):
         across = s.pull[c] / s.distance[c]
         for p in range(d):
@@ -184,7 +201,17 @@ def tangent(cylinders, s):
                 stiff = (s.k_pull[c] - across) * lp * lq
                 if p == q:
                     stiff += across
-                s.k_node[cylinders.node, p * d + q] += stiff
+                if (
+                    vessel != i or p == q == d - 1
+                ):  # a ring on the vessel itself only moves up and down
+                    s.k_node[i, p * d + q] += stiff
+                if vessel == i + 1:
+                    if q < d - 1:
+                        s.k_up[i, p * d + q] -= stiff
+                    if p < d - 1:
+                        s.k_low[i, p * d + q] -= stiff
+                    if p < d - 1 and q < d - 1:
+                        s.k_node[vessel, p * d + q] += stiff
     return 0.0
 
 
@@ -204,7 +231,9 @@ def energy(cylinders, s):
 
 @inner
 def power(cylinders, s):
-    """Power that the platform supplies through the cylinders (W)."""
+    """Power that a platform of prescribed motion supplies through the cylinders (W)."""
+    if cylinders.vessel > 0:
+        return 0.0
     for c in range(cylinders.length.shape[0]):
         for k in range(3):
             s.flow[SUPPLIED] += s.pull[c] * s.line[k, c] * s.deck[1, k, c]

@@ -47,6 +47,7 @@ class Vessel(NamedTuple):
     area: float  # C_w (kg/m)
     wind: np.ndarray  # (2,) wind in x and y (m/s)
     drift: np.ndarray  # (2,) F_d in x and y (N)
+    cylinders: int  # in space, whose deck ends it bears; 0: none
     probe: int  # first of its probes
 
 
@@ -248,6 +249,8 @@ def probe(vessel, s):
     for c in range(len(s.dim) - 1):
         s.probe[k] = s.v[c, vessel.node]
         s.probe[k + 1] = s.ends[0, 1, c] + s.ends[1, 1, c]
+        for j in range(vessel.cylinders):
+            s.probe[k + 1] -= s.pull[j] * s.line[c, j]
         s.probe[k + 2] = water[c] + air[c] + vessel.drift[c]
         k += 3
     if vessel.yaw > 0:

@@ -44,9 +44,8 @@ def tensioners(of: Layout) -> Iterator[Effect]:
     if rig.arrangement is None:
         yield upright(rig, ring, elevation)
         return
-    bend = shared_flexibility(of)[[-2, -1]] if of.m and of.mesh.joint else np.zeros((2, 2))
-    about = centre(of.scene.platform)
-    yield in_space(rig, rig.arrangement, ring, elevation, about, bend)
+    record = in_space(of, rig, rig.arrangement, elevation)
+    yield Effect("tensioner cylinders", record, "top.tensioners.arrangement")
 
 
 def laws(rig: Tensioners, gravity: float, throttled: Iterable[Effect] = ()) -> Iterator[Effect]:
@@ -140,18 +139,15 @@ def upright(rig: Tensioners, ring: int, elevation: float) -> Effect:
     return Effect("tensioner cylinders", record, "top.tensioners")
 
 
-def in_space(
-    rig: Tensioners,
-    place: Arrangement,
-    ring: int,
-    elevation: float,
-    centre: NDArray[np.float64],
-    bend: NDArray[np.float64],
-) -> Effect:
-    """Cylinders in space, at mid-stroke with the ring above the well at an elevation (m).
+def in_space(of: Layout, rig: Tensioners, place: Arrangement, elevation: float) -> CylindersInSpace:
+    """Cylinders in space, at mid-stroke with the ring at an elevation (m) below the middle of the deck.
 
-    ``bend``: (2, 2) flexibility of the segments below and above the ring, by its own and by the far moment.
+    That middle is straight above the riser's top: an offset of the top is one of what it hangs from.
     """
+    top, vessel = of.scene.top, of.last if of.scene.vessel else 0
+    middle = np.zeros((3, 1))
+    if not vessel and top.x != "free":
+        middle[0] = top.offset or 0.0
     bearing = np.array(place.bearings(rig.count))
     round_about = np.stack([np.cos(bearing), np.sin(bearing), np.zeros(rig.count)])
     deck = place.deck_radius * round_about
@@ -159,14 +155,16 @@ def in_space(
     points = place.ring_radius * round_about
     apart = deck - points
     apart[2] -= elevation
-    record = CylindersInSpace(
-        node=ring,
-        centre=centre,
-        deck=deck - centre[:, None],
+    about = centre(of.scene.platform)
+    bend = shared_flexibility(of)[[-2, -1]] if of.m and of.mesh.joint else np.zeros((2, 2))
+    return CylindersInSpace(
+        node=of.mesh.ring,
+        vessel=vessel,
+        centre=about,
+        deck=deck + middle - about[:, None],
         ring=points,
         length=np.sqrt((apart**2).sum(axis=0)),
         below=bend[0].copy(),
         above=bend[1].copy(),
         work=np.zeros((3, 3)),
     )
-    return Effect("tensioner cylinders", record, "top.tensioners.arrangement")

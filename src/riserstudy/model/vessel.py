@@ -61,6 +61,7 @@ def floating(scene: Scene, d: int, node: int, probe: Report) -> Iterator[Effect]
     loose = node + 1 if yaw else 0
     names = [f"{name}_{axis}" for axis in "xy"[: d - 1] for name in AHEAD]
     current, wind = _surface_current(scene), of.wind
+    rig = scene.top.tensioners
     mass = of.mass + np.array([of.added_mass or 0.0, sway.added_mass or 0.0])
     heading = of.heading or 0.0
     record = Vessel(
@@ -80,6 +81,7 @@ def floating(scene: Scene, d: int, node: int, probe: Report) -> Iterator[Effect]
         drift=_towards(of.wave_drift.force, of.wave_drift.heading)
         if of.wave_drift
         else np.zeros(2),
+        cylinders=rig.count if rig and rig.arrangement else 0,
         probe=probe(*names, *([YAW] if yaw else [])),
     )
     yield Effect("vessel", record, "vessel")

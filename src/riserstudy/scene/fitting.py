@@ -113,6 +113,13 @@ def _vessel_and_soil(scene: Parts, bends: bool) -> None:
             "vessel.yaw: explicit stepping does not know the forces of a turning hull; "
             "take an implicit method"
         )
+    placed = scene.top.tensioners and scene.top.tensioners.arrangement
+    for name in ("yaw", "coupling"):
+        if placed and getattr(scene.vessel, name, None):
+            raise ValueError(
+                f"vessel.{name}: not simulated with top.tensioners.arrangement, whose cylinders pull at the "
+                f"vessel; leave out vessel.{name} or the arrangement"
+            )
     if scene.vessel and scene.vessel.coupling:
         scene.vessel.coupling.fits(scene.analysis)
         _exchange(scene)

@@ -125,7 +125,8 @@ class Arrangement(Strict):
     """Cylinders evenly around the ring, from points of the ring to points of the deck.
 
     ``first_bearing`` is that of the first cylinder, from +x towards +y; with ``half a spacing`` +x lies
-    midway between two of them. The deck's elevation is that of the platform at rest.
+    midway between two of them. The deck's elevation is that of the platform at rest, its middle is straight
+    above the riser's top.
     """
 
     ring_radius: Annotated[u.Length, NOT_NEGATIVE]

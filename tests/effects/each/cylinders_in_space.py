@@ -31,6 +31,7 @@ CASES = {
     CylindersInSpace: Case(
         lambda d: CylindersInSpace(
             node=N - 1,
+            vessel=0,
             centre=np.array([0.5, -0.2, 55.0]),
             deck=np.array([[2.0, -2.5], [0.3, -0.4], [8.0, 9.0]]),
             ring=np.zeros((3, 2)),  # the moment's derivative is left out, as its file says

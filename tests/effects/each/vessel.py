@@ -14,7 +14,7 @@ def hull(d: int) -> Vessel:
     yaw = N + 1 if d == 3 else 0
     return Vessel(
         *(N, yaw, 50.0, 0.4 if d == 3 else 0.0, pair(5e7, 8e7), 6e7, pair(2.5e5, 9e5), 3e5),
-        *(pair(0.5, 0.3), 2e3, pair(-9.0, 4.0), pair(1e5, -6e4), 0),
+        *(pair(0.5, 0.3), 2e3, pair(-9.0, 4.0), pair(1e5, -6e4), 0, 0),
     )
 
 
