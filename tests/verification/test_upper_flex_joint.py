@@ -36,7 +36,8 @@ def test_the_top_leans_away_from_a_platform_that_leans_and_hardly_moves():
         LEAN
     )  # m, the riser stretches by less than 0.2 m
     straight = np.arctan2(np.diff(found["x_static"])[-1], np.diff(found["z_static"])[-1])
-    np.testing.assert_allclose(found["ufj_angle"], straight - LEAN, rtol=1e-9)
+    # the chord of the last segment is its tangent, but for its own weight: the top is some mm aside
+    np.testing.assert_allclose(found["ufj_angle"], straight - LEAN, atol=1e-8)
     assert found["ufj_angle"][0] == pytest.approx(-LEAN, rel=1e-3)
 
 

@@ -41,10 +41,18 @@ def settle(scene: Scene, mesh: Mesh, d: int | None = None) -> tuple[Model, Equil
         rig = top.tensioners
         each = tension_at_mid_stroke(rig, scene.gravity or 0.0)
         before = top.model_copy(update={"tensioners": None, "tension": rig.count * each})
+    elif _turns_about_a_rising_end(scene):
+        before = top
     if before is not None:
         first, _ = _equilibrium(scene.model_copy(update={"top": before}), mesh, None, d)
         elevation = float(first.s.r[-1, mesh.ring])
     return _equilibrium(scene, mesh, elevation, d)
+
+
+def _turns_about_a_rising_end(scene: Scene) -> bool:
+    """Whether a tilt of the platform moves the top by an arm whose end only statics tell."""
+    turning = scene.platform is not None and scene.platform.centre_of_rotation is not None
+    return turning and scene.top.x == "platform" and scene.top.z == "free"
 
 
 def _equilibrium(
