@@ -17,7 +17,7 @@ studies:
     set: {analysis: {mesh: {elements: 20}}, platform: null, top.x: held}
     limits:
       - {output: lfj_angle, largest: 2 deg, mode: drilling}
-      - {output: stroke, largest: 5 m, mode: connected}
+      - {output: joint_stroke, largest: 5 m, mode: connected}
     axes:
       top_tension:
         path: top.tension

@@ -64,13 +64,13 @@ def test_a_run_at_an_offset_that_was_found_uses_all_of_its_limit():
     limits = (
         {"output": "lfj_angle", "largest": "4 deg"},
         {"output": "ufj_angle", "mean": "2 deg"},
-        {"output": "stroke", "largest": "6 m"},
+        {"output": "joint_stroke", "largest": "6 m"},
         {"output": "von_mises_stress", "largest": "200 MPa"},
     )
     riser = scene(*limits, **{"current.profile.surface_speed": "1 m/s"})
     for limit, found in zip(riser.limits, offsets(riser, 240.0, {}), strict=True):
         for offset in (found.low, found.high):
-            demand = demand_of(riser, limit, AtRest(riser).extremes(offset))[0]
+            demand = demand_of(riser, limit, AtRest(riser, 240.0).extremes(offset))[0]
             assert demand == pytest.approx(limit.allowable, rel=2e-3)  # 5 cm of 40 m and more
 
 
@@ -125,7 +125,7 @@ def test_what_is_not_reached_or_never_kept_or_not_told_is_told_apart():
 
 def test_an_offset_without_equilibrium_is_told_and_taken_for_no_limit():
     riser = scene({"output": "lfj_angle", "largest": "4 deg"})
-    at = AtRest(riser)
+    at = AtRest(riser, 240.0)
     at.lost[60.0] = "no static equilibrium: for this test"
     both = _between(at, riser.limits[0], 240.0, {})
     assert math.isnan(both.high)

@@ -50,19 +50,20 @@ def tension(
     from riserstudy.design import engine_tension as engine
 
     tolerances, rig = Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle)
-    needed = formula.needed(riser, tolerances)
-    governing = int(needed.argmax())
+    needed, first = formula.needed(riser, tolerances), riser.lowest_riser_section
+    governing = formula.governing(riser, tolerances)
     ends = [f"lower end of {section.name}" for section in riser.riser]
     ends.append(f"upper end of {riser.riser[-1].name}")
-    for name, value in zip(ends, needed, strict=True):
-        print(f"{value / 1e3:10.2f} kN  {name}")
-    print(f"formula: {needed[governing] / 1e3:.2f} kN, governed by the {ends[governing]}")
+    for k, (name, value) in enumerate(zip(ends, needed, strict=True)):
+        stands = "  (stack or conductor, below the flex joint: not counted)" if k < first else ""
+        print(f"{value / 1e3:10.2f} kN  {name}{stands}")
+    print(f"formula: {governing.tension / 1e3:.2f} kN, governed by the {ends[governing.end]}")
     if missing := engine.lacks(riser):
         print("engine:  not evaluated: " + ", ".join(missing))
     else:
         slack = engine.needed(riser, tolerances)
         print(f"engine:  {slack.tension / 1e3:.2f} kN, slack first {slack.s:.4g} m from the bottom")
-    setting = formula.setting(float(needed[governing]), rig) / 1e3
+    setting = formula.setting(governing.tension, rig) / 1e3
     print(f"setting: {setting:.2f} kN with {failed} of {units} units out")
 
 

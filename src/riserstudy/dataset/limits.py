@@ -66,13 +66,20 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
 
 
 def takes(scene: Scene, limit: Limit) -> str:
-    """What a limit looks at where its name does not tell: which sections, and what where they meet."""
-    if limit.output == "stroke" and scene.top.telescopic_joint:
+    """What a limit applies to where its name does not show it: sections, and what counts where they meet."""
+    if limit.output == "stroke":
+        return "from the static state"
+    if limit.output == "joint_stroke":
         return "from the joint's length"
-    sections = [section.name for section in scene.riser]
-    if len(sections) == 1 or limit.output not in ALONG:
+    if len(scene.riser) == 1 or limit.output not in ALONG:
         return ""
-    parts = [] if limit.at else [f"{sections[0]} to {sections[-1]}"]
+    sections = [section.name for section in scene.riser_sections]
+    below = len(scene.riser) - len(sections)
+    parts = (
+        [] if limit.at else [f"{sections[0]} to {sections[-1]}" if sections[1:] else sections[0]]
+    )
+    if below and not limit.at:
+        parts.append("without stack and conductor below the flex joint")
     if limit.output == "von_mises_stress":
         parts.append("where walls meet, the larger")
     return "; ".join(parts)
@@ -87,7 +94,7 @@ def demand_of(
     ----------
     rows : extremes of a run, a row an output and place.
     """
-    places = [limit.at] if limit.at else ["", *(section.name for section in scene.riser)]
+    places = [limit.at] if limit.at else ["", *(s.name for s in scene.riser_sections)]
     there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
     demands = [_demand(limit, row) for row in there]
     return max(demands, key=lambda one: use(limit.side, one[0], limit.allowable), default=None)

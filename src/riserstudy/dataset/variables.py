@@ -33,6 +33,7 @@ DIMENSIONS = (
 OF_RUNS = frozenset(
     (
         *("x", "y", "z", "effective_tension", "bending_moment", "ufj_angle", "lfj_angle", "stroke"),
+        "joint_stroke",
         *("shear_force", "von_mises_stress", "lower_end_tension"),
         *("tensioner_stroke", "tensioner_force", "largest_stress"),
         *("lift", "lift_rate"),

@@ -18,6 +18,7 @@ from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.outputs import at_rest
+from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.starting_mesh import coarsest_mesh
 
 FloatArray = NDArray[np.float64]
@@ -52,7 +53,7 @@ def needed(scene: Scene, tolerances: Tolerances) -> Slack:
         When no equilibrium is found.
     """
     heavy = _with_tolerances(scene, tolerances)
-    tension = PLENTY * float(formula.needed(scene, tolerances).max())
+    tension = PLENTY * float(formula.governing(scene, tolerances).tension)
     for _ in range(MOST):
         s, left = along(with_tension(heavy, tension))
         slackest = int(left.argmin())
@@ -64,7 +65,9 @@ def needed(scene: Scene, tolerances: Tolerances) -> Slack:
 
 
 def along(scene: Scene) -> tuple[FloatArray, FloatArray]:
-    """Places from the bottom (m) and effective tension (N) of a riser at rest, each (nodes,).
+    """Places from the bottom (m) and effective tension (N) of a riser at rest, each (nodes of the riser,).
+
+    Stack and conductor below the riser's flex joint are left out: they stand.
 
     Raises
     ------
@@ -74,7 +77,8 @@ def along(scene: Scene) -> tuple[FloatArray, FloatArray]:
     elements = scene.analysis.mesh and scene.analysis.mesh.elements
     mesh = prescribed(scene, elements) if elements else coarsest_mesh(scene)
     model, _ = settle(scene, mesh)
-    return mesh.s, at_rest(scene, model, mesh)["effective_tension_static"]
+    first = riser_foot(scene, mesh)
+    return mesh.s[first:], at_rest(scene, model, mesh)["effective_tension_static"][first:]
 
 
 def with_tension(scene: Scene, tension: float) -> Scene:

@@ -1,5 +1,8 @@
 """Offsets at which limits are reached, to both sides of the well: found on risers at rest, limit by limit.
 
+An offset is the horizontal distance of the riser's top from the well, and with the top moves all that it
+hangs from: the platform, its tensioners and their deck.
+
 Waves count by a dynamic allowance: what they add to the static value of an output. Limits are held by it
 but for means, which have none.
 """
@@ -16,13 +19,14 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 from riserstudy.dataset.limits import demand_of
-from riserstudy.errors import SimulationError
-from riserstudy.model.mesh import prescribed
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.model.mesh import Mesh, prescribed
+from riserstudy.scene.forcing import Position
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.models import Scene
+from riserstudy.simulation.refine import MOMENT, Refinement
 from riserstudy.simulation.run import single
-from riserstudy.simulation.starting_mesh import coarsest_mesh
 from riserstudy.study.processes import each
 
 NODES = 9  # offsets at which a search begins, alike for all limits
@@ -46,11 +50,18 @@ def offsets(scene: Scene, reach: float, allowances: Mapping[str, float]) -> list
 
     Parameters
     ----------
-    scene : with limits, its top held or with a vessel's offset.
+    scene : with limits, its top held, on a platform or on a vessel.
     reach : how far to either side is looked (m).
     allowances : dynamic allowance by output, in the SI unit of its limit; absent: none.
     """
-    return offsets_at(AtRest(scene), scene.limits or [], reach, allowances)
+    limits = scene.limits or []
+    moved(scene, 0.0)  # refuses a scene that cannot be moved
+    try:
+        at = AtRest(scene, reach)
+    except SimulationError as failure:
+        missing = f"a static equilibrium ({failure})"
+        return [Offsets(math.nan, math.nan, missing) for _ in limits]
+    return offsets_at(at, limits, reach, allowances)
 
 
 def offsets_at(
@@ -69,12 +80,17 @@ def chart(
 
 
 class AtRest:
-    """A scene at rest at offsets of its top, each computed once and shared by all limits."""
+    """A scene at rest at offsets from the well, each computed once and shared by all limits.
 
-    def __init__(self, scene: Scene) -> None:
+    Parameters
+    ----------
+    reach : farthest offset (m) that the mesh is to serve.
+    """
+
+    def __init__(self, scene: Scene, reach: float) -> None:
         self.scene = scene
         elements = scene.analysis.mesh and scene.analysis.mesh.elements
-        self.mesh = prescribed(scene, elements) if elements else coarsest_mesh(scene)
+        self.mesh = prescribed(scene, elements) if elements else _fine_enough(scene, reach)
         self.rows: dict[float, list[dict[str, Any]]] = {}  # extremes by offset
         self.lost: dict[float, str] = {}  # why there is no equilibrium, by offset
 
@@ -89,14 +105,54 @@ class AtRest:
         if offset in self.lost:
             raise SimulationError(self.lost[offset])
         if offset not in self.rows:
-            top = self.scene.top.model_copy(update={"offset": offset})
-            moved = self.scene.model_copy(update={"top": top})
             try:
-                self.rows[offset] = single(moved, self.mesh, None).facts["extremes"]
+                run = single(moved(self.scene, offset), self.mesh, None)
+                self.rows[offset] = run.facts["extremes"]
             except SimulationError as failure:
                 self.lost[offset] = str(failure)
                 raise
         return self.rows[offset]
+
+
+def moved(scene: Scene, offset: float) -> Scene:
+    """The scene with the riser's top, and all that it hangs from, at an offset from the well (m).
+
+    Raises
+    ------
+    InputError
+        When nothing holds the top aside.
+    """
+    top = scene.top
+    if top.x == "platform" and scene.platform:
+        position = scene.platform.position or Position()
+        position = position.model_copy(update={"surge": offset - (top.offset or 0.0)})
+        platform = scene.platform.model_copy(update={"position": position})
+        return scene.model_copy(update={"platform": platform})
+    if top.x in ("held", "vessel"):
+        return scene.model_copy(update={"top": top.model_copy(update={"offset": offset})})
+    allowed = "Give `held`, `platform` or `vessel`"
+    raise InputError(
+        "top.x", f"{top.x or 'absent'}", "nothing holds the riser at an offset", allowed
+    )
+
+
+def _fine_enough(scene: Scene, reach: float) -> Mesh:
+    """The finest of the meshes that the accuracy needs above the well and at both ends of the search."""
+    accuracy = 0.5 * (scene.analysis.accuracy or MOMENT)  # half is left for the offset itself
+    analysis = scene.analysis.model_copy(update={"duration": None, "accuracy": accuracy})
+    still = scene.model_copy(update={"analysis": analysis})
+    meshes, why = [], None
+    for offset in (0.0, -reach, reach):
+        refinement = Refinement(moved(still, offset))
+        try:
+            refinement.result()
+        except SimulationError as failure:
+            why = why or failure
+            continue
+        meshes.append(refinement.finest_mesh)
+    if not meshes and why:
+        raise why
+    return max(meshes, key=lambda mesh: len(mesh.l0))
 
 
 def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, float]) -> Offsets:

@@ -42,6 +42,13 @@ class Rig(NamedTuple):
     fleet_angle: float  # rad, of lines to the vertical; 0 where the ratio counts it
 
 
+class Governing(NamedTuple):
+    """Where the riser needs most tension."""
+
+    tension: float  # T_SRmin (N)
+    end: int  # lower end of the section of this index, the riser's upper end for one more
+
+
 class Columns(NamedTuple):
     """What hangs above points of the riser, from the bottom up, each (points,)."""
 
@@ -136,6 +143,20 @@ def needed(scene: Scene, tolerances: Tolerances) -> FloatArray:
     """
     of = columns_above(scene)
     return carrying_tension(of.steel, of.lift, of.mud - of.water, tolerances)
+
+
+def governing(scene: Scene, tolerances: Tolerances) -> Governing:
+    """The largest T_SRmin of the riser itself; stack and conductor below its flex joint stand.
+
+    Raises
+    ------
+    ValueError
+        When the scene does not give it: what it lacks.
+    """
+    first = scene.lowest_riser_section
+    along = needed(scene, tolerances)[first:]
+    k = int(along.argmax())
+    return Governing(float(along[k]), first + k)
 
 
 def _bore(section: Section) -> float:

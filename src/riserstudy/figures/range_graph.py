@@ -41,7 +41,9 @@ def range_graph(run: xr.Dataset, title: str, of: list[str] | None = None) -> Fig
 
 
 def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
-    if name == "effective_tension" and "stroke_static" in run:  # a telescopic joint's is its own
+    if (
+        name == "effective_tension" and "joint_stroke_static" in run
+    ):  # a telescopic joint's is its own
         run = run.isel({dim: slice(-1) for dim in ("s_node", "s") if dim in run.dims})
     static = run.get(name + "_static", run.get(name) if "time" not in run else None)
     sides = [run[name + end] for end in ENDINGS if name + end in run]

@@ -27,6 +27,11 @@ def limits_fit(scene: Parts) -> None:
             raise ValueError(
                 f"limits[{k}].at: no section {place!r}; allowed are " + ", ".join(map(repr, names))
             )
+        if limit.output == "stroke" and scene.top.telescopic_joint:
+            raise ValueError(
+                f"limits[{k}].output: 'stroke' counts from the static state. Write 'joint_stroke', which "
+                "counts from the joint's length"
+            )
 
 
 def wall_lacks(scene: Parts, section: Section) -> list[str]:
@@ -49,18 +54,24 @@ def lacks(scene: Parts, limit: Limit) -> list[str]:
     if name == "von_mises_stress":
         return [
             lack
-            for section in scene.riser
+            for section in (scene.riser if limit.at else scene.riser_sections)
             if limit.at is None or section_of(limit.at) == section.name
             for lack in wall_lacks(scene, section)
         ]
     needs: dict[str, tuple[str, Callable[[Parts], bool]]] = {
         "stroke": (
-            "top.telescopic_joint or tensioners",
-            lambda s: bool(s.top.telescopic_joint or s.top.tensioners),
+            "motion, and top.tensioners or a platform below which top.z is free",
+            lambda s: bool(
+                s.analysis.duration and (s.top.tensioners or (s.platform and s.top.z == "free"))
+            ),
         ),
+        "joint_stroke": ("top.telescopic_joint", lambda s: s.top.telescopic_joint is not None),
         "tensioner_stroke": ("top.tensioners", lambda s: s.top.tensioners is not None),
         "tensioner_force": ("top.tensioners", lambda s: s.top.tensioners is not None),
-        "largest_stress": ("analysis.output.stress_in", lambda s: bool(s.analysis.output)),
+        "largest_stress": (
+            "analysis.output.stress_in",
+            lambda s: bool(s.analysis.output and s.analysis.output.stress_in),
+        ),
         "ufj_angle": ("top.x that is held, on the platform or a vessel", lambda s: bool(s.lateral)),
         "lfj_angle": ("a held lower end, or a riser.flex_joint_below", lambda s: bool(s.lateral)),
         "bending_moment": ("bending stiffness and a load across", lambda s: bool(s.lateral)),

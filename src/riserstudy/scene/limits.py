@@ -20,6 +20,7 @@ UNITS = {
     "ufj_angle": "rad",
     "lfj_angle": "rad",
     "stroke": "m",
+    "joint_stroke": "m",
     "tensioner_stroke": "m",
     "tensioner_force": "N",
     "lower_end_tension": "N",

@@ -43,6 +43,20 @@ class Parts(Strict):
     analysis: Analysis
 
     @property
+    def lowest_riser_section(self) -> int:
+        """Index of the riser's lowest section: the one above the inner flex joint, 0 without a joint.
+
+        Sections below it are the stack and the conductor, which stand instead of hanging.
+        """
+        jointed = (k for k, section in enumerate(self.riser) if section.flex_joint_below)
+        return next(jointed, 0)
+
+    @property
+    def riser_sections(self) -> list[Section]:
+        """Sections of the riser itself, without stack and conductor below its flex joint."""
+        return self.riser[self.lowest_riser_section :]
+
+    @property
     def bodies(self) -> list[Body]:
         """What is attached to the riser's ends."""
         return [end.body for end in (self.bottom, self.top) if end.body]

@@ -88,9 +88,8 @@ def tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str, Any]) 
     along = arrays.get("effective_tension_min", arrays["effective_tension_static"])
     # a stack and conductor below the riser's flex joint are meant to stand, a telescopic joint slides
     ends = np.concatenate([[0.0], np.cumsum([section.total_length for section in scene.riser])])
-    joints = [k for k, section in enumerate(scene.riser) if section.flex_joint_below]
     s, slip = arrays["s_node"], 1e-9 * ends[-1]
-    outside = (s < ends[joints[0] if joints else 0] - slip) | (s > ends[-1] + slip)
+    outside = (s < ends[scene.lowest_riser_section] - slip) | (s > ends[-1] + slip)
     k = int(np.where(outside, np.inf, along).argmin())
     facts["smallest_tension"] = float(along[k])
     facts["smallest_tension_s"] = float(arrays["s_node"][k])

@@ -83,8 +83,6 @@ def _over_time(name: str, arrays: Arrays) -> dict[str, Any] | None:
     rest = arrays.get(name + "_static")
     if name in arrays and "time" in arrays:
         values = arrays[name].reshape(len(arrays["time"]), -1)
-        if name == "stroke" and rest is not None:  # from the length that is told
-            values = values + float(rest)
         high, low = (np.unravel_index(f(values), values.shape)[0] for f in (np.argmax, np.argmin))
         row |= {"largest": float(values.max()), "largest_time": float(arrays["time"][high])}
         row |= {"smallest": float(values.min()), "smallest_time": float(arrays["time"][low])}

@@ -60,7 +60,7 @@ def at_rest(scene: Scene, model: Model, mesh: Mesh) -> Arrays:
     for name in {"lfj_angle", "largest_stress"} & set(model.probes):
         arrays[name + "_static"] = probe[model.probes[name]]
     if joint := scene.top.telescopic_joint:
-        arrays["stroke_static"] = np.array(positions(model).joint - joint.length)
+        arrays["joint_stroke_static"] = np.array(positions(model).joint - joint.length)
     arrays["zero_z"] = model.s.r[-1, : len(mesh.s)].copy()
     for name in set("xy").intersection(names):
         arrays["zero_" + name] = np.zeros(len(mesh.s))
@@ -174,8 +174,9 @@ def over_time(scene: Scene, model: Model, mesh: Mesh, record: Record, rest: AtRe
         series["stroke"] = record.probe[:, 0] - rest.reach[0]
     elif scene.platform and scene.top.z == "free":
         series["stroke"] = record.platform[:, 2] - (record.top[:, -1] - rest.top)
-    if mesh.joint:
+    if joint := scene.top.telescopic_joint:
         series["stroke"] = record.end[:, 1, -1] - rest.joint
+        series["joint_stroke"] = record.end[:, 1, -1] - joint.length
     for name, k in model.probes.items():
         series[name] = record.probe[:, k]
     if scene.vessel:
@@ -216,10 +217,11 @@ def of_tensioners(rig: Tensioners, arrays: Arrays) -> list[str]:
 
 def of_joint(joint: TelescopicJoint, arrays: Arrays) -> list[str]:
     """What there is to tell of the stops of a telescopic joint that touch, at rest and over time."""
-    rest = joint.length + arrays["stroke_static"]
+    rest = joint.length + arrays["joint_stroke_static"]
     sentences = joint_stops_touched(joint, rest.reshape(1))
-    if "stroke" in arrays:
-        sentences += joint_stops_touched(joint, rest + arrays["stroke"][:, None], arrays["time"])
+    if "joint_stroke" in arrays:
+        length = joint.length + arrays["joint_stroke"][:, None]
+        sentences += joint_stops_touched(joint, length, arrays["time"])
     return sentences
 
 

@@ -17,8 +17,8 @@ Arrays = dict[str, FloatArray]
 
 def riser_foot(scene: Scene, mesh: Mesh) -> int:
     """The riser's lowest node: that of its inner flex joint, or its lower end."""
-    jointed = [k for k, section in enumerate(scene.riser) if section.flex_joint_below]
-    return mesh.foot(jointed[0]) if jointed else 0
+    lowest = scene.lowest_riser_section
+    return mesh.foot(lowest) if lowest else 0
 
 
 def shear(arrays: Arrays, moment: FloatArray) -> FloatArray:

@@ -53,6 +53,11 @@ CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
         lambda s: s.top.tensioners is not None,
     ),
     (
+        ("joint_stroke",),
+        "top.telescopic_joint",
+        lambda s: s.top.telescopic_joint is not None,
+    ),
+    (
         ("stroke",),
         "top.tensioners, top.telescopic_joint, or platform below which top.z is free",
         lambda s: bool(
@@ -171,8 +176,6 @@ def _uncalled(plot: Plot, quantity: str, stem: str, study: Study) -> str:
     if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):
         return f"has no history: the runs of {study.name!r} are at rest"
     needs = [(what, has) for stems, what, has in CALLED_FOR if stem in stems]
-    if quantity == "stroke_static":
-        needs.append(("top.telescopic_joint", lambda s: s.top.telescopic_joint is not None))
     for what, has in needs:
         if scenes and not any(has(scene) for scene in scenes):
             return f"is not returned by runs of {study.name!r}, whose scene has no {what}"

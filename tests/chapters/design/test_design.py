@@ -10,7 +10,11 @@ from riserstudy.chapters.design.figures.operability import operability_drilling
 from riserstudy.chapters.design.figures.recoil import recoil_failures
 from riserstudy.chapters.design.figures.tension import heaviest
 
-LIMITS = ["drilling: mean lfj_angle", "drilling: largest stroke", "connected: largest stroke"]
+LIMITS = [
+    "drilling: mean lfj_angle",
+    "drilling: largest joint_stroke",
+    "connected: largest joint_stroke",
+]
 
 
 def offsets(values):
@@ -39,10 +43,13 @@ def test_an_envelope_is_what_all_limits_of_its_mode_leave_and_names_what_governs
     found = envelopes(NARROW).squeeze("mud_weight", drop=True)
     drilling = found.sel(operation="drilling", surface_speed=0.0)
     assert drilling["envelope_offset"].values.tolist() == [-40.0, 30.0]
-    assert drilling["governing_limit_name"].values.tolist() == ["mean lfj_angle", "largest stroke"]
+    assert drilling["governing_limit_name"].values.tolist() == [
+        "mean lfj_angle",
+        "largest joint_stroke",
+    ]
     connected = found.sel(operation="connected", surface_speed=1.0)
     assert connected["envelope_offset"].values.tolist() == [-90.0, np.inf]
-    assert connected["governing_limit_name"].values.tolist() == ["largest stroke", "none"]
+    assert connected["governing_limit_name"].values.tolist() == ["largest joint_stroke", "none"]
 
 
 def test_limits_that_exclude_each_other_leave_nothing():
@@ -100,7 +107,7 @@ def test_an_allowance_is_what_the_sea_adds_to_the_state_at_rest():
     expected = {
         "lfj_angle": 0.01,
         "ufj_angle": 0.02,
-        "stroke": 1.0,
+        "joint_stroke": 1.0,
         "von_mises_stress": 1e8,
         "effective_tension": 5e5,
     }

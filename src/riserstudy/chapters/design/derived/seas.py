@@ -37,14 +37,15 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
 
     added = {name: _fractile(each) for name, each in _added(seas).items()}
     heights = seas["significant_height"]
+    far = to_si(reach, "m")
     found, labels = [], []
     for _, scene in scenes_of(rests):
         limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
         labels = [label(limit) for limit in limits]
-        at = AtRest(scene)  # which all seas share
+        at = AtRest(scene, far)  # which all seas share
         for height in heights.values:
             own = {name: float(each.sel(significant_height=height)) for name, each in added.items()}
-            found.append([one[:2] for one in offsets_at(at, limits, to_si(reach, "m"), own)])
+            found.append([one[:2] for one in offsets_at(at, limits, far, own)])
     over = [str(dim) for dim in rests["point_key"].dims]
     shape = (*rests["point_key"].shape, len(heights), len(labels), len(SIDES))
     coords = {dim: rests[dim] for dim in over} | {"significant_height": heights}
@@ -63,7 +64,7 @@ def _added(seas: xr.Dataset) -> dict[str, xr.DataArray]:
     added = {}
     for name in ("lfj_angle", "ufj_angle"):
         added[name] = abs(seas[name]).max("time") - abs(seas[name]).isel(time=0)
-    added["stroke"] = seas["stroke"].max("time")  # counts from rest
+    added["joint_stroke"] = seas["stroke"].max("time")  # from the static state
     stress, tension = "von_mises_stress", "effective_tension"
     added[stress] = seas[f"{stress}_max"].max("s_node") - seas[f"{stress}_static"].max("s_node")
     added[tension] = seas[f"{tension}_static"].min("s_node") - seas[f"{tension}_min"].min("s_node")

@@ -57,7 +57,7 @@ def _room(scene: Scene, settings: dict[str, Any]) -> float:
 
     limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
     reach = to_si(settings["reach"], "m")
-    found = offsets_at(AtRest(scene), limits, reach, allowed(settings["allowances"]))
+    found = offsets_at(AtRest(scene, reach), limits, reach, allowed(settings["allowances"]))
     if any(math.isnan(one.low) for one in found):
         return 0.0
     return max(min(one.high for one in found) - max(one.low for one in found), 0.0)

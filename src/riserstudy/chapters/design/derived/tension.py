@@ -99,7 +99,7 @@ def window_of(scene: Scene, settings: dict[str, Any], failed: int) -> Window:
         ``fleet_angle``: of the tensioners; ``overpull``: effective tension wanted between LMRP and stack;
         ``dynamic_limit``, ``share``: dynamic tension limit of all units, and how much of it a setting may be.
     """
-    needed = float(tension.needed(scene, _tolerances(settings)).max())
+    needed = tension.governing(scene, _tolerances(settings)).tension
     weighed = float(tension.needed(scene, WEIGHED)[0])
     return _window(scene, settings, failed, needed, weighed)
 

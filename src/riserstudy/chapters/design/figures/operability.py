@@ -12,7 +12,7 @@ from riserstudy.figures.style import COLOURS, headline, key_below, panels
 NAMES = {
     "lfj_angle": "lower flex joint",
     "ufj_angle": "upper flex joint",
-    "stroke": "stroke",
+    "joint_stroke": "stroke",
     "von_mises_stress": "von Mises stress",
     "effective_tension": "effective tension",
 }
