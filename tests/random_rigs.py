@@ -113,6 +113,15 @@ def law(kind: str, pull: float, draw: np.random.Generator) -> dict[str, Any]:
     return {"gas": {"area": area, "pressure": pull / area, "volume": volume, "exponent": exponent}}
 
 
+def at_mid_stroke(tensioners: dict[str, Any]) -> float:
+    """Pull of a cylinder at mid-stroke (N)."""
+    if "linear" in tensioners:
+        return float(tensioners["linear"]["tension"])
+    if "gas" in tensioners:
+        return float(tensioners["gas"]["area"] * tensioners["gas"]["pressure"])
+    return next(row["force"] for row in tensioners["table"] if row["reach"] == 0.0)
+
+
 def stand_on_a_conductor(tree: dict[str, Any], draw: np.random.Generator) -> None:
     """Put the riser on a stack and a conductor in soil, with its flex joint between."""
     joint = tree["bottom"]["rotation"]["stiffness"] or 1e6
@@ -177,6 +186,7 @@ UNITS = {
     "duration": "s",
     "interval": "s",
     "step": "s",
+    "phase": "rad",
     "speed": "m/s",
 }
 STIFFNESS = {"rotation": "N*m/rad", "flex_joint_below": "N*m/rad", "resistance": "Pa"}
@@ -195,6 +205,10 @@ def written(tree: Any, inside: str = "", unit_of: dict[str, str] | None = None) 
             made[name] = written(value, name, unit_of)
         elif isinstance(value, float) and name == "stiffness":
             made[name] = f"{value!r} {STIFFNESS.get(inside, 'N/m')}"
+        elif (
+            isinstance(value, float) and name == "amplitude" and inside in ("roll", "pitch", "yaw")
+        ):
+            made[name] = f"{value!r} rad"
         elif isinstance(value, float) and name == "mass" and inside in ("vessel", "body"):
             made[name] = f"{value!r} kg"
         elif isinstance(value, float) and name in units:
@@ -202,3 +216,51 @@ def written(tree: Any, inside: str = "", unit_of: dict[str, str] | None = None) 
         else:
             made[name] = value
     return made
+
+
+def moving(seed: int, **kind: bool | None) -> dict[str, Any]:
+    """A rig in motion: surge, heave and pitch, in space sway and roll too, with its own mesh and step.
+
+    Some are held by constant tension or by upright cylinders instead of inclined ones.
+    """
+    tree = rig(seed, **kind)
+    draw = np.random.default_rng((seed, 1))
+    top = tree["top"]
+    period = float(draw.uniform(7.0, 16.0))
+    names = (
+        ["surge", "heave", "sway"]
+        if tree["platform"]["position"].get("sway")
+        else ["surge", "heave"]
+    )
+    for name in names:
+        phase = float(draw.uniform(0.0, 6.0))
+        tree["platform"][name] = {
+            "amplitude": float(draw.uniform(0.3, 3.0)),
+            "period": period,
+            "phase": phase,
+            "ramp": period,
+        }
+    if draw.random() < 0.5:
+        tree["platform"]["pitch"] = {
+            "amplitude": float(draw.uniform(0.005, 0.04)),
+            "period": period,
+            "ramp": period,
+        }
+    held = draw.choice(["inclined", "upright", "constant"], p=[0.6, 0.2, 0.2])
+    rig_of = top["tensioners"]
+    if held != "inclined":
+        place = rig_of.pop("arrangement")
+        lean = place["deck_radius"] - place["ring_radius"]
+        length = top["telescopic_joint"]["length"]
+        if held == "constant":
+            upright = length / math.hypot(length, lean)
+            top["telescopic_joint"]["tension"] = rig_of["count"] * at_mid_stroke(rig_of) * upright
+            del top["tensioners"]
+    step = period / float(draw.integers(20, 60))
+    tree["analysis"] = {
+        "duration": 2.0 * period,
+        "step": step,
+        "mesh": {"elements": int(draw.integers(20, 60))},
+        "output": {"interval": float(draw.uniform(0.6, 1.7)) * step},
+    }
+    return tree

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from random_rigs import rig, written
+from random_rigs import at_mid_stroke, rig, written
 
 from riserstudy import load_scene, simulate
 from riserstudy.design.operability import offsets
@@ -136,15 +136,6 @@ def adrift(seed, constant=False):
         "output": {"interval": 0.5},
     }
     return file_of(tree).with_values({"vessel.added_mass": "9e6 kg"}, "test")
-
-
-def at_mid_stroke(tensioners):
-    """Pull of a cylinder of a random rig at mid-stroke (N)."""
-    if "linear" in tensioners:
-        return tensioners["linear"]["tension"]
-    if "gas" in tensioners:
-        return tensioners["gas"]["area"] * tensioners["gas"]["pressure"]
-    return next(row["force"] for row in tensioners["table"] if row["reach"] == 0.0)
 
 
 @pytest.mark.parametrize("seed", range(5))

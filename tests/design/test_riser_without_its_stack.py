@@ -81,7 +81,8 @@ def test_a_joint_has_one_zero_in_limits_statistics_and_series():
     limits = [{"output": "joint_stroke", "largest": "5 m", "mode": "connected"}]
     run = simulate(SceneFile("rig.yaml", written(tree) | {"limits": limits}), progress=False)
     (checked,) = json.loads(run.attrs["limits"])
-    assert checked["demand"] == float(run["joint_stroke"].max())
+    largest = float(run["joint_stroke"].max())  # of outputs; limits take all steps
+    assert largest <= checked["demand"] < largest + 0.01
     away = run["joint_stroke"] - run["stroke"]  # the joint at rest, from its length
     assert float(away.std()) == pytest.approx(0.0, abs=1e-12)
     assert float(away[0]) == pytest.approx(float(run["joint_stroke_static"]), abs=1e-12)

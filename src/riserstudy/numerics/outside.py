@@ -27,7 +27,7 @@ from riserstudy.solve.evaluate import move
 from riserstudy.solve.explicit import accelerate
 from riserstudy.solve.jit import kernel
 from riserstudy.solve.program import Frozen
-from riserstudy.solve.record import evaluate_and_note, new_record, widen
+from riserstudy.solve.record import evaluate_and_note, new_record, remember, widen
 
 FloatArray = NDArray[np.float64]
 PATIENCE = 4.0  # processor seconds of a Radau run: a busy machine refuses no more than an idle one
@@ -47,8 +47,10 @@ def note_output(p: Any, s: Any, fixed: Any, record: Any) -> None:
     """Write the next output down from the positions and velocities as they are."""
     move(p, s, record.time[record.written[0]])
     accelerate(p, s, fixed)
+    record.when[2] = record.time[record.written[0]]
     evaluate_and_note(p, s, record)
     widen(record)
+    remember(record)
 
 
 @kernel

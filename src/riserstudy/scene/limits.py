@@ -28,6 +28,8 @@ UNITS = {
 }
 #: of which there is a value at every place along the riser
 ALONG = ("effective_tension", "bending_moment", "shear_force", "von_mises_stress", "x", "y")
+#: of which a limit without a place is one of the riser alone: a stack and conductor stand, in other steel
+OF_THE_RISER = ("effective_tension", "von_mises_stress")
 SIDES = ("largest", "smallest", "mean")
 ENDS = ("lower end of ", "upper end of ")
 
@@ -36,8 +38,9 @@ class Limit(Strict):
     """An allowable of one output: its largest or smallest value, or its mean over time.
 
     Of outputs whose sign is a convention, such as moments and angles, the size is meant.
-    ``at``: a section of the riser, or ``lower end of`` or ``upper end of`` one; absent: all along it. The
-    allowable's origin is given like that of any other value.
+    ``at``: a section of the riser, or ``lower end of`` or ``upper end of`` one; absent: all along it, for
+    tension and stress without the stack and conductor below its flex joint. The allowable's origin is given
+    like that of any other value.
     """
 
     output: str

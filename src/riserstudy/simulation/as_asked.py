@@ -71,7 +71,8 @@ def _coarser(
         mesh = prescribed(scene, elements)
         watch.begin(f"a coarser run, for the error: {size(len(mesh.l0), step)}")
         try:
-            runs.append((way, march(thinned(scene, step)[0], mesh, step, watch=watch)))
+            coarse = march(thinned(scene, step)[0], mesh, step, watch=watch, extremes=False)
+            runs.append((way, coarse))
         except SimulationError:  # a coarse mesh may buckle, a long step fail
             break
     return runs

@@ -59,15 +59,19 @@ class Curve(NamedTuple):
     @property
     def middle_weights(self) -> FloatArray:
         """Share that the cubic at the middle of a segment takes of nodes e - 1 to e + 2, (n, 4)."""
+        length = np.diff(self.s)[:, None]
+        low, up = self.slope_weights
+        return np.asarray(np.array([0.0, 0.5, 0.5, 0.0]) + 0.125 * length * (low - up))
+
+    @property
+    def slope_weights(self) -> FloatArray:
+        """What slopes at the lower and upper ends of segments take of nodes e - 1 to e + 2, (2, n, 4)."""
         n = len(self.s) - 1
-        out = np.zeros((n, 4))
-        out[:, 1:3] = 0.5
-        length = np.diff(self.s)
+        out = np.zeros((2, n, 4))
         rows = np.arange(n)
-        for side, sign in ((self.low, 0.125), (self.up, -0.125)):
+        for side, slopes in zip(out, (self.low, self.up), strict=True):
             for k in range(3):
-                column = side.node[:, k] - rows + 1
-                out[rows, column] += sign * length * side.weight[:, k]
+                side[rows, slopes.node[:, k] - rows + 1] += slopes.weight[:, k]
         return out
 
 

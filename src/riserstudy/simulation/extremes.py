@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -12,6 +12,8 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.limits import ALONG, UNITS
 from riserstudy.scene.models import Scene
+from riserstudy.simulation.section_forces import riser_foot
+from riserstudy.simulation.step_peaks import Peak
 from riserstudy.simulation.wall_stress import nodes_of
 
 FloatArray = NDArray[np.float64]
@@ -19,15 +21,18 @@ Arrays = dict[str, FloatArray]
 OVER_TIME = tuple(name for name in UNITS if name not in ALONG)
 
 
-def extremes(scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays) -> list[dict[str, Any]]:
+def extremes(
+    scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays, peaks: Mapping[str, Peak]
+) -> list[dict[str, Any]]:
     """A row for each output and place: its largest and smallest value with arclength (m) and time (s).
 
     Values along the riser are those of envelopes at the nodes, which see every step; their times are those
-    of the outputs, as are values over time. A run at rest has no times, and its values are their own means.
+    of the outputs. A run at rest has no times, and its values are their own means.
 
     Parameters
     ----------
     histories : of outputs along the riser, (time, n + 1), beside those among the arrays.
+    peaks : of values over time, by all steps; where there is none those of the outputs are taken.
     """
     rows = []
     for name in ALONG:
@@ -36,8 +41,23 @@ def extremes(scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays) -> lis
                 rows.append(row)
     for name in OVER_TIME:
         if row := _over_time(name, arrays):
-            rows.append(row)
+            rows.append(row | _seen_by_steps(scene, mesh, name, arrays, peaks))
     return rows
+
+
+def _seen_by_steps(
+    scene: Scene, mesh: Mesh, name: str, arrays: Arrays, peaks: Mapping[str, Peak]
+) -> dict[str, float]:
+    """Largest and smallest value of an output over time by all steps; empty where only outputs are known."""
+    if name in peaks:
+        return peaks[name]._asdict()
+    if name == "lower_end_tension" and "effective_tension_max" in arrays:
+        foot = riser_foot(scene, mesh)
+        return {
+            "largest": float(arrays["effective_tension_max"][foot]),
+            "smallest": float(arrays["effective_tension_min"][foot]),
+        }
+    return {}
 
 
 def _places(scene: Scene, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]]:

@@ -21,7 +21,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.simulation.curve import at_stations, curve_of, largest_moment
 from riserstudy.solve.program import Frozen
-from riserstudy.solve.record import Record, evaluate_once, new_record
+from riserstudy.solve.record import NO_SECTION, Record, Section, evaluate_once, new_record
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
@@ -115,14 +115,22 @@ def wanted(arrays: Arrays, stations: list[float] | None) -> Wanted:
     return Wanted(places, np.array(sorted(node for node in nodes if 0 <= node <= last)))
 
 
-def empty_record(arrays: Arrays, model: Model, output: Output, end: float, of: Wanted) -> Frozen:
-    """Record for the outputs of a march up to a time (s)."""
+def empty_record(
+    arrays: Arrays,
+    model: Model,
+    output: Output,
+    end: float,
+    of: Wanted,
+    section: Section = NO_SECTION,
+    room: int = 0,
+) -> Frozen:
+    """Record for the outputs of a march up to a time (s); ``section`` and ``room`` as `new_record` takes."""
     first = output.start or 0.0
     count = math.floor((end - first) / output.interval * (1.0 + 1e-12) + 1e-9)
     times = first + output.interval * np.arange(count + 1)
     bends = "mesh_corner" in arrays
     middle = curve_of(arrays).middle_weights if bends else None
-    return new_record(times, of.nodes, model.s, middle)
+    return new_record(times, of.nodes, model.s, middle, section, room)
 
 
 def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Arrays:
@@ -131,8 +139,10 @@ def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Array
     envelopes: Arrays = {"time": record.time}
     full: Arrays = {}
     for k, name in enumerate(names):
-        full[name] = record.history[:, k, :]
-        envelopes[name + "_max"], envelopes[name + "_min"] = record.largest[k], record.smallest[k]
+        most, least = record.largest[k], record.smallest[k]
+        envelopes[name + "_max"], envelopes[name + "_min"] = most, least
+        # what is interpolated between steps may pass the peaks of their parabolas by a third-order error
+        full[name] = np.clip(record.history[:, k, :], least[of.nodes], most[of.nodes])
     if "mesh_corner" in arrays:
         envelopes["mesh_moment_max"], envelopes["mesh_moment_min"] = (
             side[len(names), :-1] for side in (record.largest, record.smallest)

@@ -243,7 +243,10 @@ class Refinement:
         if not (whole or self._may_suffice):
             scene, self.thin = thinned(scene, self.step)
         try:
-            return march(scene, self.mesh, self.step, watch=self.watch, rest=self._at_rest())
+            rest = self._at_rest()
+            return march(
+                scene, self.mesh, self.step, watch=self.watch, rest=rest, extremes=not self.thin
+            )
         except (PhysicallyUnstable, TakesTooLong):
             raise
         except StepFailed:
@@ -332,7 +335,8 @@ class Refinement:
                 f"run {len(self.spent) + 1}, to look again: {size(len(mesh.l0), step)}"
             )
             try:
-                runs.append(march(thinned(self.scene, step)[0], mesh, step, watch=self.watch))
+                scene = thinned(self.scene, step)[0]
+                runs.append(march(scene, mesh, step, watch=self.watch, extremes=False))
             except (PhysicallyUnstable, TakesTooLong):
                 raise
             except SimulationError:

@@ -25,12 +25,14 @@ from riserstudy.simulation.events import march_through
 from riserstudy.simulation.extremes import extremes
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.rest import Rest
-from riserstudy.simulation.section_forces import derived
+from riserstudy.simulation.section_forces import derived, envelopes_of, section_of
+from riserstudy.simulation.step_peaks import peaks_of, room_for_steps, steps_of, within
 from riserstudy.simulation.time_stepping import method_of, steps_in
 from riserstudy.simulation.watch import Watch, share
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.program import Frozen
+from riserstudy.solve.record import NO_SECTION
 from riserstudy.solve.sums import DONE, STOPPED, Sums, new_sums
 
 MOST_WHOLE = 20_000_000  # values of one quantity: 160 MB
@@ -75,11 +77,17 @@ def march(
     everywhere: bool = True,
     watch: Watch | None = None,
     rest: Rest | None = None,
+    extremes: bool = True,
 ) -> Result:
     """A run by ``step`` (s) as `single` makes it, without what is made of its states afterwards.
 
-    It is what a comparison with other runs needs; `finish` makes the rest of it. ``rest``: that of the scene
-    on the mesh; absent: it is looked for.
+    It is what a comparison with other runs needs; `finish` makes the rest of it.
+
+    Parameters
+    ----------
+    rest : that of the scene on the mesh; absent: it is looked for.
+    extremes : whether extremes of all outputs are taken, step by step; a run that is only compared needs
+        those of displacement, tension and moment alone.
 
     Raises
     ------
@@ -104,7 +112,9 @@ def march(
         facts["coupling"] = {"scheme": "as one"}
     if scene.analysis.duration is not None and step is not None and scene.analysis.output:
         whole = everywhere or fits(scene.analysis.output, scene.analysis.duration, mesh)
-        arrays |= in_motion(scene, model, mesh, step, whole, arrays, facts, watch or Watch())
+        arrays |= in_motion(
+            scene, model, mesh, step, whole, arrays, facts, watch or Watch(), extremes
+        )
     audit.finite(arrays)
     audit.tension(scene, arrays, facts)
     if len(model.s.dof) - len(model.s.dim) == 3:
@@ -128,7 +138,7 @@ def finish(scene: Scene, mesh: Mesh, result: Result) -> Result:
     if scene.analysis.solver != "hermite":
         forces, histories_of = derived(scene, mesh, arrays, arrays.pop("mesh_moment_static", None))
         arrays |= forces
-        facts["extremes"] = extremes(scene, mesh, arrays, histories_of)
+        facts["extremes"] = extremes(scene, mesh, arrays, histories_of, facts.pop("peaks", {}))
     facts["solve_seconds"] += clock.perf_counter() - started
     return result
 
@@ -147,10 +157,11 @@ def in_motion(
     arrays: outputs.Arrays,
     facts: dict[str, Any],
     watch: Watch,
+    judged: bool,
 ) -> outputs.Arrays:
     """Histories and envelopes of a model at rest that is set in motion; the facts gain the audit.
 
-    ``whole``: histories at all nodes, else what the stations need.
+    ``whole``: histories at all nodes, else what the stations need. ``judged``: extremes of all outputs.
     ``step`` is in s; of a scene in turns, a whole part of a turn is taken.
 
     Raises
@@ -174,7 +185,9 @@ def in_motion(
         step = a.duration / steps_in(a.duration, step)
     rest, taken = outputs.positions(model), 0.0
     begin(scene, model, mesh)
-    record = outputs.empty_record(arrays, model, a.output, a.duration, of)
+    section = section_of(scene, mesh, arrays) if judged else NO_SECTION
+    room = room_for_steps(model, a.duration, step) if judged and a.method != "explicit" else 0
+    record = outputs.empty_record(arrays, model, a.output, a.duration, of, section, room)
     before = sum(energies(model.programs, model.state))
     with watch.over(record.value, sums):
         if coupling:
@@ -201,6 +214,12 @@ def in_motion(
         audit.exchange(facts, coupling)
     histories = outputs.histories(arrays, model, record.value, of)
     histories |= outputs.over_time(scene, model, mesh, record.value, rest)
+    if judged:
+        histories |= envelopes_of(record.value)
+        if every_step := steps_of(record.value):
+            series = outputs.over_time(scene, model, mesh, every_step, rest)
+            facts["peaks"] = peaks_of(every_step.time, series)
+            histories |= within(histories, facts["peaks"])
     enter_lift(scene, histories, facts)
     return histories
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,7 +11,8 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.curve import curve_of
-from riserstudy.simulation.wall_stress import along_the_riser
+from riserstudy.simulation.wall_stress import along_the_riser, nodes_of, wall_of
+from riserstudy.solve.record import NO_SECTION, Record, Section
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
@@ -21,10 +24,73 @@ def riser_foot(scene: Scene, mesh: Mesh) -> int:
     return mesh.foot(lowest) if lowest else 0
 
 
-def shear(arrays: Arrays, moment: FloatArray) -> FloatArray:
-    """Shear force (N) at the nodes, (..., n + 1), from the slope of the moment (N m), (..., n + 1).
+def section_of(scene: Scene, mesh: Mesh, arrays: Arrays) -> Section:
+    """What a record needs for shear and stress of the wall at every step; empty where there is neither.
+
+    Parameters
+    ----------
+    arrays : of the scene at rest on the mesh.
+    """
+    shear = NO_SECTION.shear
+    if "bending_moment_static" in arrays:
+        shear = curve_of(arrays).slope_weights
+    filled = [k for k, section in enumerate(scene.riser) if section.contents][::-1]
+    rows, places = [], []
+    for k, section in enumerate(scene.riser):
+        if wall_lacks(scene, section):
+            continue
+        wall, nodes = wall_of(section), nodes_of(mesh, k)
+        row = (wall.outer, wall.inner, wall.area, wall.second_moment, *section.pipe_shares)
+        inside = filled.index(k) if k in filled else -1
+        places += [(node, inside) for node in range(nodes.start, nodes.stop)]
+        rows += [row] * (nodes.stop - nodes.start)
+    if not rows:
+        return NO_SECTION._replace(shear=shear)
+    gravity = scene.gravity or 0.0
+    columns, ends = [], []
+    for k in filled:
+        contents, nodes = scene.riser[k].contents, nodes_of(mesh, k)
+        if contents:  # they all have some
+            level = math.nan if contents.level is None else contents.level
+            columns.append((contents.density * gravity, level))
+            ends.append((nodes.stop - 1, nodes.start))
+    sea = (0.0, 0.0)
+    if scene.water and scene.water.surface is not None:
+        sea = (scene.water.density * gravity, scene.water.surface)
+    return Section(
+        shear,
+        np.array(rows),
+        np.array(places, np.int64),
+        np.array(columns).reshape(-1, 2),
+        np.array(ends, np.int64).reshape(-1, 2),
+        np.array(sea),
+    )
+
+
+def envelopes_of(record: Record) -> Arrays:
+    """Envelopes of shear (N) and von Mises stress (Pa) that a record has, over the nodes, (n + 1,).
+
+    Stress is zero where no wall is known.
+    """
+    names = ["shear_force"] if record.shear.shape[1] else []
+    names += ["von_mises_stress"] if len(record.wall) else []
+    found: Arrays = {}
+    for k, name in enumerate(names, len(record.largest) - len(names)):
+        most, least = record.largest[k], record.smallest[k]
+        if name == "shear_force":
+            found[name + "_absmax"] = np.maximum(abs(most), abs(least))
+        found |= {name + "_max": most, name + "_min": least}
+    return found
+
+
+def shear(arrays: Arrays, moment: FloatArray, spatial: bool) -> FloatArray:
+    """Shear force (N) at the nodes, (..., n + 1), from the slope of the moment (N m).
 
     Where it jumps, at joints and where sections meet, it is that of the side which has more.
+
+    Parameters
+    ----------
+    moment : (..., n + 1), or its components (..., 3, n + 1) in space, where the size is returned.
 
     References
     ----------
@@ -33,7 +99,9 @@ def shear(arrays: Arrays, moment: FloatArray) -> FloatArray:
     of = curve_of(arrays)
     e = np.arange(len(of.s) - 1)
     above, below = of.low.of(moment, e), of.up.of(moment, e)
-    force = np.zeros(moment.shape)
+    if spatial:  # of each side before they are compared: components of two sides are no force
+        above, below = np.linalg.norm(above, axis=-2), np.linalg.norm(below, axis=-2)
+    force = np.zeros((*above.shape[:-1], len(of.s)))
     force[..., :-1] = above
     force[..., -1] = below[..., -1]
     inner = force[..., 1:-1]
@@ -52,9 +120,9 @@ def derived(
 
     Returns
     -------
-    ``shear_force`` (N), signed in a plane, its size in space, and ``von_mises_stress`` (Pa) over the nodes,
-    at rest and as envelopes of the outputs; ``lower_end_tension`` (N) at rest and over time. With them the
-    histories that envelopes are of, (time, n + 1).
+    ``shear_force`` (N), signed in a plane, its size in space, and ``von_mises_stress`` (Pa) over the nodes
+    at rest; ``lower_end_tension`` (N) at rest and over time. With them histories of shear and stress,
+    (time, n + 1): their envelopes are those of the steps, see `envelopes_of`.
     """
     foot = riser_foot(scene, mesh)
     forces: Arrays = {"lower_end_tension_static": arrays["effective_tension_static"][foot]}
@@ -64,18 +132,17 @@ def derived(
     histories: Arrays = {}
     if "bending_moment_static" in arrays:
         rest = arrays["bending_moment_static"] if bent is None else bent
-        forces["shear_force_static"] = _size(shear(arrays, rest), bent is not None)
+        forces["shear_force_static"] = shear(arrays, rest, bent is not None)
         if whole:
             moment = arrays.get("mesh_moment", arrays["bending_moment"])
-            histories["shear_force"] = _size(shear(arrays, moment), "mesh_moment" in arrays)
+            histories["shear_force"] = shear(arrays, moment, "mesh_moment" in arrays)
     if not all(wall_lacks(scene, section) for section in scene.riser):
-        forces["von_mises_stress_static"] = _stress(scene, mesh, arrays, "_static")
+        rest = forces["von_mises_stress_static"] = _stress(scene, mesh, arrays, "_static")
+        for name in ("von_mises_stress_max", "von_mises_stress_min"):
+            if name in arrays:  # no wall, no stress
+                forces[name] = np.where(np.isnan(rest), np.nan, arrays[name])
         if whole:
             histories["von_mises_stress"] = _stress(scene, mesh, arrays, "")
-    for name, values in histories.items():
-        forces |= {name + "_max": values.max(axis=0), name + "_min": values.min(axis=0)}
-        if name == "shear_force":
-            forces[name + "_absmax"] = np.abs(values).max(axis=0)
     return forces, histories
 
 
@@ -85,8 +152,3 @@ def _stress(scene: Scene, mesh: Mesh, arrays: Arrays, ending: str) -> FloatArray
     still = np.zeros_like(arrays["z" + ending])
     values = (arrays.get(name + ending, still) for name in names)
     return along_the_riser(scene, mesh, *values)
-
-
-def _size(values: FloatArray, components: bool) -> FloatArray:
-    """Of components (..., 3, n + 1) their size, else the values."""
-    return np.asarray(np.linalg.norm(values, axis=-2)) if components else values

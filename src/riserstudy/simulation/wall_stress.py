@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.models import Scene
+from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
 
@@ -45,6 +46,11 @@ class Wall(NamedTuple):
     def second_moment(self) -> float:
         """Second moment of area (m4)."""
         return 0.25 * math.pi * (self.outer**4 - self.inner**4)
+
+
+def wall_of(section: Section) -> Wall:
+    """The wall of a section that gives both diameters."""
+    return Wall(0.5 * (section.outer_diameter or 0.0), 0.5 * (section.inner_diameter or 0.0))
 
 
 def von_mises(
@@ -102,7 +108,7 @@ def along_the_riser(
     for k, section in enumerate(scene.riser):
         if wall_lacks(scene, section):
             continue
-        wall = Wall(0.5 * (section.outer_diameter or 0.0), 0.5 * (section.inner_diameter or 0.0))
+        wall = wall_of(section)
         nodes = nodes_of(mesh, k)
         axial, bending = section.pipe_shares
         parts = (axial * tension, bending * moment, inside, outside)

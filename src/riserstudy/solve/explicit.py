@@ -13,7 +13,7 @@ import numpy as np
 from riserstudy.solve.evaluate import load, move, shape, true_moments
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import every
-from riserstudy.solve.record import due, evaluate_and_note, interpolate, widen
+from riserstudy.solve.record import due, evaluate_and_note, interpolate, remember, widen
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, clear, copy
 from riserstudy.solve.sums import DONE, EVALUATIONS, NOT_CONVERGED, STOPPED, enter, fail
 from riserstudy.solve.vec import at, outer, put, solved
@@ -145,8 +145,10 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
             time = record.time[record.written[0]]
             interpolate(so, r0, v0, a0, t, s.r, v1, s.a, t + h, time)
             copy(so.moment, s.moment)
+            record.when[2] = time
             evaluate_and_note(p, so, record)
             widen(record)
+            remember(record)
         enter(
             sums,
             0.5 * h * (power0 + power1),

@@ -1,8 +1,14 @@
-"""What a simulation writes down: envelopes at all nodes, histories at stations."""
+"""What a simulation writes down: envelopes at all nodes, histories at stations, ends at every step.
+
+Extremes are those of the steps, with the parabola through three of them in between, and do not depend on
+how often outputs are asked for. An output between steps has the positions of a cubic through both, and
+forces of the parabola through the last three steps: forces of a state that is no equilibrium would be those
+of the interpolation, not of the riser.
+"""
 
 from __future__ import annotations
 
-from math import sqrt
+from math import pi, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -19,58 +25,123 @@ class Record(NamedTuple):
     """Outputs; q quantities a node: position, effective tension, bending moment (in space its size).
 
     Where risers bend the last of them stands for the middle of the segment above each node. Histories in
-    space have the moment's components, too, and so has the scratch: in v rows, q without components.
+    space have the moment's components, too, and so has the scratch, in v rows: q, then six components. Where
+    they are asked for, shear force and stress of the wall follow as the last rows of scratch and envelopes.
     """
 
     time: np.ndarray  # (k,) output times (s)
     station: np.ndarray  # (j,) node indices of the histories
     history: np.ndarray  # (k, quantities of a node, j)
     middle: np.ndarray  # (n, 4) what a moment at a middle takes of nodes e - 1 to e + 2
-    largest: np.ndarray  # (q, n+1) envelopes from the first output on
-    smallest: np.ndarray  # (q, n+1)
+    shear: (
+        np.ndarray
+    )  # (2, n, 4) what shear at a segment's lower, upper end takes of them (1/m), or no n
+    wall: (
+        np.ndarray
+    )  # (walls, 6) radii outer, inner (m), area, second moment, shares of tension and moment
+    wall_at: np.ndarray  # (walls, 2) node, column of the contents or -1
+    column: (
+        np.ndarray
+    )  # (columns, 2) contents from the top down: weight (N/m3), level above, or NaN
+    column_at: np.ndarray  # (columns, 2) nodes of their upper and lower ends
+    sea: np.ndarray  # (2,) weight (N/m3), elevation of the surface (m)
+    largest: np.ndarray  # (q + shear and stress, n+1) envelopes from the first output on
+    smallest: np.ndarray  # the same
     # end segment's tangent, moments of its end and inner node, length
     end: np.ndarray  # (k, 2, d + 2m + 1)
     top: np.ndarray  # (k, d) position of the top
     platform: np.ndarray  # (k, 6)
     probe: np.ndarray  # (k, probes)
-    values: np.ndarray  # (v, n+1) scratch
+    values: np.ndarray  # (v, n+1) scratch: the last step
     past: np.ndarray  # (2, v, n+1) scratch: the two steps before
-    seen: np.ndarray  # (1,) steps that the envelopes have seen
+    between: np.ndarray  # (v, n+1) scratch: an output between steps
+    when: np.ndarray  # (3,) times of these three steps (s)
+    inside: np.ndarray  # (columns,) scratch: pressure at their upper ends (Pa)
+    seen: (
+        np.ndarray
+    )  # (1,) steps since the begin or the last event, after which forces may have jumped
     written: np.ndarray  # (1,) outputs written down
+    # each step: what outputs have of ends and devices; as many as there is room for
+    step_time: np.ndarray  # (room,) s
+    step_end: np.ndarray  # (room, 2, d + 2m + 1)
+    step_top: np.ndarray  # (room, d)
+    step_platform: np.ndarray  # (room, 6)
+    step_probe: np.ndarray  # (room, probes)
+    steps: np.ndarray  # (1,) written down, more than there is room for where some are not
 
 
-def new_record(time, station, s, middle=None) -> Frozen:
-    """Empty record for the sizes of a state, as compiled code takes it; no ``middle``: none is told."""
+class Section(NamedTuple):
+    """What shear force and stress of the wall follow from, as `Record` holds it."""
+
+    shear: np.ndarray
+    wall: np.ndarray
+    wall_at: np.ndarray
+    column: np.ndarray
+    column_at: np.ndarray
+    sea: np.ndarray
+
+
+NO_SECTION = Section(
+    np.zeros((2, 0, 4)),
+    np.zeros((0, 6)),
+    np.zeros((0, 2), np.int64),
+    np.zeros((0, 2)),
+    np.zeros((0, 2), np.int64),
+    np.zeros(2),
+)
+
+
+def new_record(time, station, s, middle=None, section=NO_SECTION, room=0) -> Frozen:
+    """Empty record for the sizes of a state, as compiled code takes it.
+
+    Parameters
+    ----------
+    middle, section : see `Record`; absent: neither moments at middles nor shear and stress are recorded.
+    room : steps of which ends and devices are recorded.
+    """
     d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
     q, k = d + 1 + 2 * min(m, 1), len(time)
-    v = q + 6 * (m == 3)
+    more = int(section.shear.shape[1] > 0) + int(len(section.wall) > 0)
+    v = q + 6 * (m == 3) + more
+    width = d + 2 * m + 1
     record = Record(
         time=np.array(time, float),
         station=np.array(station, np.int64),
-        history=np.zeros((k, d + 1 + (0, 1, 0, 4)[m], len(station))),
+        history=np.zeros((k, d + (1, 2, 0, 5)[m], len(station))),
         middle=np.zeros((n, 4)) if middle is None else np.array(middle, float),
-        largest=np.full((q, n + 1), -np.inf),
-        smallest=np.full((q, n + 1), np.inf),
-        end=np.zeros((k, 2, d + 2 * m + 1)),
+        **section._asdict(),
+        largest=np.full((q + more, n + 1), -np.inf),
+        smallest=np.full((q + more, n + 1), np.inf),
+        end=np.zeros((k, 2, width)),
         top=np.zeros((k, d)),
         platform=np.zeros((k, 6)),
         probe=np.zeros((k, len(s.probe))),
         values=np.zeros((v, n + 1)),
         past=np.zeros((2, v, n + 1)),
+        between=np.zeros((v, n + 1)),
+        when=np.zeros(3),
+        inside=np.zeros(len(section.column)),
         seen=np.zeros(1, np.int64),
         written=np.zeros(1, np.int64),
+        step_time=np.zeros(room),
+        step_end=np.zeros((room, 2, width)),
+        step_top=np.zeros((room, d)),
+        step_platform=np.zeros((room, 6)),
+        step_probe=np.zeros((room, len(s.probe))),
+        steps=np.zeros(1, np.int64),
     )
     return Frozen(record)
 
 
 @inner
-def tabulate(s, record):
+def tabulate(s, record, values):
     """Positions, effective tension and moments at the nodes of an evaluated state; moments in between.
+
+    Shear and stress, too, where they are asked for.
 
     Tension at a node lies between those of its segments by ``s.blend``; at the ends it is the force that
     holds the string there, so half a node of weight, drag and inertia is not lost.
     """
-    values = record.values
     d, n = len(s.dim), s.l0.shape[0]
     for c in range(d):
         for i in range(n + 1):
@@ -98,21 +169,98 @@ def tabulate(s, record):
                 values[row, i] = s.moment[u, i]
             row += m
             for e in range(n):
-                values[row, e] = between_nodes(s, record.middle, u, e)
+                values[row, e] = weighted(s, record.middle, u, e)
             values[row, n] = values[row, n - 1]
     if m == 3:
-        for c in range(2):
-            for i in range(n + 1):
-                values[d + 1 + c, i] = sqrt(product(values, values, d + 3 + 3 * c, i))
+        sizes(values, d)
+    more = d + 1 + (2 if m > 0 else 0) + (6 if m == 3 else 0)
+    if record.shear.shape[1] > 0:
+        shear_forces(s, record.shear, values, more)
+        more += 1
+    if record.wall.shape[0] > 0:
+        wall_stresses(record, values, d, m, more)
 
 
 @inner
-def between_nodes(s, middle, u, e):
-    """A component of the moment at the middle of a segment."""
+def sizes(values, d):
+    """Sizes of moments in space, at nodes and middles, from their components."""
+    for c in range(2):
+        for i in range(values.shape[1]):
+            values[d + 1 + c, i] = sqrt(product(values, values, d + 3 + 3 * c, i))
+
+
+@inner
+def shear_forces(s, weights, values, row):
+    """Shear at the nodes: of the two sides of a node the larger one, signed in a plane, in space its size."""
+    m, n = len(s.dof) - len(s.dim), s.l0.shape[0]
+    for i in range(n + 1):
+        largest = 0.0
+        for side in range(2):
+            e = i - side  # the segment above, then the one below
+            if e < 0 or e == n:
+                continue
+            square, signed = 0.0, 0.0
+            for u in range(m):
+                force = weighted(s, weights[side], u, e)
+                square += force * force
+                signed = force
+            if square >= largest * largest:
+                largest = signed if m == 1 else sqrt(square)
+        values[row, i] = largest
+
+
+@inner
+def wall_stresses(record, values, d, m, row):
+    """Von Mises stress of the wall at the nodes; where two walls meet, the larger."""
+    for i in range(values.shape[1]):
+        values[row, i] = 0.0
+    above = 0.0
+    for k in range(record.column.shape[0]):
+        upper = values[d - 1, record.column_at[k, 0]]
+        if k == 0 and record.column[k, 1] == record.column[k, 1]:  # with a level
+            above = record.column[k, 0] * (record.column[k, 1] - upper)
+        elif k > 0:
+            high, low = record.column_at[k - 1, 0], record.column_at[k - 1, 1]
+            above += record.column[k - 1, 0] * (values[d - 1, high] - values[d - 1, low])
+        record.inside[k] = above
+    for w in range(record.wall.shape[0]):
+        i, k = record.wall_at[w, 0], record.wall_at[w, 1]
+        outside = max(record.sea[0] * (record.sea[1] - values[d - 1, i]), 0.0)
+        inside = 0.0
+        if k >= 0:
+            height = values[d - 1, record.column_at[k, 0]] - values[d - 1, i]
+            inside = max(record.inside[k] + record.column[k, 0] * height, 0.0)
+        moment = values[d + 1, i] if m > 0 else 0.0
+        stress = von_mises(record.wall, w, values[d, i], abs(moment), inside, outside)
+        values[row, i] = max(values[row, i], stress)
+
+
+@inner
+def von_mises(wall, w, tension, moment, inside, outside):
+    """The largest of both radii and both sides (Pa), from effective tension, moment and pressures."""
+    outer, inner_radius, area = wall[w, 0], wall[w, 1], wall[w, 2]
+    o, i = outer * outer, inner_radius * inner_radius
+    axial = (wall[w, 4] * tension + pi * (inside * i - outside * o)) / area
+    even = (inside * i - outside * o) / (o - i)
+    largest = 0.0
+    for c in range(4):
+        radius = outer if c < 2 else inner_radius
+        bent = wall[w, 5] * moment * radius / wall[w, 3]
+        along = axial + (bent if c % 2 == 0 else -bent)
+        varying = (inside - outside) * i * o / ((o - i) * radius * radius)
+        hoop, radial = even + varying, even - varying
+        square = (along - hoop) ** 2 + (hoop - radial) ** 2 + (radial - along) ** 2
+        largest = max(largest, square)
+    return sqrt(0.5 * largest)
+
+
+@inner
+def weighted(s, weights, u, e):
+    """Sum of a component of the moments at nodes e - 1 to e + 2 by weights, (n, 4)."""
     last = s.l0.shape[0]
     value = 0.0
     for k in range(4):
-        value += middle[e, k] * s.moment[u, min(max(e - 1 + k, 0), last)]
+        value += weights[e, k] * s.moment[u, min(max(e - 1 + k, 0), last)]
     return value
 
 
@@ -128,71 +276,112 @@ def product(one, other, row, i):
 
 @inner
 def widen(record):
-    """Take the tabulated values into the envelopes.
+    """Take the tabulated step into the envelopes.
 
-    Between steps a parabola through the last three tells the extremum, so that envelopes lose no more to
+    Between steps a parabola through the last three gives the extremum, so that envelopes lose no more to
     long steps than histories do. A size that points the other way than the middle one counts as negative
     there: what swings through zero has the peaks that it has in a plane.
     """
     values, largest, smallest = record.values, record.largest, record.smallest
-    two_ago, last = record.past[0], record.past[1]
+    two_ago, last, when = record.past[0], record.past[1], record.when
     turning = record.seen[0] >= 2
-    q = largest.shape[0]
-    sized = values.shape[0] > q  # the last two rows are sizes
-    for c in range(q):
+    rows = largest.shape[0]
+    more = (1 if record.shear.shape[1] > 0 else 0) + (1 if record.wall.shape[0] > 0 else 0)
+    q = rows - more
+    sized = values.shape[0] > rows  # the last two of q are sizes, their components follow
+    for c in range(rows):
+        from_row = c if c < q else values.shape[0] - rows + c
+        is_size = sized and q - 2 <= c < q
         for i in range(values.shape[1]):
-            here, middle, before = values[c, i], last[c, i], two_ago[c, i]
+            here, middle, before = values[from_row, i], last[from_row, i], two_ago[from_row, i]
             largest[c, i] = max(largest[c, i], here)
             smallest[c, i] = min(smallest[c, i], here)
-            if turning:
-                is_size = sized and c >= q - 2
-                if is_size:
-                    row = q + 3 * (c - q + 2)
-                    before = -before if product(two_ago, last, row, i) < 0.0 else before
-                    here = -here if product(values, last, row, i) < 0.0 else here
-                rise, fall = middle - before, middle - here
-                if rise * fall > 0.0:
-                    peak = middle + (rise - fall) ** 2 / (8.0 * (rise + fall))
+            if not turning:
+                continue
+            if is_size:
+                row = q + 3 * (c - q + 2)
+                before = -before if product(two_ago, last, row, i) < 0.0 else before
+                here = -here if product(values, last, row, i) < 0.0 else here
+            if (middle - before) * (middle - here) > 0.0:
+                time, peak = vertex(when[0], when[1], when[2], before, middle, here)
+                if time >= record.time[0]:
                     peak = abs(peak) if is_size else peak
                     largest[c, i] = max(largest[c, i], peak)
                     smallest[c, i] = min(smallest[c, i], peak)
+
+
+@inner
+def vertex(t0, t1, t2, a, b, c):
+    """Time and value of the vertex of the parabola through three points, the middle one an extremum."""
+    left, right = (b - a) / (t1 - t0), (c - b) / (t2 - t1)
+    bend = (right - left) / (t2 - t0)
+    slope = left + bend * (t1 - t0)  # at the middle point
+    return t1 - 0.5 * slope / bend, b - 0.25 * slope * slope / bend
+
+
+@inner
+def remember(record):
+    """Let the last step be one before the next."""
+    values, past, when = record.values, record.past, record.when
     for c in range(values.shape[0]):
         for i in range(values.shape[1]):
-            two_ago[c, i] = last[c, i]
-            last[c, i] = values[c, i]
+            past[0, c, i] = past[1, c, i]
+            past[1, c, i] = values[c, i]
+    when[0], when[1] = when[1], when[2]
     record.seen[0] += 1
 
 
 @inner
-def note(p, s, record):
-    """Write the tabulated values down as the next output."""
+def note(p, s, record, values):
+    """Write tabulated values down as the next output."""
     k = record.written[0]
     record.written[0] += 1
-    d, n = len(s.dim), s.l0.shape[0]
+    d = len(s.dim)
     m = len(s.dof) - d
     every(p.probe, s)
     for j in range(record.station.shape[0]):
         i = record.station[j]
         for c in range(d + 1 + min(m, 1)):
-            record.history[k, c, j] = record.values[c, i]
+            record.history[k, c, j] = values[c, i]
         if m == 3:
             for u in range(3):
-                record.history[k, d + 2 + u, j] = s.moment[u, i]
+                record.history[k, d + 2 + u, j] = values[d + 3 + u, i]
+    ends(s, k, record.end, record.top, record.platform, record.probe)
+
+
+@inner
+def ends(s, k, end, top, platform, probe):
+    """Write ends, platform and what devices report down in row k."""
+    d, n = len(s.dim), s.l0.shape[0]
+    m = len(s.dof) - d
     for c in range(d):
-        record.end[k, 0, c] = s.tangent[c, 0]
-        record.end[k, 1, c] = s.tangent[c, n - 1]
-        record.top[k, c] = s.r[c, n]
+        end[k, 0, c] = s.tangent[c, 0]
+        end[k, 1, c] = s.tangent[c, n - 1]
+        top[k, c] = s.r[c, n]
     for u in range(m):
-        record.end[k, 0, d + u], record.end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
+        end[k, 0, d + u], end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
         # a telescopic joint starts with the ring's moment less that of the cylinders
         about = s.ring_moment[u] if m == 3 else s.ring_moment[1]
-        record.end[k, 1, d + u] = s.moment[u, n]
-        record.end[k, 1, d + m + u] = s.moment[u, n - 1] - about
-    record.end[k, 0, d + 2 * m], record.end[k, 1, d + 2 * m] = s.length[0], s.length[n - 1]
+        end[k, 1, d + u] = s.moment[u, n]
+        end[k, 1, d + m + u] = s.moment[u, n - 1] - about
+    end[k, 0, d + 2 * m], end[k, 1, d + 2 * m] = s.length[0], s.length[n - 1]
     for c in range(6):
-        record.platform[k, c] = s.platform[0, c]
+        platform[k, c] = s.platform[0, c]
     for c in range(s.probe.shape[0]):
-        record.probe[k, c] = s.probe[c]
+        probe[k, c] = s.probe[c]
+
+
+@inner
+def note_ends(p, s, record, time):
+    """Write a step's ends down where there is room for them."""
+    k = record.steps[0]
+    if record.step_time.shape[0] == 0:
+        return
+    record.steps[0] += 1
+    if k < record.step_time.shape[0]:
+        every(p.probe, s)
+        record.step_time[k] = time
+        ends(s, k, record.step_end, record.step_top, record.step_platform, record.step_probe)
 
 
 @inner
@@ -206,18 +395,18 @@ def due(record, time):
 def evaluate_and_note(p, s, record):
     """The next output, of a state given by positions, velocities and true accelerations."""
     move(p, s, record.time[record.written[0]])
-    evaluate(p, s, record)
-    note(p, s, record)
+    evaluate(p, s, record, record.values)
+    note(p, s, record, record.values)
 
 
 @inner
-def evaluate(p, s, record):
+def evaluate(p, s, record, values):
     """Forces of a state as it stands, tabulated."""
     shape(p, s)
     true_moments(s)
     load(p, s)
     inertia(p, s)
-    tabulate(s, record)
+    tabulate(s, record, values)
 
 
 @inner
@@ -238,13 +427,13 @@ def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
 @kernel
 def evaluate_once(p, s, record):
     """Tabulate and note a state as it stands, for callers in Python."""
-    evaluate(p, s, record)
-    note(p, s, record)
+    evaluate(p, s, record, record.values)
+    note(p, s, record, record.values)
 
 
 @inner
 def between(p, s, so, r0, v0, a0, moment0, t, h, record):
-    """Write down the outputs due within a step from t to t + h, where ``s`` is.
+    """Write down the outputs due within a step from t to t + h, where ``s`` is, and is tabulated.
 
     ``so`` is a second state of the same model, which takes the interpolated positions.
     """
@@ -255,27 +444,72 @@ def between(p, s, so, r0, v0, a0, moment0, t, h, record):
         for u in range(len(s.dof) - len(s.dim)):
             for i in range(s.l0.shape[0] + 1):
                 so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
-        evaluate_and_note(p, so, record)
-        if record.seen[0] == 0:  # envelopes start with the first output, not with the step after it
-            widen(record)
-            record.seen[0] = 0
+        move(p, so, time)
+        evaluate(p, so, record, record.between)
+        forces_of_steps(s, record, time)
+        note(p, so, record, record.between)
+        if (
+            record.written[0] == 1
+        ):  # envelopes begin with the first output, not with the step after it
+            first_output(record)
+
+
+@inner
+def forces_of_steps(s, record, time):
+    """Forces at a time within the last step: the parabola through three steps, or straight after one."""
+    d, values, past, when = len(s.dim), record.values, record.past, record.when
+    x = (time - when[1]) / (when[2] - when[1])
+    bend = 0.0
+    if record.seen[0] >= 2:
+        bend = (time - when[1]) * (time - when[2]) / (when[2] - when[0])
+    for c in range(d, values.shape[0]):
+        for i in range(values.shape[1]):
+            rise = values[c, i] - past[1, c, i]
+            value = past[1, c, i] + x * rise
+            if bend != 0.0:
+                slope, before = rise / (when[2] - when[1]), past[1, c, i] - past[0, c, i]
+                value += bend * (slope - before / (when[1] - when[0]))
+            record.between[c, i] = value
+    if len(s.dof) - d == 3:
+        sizes(record.between, d)
+
+
+@inner
+def first_output(record):
+    """Begin the envelopes with an output between steps."""
+    rows, all_rows = record.largest.shape[0], record.between.shape[0]
+    more = (1 if record.shear.shape[1] > 0 else 0) + (1 if record.wall.shape[0] > 0 else 0)
+    for c in range(rows):
+        from_row = c if c < rows - more else all_rows - rows + c
+        for i in range(record.between.shape[1]):
+            record.largest[c, i] = record.between[from_row, i]
+            record.smallest[c, i] = record.between[from_row, i]
 
 
 @inner
 def note_start(p, s, record, t):
-    """Write down the state that a march begins with, where an output is due there."""
-    if due(record, t + ROUNDING):
-        tabulate(s, record)
+    """Write down the state that a march begins with; nothing where it goes on from steps that were seen."""
+    if record.seen[0] > 0:
+        return
+    record.when[2] = t
+    tabulate(s, record, record.values)
+    if t >= record.time[0] - ROUNDING:
         widen(record)
-        note(p, s, record)
+        note_ends(p, s, record, t)
+    if due(record, t + ROUNDING):
+        note(p, s, record, record.values)
+    remember(record)
 
 
 @inner
 def note_step(p, s, so, r0, v0, a0, moment0, t, h, record):
     """Write down a step from t to t + h, where ``s`` is evaluated."""
+    record.when[2] = t + h
+    tabulate(s, record, record.values)
     between(p, s, so, r0, v0, a0, moment0, t, h, record)
-    if t + h >= record.time[0] - ROUNDING:  # envelopes start with the outputs
-        tabulate(s, record)
+    if t + h >= record.time[0] - ROUNDING:  # envelopes begin with the outputs
         widen(record)
+        note_ends(p, s, record, t + h)
     if due(record, t + h * (1.0 + 1e-9)):
-        note(p, s, record)
+        note(p, s, record, record.values)
+    remember(record)
