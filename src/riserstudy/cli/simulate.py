@@ -77,9 +77,12 @@ def run(
 
 
 def _announce(file: Any) -> None:
-    """Say before a long run what it will take."""
+    """Say before a long run what it will take, and what makes it long."""
+    from riserstudy.scene.sudden import sudden_wave
     from riserstudy.simulation.forecast import forecast
 
+    for warning in sudden_wave(file.scene()):
+        print(f"riserstudy: warning: {warning}", file=sys.stderr, flush=True)
     price = forecast(file.scene())
     if price and price.seconds > WORTH_TELLING:
         minutes = f"{price.seconds / 60.0:.2g} min" if price.seconds > 90.0 else ""

@@ -15,6 +15,7 @@ import numpy as np
 
 from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import ENDED
 
 
 class Current(NamedTuple):
@@ -33,7 +34,7 @@ def drive(current, s):
     up = len(s.dim) - 1
     z, speed = current.elevation, current.speed
     share = s.clock[1]
-    if s.clock[0] < current.ramp:
+    if s.clock[0] < ENDED * current.ramp:
         share *= s.clock[0] / current.ramp
     last = z.shape[0] - 1
     for i in range(s.l0.shape[0] + 1):

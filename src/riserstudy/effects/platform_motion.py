@@ -18,6 +18,7 @@ import numpy as np
 from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.solve.elementary import sine_and_cosine
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import ENDED
 
 
 class Position(NamedTuple):
@@ -80,7 +81,7 @@ def drive_harmonic(harmonic, s):
             speed += harmonic.amplitude[k] * frequency[k] * cosine
             acceleration -= harmonic.amplitude[k] * frequency[k] * frequency[k] * sine
         grown, rate, bend = 1.0, 0.0, 0.0
-        if t < ramp[first]:
+        if t < ENDED * ramp[first]:
             p = pi / ramp[first]
             grown = 0.5 * (1.0 - cos(p * t))
             rate, bend = 0.5 * p * sin(p * t), 0.5 * p * p * cos(p * t)
@@ -96,7 +97,7 @@ def drive_harmonic(harmonic, s):
 def drive_cruise(cruise, s):
     """Add the distance sailed."""
     t, m = s.clock[0], cruise.motion
-    if t < cruise.ramp:
+    if t < ENDED * cruise.ramp:
         s.platform[0, m] += 0.5 * cruise.speed * t * t / cruise.ramp
         s.platform[1, m] += cruise.speed * t / cruise.ramp
         s.platform[2, m] += cruise.speed / cruise.ramp

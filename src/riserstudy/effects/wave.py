@@ -34,6 +34,7 @@ import numpy as np
 from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.elementary import exponential, sine_and_cosine, within_a_turn
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import ENDED
 
 NONE, CONSTANT, STRETCHED = 0, 1, 2
 DEEP = 37.0  # k times depth below which exp(-kz) is rounding
@@ -60,7 +61,7 @@ def growth(wave, t):
     """Share of the wave that acts at a time, and its rate."""
     if t <= 0.0:
         return 0.0, 0.0
-    if t >= wave.ramp:
+    if t >= ENDED * wave.ramp:
         return 1.0, 0.0
     p = pi / wave.ramp
     return 0.5 * (1.0 - cos(p * t)), 0.5 * p * sin(p * t)

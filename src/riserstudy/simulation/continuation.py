@@ -24,6 +24,10 @@ class Settled(NamedTuple):
     equilibrium: Equilibrium
 
 
+class Folded(NoEquilibrium):
+    """The only equilibrium that was found folds the riser over a segment."""
+
+
 class Lost(NamedTuple):
     """A model that found no rest, and why."""
 
@@ -41,7 +45,23 @@ def search(model: Model, mesh: Mesh) -> Equilibrium:
     """
     tolerance = 1e-10 * float(mesh.l0.sum())
     current = model.has(Current)
-    return find_equilibrium(model.programs, model.state, model.fixed_at_rest, tolerance, current)
+    found = find_equilibrium(model.programs, model.state, model.fixed_at_rest, tolerance, current)
+    if (node := folded_at(model)) is not None:
+        raise Folded(node, found.residual, 1.0)
+    return found
+
+
+def folded_at(model: Model) -> int | None:
+    """A node where the riser is folded, None where it is not: such an equilibrium is one of the mesh alone.
+
+    A pipe that bends turns by less than a right angle from segment to segment, or the mesh does not resolve
+    it. A string may turn sharply, but no single segment of it points against both of its neighbours.
+    """
+    tangent = model.s.tangent
+    against = (tangent[:, 1:] * tangent[:, :-1]).sum(axis=0) < 0.0
+    if len(model.s.dof) == len(model.s.dim):
+        against = against[1:] & against[:-1]
+    return int(against.argmax()) + 1 if against.any() else None
 
 
 def by_parts(scene: Scene, mesh: Mesh, elevation: float | None, lost: Lost) -> Settled:
@@ -132,6 +152,11 @@ def _failed(scene: Scene, mesh: Mesh, failure: NoEquilibrium, reached: float) ->
         where += f", {depth:.4g} m below the mudline"
         remedy = "the soil may be too weak, or the conductor too short: check soil, offset and top tension"
     causes = "".join(f" {part}" for part in under)
+    if isinstance(failure, Folded):
+        return SimulationError(
+            f"no static equilibrium but one that is folded over a segment at {where}{causes}; {remedy}, or "
+            "take a finer mesh"
+        )
     return SimulationError(
         f"no static equilibrium: {failure.residual:.3g} N are left at {where}{causes}; {remedy}"
     )

@@ -10,6 +10,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
+from riserstudy.scene.sudden import sudden_starts
 from riserstudy.simulation.as_asked import as_asked
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import difference
@@ -31,6 +32,7 @@ LIKELY = 1.5  # of what is asked for: an error foreseen that may turn out to be 
 MATTERS = 0.25  # of what is asked for: an error that is
 PATIENT = 6  # refinements that must halve the error, or a string under compression is given up
 STEPS_A_PERIOD = 24  # of the coarsest step
+FIRST_ORDER = 2.0  # by which each halving reduces an error
 SPENT = ("elements", "step", "newton_iterations", "solve_seconds")  # what a run cost
 
 
@@ -66,7 +68,25 @@ def run(
         else as_asked(scene, estimated, watch)
     )
     result.facts["wall_seconds"] = watch.spent
+    _refuse_what_is_not_known(result)
     return result
+
+
+def _refuse_what_is_not_known(result: Result) -> None:
+    """An error above the largest value itself means that nothing is known of it.
+
+    Raises
+    ------
+    SimulationError
+        With the quantity, its error and the remedy.
+    """
+    error = result.facts.get("error_estimate", {})
+    if any(value > 1.0 for value in error.values()):
+        raise SimulationError(
+            f"the estimated error is larger than the result: {_worst(error)}, on "
+            f"{size(result.facts['elements'], result.facts.get('step'))}; take a finer mesh and a shorter "
+            "step, or leave both out to have them found"
+        )
 
 
 def _exact(result: Result) -> Result:
@@ -128,6 +148,7 @@ class Refinement:
         self.spent[-1] = _cost(finest)
         if not reached:
             finest.facts["warnings"].append(self._not_reached(finest))
+        finest.facts["warnings"] += self._slow()
         finest.facts["solve_seconds"] = _spent(self.spent)
         finest.facts["refinements"] = self.spent
         output = self.scene.analysis.output
@@ -210,6 +231,16 @@ class Refinement:
             if sum(excess.values()) <= 1.0:
                 break
         return float(total)
+
+    def _slow(self) -> list[str]:
+        """What makes errors of the step fall slower than those of a first-order method."""
+        seen, lines = self.seen.get("step"), sudden_starts(self.scene)
+        if seen is None or seen.fall >= FIRST_ORDER or not lines:
+            return []
+        return [
+            f"halving the step reduced its error by a factor of {seen.fall:.2g} only: "
+            f"{' and '.join(lines)} {'starts' if len(lines) == 1 else 'start'} as a step. Give a ramp"
+        ]
 
     def _not_reached(self, finest: Result) -> str:
         """What is to be said of an accuracy that was not reached."""

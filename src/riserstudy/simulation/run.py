@@ -15,6 +15,7 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.models import Scene
+from riserstudy.scene.sudden import sudden_wave
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
 from riserstudy.simulation import audit, outputs
@@ -106,7 +107,12 @@ def march(
         "elements": len(mesh.l0),
         "directions": len(model.s.dim),
         "statics_iterations": rest.iterations,
-        "warnings": [*doubts(scene), *without_inertia(scene), *rao.doubts(scene)],
+        "warnings": [
+            *doubts(scene),
+            *without_inertia(scene),
+            *sudden_wave(scene),
+            *rao.doubts(scene),
+        ],
     }
     if scene.vessel:
         facts["coupling"] = {"scheme": "as one"}

@@ -1,0 +1,31 @@
+"""What starts as a step: waves and motions without a ramp send short waves along the riser."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from riserstudy.scene.parts import Parts
+
+
+def sudden_starts(scene: Parts) -> list[str]:
+    """Lines of a scene by which something acts or moves as a step, without a ramp."""
+    lines = []
+    if scene.wave and scene.wave.ramp is None:
+        lines.append("wave")
+    if scene.platform:
+        lines += [f"platform.{line}" for line, _ in scene.platform.sudden]
+    return list(dict.fromkeys(lines))
+
+
+def sudden_wave(scene: Parts) -> list[str]:
+    """A warning where a wave starts as a step and mesh and step are to be found for it."""
+    a = scene.analysis
+    chosen = a.duration is not None and a.mesh is None and a.solver is None
+    damped = all(s.structural_damping for s in scene.riser) and a.output and a.output.start
+    if not chosen or damped or scene.wave is None or scene.wave.ramp is not None:
+        return []
+    return [
+        "wave: starts as a step, without a ramp. Moments then converge slowly: a run takes up to a hundred "
+        f"times as long. Give, for example, wave.ramp: {2.0 * scene.wave.shortest_period:.3g} s"
+    ]
