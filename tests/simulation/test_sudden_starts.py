@@ -36,14 +36,16 @@ def test_a_ramp_that_ends_on_a_step_ends_alike_in_every_unit_of_time(seed):
     tree = moving(seed, spatial=False, conductor=False)
     ramp = 6.0
     tree["platform"]["surge"] = {"amplitude": 2.0, "period": 11.0, "ramp": ramp, "phase": 0.7}
-    tree["platform"]["heave"] |= {"ramp": ramp}
-    tree["platform"].pop("pitch", None)
+    for motion in ("heave", "pitch"):
+        tree["platform"].pop(motion, None)
+    # the riser itself at the platform: the node of a telescopic joint's end has no mass to accelerate
+    tree["top"] = {"x": "platform", "z": "free", "rotation": "free", "tension": 2e7}
+    del tree["current"], tree["water"]["surface"], tree["water"]["seabed"]
     tree["analysis"] |= {"duration": 12.0, "step": 0.1, "output": {"interval": 0.5}}
     moments = []
     for rounding in (-4e-16, 0.0, 4e-16):  # as of a time through another unit and back
         other = copy.deepcopy(tree)
-        for motion in ("surge", "heave"):
-            other["platform"][motion]["ramp"] = ramp * (1.0 + rounding)
+        other["platform"]["surge"]["ramp"] = ramp * (1.0 + rounding)
         # without an estimate: a jolt that a mesh of its own does not resolve would be refused
         result = run(SceneFile("rig.yaml", written(other)).scene(), estimated=False)
         moments.append(result.arrays["bending_moment"])
