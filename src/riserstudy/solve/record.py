@@ -358,6 +358,8 @@ def ends(s, k, end, top, platform, probe):
         end[k, 0, c] = s.tangent[c, 0]
         end[k, 1, c] = s.tangent[c, n - 1]
         top[k, c] = s.r[c, n]
+    if m == 0:
+        string_ends(s, k, end)
     for u in range(m):
         end[k, 0, d + u], end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
         # a telescopic joint starts with the ring's moment less that of the cylinders
@@ -369,6 +371,27 @@ def ends(s, k, end, top, platform, probe):
         platform[k, c] = s.platform[0, c]
     for c in range(s.probe.shape[0]):
         probe[k, c] = s.probe[c]
+
+
+@inner
+def string_ends(s, k, end):
+    """A string's directions at its ends: those of the forces that hold it there.
+
+    The end segments' own directions are those of their middles, an error of first order in their length.
+    """
+    d, n = len(s.dim), s.l0.shape[0]
+    for side in range(2):
+        sign, e = (1.0, 0) if side == 0 else (-1.0, n - 1)
+        square, along = 0.0, 0.0
+        for c in range(d):
+            force = sign * (s.ends[0, side, c] + s.ends[1, side, c])
+            square += force * force
+            along += force * s.tangent[c, e]
+        size = sqrt(square)
+        if along > 0.9 * size:  # else it is slack, and has no such direction
+            for c in range(d):
+                force = sign * (s.ends[0, side, c] + s.ends[1, side, c])
+                end[k, side, c] = force / size
 
 
 @inner
