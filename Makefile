@@ -56,6 +56,7 @@ test-wheel: $(READY)  ## install the wheel into an empty environment and run a s
 
 test-hostile: $(READY)  ## meet hostile input at full count
 	@$(IN_ENVIRONMENT) python tests/fuzz/run.py
+	@RISERSTUDY_INVARIANTS=5000 $(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable tests/invariants
 
 test-faults: $(READY)  ## kill runs, fill disks, break caches; write docs/faults.md
 	@$(IN_ENVIRONMENT) python tests/faults/run.py --write docs/faults.md

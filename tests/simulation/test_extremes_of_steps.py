@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from random_rigs import moving, rig, written
 
-from riserstudy import simulate
+from riserstudy.dataset.label import to_dataset
 from riserstudy.dataset.limits import SIGNED
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.refine import run
 
 ALONG = ("x", "y", "z", "effective_tension", "bending_moment")
 LIMITS = [
@@ -28,9 +29,9 @@ LIMITS = [
 
 
 def run_of(tree, **more):
-    return simulate(
-        SceneFile("rig.yaml", written(tree) | {"limits": LIMITS} | more), progress=False
-    )
+    """A run without an estimate of its error: on a mesh as coarse as these it might be refused."""
+    file = SceneFile("rig.yaml", written(tree) | {"limits": LIMITS} | more)
+    return to_dataset(run(file.scene(), estimated=False), file, {})
 
 
 @pytest.mark.parametrize("seed", range(16))
@@ -42,16 +43,17 @@ def test_extremes_do_not_depend_on_the_output_interval_and_hold_every_output(see
     for name in runs[0].data_vars:
         if str(name).endswith(("_max", "_min", "_absmax")):
             np.testing.assert_array_equal(runs[0][name], runs[1][name], err_msg=str(name))
-    demands = [[row["demand"] for row in json.loads(run.attrs["limits"])] for run in runs]
+    demands = [[row["demand"] for row in json.loads(one.attrs["limits"])] for one in runs]
     assert demands[0] == demands[1]
-    for run in runs:
+    for one in runs:
         for name in ALONG:
-            if name in run:
-                assert (run[name].values <= run[f"{name}_max"].values).all(), name
-                assert (run[name].values >= run[f"{name}_min"].values).all(), name
-        for row in json.loads(run.attrs["limits"]):
-            if row["output"] in run:
-                values = run[row["output"]]
+            if name in one:
+                assert (one[name].values <= one[f"{name}_max"].values).all(), name
+                if name != "bending_moment" or "y" not in one:  # a size is smallest between steps
+                    assert (one[name].values >= one[f"{name}_min"].values).all(), name
+        for row in json.loads(one.attrs["limits"]):
+            if row["output"] in one:
+                values = one[row["output"]]
                 if "s" in values.dims:
                     values = values.isel(s=slice(-1))  # the joint's upper end is none of the riser
                 values = abs(values) if row["output"] in SIGNED else values
@@ -67,15 +69,15 @@ def test_a_riser_that_stays_at_rest_has_the_extremes_of_its_state_at_rest(seed):
         "mesh": {"elements": 30},
         "output": {"interval": 0.3},
     }
-    run = run_of(tree)
+    still = run_of(tree)
     for name in (*ALONG, "shear_force", "von_mises_stress"):
-        if f"{name}_max" not in run:
+        if f"{name}_max" not in still:
             continue
-        rest = run[f"{name}_static"].values
+        rest = still[f"{name}_static"].values
         size = np.nanmax(abs(rest)) + 1e-6
         for side in ("_max", "_min"):
             np.testing.assert_allclose(
-                run[name + side], rest, atol=2e-7 * size, err_msg=name + side
+                still[name + side], rest, atol=2e-7 * size, err_msg=name + side
             )
 
 

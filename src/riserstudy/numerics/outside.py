@@ -49,7 +49,7 @@ def note_output(p: Any, s: Any, fixed: Any, record: Any) -> None:
     accelerate(p, s, fixed)
     record.when[2] = record.time[record.written[0]]
     evaluate_and_note(p, s, record)
-    widen(record)
+    widen(record, 0)
     remember(record)
 
 

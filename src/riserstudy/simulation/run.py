@@ -225,7 +225,8 @@ def in_motion(
         if every_step := steps_of(record.value):
             series = outputs.over_time(scene, model, mesh, every_step, rest)
             facts["peaks"] = peaks_of(every_step.time, series)
-            histories |= within(histories, facts["peaks"])
+            sizes = ("ufj_angle", "lfj_angle") if len(model.s.dim) == 3 else ()
+            histories |= within(histories, facts["peaks"], sizes)
     enter_lift(scene, histories, facts)
     return histories
 

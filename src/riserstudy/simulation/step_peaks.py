@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from typing import NamedTuple
 
 import numpy as np
@@ -53,10 +54,13 @@ def peaks_of(times: FloatArray, series: Arrays) -> dict[str, Peak]:
     return {name: _peak(times, values.reshape(len(times), -1)) for name, values in series.items()}
 
 
-def within(histories: Arrays, peaks: dict[str, Peak]) -> Arrays:
-    """Histories over the outputs that have peaks, none of their values beyond these."""
+def within(histories: Arrays, peaks: dict[str, Peak], sizes: Collection[str]) -> Arrays:
+    """Histories over the outputs that have peaks, none of their values beyond these.
+
+    ``sizes``: which may come nearer to zero between steps than at any of them.
+    """
     return {
-        name: np.clip(histories[name], peak.smallest, peak.largest)
+        name: np.clip(histories[name], 0.0 if name in sizes else peak.smallest, peak.largest)
         for name, peak in peaks.items()
         if name in histories
     }

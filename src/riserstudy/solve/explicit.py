@@ -147,7 +147,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
             copy(so.moment, s.moment)
             record.when[2] = time
             evaluate_and_note(p, so, record)
-            widen(record)
+            widen(record, 0)
             remember(record)
         enter(
             sums,

@@ -275,12 +275,17 @@ def product(one, other, row, i):
 
 
 @inner
-def widen(record):
+def widen(record, places):
     """Take the tabulated step into the envelopes.
 
-    Between steps a parabola through the last three gives the extremum, so that envelopes lose no more to
-    long steps than histories do. A size that points the other way than the middle one counts as negative
-    there: what swings through zero has the peaks that it has in a plane.
+    Between steps a parabola through the last three gives the extremum of forces, so that envelopes lose no
+    more to long steps than histories do; that of positions is `widen_places`'s. A size that points the other
+    way than the middle one counts as negative there: what swings through zero has the peaks that it has in a
+    plane, and is as small as between them.
+
+    Parameters
+    ----------
+    places : positions of a node, the first of the rows.
     """
     values, largest, smallest = record.values, record.largest, record.smallest
     two_ago, last, when = record.past[0], record.past[1], record.when
@@ -288,6 +293,10 @@ def widen(record):
     rows = largest.shape[0]
     more = (1 if record.shear.shape[1] > 0 else 0) + (1 if record.wall.shape[0] > 0 else 0)
     q = rows - more
+    over_left, over_right, over_both = 0.0, 0.0, 0.0
+    if turning:
+        over_left, over_right = 1.0 / (when[1] - when[0]), 1.0 / (when[2] - when[1])
+        over_both = 1.0 / (when[2] - when[0])
     sized = values.shape[0] > rows  # the last two of q are sizes, their components follow
     for c in range(rows):
         from_row = c if c < q else values.shape[0] - rows + c
@@ -296,27 +305,63 @@ def widen(record):
             here, middle, before = values[from_row, i], last[from_row, i], two_ago[from_row, i]
             largest[c, i] = max(largest[c, i], here)
             smallest[c, i] = min(smallest[c, i], here)
-            if not turning:
+            if not turning or c < places:
                 continue
             if is_size:
                 row = q + 3 * (c - q + 2)
+                smallest[c, i] = min(smallest[c, i], least_between(last, values, row, i))
                 before = -before if product(two_ago, last, row, i) < 0.0 else before
                 here = -here if product(values, last, row, i) < 0.0 else here
-            if (middle - before) * (middle - here) > 0.0:
-                time, peak = vertex(when[0], when[1], when[2], before, middle, here)
+            left = (middle - before) * over_left
+            right = (here - middle) * over_right
+            bend = (right - left) * over_both
+            rate = left + bend * (when[1] - when[0])  # at the middle step
+            # a peak at the middle step, or of the parabola that outputs after it are taken from
+            if left * right < 0.0 or rate * (2.0 * right - rate) < 0.0:
+                time, peak = when[1] - 0.5 * rate / bend, middle - 0.25 * rate * rate / bend
                 if time >= record.time[0]:
-                    peak = abs(peak) if is_size else peak
-                    largest[c, i] = max(largest[c, i], peak)
-                    smallest[c, i] = min(smallest[c, i], peak)
+                    smallest[c, i] = min(smallest[c, i], max(peak, 0.0) if is_size else peak)
+                    largest[c, i] = max(largest[c, i], abs(peak) if is_size else peak)
 
 
 @inner
-def vertex(t0, t1, t2, a, b, c):
-    """Time and value of the vertex of the parabola through three points, the middle one an extremum."""
-    left, right = (b - a) / (t1 - t0), (c - b) / (t2 - t1)
-    bend = (right - left) / (t2 - t0)
-    slope = left + bend * (t1 - t0)  # at the middle point
-    return t1 - 0.5 * slope / bend, b - 0.25 * slope * slope / bend
+def least_between(one, other, row, i):
+    """Smallest size between two moments, straight from one to the other."""
+    along, square = 0.0, 0.0
+    for u in range(3):
+        way = other[row + u, i] - one[row + u, i]
+        along -= one[row + u, i] * way
+        square += way * way
+    share = min(max(along / square, 0.0), 1.0) if square > 0.0 else 0.0
+    size = 0.0
+    for u in range(3):
+        size += (one[row + u, i] + share * (other[row + u, i] - one[row + u, i])) ** 2
+    return sqrt(size)
+
+
+@inner
+def widen_places(s, r0, v0, t, h, record):
+    """Take the peaks of the cubic between two steps into the envelopes of positions, as outputs have it."""
+    for c in range(len(s.dim)):
+        for i in range(record.largest.shape[1]):
+            way = s.r[c, i] - r0[c, i]
+            a, b = h * v0[c, i], h * s.v[c, i]
+            # the cubic's rate over the step: a + 2 p x + 3 q x^2
+            p, q = 3.0 * way - 2.0 * a - b, a + b - 2.0 * way
+            inside = p * p - 3.0 * a * q
+            if inside <= 0.0:
+                continue
+            # a root that does not cancel, and the other one by their product
+            big = -(p + sqrt(inside)) if p > 0.0 else -(p - sqrt(inside))
+            for k in range(2):
+                low, high = (big, 3.0 * q) if k == 0 else (a, big)
+                if high == 0.0:
+                    continue
+                x = low / high
+                if 0.0 < x < 1.0 and t + x * h >= record.time[0]:
+                    peak = r0[c, i] + x * (a + x * (p + x * q))
+                    record.largest[c, i] = max(record.largest[c, i], peak)
+                    record.smallest[c, i] = min(record.smallest[c, i], peak)
 
 
 @inner
@@ -517,7 +562,7 @@ def note_start(p, s, record, t):
     record.when[2] = t
     tabulate(s, record, record.values)
     if t >= record.time[0] - ROUNDING:
-        widen(record)
+        widen(record, len(s.dim))
         note_ends(p, s, record, t)
     if due(record, t + ROUNDING):
         note(p, s, record, record.values)
@@ -531,7 +576,8 @@ def note_step(p, s, so, r0, v0, a0, moment0, t, h, record):
     tabulate(s, record, record.values)
     between(p, s, so, r0, v0, a0, moment0, t, h, record)
     if t + h >= record.time[0] - ROUNDING:  # envelopes begin with the outputs
-        widen(record)
+        widen(record, len(s.dim))
+        widen_places(s, r0, v0, t, h, record)
         note_ends(p, s, record, t + h)
     if due(record, t + h * (1.0 + 1e-9)):
         note(p, s, record, record.values)
