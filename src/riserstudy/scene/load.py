@@ -22,7 +22,7 @@ from riserstudy.scene.blame import blamed, is_known
 from riserstudy.scene.check import check
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
-from riserstudy.scene.tables import files_of_tables, fill_in_tables
+from riserstudy.scene.tables import files_of_tables, fill_in_tables, names_of_tables
 from riserstudy.scene.text import read_text
 
 MOST_BYTES = 1_000_000  # of an input file
@@ -71,6 +71,12 @@ class SceneFile:
             origins |= statuses
         layers = self.layers | dict.fromkeys(overrides, layer)
         return SceneFile(self.source, tree, origins, layers, self.held)
+
+    @property
+    def files(self) -> list[Path]:
+        """Files that the scene reads: its own, and its tables."""
+        tables = names_of_tables(self.tree) if self.held is None else ()
+        return [Path(self.source), *(Path(self.source).parent / name for name in tables)]
 
     def scene(self) -> Scene:
         """The checked scene, in SI.

@@ -101,6 +101,17 @@ def files_of_tables(tree: dict[str, Any], folder: Path) -> Iterator[tuple[str, P
             yield ".".join((*place.way, place.name)), folder / name
 
 
+def is_table(path: Path) -> bool:
+    """Whether a file has the heading of a table that a scene can read."""
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as file:
+            heading = next(csv.reader(file, strict=True), [])
+    except (OSError, UnicodeDecodeError, csv.Error):
+        return False
+    columns = [m.group(1) for m in map(_HEADING.fullmatch, heading) if m]
+    return any(not _wrong(heading, columns, place) for place in PLACES)
+
+
 def names_of_tables(tree: Any) -> Iterator[str]:
     """Names of the tables that a tree, or a list of such, refers to."""
     if isinstance(tree, dict):
