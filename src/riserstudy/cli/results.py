@@ -106,7 +106,9 @@ def _show(
     from riserstudy.database import show
 
     if csv is not None:
-        show.write_csv(answer, csv)
+        from riserstudy.csv_files import write_csv
+
+        write_csv(csv, answer.columns, answer.rows)
         return
     lines = [show.as_json(answer)] if as_json else show.as_table(answer, units)
     try:
