@@ -128,7 +128,7 @@ def test_a_rerun_writes_all_of_the_run_and_never_over_what_it_reads(command, tmp
         assert {*other.variables} == {*dataset.variables}
         xr.testing.assert_allclose(other["x"], dataset["x"], rtol=1e-9)
     code, _, err = command("rerun", one, "-o", one)
-    assert (code, "the file that is read" in err) == (2, True)
+    assert (code, "an input of this command" in err) == (2, True)
 
 
 def test_a_scene_is_drawn_in_the_format_of_the_ending(command, tmp_path):
@@ -136,7 +136,7 @@ def test_a_scene_is_drawn_in_the_format_of_the_ending(command, tmp_path):
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
     code, _, err = command("draw", SURGE, "-o", tmp_path / "a.jpg")
     assert code == 2
-    assert "no drawing '.jpg'" in err
+    assert "no figure '.jpg'" in err
     assert {path.name for path in tmp_path.iterdir()} == {"a.png"}
 
 

@@ -43,7 +43,7 @@ def changed(folder, change=lambda deck: None):
 def loaded(folder, change=lambda deck: None):
     """Its scene, by the command."""
     target = folder / "scene.yaml"
-    sys.argv = ["riserstudy", "import", str(changed(folder, change)), "-o", str(target)]
+    sys.argv = ["riserstudy", "import", str(changed(folder, change)), "-o", str(target), "--force"]
     main()
     return load_scene(target).scene()
 

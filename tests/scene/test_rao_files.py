@@ -69,7 +69,7 @@ def capytaine(path, by="omega", body="", **changes):
 
 def imported(source, *words):
     target = source.with_suffix(".csv")
-    sys.argv = ["riserstudy", "import", str(source), "-o", str(target), *words]
+    sys.argv = ["riserstudy", "import", str(source), "-o", str(target), "--force", *words]
     main()
     return target
 

@@ -105,20 +105,6 @@ def test_verdicts_are_those_of_the_papers_where_the_joined_table_is_older(folder
     assert ["reproduced", "fails", "not", "reproducible"] in lines
 
 
-def test_after_the_clock_was_set_back_results_are_used_and_made(folder):
-    assert finish(start(folder))[0] == 0
-    tomorrow = time.time() + 86400
-    dataset, table = folder / "results/paper/a.nc", folder / "results/reproduction.csv"
-    for path in (dataset, table):
-        os.utime(path, (tomorrow, tomorrow))
-    assert finish(start(folder))[1].startswith("Nothing to do")
-    os.utime(dataset, (tomorrow, tomorrow))
-    table.unlink()
-    status, _, complained = finish(start(folder))
-    assert (status, complained) == (0, "")
-    assert table.exists()
-
-
 def test_a_failing_step_is_named_with_the_end_of_its_log(folder):
     (folder / "step.sh").write_text("exit 7\n")
     status, _, complained = finish(start(folder))

@@ -60,7 +60,6 @@ def main(arguments: list[str]) -> int:
         stop_when_told()
         try:
             unlock()
-            bring_to_today()
             status = run_snakemake(options, environment(run))
         except KeyboardInterrupt:
             status = 130
@@ -191,19 +190,6 @@ def stop_when_told() -> None:
             signal.signal(number, interrupt)
     if "MAKELEVEL" in os.environ:
         threading.Thread(target=watch, args=(os.getppid(),), daemon=True).start()
-
-
-def bring_to_today() -> None:
-    """Date what is from the future today: Snakemake refuses a result that is older than its input.
-
-    So it would, until that day has come, after the clock has been set back.
-    """
-    now = time.time()
-    cache = Path(os.environ.get("RISERSTUDY_CACHE") or ".cache")
-    for folder, what in ((Path("config"), "**/*"), (Path("results"), "**/*"), (cache, "numba/*/*")):
-        for path in folder.glob(what):
-            if path.is_file() and path.stat().st_mtime > now:
-                os.utime(path, (now, now))
 
 
 # Snakemake

@@ -10,18 +10,21 @@ import typer
 from riserstudy.cli.shared import (
     SceneArgument,
     SetOption,
-    check_writable,
     compile_kernels,
     scene_of,
 )
+from riserstudy.cli.targets import ForceOption, Writes, check_output
 
 
 def cost(
     scene: SceneArgument,
     settings: SetOption = None,
     plot: Annotated[
-        Path | None, typer.Option(help="also draw it (PNG or PDF)", metavar="FILE.png")
+        Path | None,
+        typer.Option(help="also draw it (PNG, PDF or SVG)", metavar="FILE.png"),
+        Writes("figure"),
     ] = None,
+    force: ForceOption = False,
 ) -> None:
     """Say what 5, 1, 0.2 and 0.05 % of error cost for a scene, before a grid of it is launched.
 
@@ -29,7 +32,7 @@ def cost(
     """
     file = scene_of(scene, settings)
     if plot is not None:
-        check_writable(plot, scene)
+        check_output(plot, ("figure",), file.files, force, "--plot")
     compile_kernels(file.scene())
     from riserstudy.numerics import accuracy_cost as requests
 
@@ -129,8 +132,13 @@ def modes(
     settings: SetOption = None,
     count: Annotated[int, typer.Option(min=1, max=1000, help="how many")] = 10,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="write frequencies and shapes here")
+        Path | None,
+        typer.Option(
+            "-o", "--output", help="write frequencies and shapes here (netCDF)", metavar="OUT.nc"
+        ),
+        Writes("dataset"),
     ] = None,
+    force: ForceOption = False,
 ) -> None:
     """Natural frequencies about the static equilibrium."""
     from rich.console import Console
@@ -140,7 +148,7 @@ def modes(
 
     file = scene_of(scene, settings)
     if output is not None:
-        check_writable(output, scene)
+        check_output(output, ("dataset",), file.files, force)
     compile_kernels()
     dataset = modes_of(file.scene(), count)
     table = Table("mode", "period (s)", "frequency (Hz)", "motion")

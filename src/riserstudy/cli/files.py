@@ -8,23 +8,24 @@ from typing import Annotated
 
 import typer
 
-from riserstudy.cli.shared import SceneArgument, SetOption, check_csv, check_writable, scene_of
+from riserstudy.cli.shared import SceneArgument, SetOption, scene_of
+from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
 
 def draw(
     scene: SceneArgument,
     output: Annotated[
-        Path, typer.Option("-o", "--output", help="drawing (PNG, PDF or SVG)", metavar="OUT.png")
+        Path,
+        typer.Option("-o", "--output", help="drawing (PNG, PDF or SVG)", metavar="OUT.png"),
+        Writes("figure"),
     ],
     settings: SetOption = None,
+    force: ForceOption = False,
 ) -> None:
     """Draw a scene to scale: what is there, what it is free to do, what acts on it."""
     file = scene_of(scene, settings)
-    check_writable(output, scene)
-    if output.suffix not in (".png", ".pdf", ".svg"):
-        allowed = "allowed are .png, .pdf and .svg"
-        raise InputError("--output", str(output), f"no drawing {output.suffix!r}", allowed)
+    check_output(output, ("figure",), file.files, force)
     from riserstudy.figures import save
     from riserstudy.schematic import schematic
 
@@ -44,37 +45,38 @@ def import_deck(
         typer.Option(
             "-o", "--output", help="scene to write; of operators a table", metavar="SCENE.yaml"
         ),
+        Writes("scene", "table of operators"),
     ],
     length: Annotated[
         str | None, typer.Option(help="ULEN of WAMIT's body, for .4: 1 m", metavar="LENGTH")
     ] = None,
+    force: ForceOption = False,
 ) -> None:
     """Make a scene of a deck, the OrcaFlex text model of a vertical riser, or a table of a platform's RAOs.
 
     Everything that is not in the scene is named; what would make it another riser is refused.
     """
     if deck.suffix in (".4", ".nc"):
-        _import_operators(deck, output, length)
+        _import_operators(deck, output, length, force)
         return
     from riserstudy.scene.orcaflex import as_text, read_deck
 
     deck_scene = read_deck(deck)
-    check_writable(output, deck)
+    check_output(output, ("scene",), [deck], force)
     output.write_text(as_text(deck_scene, deck), "utf-8")
     for line in deck_scene.left_out:
         print(f"left out: {line}")
     print(f"{output} is written; {len(deck_scene.left_out)} entries of the deck are not in it")
 
 
-def _import_operators(source: Path, output: Path, length: str | None) -> None:
+def _import_operators(source: Path, output: Path, length: str | None, force: bool) -> None:
     """The table of operators that a file of WAMIT or Capytaine holds."""
     from riserstudy.scene import rao_files
     from riserstudy.scene.units import to_si
 
     if not source.is_file():
         raise InputError(source, "", "no such file", "allowed is a file that exists")
-    check_writable(output, source)
-    check_csv(output)
+    check_output(output, ("table of operators",), [source], force)
     if source.suffix == ".nc":
         operators = rao_files.from_capytaine(source)
     elif length is None:
@@ -97,7 +99,9 @@ def _import_operators(source: Path, output: Path, length: str | None) -> None:
     )
 
 
-def new(folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER")]) -> None:
+def new(
+    folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER"), Writes()],
+) -> None:
     """Make a folder for a study of one's own: Snakefile, configuration, an example to change."""
     from riserstudy.study.new import new_study
 

@@ -12,13 +12,12 @@ import typer
 from riserstudy.cli.shared import (
     AtOption,
     SetOption,
-    check_csv,
-    check_writable,
     compile_kernels,
     place_of,
     say_warnings,
     scene_of,
 )
+from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
 
@@ -33,7 +32,9 @@ class PlotKind(StrEnum):
 def plot(
     dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
     output: Annotated[
-        Path, typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png")
+        Path,
+        typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png"),
+        Writes("figure"),
     ],
     kind: Annotated[PlotKind, typer.Option(help="which plot")] = PlotKind.RANGE,
     of: Annotated[
@@ -41,6 +42,7 @@ def plot(
         typer.Option(help="quantity to show: bending_moment; may be repeated", metavar="NAME"),
     ] = None,
     at: AtOption = None,
+    force: ForceOption = False,
 ) -> None:
     """Draw one run: ranges along the riser with its limits, time series, or its shape."""
     from riserstudy.dataset.diff import opened
@@ -49,10 +51,7 @@ def plot(
     from riserstudy.figures.run import draw
 
     of_run = opened(dataset)
-    check_writable(output, dataset)
-    if output.suffix not in (".png", ".pdf", ".svg"):
-        allowed = "allowed are .png, .pdf and .svg"
-        raise InputError("--output", str(output), f"no figure {output.suffix!r}", allowed)
+    check_output(output, ("figure",), [dataset], force)
     save(draw(kind.value, of_run.isel(place(of_run, place_of(at))), of), output)
 
 
@@ -70,10 +69,13 @@ def table(
         Path, typer.Argument(help="scene (YAML), or the dataset of its run", metavar="SCENE.yaml")
     ],
     output: Annotated[
-        Path, typer.Option("-o", "--output", help="table to write", metavar="OUT.csv")
+        Path,
+        typer.Option("-o", "--output", help="table to write", metavar="OUT.csv"),
+        Writes("table"),
     ],
     kind: Annotated[TableKind, typer.Option(help="which table")] = TableKind.EXTREMES,
     settings: SetOption = None,
+    force: ForceOption = False,
 ) -> None:
     """Write a table as CSV: stack-up, extremes, time series, or limits with their use.
 
@@ -85,8 +87,7 @@ def table(
     if stored and settings:
         raise InputError("--set", settings[0], "a dataset was simulated", "allowed with a scene")
     file = None if stored else scene_of(source, settings)
-    check_writable(output, source)
-    check_csv(output)
+    check_output(output, ("table",), file.files if file else [source], force)
     if file is None:
         made = _table_of_run(kind.value, source)
     elif kind is TableKind.STACK_UP:
@@ -117,7 +118,9 @@ def _table_of_run(kind: str, source: Path) -> Any:
 def statistics(
     dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
     output: Annotated[
-        Path, typer.Option("-o", "--output", help="table to write", metavar="OUT.csv")
+        Path,
+        typer.Option("-o", "--output", help="table to write", metavar="OUT.csv"),
+        Writes("table"),
     ],
     start: Annotated[
         str, typer.Option(help="leave out what is before: 200 s", metavar="TIME")
@@ -130,6 +133,7 @@ def statistics(
         str | None, typer.Option(help="axis of seeds: extremes by Gumbel", metavar="AXIS")
     ] = None,
     at: AtOption = None,
+    force: ForceOption = False,
 ) -> None:
     """Statistics in an irregular sea as CSV: mean, deviation, most probable extremes; Gumbel over seeds."""
     from riserstudy.dataset import statistics_tables, tables
@@ -138,8 +142,7 @@ def statistics(
     from riserstudy.scene.units import to_si
 
     of_run = opened(dataset)
-    check_writable(output, dataset)
-    check_csv(output)
+    check_output(output, ("table",), [dataset], force)
     if over and exposure:
         allowed = "over seeds extremes are those of the duration: leave it out"
         raise InputError("--exposure", exposure, "given with --over", allowed)

@@ -5,16 +5,22 @@ from __future__ import annotations
 import re
 import sys
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import sqlite3
 
 ResultsOption = Annotated[Path, typer.Option("--results", help="results folder", metavar="FOLDER")]
 
 CsvOption = Annotated[
-    Path | None, typer.Option("--csv", help="write it to a file instead", metavar="FILE.csv")
+    Path | None,
+    typer.Option("--csv", help="write it to a file instead", metavar="FILE.csv"),
+    Writes("table"),
 ]
 
 JsonOption = Annotated[bool, typer.Option("--json", help="print JSON")]
@@ -41,6 +47,7 @@ def results(
     csv: CsvOption = None,
     as_json: JsonOption = False,
     folder: ResultsOption = IN_RESULTS,
+    force: ForceOption = False,
 ) -> None:
     """List studies; the points of one, with what they found; or points by words.
 
@@ -51,6 +58,7 @@ def results(
 
     words = names or []
     with opened(folder / NAME) as db:
+        _check_csv(csv, db, folder, force)
         table = listing.table_of(db, words[0]) if len(words) == 1 else None
         if table is None and (where or columns or sort):
             found = f"no study {' '.join(words)!r}" if words else "no study"
@@ -70,13 +78,24 @@ def sql(
     csv: CsvOption = None,
     as_json: JsonOption = False,
     folder: ResultsOption = IN_RESULTS,
+    force: ForceOption = False,
 ) -> None:
     """Ask the results database; nothing can be changed by it."""
     from riserstudy.database.ask import NAME, ask, opened
 
     with opened(folder / NAME) as db:
+        _check_csv(csv, db, folder, force)
         answer = ask(db, statement)
     _show(answer, csv, as_json)
+
+
+def _check_csv(csv: Path | None, db: sqlite3.Connection, folder: Path, force: bool) -> None:
+    """Refuse an output that would replace the database, or a file that it describes."""
+    from riserstudy.database.ask import NAME, ask
+
+    if csv is not None:
+        files = [folder / str(path) for (path,) in ask(db, "select path from files").rows]
+        check_output(csv, ("table",), [folder / NAME, *files], force, "--csv")
 
 
 def _show(
@@ -87,7 +106,9 @@ def _show(
     from riserstudy.database import show
 
     if csv is not None:
-        show.write_csv(answer, csv)
+        from riserstudy.csv_files import write_csv
+
+        write_csv(csv, answer.columns, answer.rows)
         return
     lines = [show.as_json(answer)] if as_json else show.as_table(answer, units)
     try:

@@ -86,32 +86,6 @@ def _plain_xarray() -> None:
         xarray.Dataset(coords={"s": [0.0]})
 
 
-def check_writable(output: Path, scene: Path) -> None:
-    """Refuse what would not be made, or would take the place of a device, a link or the scene."""
-    import os
-
-    try:
-        folder = output.resolve().parent
-        taken = output.is_symlink() or (output.exists() and not output.is_file())
-        if taken or not folder.is_dir() or not os.access(folder, os.W_OK):
-            allowed = "allowed is a file in a folder that exists"
-            raise InputError("--output", str(output), "cannot be written", allowed)
-        if output.exists() and output.samefile(scene):
-            raise InputError("--output", str(output), "the file that is read", "name another file")
-    except (OSError, ValueError) as error:  # names too long, loops of links, no name at all
-        reason = getattr(error, "strerror", None) or "no file name"
-        raise InputError("--output", str(output), reason, "allowed is another file") from None
-
-
-def check_csv(output: Path) -> None:
-    """Refuse a table that would not be CSV."""
-    if output.suffix != ".csv":
-        allowed = "allowed is .csv, which spreadsheets open"
-        if output.suffix in (".xlsx", ".xls"):
-            allowed += "; workbooks need a library that riserstudy does not bring"
-        raise InputError("--output", str(output), f"no table {output.suffix!r}", allowed)
-
-
 def place_of(at: list[str] | None) -> dict[str, str]:
     """Values by axis, as text."""
     given = [one.partition("=") for one in at or []]

@@ -13,12 +13,12 @@ from riserstudy.cli.shared import (
     AtOption,
     SceneArgument,
     SetOption,
-    check_writable,
     compile_kernels,
     place_of,
     say_warnings,
     scene_of,
 )
+from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
 WORTH_TELLING = 10.0  # seconds of a run, from which on it is announced
@@ -29,7 +29,14 @@ SAME_AS_STORED = 1e-9  # relative, of what is stored to ten digits
 def run(
     scene: SceneArgument,
     output: Annotated[
-        Path, typer.Option("-o", "--output", help="dataset to write (netCDF)", metavar="OUT.nc")
+        Path,
+        typer.Option(
+            "-o",
+            "--output",
+            help="dataset to write (netCDF), or CSV: time series, or extremes at rest",
+            metavar="OUT.nc",
+        ),
+        Writes("dataset", "table"),
     ],
     settings: SetOption = None,
     accuracy: Annotated[
@@ -40,6 +47,7 @@ def run(
         str | None,
         typer.Option(help="take the best result after so long: 30, '10 min'", metavar="SECONDS"),
     ] = None,
+    force: ForceOption = False,
 ) -> None:
     """Simulate a scene and write its dataset.
 
@@ -50,16 +58,11 @@ def run(
 
     seconds(patience)
     file = scene_of(scene, settings, accuracy)
-    check_writable(output, scene)
+    check_output(output, ("dataset", "table"), file.files, force)
     compile_kernels(file.scene())
     from riserstudy.simulation.simulate import simulate
     from riserstudy.study.collect import write_dataset
 
-    if output.suffix not in (".nc", ".csv"):
-        allowed = "allowed are .nc (netCDF) and .csv (time series, or the state at rest's extremes)"
-        if output.suffix in (".xlsx", ".xls"):
-            allowed += "; workbooks need a library that riserstudy does not bring"
-        raise InputError("--output", str(output), f"no dataset {output.suffix!r}", allowed)
     if patience is None:
         _announce(file)
     dataset = simulate(file, patience=patience)
@@ -147,7 +150,9 @@ def rerun(
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", help="write all of the run", metavar="OUT.nc"),
+        Writes("dataset"),
     ] = None,
+    force: ForceOption = False,
 ) -> None:
     """Run a point of a dataset anew, from what the dataset says of itself alone, and compare.
 
@@ -159,7 +164,7 @@ def rerun(
     place = place_of(at)
     old = opened(dataset)
     if output is not None:
-        check_writable(output, dataset)
+        check_output(output, ("dataset",), [dataset], force)
     compile_kernels()
     from riserstudy.study.collect import write_dataset
     from riserstudy.study.rerun import rerun as run_anew

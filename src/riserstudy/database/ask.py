@@ -1,8 +1,13 @@
-"""Ask the database: statements that read, and nothing else."""
+"""Ask the database: statements that read, and nothing else.
+
+A database may come from anybody: its tables may be views, so that the first question already runs statements
+of somebody else. From that one on only reading is allowed, and time, texts and answers have an end.
+"""
 
 from __future__ import annotations
 
 import sqlite3
+import time as clock
 from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
 from pathlib import Path
@@ -20,7 +25,17 @@ READS = frozenset(
 )
 #: functions that reach beyond the database
 REFUSED = frozenset(("load_extension", "fts3_tokenizer"))
-AT_EASE = 100_000  # steps of a statement after which an interrupt is looked for
+AT_EASE = (
+    100  # steps of a statement after which an interrupt or its end is looked for; takes a quarter
+)
+LONGEST = 60.0  # seconds that a statement may take
+MOST_CELLS = 50_000_000  # of an answer
+MOST_TEXT = 1_000_000_000  # characters and bytes of an answer
+#: of what takes long or much within a single step, where nothing can interrupt it
+LIMITS = {
+    sqlite3.SQLITE_LIMIT_LENGTH: 1_000_000,  # bytes of a text or a row
+    sqlite3.SQLITE_LIMIT_LIKE_PATTERN_LENGTH: 1000,
+}
 
 
 class Answer(NamedTuple):
@@ -28,6 +43,21 @@ class Answer(NamedTuple):
 
     columns: list[str]
     rows: list[tuple[Any, ...]]
+
+
+class Reader(sqlite3.Connection):
+    """A connection whose statements end, each after ``LONGEST`` at the latest."""
+
+    _end = float("inf")
+
+    def execute(self, *statement: Any) -> sqlite3.Cursor:
+        """A statement, whose time begins here."""
+        self._end = clock.monotonic() + LONGEST
+        return super().execute(*statement)
+
+    def is_late(self) -> bool:
+        """Whether the time of the latest statement is over."""
+        return clock.monotonic() > self._end
 
 
 @contextmanager
@@ -45,18 +75,23 @@ def opened(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
     # never changed in place: a new file takes its place
     address = f"{path.resolve().as_uri()}?mode=ro&immutable=1"
     try:
-        with closing(sqlite3.connect(address, uri=True)) as db:
-            db.execute("select * from about")  # whether it is one
+        with closing(sqlite3.connect(address, uri=True, factory=Reader)) as db:
+            for category, most in LIMITS.items():
+                db.setlimit(category, most)
             db.set_authorizer(_only_reads)
-            db.set_progress_handler(lambda: 0, AT_EASE)
+            db.set_progress_handler(db.is_late, AT_EASE)
+            db.execute("select * from about").fetchone()  # whether it is one
             yield db
     except sqlite3.DatabaseError as error:
-        if error.__class__ is not sqlite3.DatabaseError and "no such table: about" not in str(
-            error
-        ):
-            raise
-        found = f"damaged, or no results database ({error})"
+        found = f"damaged, or no results database ({_reason(error)})"
         raise InputError(path, "", found, "delete it; the next run makes it anew") from None
+
+
+def _reason(error: Exception) -> str:
+    """Why a statement ended."""
+    if getattr(error, "sqlite_errorname", "") == "SQLITE_INTERRUPT":
+        return f"takes longer than {LONGEST:g} s"
+    return str(error)
 
 
 def _only_reads(action: int, first: str | None, second: str | None, *_: str | None) -> int:
@@ -75,9 +110,9 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     allowed = "allowed is one `select ...`; tables and columns stand in docs/results_database.md"
     try:
         cursor = db.execute(sql, values)
-        rows = cursor.fetchall()
+        rows = _rows(cursor, where)
     except (sqlite3.OperationalError, sqlite3.ProgrammingError, sqlite3.DataError) as error:
-        raise InputError(where, "", str(error), allowed) from None
+        raise InputError(where, "", _reason(error), allowed) from None
     except sqlite3.DatabaseError as error:
         if getattr(error, "sqlite_errorname", "") != "SQLITE_AUTH":
             raise
@@ -87,6 +122,19 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     if cursor.description is None:
         raise InputError(where, "", "nothing that can be asked", allowed)
     return Answer([column[0] for column in cursor.description], rows)
+
+
+def _rows(cursor: sqlite3.Cursor, where: str) -> list[tuple[Any, ...]]:
+    """All rows of an answer, as long as they do not fill the memory."""
+    rows: list[tuple[Any, ...]] = []
+    text = 0
+    for row in cursor:
+        rows.append(row)
+        text += sum(len(cell) for cell in row if isinstance(cell, str | bytes))
+        if len(rows) * len(row) > MOST_CELLS or text > MOST_TEXT:
+            found = f"more than {MOST_CELLS} cells or {MOST_TEXT} characters"
+            raise InputError(where, "", found, "ask for fewer columns, or add a limit")
+    return rows
 
 
 def query(sql: str, values: Sequence[Any] = (), database: str | Path = DATABASE) -> pd.DataFrame:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import math
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 from typing import Any
 
 from riserstudy.database.ask import Answer
-from riserstudy.errors import InputError, shown
+from riserstudy.errors import shown
 
 WIDEST = 60  # characters of a text on a screen
 
@@ -57,21 +55,3 @@ def _plain(value: Any) -> Any:
     if isinstance(value, bytes):
         return value.hex()
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
-
-
-def write_csv(answer: Answer, target: Path) -> None:
-    """A CSV file of an answer.
-
-    Raises
-    ------
-    InputError
-        When it cannot be written.
-    """
-    try:
-        with target.open("w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(answer.columns)
-            writer.writerows(answer.rows)
-    except OSError as error:
-        found = error.strerror or "cannot be written"
-        raise InputError("--csv", str(target), found, "name another file") from None

@@ -46,9 +46,11 @@ def described(file: Path, folder: Path) -> File:
         When it cannot be read, or lies elsewhere.
     """
     try:
-        digest = digest_of(file)
+        kind = KINDS[file.suffix]
         path = file.resolve().relative_to(folder.resolve()).as_posix()
-        return File(path, KINDS[file.suffix], file.stat().st_size, digest)
+        if file.exists() and not file.is_file():  # a device or pipe, whose end may never come
+            raise ValueError
+        return File(path, kind, file.stat().st_size, digest_of(file))
     except OSError as error:
         raise InputError(file, "", error.strerror or "cannot be read", "make it anew") from None
     except (ValueError, KeyError):

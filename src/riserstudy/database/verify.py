@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 from riserstudy.database.ask import ask, opened
 from riserstudy.database.sources import KINDS, described, digest_of
-from riserstudy.errors import InputError
+from riserstudy.errors import InputError, shown
 from riserstudy.folders import SEALS
 from riserstudy.study import store
+
+_KEY = re.compile(r"[0-9a-z]{1,64}")  # of a stored point, which is the name of its file
 
 
 class Verified(NamedTuple):
@@ -36,9 +39,14 @@ def verify(database: Path) -> Verified:
         wrong = [line for line in wrong if not line.endswith(": ok")]
         wrong += [f"{database}: {row}" for row in db.execute("pragma foreign_key_check")]
         wrong += [*_itself(database)]
-        files = dict(ask(db, "select path, sha256 from files").rows)
-        keys = [key for (key,) in ask(db, "select distinct key from points").rows]
+        asked = ask(db, "select path, sha256 from files").rows
+        files = {str(path): str(digest) for path, digest in asked}
+        keys = [str(key) for (key,) in ask(db, "select distinct key from points").rows]
     wrong += [*_files(database.parent, files)]
+    wrong += [
+        f"{database}: {shown(repr(key))} is no key" for key in keys if not _KEY.fullmatch(key)
+    ]
+    keys = [key for key in keys if _KEY.fullmatch(key)]
     damaged = [key for key in keys if store.has(key) and store.about(key) is None]
     wrong += [
         f"point {key}: damaged; the next run that needs it simulates it anew" for key in damaged
@@ -65,7 +73,8 @@ def _files(folder: Path, files: dict[str, str]) -> Iterator[str]:
             continue
         if not same:
             yield f"{folder / path}: not what it was when the database was made"
-    papers = {Path(path).parent.as_posix() for path in files} - {"."}
+    parts = [Path(path).parts for path in files]
+    papers = {ways[0] for ways in parts if len(ways) == 2} - {"..", "/"}
     for file in sorted(file for paper in papers for file in (folder / paper).glob("*")):
         known = file.relative_to(folder).as_posix() in files
         if file.suffix in KINDS and file.suffix != ".csv" and not known:

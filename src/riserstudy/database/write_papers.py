@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 import math
 import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
 
+from riserstudy.csv_files import read_csv
 from riserstudy.database.sources import File, Sources
 from riserstudy.database.write_study import About, marks
 from riserstudy.grading.models import published_path, read_published
@@ -53,11 +53,11 @@ def write_papers(
             _write_rests(db, sources.config, paper, file, studies)
     for path in sources.files:
         if path.name == "reproduction.csv":
-            _insert(db, "numbers_and_claims", map(_graded, _rows(path)))
+            _insert(db, "numbers_and_claims", map(_graded, read_csv(path)))
         if path.name == "margins.csv":
-            _insert(db, "margins", map(_margin, _rows(path)))
+            _insert(db, "margins", map(_margin, read_csv(path)))
         if path.name == "errata.csv":
-            _insert(db, "errata", (tuple(row.values()) for row in _rows(path)))
+            _insert(db, "errata", (tuple(row.values()) for row in read_csv(path)))
 
 
 def _write_reads(db: sqlite3.Connection, paper: str, file: StudyFile, studies: set[str]) -> None:
@@ -94,11 +94,6 @@ def _write_rests(
         for name in entry.datasets
     }
     _insert(db, "rests_on", sorted(row for row in rests if row[2] in studies))
-
-
-def _rows(path: Path) -> list[dict[str, str]]:
-    with path.open(newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
 
 
 def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:

@@ -1,16 +1,17 @@
-"""The scene behind a dataset, from what the dataset says of itself alone."""
+"""The scene behind a dataset, from what the dataset says of itself alone.
+
+A dataset may come from anybody. What it holds is checked as a scene file is, its tables stay in memory, and
+nothing that it names is read or written.
+"""
 
 from __future__ import annotations
 
 import json
-import tempfile
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
-from pathlib import Path
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.errors import InputError
-from riserstudy.scene.load import SceneFile
+from riserstudy.scene.load import SceneFile, plain_fault
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin
 
@@ -21,26 +22,44 @@ if TYPE_CHECKING:
 def provenance(dataset: xr.Dataset) -> dict[str, Any]:
     """Scene, tables and engine behind a dataset of a study or of one run.
 
+    Returns
+    -------
+    dict
+        ``scene`` is a plain tree, ``tables`` text by name, ``origins`` status by path, ``engine`` a digest.
+
     Raises
     ------
     InputError
-        When the dataset was not simulated.
+        When the dataset was not simulated, or holds something else under these names.
     """
     said = dataset.attrs
     if "provenance" in said:
-        return {"origins": {}, **json.loads(said["provenance"])}
-    if "scene" not in said or "tables" not in said:
+        record = {"origins": {}, "engine": "", **_mapping(dataset, "provenance")}
+    elif "scene" in said and "tables" in said:
+        names = [name for name in ("scene", "tables", "origins") if name in said]
+        parts = {name: _mapping(dataset, name) for name in names}
+        record = {"origins": {}, "engine": said.get("engine", ""), **parts}
+    else:
+        record = {}
+    if "scene" not in record or "tables" not in record:
         found = "does not hold a scene and its tables"
         allowed = "allowed is a dataset that was simulated, by this version or a later one"
         raise InputError("dataset", "", found, allowed)
-    parts = {name: json.loads(said[name]) for name in ("scene", "tables")}
-    origins = json.loads(said.get("origins", "{}"))
-    return parts | {"engine": said["engine"], "origins": origins}
+    for name in ("tables", "origins"):
+        texts = record[name]
+        if not isinstance(texts, dict) or not all(isinstance(t, str) for t in texts.values()):
+            raise _damaged(dataset, name, "no text by name")
+    if not isinstance(record["engine"], str):
+        raise _damaged(dataset, "engine", "no text")
+    if not isinstance(record["scene"], dict):
+        raise _damaged(dataset, "scene", "no mapping")
+    if fault := plain_fault(record["scene"]):
+        raise InputError(_name(dataset), *fault)
+    return record
 
 
-@contextmanager
-def file_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Iterator[SceneFile]:
-    """The scene file of one point, with its tables, in a folder that is there as long as this lasts.
+def file_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
+    """The scene file of one point, which holds its tables.
 
     Parameters
     ----------
@@ -49,23 +68,45 @@ def file_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Iterator[Scene
     Raises
     ------
     InputError
-        When the dataset was not simulated.
+        When the dataset was not simulated, or holds no scene of the point.
     """
     record = provenance(dataset)
     sets: dict[str, Any] = {}
     for axis, k in index.items():
-        sets |= json.loads(dataset[axis].attrs["sets"])[str(dataset[axis][k].item())]
+        of_axis, value = _mapping(dataset[axis], "sets"), str(dataset[axis][k].item())
+        if not isinstance(of_axis.get(value), dict):
+            raise _damaged(dataset[axis], "sets", f"nothing for {axis} = {value}")
+        if fault := plain_fault(of_axis[value], f"{axis}.sets"):
+            raise InputError(_name(dataset), *fault)
+        sets |= of_axis[value]
     origins = {path: Origin(status, None) for path, status in record["origins"].items()}
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in record["tables"].items():
-            table = Path(folder, name)
-            table.parent.mkdir(parents=True, exist_ok=True)
-            table.write_bytes(text.encode())
-        source = str(Path(folder) / "scene.yaml")
-        yield SceneFile(source, record["scene"], origins).with_values(sets, "axes")
+    source = _name(dataset)
+    file = SceneFile(source, record["scene"], origins, held=record["tables"])
+    return file.with_values(sets, f"{source}: axes")
 
 
 def scene_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:
     """The scene of one point, as ``file_behind`` has it."""
-    with file_behind(dataset, index) as file:
-        return file.scene()
+    return file_behind(dataset, index).scene()
+
+
+def _name(dataset: xr.Dataset | xr.DataArray) -> str:
+    """How errors name a dataset: by its file, where it was read from one."""
+    return str(dataset.encoding.get("source", "dataset"))
+
+
+def _mapping(said: xr.Dataset | xr.DataArray, name: str) -> dict[str, Any]:
+    """What an attribute holds as JSON."""
+    try:
+        value = json.loads(said.attrs[name])
+    except (KeyError, TypeError, ValueError, RecursionError):
+        raise _damaged(said, name, "no JSON") from None
+    if not isinstance(value, dict):
+        raise _damaged(said, name, "no mapping")
+    return value
+
+
+def _damaged(said: xr.Dataset | xr.DataArray, name: str, found: str) -> InputError:
+    """What is said of a dataset that no simulation wrote like this."""
+    allowed = "the file is damaged, or not of this program; run its scene again"
+    return InputError(_name(said), name, found, allowed)

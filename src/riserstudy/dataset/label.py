@@ -95,7 +95,7 @@ def provenance(file: SceneFile) -> dict[str, Any]:
         "riserstudy": version("riserstudy"),
         "engine": engine_digest(),
         "scene": file.tree,
-        "tables": texts_of_tables(file.tree, Path(file.source).parent),
+        "tables": texts_of_tables(file.tree, Path(file.source).parent, file.held),
         "origins": {path: o.status for path, o in file.origins.items()},
         "plain_values": "published" if file.tree.get("paper") else "given",
     }

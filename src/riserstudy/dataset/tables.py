@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from riserstudy.csv_files import write_csv as write_whole
 from riserstudy.dataset.variables import attributes
-from riserstudy.errors import InputError, SimulationError
+from riserstudy.errors import InputError
 from riserstudy.scene.ends import Body
 from riserstudy.scene.limits import UNITS
 from riserstudy.scene.models import Scene
@@ -190,25 +190,12 @@ def write_csv(table: Table, target: Path) -> None:
         When it cannot be written, as on a full disk.
     """
     heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
-    partial = target.with_name(f".{target.name}.part")
-    try:
-        with partial.open("w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow(heads)
-            writer.writerows([_text(cell) for cell in row] for row in table.rows)
-        partial.replace(target)
-    except OSError as error:
-        reason = f"{target} cannot be written: {error.strerror}"
-        raise SimulationError(f"{reason}; see whether the disk is full") from None
-    finally:
-        partial.unlink(missing_ok=True)
+    write_whole(target, heads, ([_text(cell) for cell in row] for row in table.rows))
 
 
-def _text(cell: Cell) -> str | int:
+def _text(cell: Cell) -> Cell:
     """To ten digits, as datasets are stored."""
-    if isinstance(cell, float):
-        return f"{cell:.10g}"
-    return "" if cell is None else cell
+    return f"{cell:.10g}" if isinstance(cell, float) else cell
 
 
 def table_of(kind: str, scene: Scene | None, dataset: xr.Dataset | None) -> Table:

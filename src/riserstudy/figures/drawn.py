@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -14,6 +12,8 @@ from matplotlib.collections import PathCollection, PolyCollection, QuadMesh
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
+
+from riserstudy.csv_files import csv_text
 
 Array = NDArray[np.float64]
 
@@ -48,17 +48,13 @@ def words(figure: Figure) -> str:
 
 def table(figure: Figure) -> str:
     """All that is drawn as CSV text: a row a value, to six digits."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(HEADER)
+    rows: list[tuple[str, ...]] = []
     for number, ax in enumerate(_shown(figure), start=1):
         title = _title(ax) or str(number)
         labels = _labels(ax)
         for one in _series(ax):
-            writer.writerows(
-                (title, *labels, one.name, *(_cell(value) for value in row)) for row in one.values
-            )
-    return text.getvalue()
+            rows += [(title, *labels, one.name, *map(_cell, row)) for row in one.values]
+    return csv_text(HEADER, rows)
 
 
 def _shown(figure: Figure) -> list[Axes]:

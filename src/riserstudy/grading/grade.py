@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -15,6 +13,7 @@ import numpy as np
 import xarray as xr
 from scipy.stats import binomtest
 
+from riserstudy.csv_files import csv_text
 from riserstudy.errors import SimulationError
 from riserstudy.grading.margin import below
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
@@ -279,12 +278,8 @@ def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Erra
 
 def table(rows: Iterable[Any], kind: type) -> str:
     """Rows as CSV text with a header; numbers to six digits."""
-    text = io.StringIO()
-    writer = csv.DictWriter(text, [field.name for field in fields(kind)], lineterminator="\n")
-    writer.writeheader()
-    for row in rows:
-        writer.writerow({name: _cell(value) for name, value in asdict(row).items()})
-    return text.getvalue()
+    header = [field.name for field in fields(kind)]
+    return csv_text(header, ([_cell(value) for value in asdict(row).values()] for row in rows))
 
 
 def _look(entry: Checked, reads: Mapping[str, str], checks: Checks, datasets: Datasets) -> Any:

@@ -13,9 +13,12 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 from riserstudy.errors import InputError
-from riserstudy.jobs import seals
+from riserstudy.jobs import mend, seals
+from riserstudy.simulation.compile import marker
 
 SNAKEMAKE = Path(".snakemake")
+#: folders of what jobs read and write
+DATED = (Path("config"), Path("chapters"), seals.RESULTS)
 FEW = 5  # files that are named
 
 _held = FileLock(SNAKEMAKE / "riserstudy.lock")
@@ -46,12 +49,24 @@ def begin(
     wanted = frozenset(outputs)
     damaged = seals.damaged(sorted(wanted))
     lines = _listed(damaged, "not as written, and made anew when asked for")
-    if at_work:
-        lines += _other_tier(tier)
-        dropped = list(seals.dropped(papers, wanted))
+    anew = [file.as_posix() for file in damaged]
+    records = mend.unreadable(SNAKEMAKE)
+    if not at_work:
+        return anew, lines + _listed(
+            records, "damaged, and Snakemake may stop at it; a run mends it"
+        )
+    lines += _listed(records, "damaged, and what its job made is made anew when asked for")
+    lines += _dated()
+    lines += _other_tier(tier)
+    dropped = list(seals.dropped(papers, wanted))
+    lines += _listed(dropped, "no longer asked for, and removed")
+    try:
+        anew += mend.drop(records, SNAKEMAKE)
         _remove(dropped)
-        lines += _listed(dropped, "no longer asked for, and removed")
-    return [file.as_posix() for file in damaged], lines
+    except OSError as error:
+        allowed = "allowed is a folder that can be written"
+        raise InputError(error.filename, "", os.strerror(error.errno or 0), allowed) from None
+    return anew, lines
 
 
 def _is_alone() -> bool:
@@ -64,10 +79,20 @@ def _is_alone() -> bool:
     return True
 
 
+def _dated() -> list[str]:
+    """Date today what is from the future, and say what."""
+    files = [path for folder in DATED for path in sorted(folder.rglob("*"))]
+    dated, refused = mend.date_today([*files, *marker().parent.glob(f"{marker().name}*")])
+    lines = _listed(dated, "from the future, and dated today")
+    return lines + _listed(
+        refused, "from the future, and cannot be dated today: what reads it fails"
+    )
+
+
 def _other_tier(tier: str) -> list[str]:
     """Say that results of another tier will be replaced, and note this one."""
     note = seals.SEALS / "tier"
-    former = note.read_text("utf-8") if note.exists() else tier
+    former = note.read_text("utf-8", "replace") if note.exists() else tier
     try:
         note.parent.mkdir(parents=True, exist_ok=True)
         note.write_text(tier, "utf-8")
@@ -86,11 +111,7 @@ def _remove(results: Iterable[Path]) -> None:
     """Remove results, and what a killed run left: locks, and what jobs were writing, hidden until whole."""
     partial = [path for path in seals.RESULTS.rglob(".*") if path.is_file()]
     locks = (SNAKEMAKE / "locks").glob("*")
-    try:
-        for file in (*locks, *partial):
-            file.unlink(missing_ok=True)
-        for file in results:
-            seals.remove(file)
-    except OSError as error:
-        allowed = "allowed is a folder that can be written"
-        raise InputError(error.filename, "", os.strerror(error.errno or 0), allowed) from None
+    for file in (*locks, *partial):
+        file.unlink(missing_ok=True)
+    for file in results:
+        seals.remove(file)

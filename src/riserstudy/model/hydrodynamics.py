@@ -61,11 +61,12 @@ def hydrodynamics(of: Layout) -> Iterator[Effect]:
     added = [*_added_mass(scene, mesh, rho)] if across else []
     waves = [*_wave_force(scene, mesh, of.d, rho)] if across else []
     drags = [*_drag(scene, mesh, of.d, rho)] if across else []
+    constant = [drag for drag in drags if isinstance(drag.record, Drag)]
     by_depth = [drag for drag in drags if isinstance(drag.record, DragOverDepth)]
     tangential = [*_tangential(scene, mesh, rho)]
     if across:
         yield from _contents(scene, mesh)
-    yield from [*added, *waves, *(drag for drag in drags if drag not in by_depth), *tangential]
+    yield from [*added, *waves, *constant, *tangential]
     yield from _waterline(scene, [*drags, *tangential], added, waves, of.last)
     yield from by_depth  # after the waterline, which changes their scale
 

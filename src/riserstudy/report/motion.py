@@ -120,7 +120,9 @@ def _some(count: int, most: int) -> NDArray[np.int64]:
 
 def _scene(dataset: xr.Dataset, at: dict[str, Any]) -> Scene:
     """The scene of the dataset with what the place on the axes sets."""
-    file = SceneFile(dataset.attrs["scene_file"], json.loads(dataset.attrs["scene"]))
+    said = dataset.attrs
+    held = json.loads(said["tables"])
+    file = SceneFile(said["scene_file"], json.loads(said["scene"]), held=held)
     for axis, value in at.items():
         sets = json.loads(dataset[axis].attrs["sets"])
         key = str(dataset[axis].sel({axis: value}).item())

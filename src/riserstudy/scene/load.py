@@ -22,7 +22,7 @@ from riserstudy.scene.blame import blamed, is_known
 from riserstudy.scene.check import check
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
-from riserstudy.scene.tables import files_of_tables, fill_in_tables
+from riserstudy.scene.tables import files_of_tables, fill_in_tables, names_of_tables
 from riserstudy.scene.text import read_text
 
 MOST_BYTES = 1_000_000  # of an input file
@@ -37,13 +37,15 @@ _STEP = re.compile(r"[A-Za-z_]\w*(\[\d{1,6}\])*")  # of a dotted path
 class SceneFile:
     """A scene as its file says it: plain tree, origins, and where it came from.
 
-    ``layers``: who set values on top of the file, by their path.
+    ``layers``: who set values on top of the file, by their path. ``held``: texts of its tables by name, where
+    it comes out of a dataset; absent: its tables are files.
     """
 
     source: str
     tree: dict[str, Any]
     origins: dict[str, Origin] = field(default_factory=dict)
     layers: dict[str, str] = field(default_factory=dict, compare=False)
+    held: Mapping[str, str] | None = None
 
     def with_values(self, overrides: Mapping[str, Any], layer: str) -> SceneFile:
         """The same with values set by dotted path; ``layer`` names who sets them in errors.
@@ -67,7 +69,14 @@ class SceneFile:
             _set(tree, path, plain, layer)
             origins = {k: v for k, v in origins.items() if not (k + ".").startswith(path + ".")}
             origins |= statuses
-        return SceneFile(self.source, tree, origins, self.layers | dict.fromkeys(overrides, layer))
+        layers = self.layers | dict.fromkeys(overrides, layer)
+        return SceneFile(self.source, tree, origins, layers, self.held)
+
+    @property
+    def files(self) -> list[Path]:
+        """Files that the scene reads: its own, and its tables."""
+        tables = names_of_tables(self.tree) if self.held is None else ()
+        return [Path(self.source), *(Path(self.source).parent / name for name in tables)]
 
     def scene(self) -> Scene:
         """The checked scene, in SI.
@@ -79,12 +88,12 @@ class SceneFile:
         """
         folder = Path(self.source).parent
         try:
-            return check(Scene, fill_in_tables(self.tree, folder), self.source)
+            return check(Scene, fill_in_tables(self.tree, folder, self.held), self.source)
         except InputError as error:
             if error.where != self.source:
                 raise
-            tables = {path: str(file) for path, file in files_of_tables(self.tree, folder)}
-            raise blamed(error, self.layers, tables) from None
+            files = files_of_tables(self.tree, folder) if self.held is None else ()
+            raise blamed(error, self.layers, {p: str(file) for p, file in files}) from None
 
 
 def _copied(tree: Any) -> Any:
@@ -133,7 +142,7 @@ def plain_yaml(text: str, source: object) -> Any:
         raise InputError(source, where, str(problem), "allowed is plain YAML") from None
     except (RecursionError, ValueError) as error:
         raise InputError(source, "", f"cannot be read: {error}"[:200], "simplify it") from None
-    fault = _not_plain(data)
+    fault = plain_fault(data)
     if fault:
         raise InputError(source, *fault)
     return data
@@ -151,7 +160,8 @@ def _scan(text: str, source: object) -> None:
             raise InputError(source, place, "nested too deeply", f"allowed are {DEEPEST} levels")
 
 
-def _not_plain(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, str] | None:
+def plain_fault(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, str] | None:
+    """The first place that is not plain data: path, what is found and what is allowed; None without one."""
     if depth > DEEPEST:
         return path, "nested too deeply", f"allowed are {DEEPEST} levels"
     if isinstance(data, dict):
@@ -159,11 +169,11 @@ def _not_plain(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, str
             here = f"{path}.{key}" if path else str(key)
             if not isinstance(key, str):
                 return here, f"key {key!r} is no text", "allowed are names as keys"
-            if fault := _not_plain(value, here, depth + 1):
+            if fault := plain_fault(value, here, depth + 1):
                 return fault
     elif isinstance(data, list):
         for k, value in enumerate(data):
-            if fault := _not_plain(value, f"{path}[{k}]", depth + 1):
+            if fault := plain_fault(value, f"{path}[{k}]", depth + 1):
                 return fault
     elif isinstance(data, float) and not math.isfinite(data):
         return path, repr(data), "allowed are finite numbers"

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from riserstudy.csv_files import write_csv
 from riserstudy.errors import InputError
 from riserstudy.scene.rao import MOTIONS
 
@@ -201,12 +202,7 @@ def _columns(motions: list[str]) -> list[str]:
 
 def write_table(found: Operators, target: Path) -> None:
     """Write operators as the CSV table that ``platform.response.operators`` reads."""
-    import csv
-
-    with target.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(found.columns)
-        writer.writerows([f"{cell:.10g}" for cell in row] for row in found.rows)
+    write_csv(target, found.columns, ([f"{cell:.10g}" for cell in row] for row in found.rows))
 
 
 def lines_of_scene(found: Operators, target: Path) -> str:

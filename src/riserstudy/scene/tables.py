@@ -8,7 +8,7 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path, PureWindowsPath
 from typing import Any, NamedTuple
@@ -60,8 +60,16 @@ PLACES = (
 )
 
 
-def fill_in_tables(tree: dict[str, Any], folder: Path) -> dict[str, Any]:
+def fill_in_tables(
+    tree: dict[str, Any], folder: Path, held: Mapping[str, str] | None = None
+) -> dict[str, Any]:
     """The tree with every ``{file: name.csv}`` replaced by its checked rows.
+
+    Parameters
+    ----------
+    tree : of a scene, or of a part of it.
+    folder : of the scene, from which its tables are seen.
+    held : texts of the tables by name, where a dataset brings them; no file is read then.
 
     Raises
     ------
@@ -78,7 +86,7 @@ def fill_in_tables(tree: dict[str, Any], folder: Path) -> dict[str, Any]:
         here = parent.get(place.name) if isinstance(parent, dict) else None
         if not (isinstance(here, dict) and set(here) == {"file"}):
             continue
-        rows = read_table(_file(folder, here["file"]), place)
+        rows = _rows_of(here["file"], place, folder, held)
         filled = _with(filled, (*place.way, place.name), {place.key: rows} if place.key else rows)
     return filled
 
@@ -93,6 +101,17 @@ def files_of_tables(tree: dict[str, Any], folder: Path) -> Iterator[tuple[str, P
             yield ".".join((*place.way, place.name)), folder / name
 
 
+def is_table(path: Path) -> bool:
+    """Whether a file has the heading of a table that a scene can read."""
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as file:
+            heading = next(csv.reader(file, strict=True), [])
+    except (OSError, UnicodeDecodeError, csv.Error):
+        return False
+    columns = [m.group(1) for m in map(_HEADING.fullmatch, heading) if m]
+    return any(not _wrong(heading, columns, place) for place in PLACES)
+
+
 def names_of_tables(tree: Any) -> Iterator[str]:
     """Names of the tables that a tree, or a list of such, refers to."""
     if isinstance(tree, dict):
@@ -104,8 +123,10 @@ def names_of_tables(tree: Any) -> Iterator[str]:
             yield from names_of_tables(part)
 
 
-def texts_of_tables(tree: Any, folder: Path) -> dict[str, str]:
-    """What the tables say that a tree refers to, by name.
+def texts_of_tables(
+    tree: Any, folder: Path, held: Mapping[str, str] | None = None
+) -> dict[str, str]:
+    """What the tables say that a tree refers to, by name; ``held`` as above.
 
     Raises
     ------
@@ -113,7 +134,26 @@ def texts_of_tables(tree: Any, folder: Path) -> dict[str, str]:
         When one cannot be read.
     """
     names = sorted({*names_of_tables(tree)})
+    if held is not None:
+        return {name: _held(folder, name, held) for name in names}
     return {name: read_text(_file(folder, name), MOST_BYTES) for name in names}
+
+
+def _rows_of(
+    name: object, place: Place, folder: Path, held: Mapping[str, str] | None
+) -> list[Strict]:
+    """Rows of a table by its name in the scene."""
+    if held is None:
+        return read_table(_file(folder, name), place)
+    return _rows(_lines(str(name), _held(folder, name, held)), str(name), place)
+
+
+def _held(folder: Path, name: object, held: Mapping[str, str]) -> str:
+    """Text of a table that a dataset brings; a scene from elsewhere reads no other."""
+    if not isinstance(name, str) or name not in held:
+        allowed = "a scene in a dataset reads only the tables that the dataset holds"
+        raise InputError("dataset", "file", f"no table {name!r} in it", allowed)
+    return held[name]
 
 
 def _with(tree: dict[str, Any], way: tuple[str, ...], value: Any) -> dict[str, Any]:
@@ -151,7 +191,11 @@ def read_table(path: Path, place: Place) -> list[Strict]:
 
 @lru_cache(64)
 def _read(path: Path, stamp: tuple[int, int], place: Place) -> list[Strict]:
-    lines = _lines(path)
+    return _rows(_lines(path, read_text(path, MOST_BYTES)), path, place)
+
+
+def _rows(lines: list[list[str]], path: object, place: Place) -> list[Strict]:
+    """Checked rows of the lines of a table; ``path`` names it in errors."""
     columns, units = _heading(path, lines[0] if lines else [], place)
     if len(lines) > MOST_ROWS:
         raise InputError(path, "", f"{len(lines)} lines", f"allowed are {MOST_ROWS}")
@@ -168,15 +212,14 @@ def _read(path: Path, stamp: tuple[int, int], place: Place) -> list[Strict]:
     return rows
 
 
-def _lines(path: Path) -> list[list[str]]:
-    text = read_text(path, MOST_BYTES)
+def _lines(path: object, text: str) -> list[list[str]]:
     try:
         return list(csv.reader(io.StringIO(text, newline=""), strict=True))
     except csv.Error as error:
         raise InputError(path, "", f"no CSV: {error}", "allowed is a CSV file") from None
 
 
-def _heading(path: Path, cells: Sequence[str], place: Place) -> tuple[list[str], list[str]]:
+def _heading(path: object, cells: Sequence[str], place: Place) -> tuple[list[str], list[str]]:
     """Names and units of the columns, which may stand in any order."""
     named = [m for m in map(_HEADING.fullmatch, cells) if m]
     columns = [m.group(1) for m in named]
@@ -209,7 +252,7 @@ def _wrong(cells: Sequence[str], columns: Sequence[str], place: Place) -> str:
     return ""
 
 
-def _number(path: Path, line: int, cell: str) -> str:
+def _number(path: object, line: int, cell: str) -> str:
     try:
         float(cell)
     except ValueError:

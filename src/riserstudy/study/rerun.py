@@ -62,9 +62,9 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     index = place(dataset, at)
     point = dataset.isel(index)
     estimated = bool(np.isfinite(point.get("error_displacement", 0.0)))
-    with file_behind(dataset, index) as file:
-        result = run(file.scene(), estimated=estimated)
-        whole = to_dataset(result, file, absent(set(result.facts["effects"])))
+    file = file_behind(dataset, index)
+    result = run(file.scene(), estimated=estimated)
+    whole = to_dataset(result, file, absent(set(result.facts["effects"])))
     whole.attrs["source"] = dataset.attrs.get("scene_file") or dataset.attrs.get("source", "")
     told = xr.Dataset(statistics([result], [str(name) for name in point.data_vars])).squeeze()
     if "s_node" in point.dims and not np.array_equal(point["s_node"], result.arrays["s_node"]):

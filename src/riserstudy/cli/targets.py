@@ -1,0 +1,136 @@
+"""Files that commands write: where they may stand, and what they never replace."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from riserstudy.errors import InputError
+
+#: endings of each kind of file that commands write
+ENDINGS = {
+    "dataset": (".nc",),
+    "table": (".csv",),
+    "figure": (".png", ".pdf", ".svg"),
+    "scene": (".yaml", ".yml"),
+    "table of operators": (".csv",),
+}
+#: kinds that people edit: an existing file is never replaced without being told to
+EDITED = ("scene", "table of operators")
+#: how files of an ending begin
+BEGINNINGS = {
+    ".nc": (b"\x89HDF\r\n\x1a\n", b"CDF"),
+    ".png": (b"\x89PNG\r\n\x1a\n",),
+    ".pdf": (b"%PDF-",),
+    ".svg": (b"<?xml", b"<svg"),
+}
+LOOKED_AT = 1000  # bytes of a file, to tell its kind
+OR_FORCE = "name another file, or add --force to replace this one"
+
+ForceOption = Annotated[
+    bool, typer.Option("--force", help="replace even an input, or a file of another kind")
+]
+
+
+class Writes:
+    """Marks an argument or option as a file, or a folder, that a command writes.
+
+    Parameters
+    ----------
+    *kinds : of files, as in ``ENDINGS``; none for a folder.
+    """
+
+    def __init__(self, *kinds: str):
+        self.kinds = kinds
+
+
+def check_output(
+    output: Path,
+    kinds: Iterable[str],
+    reads: Iterable[Path],
+    force: bool,
+    option: str = "--output",
+) -> None:
+    """Refuse an output that cannot be written, or would replace something else, before anything is done.
+
+    Parameters
+    ----------
+    kinds : of files that the command writes, as in ``ENDINGS``.
+    reads : files that the command reads.
+    force : replace an input, or a file of another kind. Links, folders and devices stay.
+    option : that names the output.
+
+    Raises
+    ------
+    InputError
+        When it is to be another file.
+    """
+    kinds = list(kinds)
+    try:
+        _check_ending(output, kinds, option)
+        _check_place(output, option)
+        if output.exists() and not force:
+            _check_replaced(output, kinds, reads, option)
+    except (OSError, ValueError) as error:  # names too long, loops of links, no name at all
+        reason = getattr(error, "strerror", None) or "no file name"
+        raise InputError(option, str(output), reason, "name another file") from None
+
+
+def _check_ending(output: Path, kinds: list[str], option: str) -> None:
+    endings = [ending for kind in kinds for ending in ENDINGS[kind]]
+    if output.suffix in endings:
+        return
+    allowed = f"allowed {'is' if len(endings) == 1 else 'are'} {', '.join(endings)}"
+    if output.suffix in (".xlsx", ".xls") and ".csv" in endings:
+        allowed += (
+            ", which spreadsheets open; workbooks need a library that riserstudy does not bring"
+        )
+    found = f"no {' or '.join(kinds)} {output.suffix!r}"
+    raise InputError(option, str(output), found, allowed)
+
+
+def _check_place(output: Path, option: str) -> None:
+    """A file, that is there or not, in a folder that takes files."""
+    folder = output.resolve().parent
+    taken = output.is_symlink() or (output.exists() and not output.is_file())
+    if taken or not folder.is_dir() or not os.access(folder, os.W_OK):
+        allowed = "allowed is a file in a folder that exists"
+        raise InputError(option, str(output), "cannot be written", allowed)
+
+
+def _check_replaced(output: Path, kinds: list[str], reads: Iterable[Path], option: str) -> None:
+    """What is there may be replaced: an older output of the same kind, or nothing."""
+    if any(_same(output, path) for path in reads):
+        raise InputError(option, str(output), "the file is an input of this command", OR_FORCE)
+    if not output.stat().st_size:
+        return
+    if set(kinds) & set(EDITED):
+        raise InputError(option, str(output), "the file exists", OR_FORCE)
+    if not _is_of_its_kind(output):
+        found = f"the file is no {' or '.join(kinds)} that this command writes"
+        raise InputError(option, str(output), found, OR_FORCE)
+
+
+def _same(output: Path, path: Path) -> bool:
+    """Whether two names lead to one file, as hard links do."""
+    try:
+        return output.samefile(path)
+    except (OSError, ValueError):  # an input that is not there cannot be lost
+        return False
+
+
+def _is_of_its_kind(path: Path) -> bool:
+    """Whether a file holds what its ending promises; a table that scenes read is no table of results."""
+    with path.open("rb") as file:
+        content = file.read(LOOKED_AT)
+    if beginnings := BEGINNINGS.get(path.suffix):
+        return content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(beginnings)
+    if path.suffix == ".csv":
+        from riserstudy.scene.tables import is_table
+
+        return b"\0" not in content and not is_table(path)
+    return True
