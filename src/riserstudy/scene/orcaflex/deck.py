@@ -75,19 +75,19 @@ class Part:
         return math.nan
 
     def given(self, key: str) -> float:
-        """A number, 0 where there is none."""
+        """A number in the unit of the deck, 0 where there is none."""
         entry = self.optional(key)
         return 0.0 if entry is None else self.number(key)
 
     def numbers(self, key: str) -> list[float]:
-        """A list of numbers, those that are empty 0; none where there is no such list."""
+        """Numbers in the unit of the deck, 0 where one is empty; none where there is no such list."""
         entry = self.optional(key) or []
         if not isinstance(entry, list):
             raise self.refused(key, repr(entry), "allowed is a list of numbers")
         return [self._number(key, 0.0 if one in EMPTY else one) for one in entry]
 
     def vector(self, key: str) -> tuple[float, float, float]:
-        """Three numbers, those that are empty 0."""
+        """Three numbers in the unit of the deck, 0 where one is empty."""
         self.value(key)
         numbers = self.numbers(key)
         if len(numbers) != 3:
@@ -149,7 +149,7 @@ class Part:
     def figures(
         self, *columns: str, of: tuple[str, ...] = (), idle: tuple[str, ...] = ()
     ) -> list[list[float]]:
-        """The cells of a table as numbers; those of columns that may be missing are 0 where empty."""
+        """Cells of a table in the unit of the deck; those of columns that may be missing are 0 where empty."""
         rows = self.table(*columns, of=of, idle=idle)
         names = (*columns, *of)
         return [

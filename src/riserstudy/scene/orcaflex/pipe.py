@@ -136,7 +136,7 @@ def flexural(kind: Part) -> float:
 
 
 def across(kind: Part, name: str) -> float | None:
-    """What acts across the line, the same in both directions; None where the deck does not give it.
+    """What acts across the line (EI in kN m2), alike in both directions; None where it is not given.
 
     Raises
     ------
@@ -156,7 +156,7 @@ def across(kind: Part, name: str) -> float | None:
 
 
 def along(kind: Part, name: str) -> float:
-    """What acts along the line, 0 where the deck does not give it.
+    """Coefficient (1) of what acts along the line, 0 where the deck does not give it.
 
     Raises
     ------
@@ -186,7 +186,7 @@ def axial(kind: Part) -> float:
 
 
 def disc(diameter: float) -> float:
-    """Area of a circle."""
+    """Area (m2) of a circle of a diameter (m)."""
     return 0.25 * math.pi * diameter**2
 
 

@@ -24,7 +24,7 @@ class Sea(NamedTuple):
 
 
 def sea_of(environment: Part, gravity: float) -> Sea:
-    """Levels and density of the water, which is the same everywhere."""
+    """Levels (m) and density (kg/m3) of the water, the same everywhere, under a gravity (m/s2)."""
     surface = environment.number("WaterSurfaceZ")
     depth = environment.number("WaterDepth", "SeabedOriginDepth")
     for key in ("SeabedSlope", "VerticalDensityVariation"):
@@ -54,7 +54,7 @@ def current_of(sea: Part) -> dict[str, Any] | None:
 
 
 def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] | None:
-    """The wave or sea; None where there is none.
+    """The wave or sea, which grows over a ramp (s); None where there is none.
 
     Raises
     ------
