@@ -149,7 +149,7 @@ class Part:
     def figures(
         self, *columns: str, of: tuple[str, ...] = (), idle: tuple[str, ...] = ()
     ) -> list[list[float]]:
-        """Cells of a table in the unit of the deck; those of columns that may be missing are 0 where empty."""
+        """Cells of a table in the unit of the deck; of columns that may be missing 0 where one is empty."""
         rows = self.table(*columns, of=of, idle=idle)
         names = (*columns, *of)
         return [
