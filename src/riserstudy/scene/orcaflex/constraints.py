@@ -27,6 +27,24 @@ def slides_in(constraint: Part, ring: str) -> None:
         raise constraint.refused("TranslationalStiffness", str(stiffness), allowed)
 
 
+def guided_by(constraint: Part) -> tuple[str, float]:
+    """A constraint that lets an end go up and down: what it is in, and its place along x there (m).
+
+    Raises
+    ------
+    InputError
+        Where it moves otherwise.
+    """
+    if _freedoms(constraint) != [2]:
+        raise constraint.refused("DOFFree", f"{_freedoms(constraint)}", "allowed is z alone")
+    constraint.idle("TranslationalStiffness")
+    constraint.idle("TranslationalDamping")
+    x, y, _ = constraint.vector("InFrameInitialPosition")
+    if y:
+        raise constraint.refused("InFrameInitialPosition", f"y = {y:g}", "allowed is y = 0")
+    return constraint.text("InFrameConnection"), x
+
+
 def turns_in(constraint: Part) -> tuple[str, float, Any]:
     """A constraint that is a flex joint: what it stands on, its height over that (m), and its rotation.
 

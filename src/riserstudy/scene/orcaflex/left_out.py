@@ -9,7 +9,7 @@ from riserstudy.scene.orcaflex.deck import EMPTY, Part
 
 MOST_SHOWN = 40  # characters of a value
 #: what an entry says that switches something off
-OFF = ("0", "None", "(none)", "(no damping)", "False", "No")
+OFF = ("0", "0.0", "None", "(none)", "(no damping)", "False", "No")
 #: entries that draw, and change no result
 DRAWN = re.compile(
     r"Pen\b|Pen[A-Z]|^Draw|^Hid|^DefaultView|^Vertex|^Edge|Symbol|Shaded|Shading|Colou?r|^Label"

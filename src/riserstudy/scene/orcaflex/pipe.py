@@ -83,7 +83,8 @@ def wall(kind: Part) -> dict[str, Any]:
             "from": "MaterialDensity and diameters",
         }
     elif kind.text("Category") == "General":
-        fields["bending_stiffness"] = _q(bending_stiffness(kind), "kN*m^2")
+        if stiff := bending_stiffness(kind):
+            fields["bending_stiffness"] = _q(stiff, "kN*m^2")
         fields["axial_stiffness"] = _q(kind.number("EA"), "kN")
         mass = _q(mass_of(kind), "kg/m")
     else:

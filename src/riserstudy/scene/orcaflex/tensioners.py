@@ -20,6 +20,7 @@ class Anchorage(NamedTuple):
     at_ring: set[str]  # names of the line, or of the ring
     decks: dict[str, float]  # elevation of what deck points count from (m), by its name
     ring: float  # elevation of the upper end, unstretched (m)
+    aside: float = 0.0  # x of the vertical that bearings and radii of deck points count from (m)
 
 
 class Pull(NamedTuple):
@@ -68,11 +69,13 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
         found = "links that differ, or are not evenly around the line"
         raise parts[0].refused("Connection", found, "allowed are equal ones, evenly on a circle")
     damping = {"damping": _q(first.damping, "kN*s/m")} if first.damping else {}
-    return {
+    made = {
         "count": count,
         "mid_stroke": "riser unstretched",
         **_law(first.law),
         **damping,
+    }
+    return made | {
         "arrangement": {
             "ring_radius": _q(first.ring_radius, "m"),
             "deck_radius": _q(first.deck[0], "m"),
@@ -80,6 +83,21 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
             "first_bearing": _q(bearings[0], "deg"),
         },
     }
+
+
+class Constant(NamedTuple):
+    """A constant pull (kN) from straight above, from an elevation (m)."""
+
+    force: float
+    height: float
+
+
+def constant(parts: list[Part], of: Anchorage) -> Constant | None:
+    """The pull of one winch straight above what it pulls; None of anything else."""
+    if len(parts) != 1 or not parts[0].path.startswith("Winches"):
+        return None
+    pull = _winch(parts[0], of)
+    return None if pull.deck[0] else Constant(pull.law[0][1], pull.deck[1])
 
 
 def _law(law: tuple[tuple[float, float], ...]) -> dict[str, Any]:
@@ -106,6 +124,7 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
         found = f"from {deck!r} to {ring!r}"
         allowed = f"allowed is from {' or '.join(of.decks)} to the line's upper end"
         raise part.refused(PLACE[0], found, allowed)
+    x -= of.aside
     bearing = math.degrees(math.atan2(y, x)) % 360.0
     inner, outer = math.hypot(a, b), math.hypot(x, y)
     if inner and abs(math.degrees(math.atan2(b, a)) % 360.0 - bearing) > 1e-3:

@@ -10,13 +10,14 @@ import math
 from typing import Any, NamedTuple
 
 from riserstudy.scene.orcaflex.chain import Roles, depth
-from riserstudy.scene.orcaflex.constraints import slides_in
+from riserstudy.scene.orcaflex.constraints import guided_by, slides_in
 from riserstudy.scene.orcaflex.deck import Part
 from riserstudy.scene.orcaflex.ends import GROUND, PLACE, Line, rotation, upright
 from riserstudy.scene.orcaflex.pipe import axial, disc, flexural, kind_of, lengths_of, mass_of
 from riserstudy.scene.orcaflex.sea import Sea
-from riserstudy.scene.orcaflex.tensioners import Anchorage, fastened, tensioners
+from riserstudy.scene.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
 
+SAME = 1e-6  # m, to which elevations of a deck are one
 SOFT = 10.0  # kN/m, stiffness along a joint that takes no tension worth counting
 
 
@@ -56,11 +57,8 @@ def top_of(deck: Part, cast: Roles, bottom: float, sea: Sea) -> Top:
 
 
 def height_of(vessel: Part) -> float:
-    """Elevation (m) of a vessel's origin, which is above the lower end."""
-    x, y, height = vessel.vector("InitialPosition")
-    if x or y:
-        vessel.note(vessel.refused("InitialPosition", f"{x:g}, {y:g}", "allowed is x = y = 0"))
-    return height
+    """Elevation (m) of a vessel's origin."""
+    return vessel.vector("InitialPosition")[2]
 
 
 def _pulling(deck: Part, ring: set[str]) -> list[Part]:
@@ -77,7 +75,7 @@ def _pulling(deck: Part, ring: set[str]) -> list[Part]:
 
 
 def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Sea) -> Top:
-    """An upper end on tensioners, with what there is of ring and telescopic joint."""
+    """An upper end on tensioners, with what there is of ring, guide and telescopic joint."""
     line, node = cast.riser[0], cast.nodes[0]
     vessels, rings = deck.named("Vessels"), deck.named("6DBuoys")
     if not pulling:
@@ -86,26 +84,75 @@ def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Se
     ring = bottom + sum(map(depth, cast.riser))
     decks = {"Fixed": 0.0} | {name: height_of(vessel) for name, vessel in vessels.items()}
     anchorage = Anchorage({line.name, node}, decks, ring)
+    if node in rings:
+        upright(line, line.upper)
+    guide = deck.named("Constraints").get(node)
+    if guide is not None:
+        return _guided(deck, cast, guide, pulling, anchorage, sea)
+    body = ring_of(rings[node], sea) if node in rings else None
+    if cast.joint is not None:
+        return _jointed(deck, cast, pulling, anchorage, body, sea)
     tree: dict[str, Any] = {"x": "free", "z": "free", "rotation": "free"}
     with deck.noting():
         tree["tensioners"] = tensioners(pulling, anchorage)
-    body: dict[str, Any] | None = None
-    if node in rings:
-        upright(line, line.upper)
-        body = ring_of(rings[node], sea)
     on = next((end for part in pulling for end in fastened(part) if end in vessels), "")
-    if cast.joint is not None:
-        on = cast.joint.upper.to
-        base = height_of(vessels[on]) if on in vessels else 0.0
-        elevation = cast.joint.upper.z + base
-        held = "platform" if on in vessels else "held"
-        tree |= {"x": held, "z": held, "elevation": _q(elevation, "m")}
-        with deck.noting():
-            tree |= _joint(deck, cast.joint, elevation - ring)
-            body = _carries(deck, cast, body, sea)
-    if body:
-        tree["body"] = body
+    return Top(tree | ({"body": body} if body else {}), vessels.get(on))
+
+
+def _guided(
+    deck: Part, cast: Roles, guide: Part, pulling: list[Part], of: Anchorage, sea: Sea
+) -> Top:
+    """An upper end on a constraint that keeps it below a point of the vessel, and lets it go up and down."""
+    vessels = deck.named("Vessels")
+    upright(cast.riser[0], cast.riser[0].upper)
+    on, aside = guided_by(guide)
+    tree: dict[str, Any] = {"x": "platform" if on in vessels else "held", "z": "free"}
+    tree |= {"rotation": rotation(cast.riser[0].upper.stiffness)}
+    tree |= {"offset": _q(aside, "m")} if aside else {}
+    above = of._replace(aside=aside)
+    with deck.noting():
+        if pull := constant(pulling, above):
+            tree["tension"] = _q(pull.force, "kN")
+        else:
+            rig = tensioners(pulling, above)
+            if rig["arrangement"]["deck_radius"] == "0 m":
+                del rig["arrangement"]
+            elif aside:
+                rig = tensioners(pulling, of)
+            tree["tensioners"] = rig
+    bodies = [one for one in deck.parts("6DBuoys") if one.data.get("Connection") == guide.name]
+    if bodies:
+        tree["body"] = ring_of(bodies[0], sea, on=guide.name)
     return Top(tree, vessels.get(on))
+
+
+def _jointed(
+    deck: Part,
+    cast: Roles,
+    pulling: list[Part],
+    of: Anchorage,
+    body: dict[str, Any] | None,
+    sea: Sea,
+) -> Top:
+    """A ring on tensioners under a telescopic joint, at whose top a constant tension may pull along it."""
+    joint, vessels = cast.joint, deck.named("Vessels")
+    if joint is None:
+        raise TypeError("no joint")  # never: asked for where there is one
+    on = joint.upper.to
+    elevation = joint.upper.z + (height_of(vessels[on]) if on in vessels else 0.0)
+    held = "platform" if on in vessels else "held"
+    tree: dict[str, Any] = {"x": held, "z": held, "elevation": _q(elevation, "m")}
+    tree |= {"offset": _q(joint.upper.x, "m")} if joint.upper.x else {}
+    with deck.noting():
+        tree |= _joint(deck, joint, elevation - of.ring)
+        body = _carries(deck, cast, body, sea)
+    with deck.noting():
+        pull = constant(pulling, of._replace(aside=joint.upper.x))
+        if pull and abs(pull.height - elevation) < SAME and "telescopic_joint" in tree:
+            tree["telescopic_joint"]["tension"] = _q(pull.force, "kN")
+        else:
+            tree["tensioners"] = tensioners(pulling, of)
+    return Top(tree | ({"body": body} if body else {}), vessels.get(on))
 
 
 def _joint(deck: Part, joint: Line, length: float) -> dict[str, Any]:
@@ -161,12 +208,16 @@ def _plain(value: Any) -> str:
     return str(value["derived"] if isinstance(value, dict) else value)
 
 
-def ring_of(buoy: Part, sea: Sea) -> dict[str, Any]:
-    """The tension ring as a body at the riser's end: a lumped buoy by its mass, volume and drag."""
+def ring_of(buoy: Part, sea: Sea, on: str = "Free") -> dict[str, Any]:
+    """The tension ring as a body at the riser's end: a lumped buoy by its mass, volume and drag.
+
+    ``on``: what it is connected to, whose elevation counts where that is no free buoy's own.
+    """
     buoy.demand("BuoyType", "Lumped buoy")
-    buoy.demand("Connection", "Free")
+    buoy.demand("Connection", on)
     mass, volume = buoy.number("Mass"), buoy.number("Volume")
     *_, height = buoy.vector("InitialPosition")
+    height = height if on == "Free" or not volume else -math.inf
     body: dict[str, Any] = {"name": buoy.text("Name"), "mass": _q(mass, "t")}
     if height >= sea.surface:
         weight = _q(mass * sea.gravity, "kN")
@@ -180,6 +231,12 @@ def ring_of(buoy: Part, sea: Sea) -> dict[str, Any]:
         if drag[0] != drag[1]:
             raise buoy.refused("DragArea", f"{area}", "allowed is the same along x and y")
         body["drag_area"] = {"horizontal": _q(drag[0], "m^2"), "vertical": _q(drag[2], "m^2")}
+    mass_ = buoy.numbers("HydrodynamicMass")
+    added = [m * c for m, c in zip(mass_, buoy.numbers("AddedMassCoefficient"), strict=False)]
+    if any(added):
+        if added[0] != added[1]:
+            raise buoy.refused("HydrodynamicMass", f"{mass_}", "allowed is the same along x and y")
+        body["added_mass"] = {"horizontal": _q(added[0], "t"), "vertical": _q(added[2], "t")}
     return body
 
 

@@ -49,8 +49,11 @@ def platform_of(deck: Part, vessel: Part, stages: list[float], waves: bool) -> d
     stages : durations of the stages (s), the first of which is the build-up; none in statics.
     waves : whether the deck has any.
     """
-    height = vessel.vector("InitialPosition")[2]
+    x, y, height = vessel.vector("InitialPosition")
     platform: dict[str, Any] = {}
+    if x or y:
+        platform["position"] = {"surge": f"{x:.10g} m", "sway": f"{y:.10g} m"}
+        platform["position"] = {k: v for k, v in platform["position"].items() if v != "0 m"}
     with deck.noting():
         if cruise := _cruise(vessel, stages):
             platform["cruise"] = cruise
