@@ -12,6 +12,7 @@ import typer
 from riserstudy.cli.shared import (
     AtOption,
     SetOption,
+    UnitsOption,
     check_csv,
     check_writable,
     compile_kernels,
@@ -19,6 +20,7 @@ from riserstudy.cli.shared import (
     say_warnings,
     scene_of,
 )
+from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
 
 
@@ -41,6 +43,7 @@ def plot(
         typer.Option(help="quantity to show: bending_moment; may be repeated", metavar="NAME"),
     ] = None,
     at: AtOption = None,
+    units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
     """Draw one run: ranges along the riser with its limits, time series, or its shape."""
     from riserstudy.dataset.diff import opened
@@ -53,7 +56,8 @@ def plot(
     if output.suffix not in (".png", ".pdf", ".svg"):
         allowed = "allowed are .png, .pdf and .svg"
         raise InputError("--output", str(output), f"no figure {output.suffix!r}", allowed)
-    save(draw(kind.value, of_run.isel(place(of_run, place_of(at))), of), output)
+    with reading_in(units):
+        save(draw(kind.value, of_run.isel(place(of_run, place_of(at))), of), output)
 
 
 class TableKind(StrEnum):
@@ -74,6 +78,7 @@ def table(
     ],
     kind: Annotated[TableKind, typer.Option(help="which table")] = TableKind.EXTREMES,
     settings: SetOption = None,
+    units: UnitsOption = UnitSystem.SI,
 ) -> None:
     """Write a table as CSV: stack-up, extremes, time series, or limits with their use.
 
@@ -98,7 +103,7 @@ def table(
         dataset = simulate(file)
         say_warnings(dataset)
         made = tables.table_of(kind.value, None, dataset)
-    tables.write_csv(made, output)
+    tables.write_csv(tables.in_units(made, units), output)
 
 
 def _table_of_run(kind: str, source: Path) -> Any:
@@ -130,6 +135,7 @@ def statistics(
         str | None, typer.Option(help="axis of seeds: extremes by Gumbel", metavar="AXIS")
     ] = None,
     at: AtOption = None,
+    units: UnitsOption = UnitSystem.SI,
 ) -> None:
     """Statistics in an irregular sea as CSV: mean, deviation, most probable extremes; Gumbel over seeds."""
     from riserstudy.dataset import statistics_tables, tables
@@ -158,7 +164,7 @@ def statistics(
         run = of_run.isel(place(of_run, place_of(at)))
         made = statistics_tables.of_a_run(run, begin, times["--exposure"])
         _tell_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
-    tables.write_csv(made, output)
+    tables.write_csv(tables.in_units(made, units), output)
 
 
 SHORT = 10.0  # records that an exposure may last before a warning is given

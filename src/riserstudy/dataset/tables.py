@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.ends import Body
@@ -20,8 +21,11 @@ if TYPE_CHECKING:
 Cell = str | float | int | None
 
 
+OF_ROW = "*"  # unit of a column whose values are in the unit that their row names
+
+
 class Table(NamedTuple):
-    """Columns, their units ("" for none) and rows."""
+    """Columns, their units ("" for none, ``OF_ROW`` for that in the row's column ``unit``) and rows."""
 
     columns: list[str]
     units: list[str]
@@ -112,7 +116,7 @@ def extremes(dataset: xr.Dataset) -> Table:
     for row in json.loads(dataset.attrs.get("extremes", "[]")):
         unit = attributes(row["output"])["units"]
         rows.append([row["output"], row["where"], unit, *(row.get(key) for key in keys)])
-    units = ["", "", "", "", "m", "s", "", "m", "s", ""]
+    units = ["", "", "", OF_ROW, "m", "s", OF_ROW, "m", "s", OF_ROW]
     return Table(["output", "where", "unit", *keys], units, rows)
 
 
@@ -147,22 +151,41 @@ def limits(dataset: xr.Dataset) -> Table:
     rows = json.loads(dataset.attrs.get("limits", "[]"))
     names = ["output", "at", "mode", "side", "unit", "demand", "allowable", "utilisation"]
     names += ["s", "time", "verdict", "missing", "origin", "takes"]
-    units = ["m" if name == "s" else "s" if name == "time" else "" for name in names]
+    known = {"s": "m", "time": "s", "demand": OF_ROW, "allowable": OF_ROW}
+    units = [known.get(name, "") for name in names]
     return Table(names, units, [[row.get(name, "") for name in names] for row in rows])
 
 
-#: how a limit is printed: factor and name of the unit
-READ_IN = {
-    "N": (1e-3, "kN"), "N*m": (1e-3, "kN m"), "N/m^2": (1e-6, "MPa"),
-    "rad": (57.29577951308232, "deg"), "m": (1.0, "m"),
-}  # fmt: skip
+def in_units(table: Table, system: UnitSystem) -> Table:
+    """A table with its values in the units of a system, which its heads and its column ``unit`` name."""
+    whole = [read_in(unit, system) for unit in table.units]
+    own = table.columns.index("unit") if "unit" in table.columns else None
+
+    def converted(row: list[Cell]) -> list[Cell]:
+        of_row = read_in(str(row[own]), system) if own is not None else None
+        cells: list[Cell] = []
+        for k, cell in enumerate(row):
+            reading = of_row if table.units[k] == OF_ROW else whole[k]
+            if k == own and of_row:
+                cells.append(of_row.unit)
+            elif reading is None or not isinstance(cell, float):
+                cells.append(cell)
+            else:
+                cells.append(reading.factor * cell)
+        return cells
+
+    heads = [
+        unit if unit == OF_ROW else one.unit for unit, one in zip(table.units, whole, strict=True)
+    ]
+    return Table(table.columns, heads, [converted(row) for row in table.rows])
 
 
-def as_lines(rows: list[dict[str, Any]]) -> list[str]:
+def as_lines(rows: list[dict[str, Any]], system: UnitSystem = UnitSystem.FIELD) -> list[str]:
     """Limits as one readable line each: demand, allowable, use, where and when, or what is missing."""
     lines = []
+    along = read_in("m", system)
     for row in rows:
-        factor, unit = READ_IN[UNITS[row["output"]]]
+        factor, unit = read_in(UNITS[row["output"]], system)
         place = f" at {row['at']}" if row["at"] else ""
         takes = f" ({row['takes']})" if row.get("takes") else ""
         what = f"{row['mode']}: {row['side']} {row['output']}{place}{takes}"
@@ -170,7 +193,7 @@ def as_lines(rows: list[dict[str, Any]]) -> list[str]:
         if row["demand"] is None:
             lines.append(f"{what}: not evaluated: {row['missing']}; {allowed}")
             continue
-        where = "" if row["s"] is None else f" at s = {row['s']:.5g} m"
+        where = "" if row["s"] is None else f" at s = {along.factor * row['s']:.5g} {along.unit}"
         when = "" if row["time"] is None else f" at t = {row['time']:.5g} s"
         use = f"{100 * row['utilisation']:.4g} %" if row["utilisation"] < 1e3 else "beyond all"
         text = f"{factor * row['demand']:.5g} {unit}{where}{when}, {allowed}, use {use}"
@@ -189,7 +212,10 @@ def write_csv(table: Table, target: Path) -> None:
     SimulationError
         When it cannot be written, as on a full disk.
     """
-    heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
+    heads = [
+        f"{n} ({u})" if u not in ("", OF_ROW) else n
+        for n, u in zip(table.columns, table.units, strict=True)
+    ]
     partial = target.with_name(f".{target.name}.part")
     try:
         with partial.open("w", newline="", encoding="utf-8") as file:
