@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.dataset.tables import OF_ROW, Table, as_lines, in_units
+from riserstudy.dataset.table import OF_ROW, Table
+from riserstudy.dataset.tables import as_lines, in_units
 from riserstudy.dataset.unit_systems import UnitSystem, read_in, reading_in, systems
 from riserstudy.dataset.variables import attributes, variables
 from riserstudy.figures.grid import label, read

@@ -117,7 +117,7 @@ def check_csv(output: Path) -> None:
     if output.suffix != ".csv":
         allowed = "allowed is .csv, which spreadsheets open"
         if output.suffix in (".xlsx", ".xls"):
-            allowed += "; workbooks need a library that riserstudy does not bring"
+            allowed += "; `riserstudy table` writes workbooks"
         raise InputError("--output", str(output), f"no table {output.suffix!r}", allowed)
 
 

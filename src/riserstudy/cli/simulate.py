@@ -64,7 +64,7 @@ def run(
     if output.suffix not in (".nc", ".csv"):
         allowed = "allowed are .nc (netCDF) and .csv (time series, or the state at rest's extremes)"
         if output.suffix in (".xlsx", ".xls"):
-            allowed += "; workbooks need a library that riserstudy does not bring"
+            allowed += "; `riserstudy table` writes workbooks"
         raise InputError("--output", str(output), f"no dataset {output.suffix!r}", allowed)
     if patience is None:
         _announce(file)

@@ -14,7 +14,7 @@ from riserstudy.dataset.statistics import (
     gumbel,
     record_statistics,
 )
-from riserstudy.dataset.tables import OF_ROW, Cell, Table
+from riserstudy.dataset.table import OF_ROW, Cell, Table
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:

@@ -5,100 +5,18 @@ from __future__ import annotations
 import csv
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
+from riserstudy.dataset.stack_up import stack_up
+from riserstudy.dataset.table import OF_ROW, Cell, Table, heads
 from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.scene.ends import Body
 from riserstudy.scene.limits import UNITS
 from riserstudy.scene.models import Scene
-from riserstudy.scene.riser import Section
 
 if TYPE_CHECKING:
     import xarray as xr
-
-Cell = str | float | int | None
-
-
-OF_ROW = "*"  # unit of a column whose values are in the unit that their row names
-
-
-class Table(NamedTuple):
-    """Columns, their units ("" for none, ``OF_ROW`` for that in the row's column ``unit``) and rows."""
-
-    columns: list[str]
-    units: list[str]
-    rows: list[list[Cell]]
-
-
-def stack_up(scene: Scene) -> Table:
-    """The riser from the top down: joints, diameters, weights dry and in water, uplift, sums from the top.
-
-    Dry and wet weight of a section are those of its pipe, modules and lines together; its uplift is what its
-    dry weight loses in water, contents apart. Modules and lines stand beside, dry, and the lift of modules
-    beyond their own weight. A telescopic joint above the ring hangs on the deck and is left out.
-    """
-    columns = {
-        "section": "", "joints": "", "length": "m", "upper end": "m", "outer diameter": "m",
-        "inner diameter": "m", "mass": "kg/m", "dry weight": "kN", "wet weight": "kN", "uplift": "kN",
-        "lines, dry": "kN", "modules, dry": "kN", "lift of modules": "kN",
-        "contents": "kN", "wet weight from the top": "kN", "with contents from the top": "kN",
-    }  # fmt: skip
-    gravity = scene.gravity
-    sums = [0.0, 0.0]
-    upper = _upper_end(scene)
-    rows: list[list[Cell]] = []
-
-    def add(
-        about: list[Cell],
-        dry: float | None,
-        wet: float | None,
-        inside: float,
-        parts: list[Cell],
-    ) -> None:
-        sums[0] += wet or 0.0
-        sums[1] += (wet or 0.0) + inside
-        uplift = None if dry is None or wet is None else dry - wet
-        rows.append([*about, dry, wet, uplift, *parts, inside, *sums])
-
-    def add_body(body: Body | None, at: float | None) -> None:
-        if body:
-            dry = body.mass * gravity / 1e3 if gravity else None
-            water = scene.water.density if scene.water else 0.0
-            wet = None if body.weightless else body.weight(gravity or 0.0, water) / 1e3
-            add([body.name, None, None, at, None, None, None], dry, wet, 0.0, [None] * 3)
-
-    add_body(scene.top.body, upper)
-    for section in reversed(scene.riser):
-        length, each = section.total_length, section.submerged_weight
-        joints = section.joints.count if section.joints else None
-        diameters = [section.outer_diameter, section.inner_diameter]
-        dry = section.mass * gravity * length / 1e3 if section.mass and gravity else None
-        wet = None if each is None else each * length / 1e3
-        inside = section.contents_mass * (gravity or 0.0) * length / 1e3
-        about = [section.name, joints, length, upper, *diameters, section.mass]
-        add(about, dry, wet, inside, _parts(section, gravity))
-        upper = None if upper is None else upper - length
-    add_body(scene.bottom.body, upper)
-    return Table(list(columns), list(columns.values()), rows)
-
-
-def _parts(section: Section, gravity: float | None) -> list[Cell]:
-    """Dry weight of lines and of modules, and what modules lift beyond theirs (kN); None without."""
-    total = (gravity or 0.0) * section.total_length / 1e3
-    lines = total * sum(x.all_mass for x in section.lines) if section.lines else None
-    count = section.joints.count if section.joints else 1
-    modules = (gravity or 0.0) * count * section.modules.mass / 1e3 if section.modules else None
-    lift = section.buoyancy_lift
-    return [lines, modules, None if lift is None else lift * section.total_length / 1e3]
-
-
-def _upper_end(scene: Scene) -> float | None:
-    """Elevation of the riser's upper end before it stretches (m)."""
-    if scene.bottom.elevation is not None:
-        return scene.bottom.elevation + sum(s.total_length for s in scene.riser)
-    return scene.top.elevation
 
 
 def extremes(dataset: xr.Dataset) -> Table:
@@ -174,10 +92,10 @@ def in_units(table: Table, system: UnitSystem) -> Table:
                 cells.append(reading.factor * cell)
         return cells
 
-    heads = [
+    units = [
         unit if unit == OF_ROW else one.unit for unit, one in zip(table.units, whole, strict=True)
     ]
-    return Table(table.columns, heads, [converted(row) for row in table.rows])
+    return Table(table.columns, units, [converted(row) for row in table.rows])
 
 
 def as_lines(rows: list[dict[str, Any]], system: UnitSystem = UnitSystem.FIELD) -> list[str]:
@@ -212,15 +130,11 @@ def write_csv(table: Table, target: Path) -> None:
     SimulationError
         When it cannot be written, as on a full disk.
     """
-    heads = [
-        f"{n} ({u})" if u not in ("", OF_ROW) else n
-        for n, u in zip(table.columns, table.units, strict=True)
-    ]
     partial = target.with_name(f".{target.name}.part")
     try:
         with partial.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)
-            writer.writerow(heads)
+            writer.writerow(heads(table))
             writer.writerows([_text(cell) for cell in row] for row in table.rows)
         partial.replace(target)
     except OSError as error:
@@ -251,3 +165,11 @@ def table_of(kind: str, scene: Scene | None, dataset: xr.Dataset | None) -> Tabl
     if made is None or dataset is None:
         raise InputError("table", kind, "nothing to make it from", "allowed is a scene or its run")
     return made(dataset)
+
+
+def tables_of(scene: Scene | None, dataset: xr.Dataset) -> dict[str, Table]:
+    """All tables that there are of a run, by their names: of a run at rest no time series."""
+    names = ["extremes", *(["time-series"] if "time" in dataset else [])]
+    names += ["limits"] if json.loads(dataset.attrs.get("limits", "[]")) else []
+    made = {name: table_of(name, scene, dataset) for name in names}
+    return ({"stack-up": stack_up(scene)} if scene else {}) | made
