@@ -43,10 +43,10 @@ def stack_up(scene: Scene) -> Table:
     ``wet weight`` is in water with the bore flooded with sea water, as joints hang on the hook: ``hook load``
     is the sum of all that hangs in the table from its line on, when that is made up. ``wet weight, bore
     empty`` leaves what is inside out; ``contents`` are the scene's; the last column is what the tension loses
-    from the top on. Of a section without contents the scene's weight has what is in its bore. Weights are
-    those of pipe, modules and lines together, above the water in air. ``uplift`` is what the dry weight loses
-    in water with the bore empty; modules lift beyond their own weight. A telescopic joint above the ring hangs
-    on the deck and is left out.
+    from the top on. Of a section without contents the scene's weight has what is in its bore. Weights are of
+    pipe, modules and lines together, above the water in air. ``uplift`` is what the dry weight loses in water
+    with the bore empty; modules lift beyond their own weight. A telescopic joint above the ring hangs on the
+    deck and is left out.
 
     Parameters
     ----------
