@@ -13,6 +13,7 @@ from riserstudy.model.bending import flexibility
 from riserstudy.model.layout import AXES, corners, layout_of, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
+from riserstudy.model.space_out import joint_of
 from riserstudy.model.stops import joint_stops_touched, stops_touched
 from riserstudy.model.tensioner_law import leaves_table
 from riserstudy.scene.analysis import Output
@@ -59,7 +60,7 @@ def at_rest(scene: Scene, model: Model, mesh: Mesh) -> Arrays:
         arrays[name + "_static"] = values[0]
     for name in {"lfj_angle", "largest_stress"} & set(model.probes):
         arrays[name + "_static"] = probe[model.probes[name]]
-    if joint := scene.top.telescopic_joint:
+    if joint := joint_of(scene):
         arrays["stroke_static"] = np.array(positions(model).joint - joint.length)
     arrays["zero_z"] = model.s.r[-1, : len(mesh.s)].copy()
     for name in set("xy").intersection(names):
