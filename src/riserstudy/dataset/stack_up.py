@@ -33,7 +33,7 @@ class Piece(NamedTuple):
 
     @property
     def wet(self) -> float | None:
-        """In water with the bore flooded."""
+        """Weight in water with the bore flooded (kN)."""
         return None if self.empty is None else self.empty + self.flood
 
 
