@@ -99,7 +99,7 @@ def test_the_joint_rests_at_mid_stroke(seed):
 
 @pytest.mark.parametrize("seed", range(6))
 def test_stops_count_from_mid_stroke(seed):
-    """The platform a metre up: a stop a little nearer than that stroke is touched, one a little further not."""
+    """The platform a metre up: a stop nearer than that stroke is touched, one further is not."""
     file = drawn(seed, **{"platform.position.heave": "1 m"})
     stroke = float(simulate(file, progress=False)["stroke_static"])
     assert stroke > 0.1
