@@ -10,6 +10,7 @@ import pytest
 
 from riserstudy import digests
 from riserstudy.digests import digest, source_of, sources_behind
+from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE
 from riserstudy.jobs.workplan import Workplan
 
