@@ -5,10 +5,6 @@ from snakemake.utils import min_version
 min_version("9.0")
 
 
-# Used only when a run asks for containers.
-container: "docker://python:3.12"
-
-
 include: "workflow/rules/common.smk"
 include: "workflow/rules/simulate.smk"
 include: "workflow/rules/measure.smk"

@@ -16,6 +16,7 @@ import pytest
 import typer
 from ruamel.yaml import YAML
 
+from made_parts import MARK
 from make_reference import made
 from riserstudy.cli import app
 from riserstudy.effects.catalogue import catalogue
@@ -164,15 +165,27 @@ def test_fractions_and_indices_are_drawn_as_tex_has_them(monkeypatch):
 
 def test_every_function_command_and_effect_has_its_place_on_the_site(monkeypatch):
     monkeypatch.syspath_prepend(ROOT / "docs/_extensions")
-    made = import_module("made_pages")
-    assert all(f"riserstudy.{name}" in made.functions("") for name in ("simulate", "load_scene"))
-    text = made.commands("")
+    made = import_module("made_pages").MAKERS
+    functions = made["functions"]("")
+    assert all(f"riserstudy.{name}" in functions for name in ("simulate", "load_scene"))
+    text = made["commands"]("")
     listed = text.partition("**Commands**")[2].partition("\n## ")[0]
     assert "import" in listed
     assert "..." not in listed
     for command in typer.main.get_command(app).commands:
         assert f"## `riserstudy {command}`" in text
-    assert all(f"| {name} |" in made.called_by("") for name in catalogue())
+    assert all(f"| {name} |" in made["called_by"]("") for name in catalogue())
+
+
+def test_no_page_that_a_checkout_points_to_is_an_empty_shell():
+    """What the site makes stands in the page too, wherever a reader of README comes to it."""
+    readme = (ROOT / "README.md").read_text("utf-8")
+    pages = {ROOT / name for name in re.findall(r"\]\((docs/\w+\.md)", readme)}
+    pages |= {ROOT / f"docs/{name}.md" for name in ("variables", "effects", "validation")}
+    for page in pages:
+        for found in MARK.finditer(page.read_text("utf-8")):
+            if found[1] != "laws":  # whole docstrings, of which the page lists the first sentences
+                assert len((found["kept"] or "").splitlines()) > 3, f"{page.name}: {found[1]}"
 
 
 def test_a_link_that_leads_nowhere_stops_the_build(docs, tmp_path):

@@ -1,6 +1,7 @@
 """Parts of pages that are made from the code each time the site is built, so that they cannot be old.
 
-A page holds ``<!-- made: NAME arguments -->`` where a part goes.
+A page holds ``<!-- made: NAME arguments -->`` where a part goes. Parts that pages keep for who reads a
+checkout are those of ``workflow/scripts/made_parts.py``; they are made anew here.
 """
 
 from __future__ import annotations
@@ -10,23 +11,18 @@ import pkgutil
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import typer
-import typer.cli
 import xarray as xr
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 
 import riserstudy
-from riserstudy import cli, effects
+from riserstudy import effects
 from riserstudy.chapters import function_of
-from riserstudy.dataset.variables import variables
-from riserstudy.effects.catalogue import catalogue
 from riserstudy.folders import PACKAGE
 from riserstudy.numerics.measure import measure
 from riserstudy.numerics.scenes import Setting
@@ -34,30 +30,9 @@ from riserstudy.scene.load import read_yaml
 from riserstudy.study.read import read_studies
 
 ROOT = Path(__file__).resolve().parents[2]
-MARK = re.compile(r"<!-- made: (\w+)(.*?)-->", re.DOTALL)
-LONGEST_HELP = 1000  # characters: none is cut
-NO_EFFECT = ("catalogue", "registry")  # modules of the folder that hold none
-
-
-def commands(_: str) -> str:
-    """Every command with its arguments and options, by Typer's own writer of documentation."""
-    command = typer.main.get_command(cli.app)
-    context = typer.Context(command, info_name="riserstudy")
-    text = typer.cli.get_docs_for_click(obj=command, ctx=context, name="riserstudy")
-    text = text.partition("\n")[2]  # the page has a title
-    text = _with_whole_help(text, getattr(command, "commands", {}))
-    text = re.sub(r"^\* `--help`.*\n", "", text, flags=re.MULTILINE)
-    return re.sub(r"^\*\*Options\*\*:\n\n(?!\*)", "", text, flags=re.MULTILINE)
-
-
-def _with_whole_help(text: str, commands: Mapping[str, Any]) -> str:
-    """The list of commands with the whole first sentence of each, which Typer cuts short."""
-    for name, command in commands.items():
-        said = str(command.get_short_help_str(LONGEST_HELP))
-        text = re.sub(
-            rf"^\* `{name}`: .*$", f"* [`{name}`](#riserstudy-{name}): {said}", text, flags=re.M
-        )
-    return text
+sys.path.insert(0, str(ROOT / "workflow/scripts"))
+import made_parts  # noqa: E402
+from made_parts import MARK, NO_EFFECT  # noqa: E402
 
 
 def functions(_: str) -> str:
@@ -75,26 +50,6 @@ def laws(_: str) -> str:
             title = module.name.replace("_", " ").capitalize()
             parts.append(f"## {title}\n\n`{name}`\n\n" + _rst(f".. automodule:: {name}"))
     return "\n".join(parts)
-
-
-def called_by(_: str) -> str:
-    """Effects with the part of a scene that calls for each."""
-    rows = [f"| {name} | {' '.join(_code(word) for word in effect.section.split())} |"
-            for name, effect in catalogue().items()]  # fmt: skip
-    return "\n".join(["| effect | called for by |", "|---|---|", *rows])
-
-
-def quantities(_: str) -> str:
-    """Variables of datasets with their units."""
-    rows = [
-        f"| `{name}` | {about.get('units', '')} | {_told(about)} |"
-        for name, about in variables().items()
-    ]
-    return "\n".join(["| variable | unit | |", "|---|---|---|", *rows])
-
-
-def _told(about: dict[str, str]) -> str:
-    return ": ".join(about[key] for key in ("long_name", "comment") if key in about)
 
 
 def coming(_: str) -> str:
@@ -133,24 +88,6 @@ def _validated() -> xr.Dataset:
     return measure("numerics validation", study, Setting(ROOT / "config", "standard"))
 
 
-def others(_: str) -> str:
-    """Least error of displacement that other simulators reached in the last `make bench`, and their time."""
-    measured = read_studies(ROOT / "config", "numerics").measured.accuracy
-    rows = [
-        f"| {scene} | {peer} | {100 * error:g} % | {ratio:g} |"
-        for scene, peers in measured.peers.items()
-        for peer, reached in peers.items()
-        for error, ratio in [min(reached)]
-    ]
-    return "\n".join(
-        [
-            "| scene | simulator | finest level reached | times riserstudy's time |",
-            "|---|---|---|---|",
-            *rows,
-        ]
-    )
-
-
 def gallery(names: str) -> str:
     """Figures with what they show and the lines that draw them."""
     return "\n".join(_figure(*name.split("/")) for name in names.split())
@@ -181,29 +118,12 @@ snakemake {paper}_{name}
 """
 
 
-def _code(word: str) -> str:
-    """A path of a scene as code; the words between as they are."""
-    bare = word.rstrip(",")
-    return f"`{bare}`{word[len(bare) :]}" if "." in bare or "_" in bare else word
-
-
 def _rst(directive: str) -> str:
     return f"```{{eval-rst}}\n{directive}\n```\n"
 
 
-MAKERS: dict[str, Callable[[str], str]] = {
-    maker.__name__: maker
-    for maker in (
-        commands,
-        functions,
-        laws,
-        called_by,
-        quantities,
-        coming,
-        gallery,
-        validation,
-        others,
-    )
+MAKERS: dict[str, Callable[[str], str]] = made_parts.MAKERS | {
+    maker.__name__: maker for maker in (functions, laws, coming, gallery, validation)
 }
 
 

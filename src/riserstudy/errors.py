@@ -47,6 +47,29 @@ class InputError(RiserStudyError):
         return type(self), (self.where, self.field, self.found, self.allowed)
 
 
+class InputErrors(InputError):
+    """Several that were found in one file, told together, one a line.
+
+    Parameters
+    ----------
+    faults : list of InputError
+        One or more, of one file.
+    """
+
+    def __init__(self, faults: list[InputError]):
+        first = faults[0]
+        super().__init__(first.where, first.field, first.found, first.allowed)
+        self.faults = tuple(faults)
+        if len(faults) > 1:
+            mark = f"{shown(first.where)}: "
+            lines = "".join(f"\n  {str(fault).removeprefix(mark)}" for fault in faults)
+            self.args = (f"{mark}{len(faults)} faults:{lines}",)
+
+    def __reduce__(self) -> tuple[type[InputErrors], tuple[list[InputError]]]:  # type: ignore[override]
+        """What another process is told."""
+        return type(self), (list(self.faults),)
+
+
 class SimulationError(RiserStudyError):
     """A simulation that cannot be completed: when, where, why, and what may help."""
 

@@ -3,6 +3,7 @@
 import csv
 import json
 
+import numpy as np
 import pytest
 
 from riserstudy import simulate
@@ -181,3 +182,41 @@ def test_tables_are_csv_and_what_is_none_is_refused(tmp_path, monkeypatch, capsy
             table("run", str(scene), "-o", str(tmp_path / name))
         assert ended.value.code == 2
         assert not (tmp_path / name).exists()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_limit_over_several_sections_is_the_worst_of_theirs(seed):
+    chance = np.random.default_rng(seed)
+    names = [f"part {k}" for k in range(5)]
+    riser = [
+        {
+            "name": name, "length": f"{chance.integers(20, 200)} m", "axial_stiffness": "5e9 N",
+            "submerged_weight": f"{chance.uniform(-1.5, 2.0)} kN/m",
+        }
+        for name in names
+    ]  # fmt: skip
+    first, last = sorted(chance.choice(5, 2, replace=False))
+    common = {"output": "effective_tension", "mode": "drilling"}
+    for side in ("largest", "smallest"):
+        limits = [common | {"at": [names[first], names[last]], side: "1 MN"}]
+        limits += [common | {"at": name, side: "1 MN"} for name in names]
+        file = SceneFile("hung.yaml", HUNG | {"riser": riser, "limits": limits})
+        several, *each = json.loads(simulate(file).attrs["limits"])
+        worst = max(each[first : last + 1], key=lambda row: row["utilisation"])
+        assert several["utilisation"] == worst["utilisation"]
+        assert several["s"] == worst["s"]
+        assert several["at"] == f"{names[first]} to {names[last]}"
+
+
+@pytest.mark.parametrize(
+    "at, said",
+    [
+        (["upper", "lower"], "'upper' is above 'lower'"),
+        (["lower", "top"], "no section 'top'"),
+        (["lower"], "at"),
+    ],
+)
+def test_a_range_of_sections_that_is_none_is_refused(at, said):
+    limit = {"output": "effective_tension", "at": at, "smallest": "1 kN", "mode": "drilling"}
+    with pytest.raises(InputError, match=said):
+        SceneFile("hung.yaml", HUNG | {"limits": [limit]}).scene()

@@ -2,6 +2,7 @@
 
 import csv
 import json
+from itertools import chain
 
 import pytest
 
@@ -47,6 +48,29 @@ def test_the_stack_up_adds_up_to_the_tension_that_is_lost_on_the_way_down():
     assert 1e3 * total == pytest.approx(lost, rel=1e-9)
 
 
+@pytest.mark.parametrize("steel, water", [(7850.0, 1025.0), (7850.0, 1000.0), (2800.0, 1030.0)])
+def test_bare_joints_weigh_on_the_hook_what_their_steel_does_in_water(steel, water):
+    """Whatever mud the scene has in them: joints are run open to the sea."""
+    joints = {"count": 12, "length": "22.86 m"}
+    pipe = {
+        "outer_diameter": "21 in", "inner_diameter": "19.25 in", "young_modulus": "207 GPa",
+        "wall_density": f"{steel} kg/m^3", "contents": {"density": "1700 kg/m^3"},
+    }  # fmt: skip
+    riser = [{"name": name, "joints": joints, **pipe} for name in ("lower", "upper")]
+    file = SceneFile(
+        "bare.yaml", PULLED | {"riser": riser, "water": {"density": f"{water} kg/m^3"}}
+    ).with_values({"top.body": None}, "test")
+    table = stack_up(file.scene())
+    upper, lower = (dict(zip(table.columns, row, strict=True)) for row in table.rows)
+    for one in (upper, lower):
+        share = one["wet weight a joint"] / one["dry weight a joint"]
+        assert share == pytest.approx(1.0 - water / steel)
+        assert one["wet weight"] == pytest.approx(12 * one["wet weight a joint"])
+    assert lower["hook load"] == pytest.approx(lower["wet weight"])
+    assert upper["hook load"] == pytest.approx(upper["wet weight"] + lower["wet weight"])
+    assert upper["hook load"] == pytest.approx(lower["wet weight from the top"])
+
+
 def test_uplift_is_the_water_that_a_body_displaces():
     table = stack_up(SceneFile("pulled.yaml", PULLED).scene())
     ring = dict(zip(table.columns, table.rows[0], strict=True))
@@ -75,16 +99,53 @@ def test_a_dataset_gives_the_tables_of_its_scene_without_a_run(tmp_path, monkeyp
     assert "analysis.duration" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("command", ["table", "run"])
-def test_workbooks_are_refused_with_what_serves_instead(command, tmp_path, monkeypatch, capsys):
+def test_a_run_is_no_workbook_and_says_what_is(tmp_path, monkeypatch, capsys):
     scene = tmp_path / "pulled.yaml"
     scene.write_text(json.dumps(PULLED))
-    monkeypatch.setattr("sys.argv", ["riserstudy", command, str(scene), "-o", f"{tmp_path}/a.xlsx"])
+    monkeypatch.setattr("sys.argv", ["riserstudy", "run", str(scene), "-o", f"{tmp_path}/a.xlsx"])
     with pytest.raises(SystemExit):
         main()
     said = capsys.readouterr().err
     assert ".csv" in said
-    assert "workbooks need a library that riserstudy does not bring" in said
+    assert "`riserstudy table` writes workbooks" in said
+
+
+def test_a_workbook_without_its_library_says_what_to_install(tmp_path, monkeypatch, capsys):
+    scene, book = tmp_path / "pulled.yaml", tmp_path / "a.xlsx"
+    scene.write_text(json.dumps(PULLED))
+    monkeypatch.setattr("riserstudy.dataset.workbook.find_spec", lambda name: None)
+    monkeypatch.setattr("sys.argv", ["riserstudy", "table", str(scene), "-o", str(book)])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 2
+    assert "pip install 'riserstudy[workbook]'" in capsys.readouterr().err
+    assert not book.exists()
+
+
+@pytest.mark.parametrize("units", ["si", "us"])
+def test_a_workbook_has_the_tables_that_csv_files_have(tmp_path, monkeypatch, units):
+    openpyxl = pytest.importorskip("openpyxl", reason="the extra riserstudy[workbook] is not here")
+    scene, book = tmp_path / "pulled.yaml", tmp_path / "a.xlsx"
+    scene.write_text(json.dumps(PULLED))
+
+    def command(*words):
+        monkeypatch.setattr(
+            "sys.argv", ["riserstudy", "table", str(scene), "--units", units, *words]
+        )
+        main()
+
+    command("-o", str(book))
+    sheets = openpyxl.load_workbook(book)
+    assert sheets.sheetnames == ["stack-up", "extremes"]
+    for name in sheets.sheetnames:
+        out = tmp_path / "out.csv"
+        command("-o", str(out), "--kind", name)
+        with out.open() as file:
+            rows = list(csv.reader(file))
+        cells = [["" if cell is None else cell for cell in row] for row in sheets[name].values]
+        assert cells[0] == rows[0]
+        for told, cell in zip(chain(*rows[1:]), chain(*cells[1:]), strict=True):
+            assert cell == (told if isinstance(cell, str) else pytest.approx(float(told), rel=1e-9))
 
 
 def test_a_body_of_some_mass_that_weighs_nothing_is_told_of():

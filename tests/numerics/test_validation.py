@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import made_parts
 from riserstudy.numerics import closed_forms as known
 from riserstudy.numerics.scenes import Setting
 from riserstudy.numerics.validation import validation
@@ -37,6 +38,22 @@ def test_every_number_is_within_its_tolerance_of_what_is_known(found):
     }
     assert found.sizes["row"] > 40
     assert np.isfinite(found["error"]).all()
+
+
+@pytest.mark.parametrize("kind", ["closed form", "second method", "conservation law"])
+def test_the_page_lists_what_is_compared_and_how_closely(found, kind):
+    """Numbers of the page are of the standard tier: known values agree to what they are printed to."""
+    page = (ROOT / "docs/validation.md").read_text("utf-8")
+    mark = f"<!-- made: validation {kind} -->\n"
+    stands = page.partition(mark)[2].partition("<!-- end -->")[0].strip().splitlines()
+    should = made_parts.known(found, kind).splitlines()
+    assert len(stands) == len(should) > 2
+    for line, other in zip(stands, should, strict=True):
+        told, made = ([cell.strip() for cell in row.split("|")] for row in (line, other))
+        assert told[:3] + told[4:] == made[:3] + made[4:]
+        if made[3][0].isdigit():
+            number, value = (float(cells[3].split()[0]) for cells in (told, made))
+            assert number == pytest.approx(value, rel=2e-3)
 
 
 def test_tolerances_leave_room_for_what_they_say_and_no_more(found):

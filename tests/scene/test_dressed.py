@@ -181,7 +181,6 @@ def test_a_riser_s_other_sections_have_no_modules():
         ({"riser[0].lines[1].inner_diameter": "5 in"}, "must be smaller"),
         ({"gravity": None}, "need gravity"),
         ({"riser[0].submerged_weight": None}, "has no weight|need riser.0..submerged_weight"),
-        ({"water.surface": "-200 m"}, "through the surface"),
         (
             {
                 "buoyancy": {"factor": 0.5, "tension_ratio": 1.2, "reading": "R1"},

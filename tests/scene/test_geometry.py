@@ -71,7 +71,6 @@ SLIPS = {
         "its elevations are from 0 m to 980 m, the surface is at 0 m",
     ),
     "a section without weight": ({"riser[1].contents": None}, "'upper joints' has no weight"),
-    "a section through the surface": ({"riser[0].length": "983 m", "riser[1].length": "2 m"}, "split it"),
 }  # fmt: skip
 
 

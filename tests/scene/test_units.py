@@ -1,11 +1,14 @@
 """Units at the door."""
 
+import re
+from pathlib import Path
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import UNITS, numbers
 
-from riserstudy.scene.units import ATMOSPHERE, to_si
+from riserstudy.scene.units import ATMOSPHERE, factor, to_si, usual_units
 
 
 @pytest.mark.parametrize(
@@ -29,6 +32,20 @@ from riserstudy.scene.units import ATMOSPHERE, to_si
 )
 def test_a_paper_s_unit_becomes_si(text, unit, value):
     assert to_si(text, unit) == pytest.approx(value, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "unit, name", [(unit, name) for unit, names in usual_units().items() for name in names]
+)
+def test_every_unit_that_the_page_lists_is_read_as_the_library_has_it(unit, name):
+    kind = " absolute" if unit == "Pa" else ""
+    assert to_si(f"3 {name}{kind}", unit) == pytest.approx(3.0 * factor(name, unit))
+
+
+def test_the_page_lists_names_for_every_field_that_takes_a_unit():
+    text = (Path(__file__).parents[2] / "docs/scene.md").read_text("utf-8")
+    asked = set(re.findall(r"quantity such as `1 ([^`]+)`", text))
+    assert asked <= set(usual_units())
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 
+from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
 from riserstudy.report.limits import limit_tables
 from riserstudy.study import store
@@ -83,6 +84,15 @@ def test_the_report_tells_the_point_that_uses_most(tmp_path):
     assert (floor.where, floor.verdict) == ("tension 700 kN", "exceeded at 1")
     assert (ceiling.where, ceiling.verdict) == ("tension 1600 kN", "exceeded at 1")
     assert (stroke.use, stroke.verdict) == ("–", "not evaluated")
+
+
+def test_the_report_tells_it_in_the_units_of_the_configuration(tmp_path):
+    with reading_in(UnitSystem.US):
+        (table,) = limit_tables({"pull": dataset(tmp_path)})
+    floor = table.rows[0]
+    assert (floor.demand, floor.allowable) == ("44.962 kip", "78.683 kip")  # 200 and 350 kN
+    assert floor.where == "tension 157.4 kip"
+    assert floor.use == "175 %"
 
 
 def test_where_nothing_is_used_the_point_that_comes_nearest_is_told(tmp_path):

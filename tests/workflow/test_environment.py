@@ -46,11 +46,17 @@ def program(path, text):
 
 def test_another_python_is_refused_in_one_line(tmp_path):
     old = program(tmp_path / "python3", "exit 1")
-    for python in ("", old, tmp_path / "absent"):
+    for python in ("", old):
         done = with_python(tmp_path, python)
         assert done.returncode == 1
         assert "needs Python 3.11, 3.12 or 3.13" in done.stderr
         assert done.stderr.count("\n") == 1
+
+
+def test_a_python_that_is_not_there_is_said_not_to_be(tmp_path):
+    said = with_python(tmp_path, tmp_path / "absent").stderr.splitlines()
+    assert said[0] == "no such program"
+    assert "needs Python 3.11, 3.12 or 3.13" in said[-1]
 
 
 def test_a_python_without_venv_is_named_with_what_to_install(tmp_path):
@@ -108,6 +114,15 @@ def test_where_there_is_no_uv_both_remedies_are_named(tmp_path):
     (line,) = with_python(tmp_path).stderr.splitlines()
     assert "uv" in line
     assert "your system's package" in line
+
+
+@pytest.mark.parametrize("code", [1, 2, 127])
+def test_what_a_named_python_says_itself_is_passed_on(tmp_path, code):
+    shim = program(tmp_path / "shim", f"echo 'no version is set for this command' >&2; exit {code}")
+    done = with_python(tmp_path, shim)
+    *said, last = done.stderr.splitlines()
+    assert (done.returncode, said) == (1, ["no version is set for this command"])
+    assert f"PYTHON={shim} is not, as it says above" in last
 
 
 def test_a_name_with_nothing_behind_is_passed_over(tmp_path):

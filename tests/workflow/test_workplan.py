@@ -10,6 +10,7 @@ import pytest
 
 from riserstudy import digests
 from riserstudy.digests import digest, source_of, sources_behind
+from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE
 from riserstudy.jobs.workplan import Workplan
 
@@ -133,3 +134,14 @@ def test_chapters_of_a_study_of_one_s_own_count_with_all_that_they_import(tmp_pa
     monkeypatch.chdir(tmp_path)
     names = {path.name for path in sources_behind("chapters.mine.figures")}
     assert {"figures.py", "helpers.py", "style.py"} <= names
+
+
+@pytest.mark.parametrize("units", [None, "si", "field", "us"])
+def test_the_units_of_plots_and_limits_are_those_of_the_configuration(units):
+    settings = {"tier": "preview"} | ({"units": units} if units else {})
+    assert Workplan.read(CONFIG, settings, only=[]).units == (units or "field")
+
+
+def test_units_that_there_are_not_are_refused():
+    with pytest.raises(InputError, match="units"):
+        Workplan.read(CONFIG, {"tier": "preview", "units": "imperial"}, only=[])

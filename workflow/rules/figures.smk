@@ -14,11 +14,12 @@ rule figure:
         figure=PLAN.figure_pattern,
     params:
         digest=of(PLAN.figure_digest),
+        units=PLAN.units,
     message:
         "draw {wildcards.paper}/{wildcards.figure}"
     shell:
         "python -m riserstudy.jobs draw {wildcards.paper} {wildcards.figure}"
-        " --targets {output:q} --sources {input:q} > {log:q} 2>&1"
+        " --targets {output:q} --sources {input:q} --units {params.units} > {log:q} 2>&1"
 
 
 for paper, name in PLAN.figures():

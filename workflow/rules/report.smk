@@ -13,8 +13,9 @@ rule report:
     params:
         digest=PLAN.report_digest,
         papers=PLAN.papers,
+        units=PLAN.units,
     message:
         "make the report"
     shell:
         "python -m riserstudy.jobs report {output:q} --papers {params.papers} --compiled {input.compiled:q}"
-        " --database {input.database:q} > {log:q} 2>&1"
+        " --database {input.database:q} --units {params.units} > {log:q} 2>&1"

@@ -1,13 +1,16 @@
 """Write what is made from models and libraries.
 
-Reference page and JSON schemas, tables of platforms, factors of usual units.
+Reference page and JSON schemas, tables of platforms, factors of usual units, parts of pages. With a dataset
+of the validation study (results/numerics/validation.nc) also what the engine is compared with.
 """
 
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
+from made_parts import kept_pages, write_validation
 from riserstudy.scene.reference import scene_reference
 from riserstudy.scene.units import USUAL, factor
 from riserstudy.study.schemas import schema_files
@@ -26,6 +29,7 @@ def made() -> dict[Path, str]:
         USUAL: json.dumps(factors, indent=2) + "\n",
         **{platforms / f"{name}.csv": table(unit) for name, unit in units.items()},
         ROOT / "docs/scene.md": scene_reference(),
+        **kept_pages(),
         **{ROOT / "workflow/schemas" / name: text for name, text in schema_files().items()},
     }
 
@@ -34,3 +38,7 @@ if __name__ == "__main__":
     for path, content in made().items():
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(content, "utf-8")
+    if sys.argv[1:]:
+        import xarray as xr
+
+        write_validation(xr.load_dataset(sys.argv[1]))

@@ -15,7 +15,7 @@ lacking=
 while [ "$1" != -- ]; do
     python=$1
     shift
-    "$python" -c "$supported" 2>/dev/null || continue
+    said=$("$python" -c "$supported" 2>&1) || continue
     if "$python" -c 'import ensurepip, venv' 2>/dev/null; then
         while [ "$1" != -- ]; do shift; done
         shift
@@ -39,7 +39,10 @@ if [ -n "$lacking" ]; then
     package=$("$lacking" -c "$name")
     echo "riserstudy: $lacking has no venv module; install it (Debian, Ubuntu: apt install $package), or install uv, which brings a Python." >&2
 elif [ -n "$PYTHON" ]; then
-    echo "riserstudy needs Python 3.11, 3.12 or 3.13, which PYTHON=$PYTHON is not; install one or name another." >&2
+    # a shim without a version behind says itself what it lacks
+    [ -x "$PYTHON" ] || command -v "$PYTHON" >/dev/null || said="no such program"
+    [ -n "$said" ] && printf '%s\n' "$said" >&2
+    echo "riserstudy needs Python 3.11, 3.12 or 3.13, which PYTHON=$PYTHON is not${said:+, as it says above}; install one or name another." >&2
 else
     echo "riserstudy needs Python 3.11, 3.12 or 3.13; install uv, which brings one, or your system's package, and name it if it is off the path: make study PYTHON=/path/to/python3.12" >&2
 fi

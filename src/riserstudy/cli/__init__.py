@@ -33,6 +33,7 @@ COMMANDS = (
     design.operability,
     files.draw,
     files.import_deck,
+    files.export_deck,
     files.new,
     files.schema,
     results.results,
@@ -41,7 +42,10 @@ COMMANDS = (
     results.prune,
     results.diff,
 )
-NAMES: dict[Any, str] = {files.import_deck: "import"}  # that are no names of functions
+NAMES: dict[Any, str] = {
+    files.import_deck: "import",
+    files.export_deck: "export",
+}  # that are no names of functions
 
 app = typer.Typer(
     name="riserstudy",

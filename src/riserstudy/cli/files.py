@@ -69,6 +69,33 @@ def import_deck(
     print(f"{output} is written; {len(deck_scene.left_out)} entries of the deck are not in it")
 
 
+def export_deck(
+    scene: SceneArgument,
+    output: Annotated[
+        Path,
+        typer.Option("-o", "--output", help="text model to write", metavar="DECK.yml"),
+        Writes("deck"),
+    ],
+    settings: SetOption = None,
+    force: ForceOption = False,
+) -> None:
+    """Write a scene as a deck, the OrcaFlex text model of its riser, so that another program can repeat it.
+
+    Everything of the scene that is not in the deck, or is otherwise in it, is named.
+    """
+    from riserstudy.export.orcaflex import write_deck
+
+    file = scene_of(scene, settings)
+    check_output(output, ("deck",), file.files, force)
+    deck = write_deck(file)
+    output.write_text(deck.text, "utf-8")
+    for line in deck.left_out:
+        print(f"left out: {line}")
+    print(
+        f"{output} is written; {len(deck.left_out)} lines of the scene are not in it as they stand"
+    )
+
+
 def _import_operators(source: Path, output: Path, length: str | None, force: bool) -> None:
     """The table of operators that a file of WAMIT or Capytaine holds."""
     from riserstudy.scene import rao_files

@@ -12,12 +12,14 @@ import typer
 from riserstudy.cli.shared import (
     AtOption,
     SetOption,
+    UnitsOption,
     compile_kernels,
     place_of,
     say_warnings,
     scene_of,
 )
 from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
 
 
@@ -43,6 +45,7 @@ def plot(
     ] = None,
     at: AtOption = None,
     force: ForceOption = False,
+    units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
     """Draw one run: ranges along the riser with its limits, time series, or its shape."""
     from riserstudy.dataset.diff import opened
@@ -52,7 +55,8 @@ def plot(
 
     of_run = opened(dataset)
     check_output(output, ("figure",), [dataset], force)
-    save(draw(kind.value, of_run.isel(place(of_run, place_of(at))), of), output)
+    with reading_in(units):
+        save(draw(kind.value, of_run.isel(place(of_run, place_of(at))), of), output)
 
 
 class TableKind(StrEnum):
@@ -70,41 +74,53 @@ def table(
     ],
     output: Annotated[
         Path,
-        typer.Option("-o", "--output", help="table to write", metavar="OUT.csv"),
-        Writes("table"),
+        typer.Option("-o", "--output", help="table to write, or .xlsx of all", metavar="OUT.csv"),
+        Writes("table", "workbook"),
     ],
-    kind: Annotated[TableKind, typer.Option(help="which table")] = TableKind.EXTREMES,
+    kind: Annotated[
+        TableKind | None, typer.Option(help="which table; absent: extremes, all of a workbook")
+    ] = None,
     settings: SetOption = None,
     force: ForceOption = False,
+    units: UnitsOption = UnitSystem.SI,
 ) -> None:
-    """Write a table as CSV: stack-up, extremes, time series, or limits with their use.
+    """Write a table as CSV: stack-up, extremes, time series, or limits with their use; or all as a workbook.
 
-    A scene is simulated for all but the stack-up; a dataset (OUT.nc) is read.
+    A scene is simulated for all but the stack-up; a dataset (OUT.nc) is read. Workbooks (OUT.xlsx) need the
+    extra `riserstudy[workbook]`.
     """
-    from riserstudy.dataset import tables
+    from riserstudy.dataset import tables, workbook
 
+    book = output.suffix == workbook.ENDING
+    if book and (fault := workbook.lacks_library(output)):
+        raise fault
     stored = source.suffix == ".nc"
     if stored and settings:
         raise InputError("--set", settings[0], "a dataset was simulated", "allowed with a scene")
     file = None if stored else scene_of(source, settings)
-    check_output(output, ("table",), file.files if file else [source], force)
-    if file is None:
-        made = _table_of_run(kind.value, source)
-    elif kind is TableKind.STACK_UP:
-        made = tables.table_of(kind.value, file.scene(), None)
-    else:
+    check_output(output, ("table", "workbook"), file.files if file else [source], force)
+    one = kind or (None if book else TableKind.EXTREMES)
+    scene, dataset = _run_of(source) if file is None else (file.scene(), None)
+    if dataset is None and one is not TableKind.STACK_UP:
         from riserstudy.simulation.simulate import simulate
 
-        compile_kernels(file.scene())
-        dataset = simulate(file)
+        compile_kernels(scene)
+        dataset = simulate(file or source)
         say_warnings(dataset)
-        made = tables.table_of(kind.value, None, dataset)
-    tables.write_csv(made, output)
+    if one is None and dataset is not None:
+        made = tables.tables_of(scene, dataset)
+    else:
+        name = (one or TableKind.EXTREMES).value
+        made = {name: tables.table_of(name, scene, dataset)}
+    made = {name: tables.in_units(of, units) for name, of in made.items()}
+    if book:
+        workbook.write_workbook(made, output)
+    else:
+        tables.write_csv(next(iter(made.values())), output)
 
 
-def _table_of_run(kind: str, source: Path) -> Any:
-    """A table from the dataset of one run."""
-    from riserstudy.dataset import tables
+def _run_of(source: Path) -> tuple[Any, Any]:
+    """The scene and the dataset of one run."""
     from riserstudy.dataset.behind import scene_behind
     from riserstudy.dataset.diff import opened
 
@@ -112,7 +128,7 @@ def _table_of_run(kind: str, source: Path) -> Any:
     if "point_key" in dataset:
         allowed = "allowed is the dataset of one run; `riserstudy results` lists points of studies"
         raise InputError(source, "", "a study", allowed)
-    return tables.table_of(kind, scene_behind(dataset, {}), dataset)
+    return scene_behind(dataset, {}), dataset
 
 
 def statistics(
@@ -134,6 +150,7 @@ def statistics(
     ] = None,
     at: AtOption = None,
     force: ForceOption = False,
+    units: UnitsOption = UnitSystem.SI,
 ) -> None:
     """Statistics in an irregular sea as CSV: mean, deviation, most probable extremes; Gumbel over seeds."""
     from riserstudy.dataset import statistics_tables, tables
@@ -161,7 +178,7 @@ def statistics(
         run = of_run.isel(place(of_run, place_of(at)))
         made = statistics_tables.of_a_run(run, begin, times["--exposure"])
         _tell_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
-    tables.write_csv(made, output)
+    tables.write_csv(tables.in_units(made, units), output)
 
 
 SHORT = 10.0  # records that an exposure may last before a warning is given

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError
 
 if TYPE_CHECKING:
@@ -30,6 +31,14 @@ AtOption = Annotated[
     list[str] | None,
     typer.Option(
         "--at", help="which point: heave_amplitude=5; may be repeated", metavar="AXIS=VALUE"
+    ),
+]
+
+
+UnitsOption = Annotated[
+    UnitSystem,
+    typer.Option(
+        help="units of what is written: SI, kN and MPa (field), or feet and kips (us)",
     ),
 ]
 

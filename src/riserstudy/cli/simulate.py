@@ -13,12 +13,14 @@ from riserstudy.cli.shared import (
     AtOption,
     SceneArgument,
     SetOption,
+    UnitsOption,
     compile_kernels,
     place_of,
     say_warnings,
     scene_of,
 )
 from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
 
 WORTH_TELLING = 10.0  # seconds of a run, from which on it is announced
@@ -48,6 +50,10 @@ def run(
         typer.Option(help="take the best result after so long: 30, '10 min'", metavar="SECONDS"),
     ] = None,
     force: ForceOption = False,
+    units: Annotated[
+        UnitSystem | None,
+        typer.Option(help="units of limits (absent: kN and MPa) and of a CSV (absent: SI)"),
+    ] = None,
 ) -> None:
     """Simulate a scene and write its dataset.
 
@@ -70,12 +76,13 @@ def run(
         from riserstudy.dataset import tables
 
         kind = "time-series" if "time" in dataset else "extremes"
-        tables.write_csv(tables.table_of(kind, None, dataset), output)
+        made = tables.table_of(kind, None, dataset)
+        tables.write_csv(tables.in_units(made, units or UnitSystem.SI), output)
     else:
         write_dataset(dataset, output)
     say_warnings(dataset)
     print(_summary(dataset))
-    for line in _limits(dataset):
+    for line in _limits(dataset, units or UnitSystem.FIELD):
         print(line)
 
 
@@ -97,11 +104,11 @@ def _announce(file: Any) -> None:
         )
 
 
-def _limits(dataset: Any) -> list[str]:
+def _limits(dataset: Any, units: UnitSystem) -> list[str]:
     """A line a limit of the scene."""
     from riserstudy.dataset.tables import as_lines
 
-    return as_lines(json.loads(dataset.attrs.get("limits", "[]")))
+    return as_lines(json.loads(dataset.attrs.get("limits", "[]")), units)
 
 
 def _summary(dataset: Any) -> str:
@@ -121,6 +128,7 @@ def check(
         str | None,
         typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT"),
     ] = None,
+    units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
     """Hold a scene against its limits: demand, allowable, use, where and when.
 
@@ -137,7 +145,7 @@ def check(
     _announce(file)
     dataset = simulate(file)
     say_warnings(dataset)
-    for line in _limits(dataset):
+    for line in _limits(dataset, units):
         print(line)
     verdicts = {row["verdict"] for row in json.loads(dataset.attrs["limits"])}
     if verdicts & {EXCEEDED, UNKNOWN}:

@@ -17,16 +17,19 @@ ENDINGS = {
     "table": (".csv",),
     "figure": (".png", ".pdf", ".svg"),
     "scene": (".yaml", ".yml"),
+    "deck": (".yml",),
+    "workbook": (".xlsx",),
     "table of operators": (".csv",),
 }
 #: kinds that people edit: an existing file is never replaced without being told to
-EDITED = ("scene", "table of operators")
+EDITED = ("scene", "deck", "table of operators")
 #: how files of an ending begin
 BEGINNINGS = {
     ".nc": (b"\x89HDF\r\n\x1a\n", b"CDF"),
     ".png": (b"\x89PNG\r\n\x1a\n",),
     ".pdf": (b"%PDF-",),
     ".svg": (b"<?xml", b"<svg"),
+    ".xlsx": (b"PK\x03\x04",),
 }
 LOOKED_AT = 1000  # bytes of a file, to tell its kind
 OR_FORCE = "name another file, or add --force to replace this one"
@@ -86,9 +89,7 @@ def _check_ending(output: Path, kinds: list[str], option: str) -> None:
         return
     allowed = f"allowed {'is' if len(endings) == 1 else 'are'} {', '.join(endings)}"
     if output.suffix in (".xlsx", ".xls") and ".csv" in endings:
-        allowed += (
-            ", which spreadsheets open; workbooks need a library that riserstudy does not bring"
-        )
+        allowed += ", which spreadsheets open; `riserstudy table` writes workbooks"
     found = f"no {' or '.join(kinds)} {output.suffix!r}"
     raise InputError(option, str(output), found, allowed)
 

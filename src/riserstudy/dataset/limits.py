@@ -53,7 +53,7 @@ def checked(file: SceneFile, scene: Scene, rows: list[dict[str, Any]]) -> list[C
 
 
 def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) -> Checked:
-    about = (limit.output, limit.at or "", limit.mode, limit.side, limit.allowable)
+    about = (limit.output, limit.place, limit.mode, limit.side, limit.allowable)
     unit = UNITS[limit.output]
     missing = lacks(scene, limit)
     asked = demand_of(scene, limit, rows)
@@ -95,7 +95,8 @@ def demand_of(
     ----------
     rows : extremes of a run, a row an output and place.
     """
-    places = [limit.at] if limit.at else ["", *(s.name for s in _sections(scene, limit))]
+    names = [section.name for section in (scene.riser if limit.at else _sections(scene, limit))]
+    places = limit.places(names)
     there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
     demands = [_demand(limit, row) for row in there]
     return max(demands, key=lambda one: use(limit.side, one[0], limit.allowable), default=None)
@@ -132,5 +133,6 @@ def use(side: str, demand: float, allowable: float) -> float:
 
 def label(one: Checked | Limit) -> str:
     """A limit in words: mode, side, output and place."""
-    place = f" at {one.at}" if one.at else ""
+    at = one.place if isinstance(one, Limit) else one.at
+    place = f" at {at}" if at else ""
     return f"{one.mode}: {one.side} {one.output}{place}"

@@ -14,7 +14,7 @@ from riserstudy.dataset.statistics import (
     gumbel,
     record_statistics,
 )
-from riserstudy.dataset.tables import Cell, Table
+from riserstudy.dataset.table import OF_ROW, Cell, Table
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
@@ -22,16 +22,18 @@ if TYPE_CHECKING:
 
 EVEN = 1e-6  # share of an interval by which output times are apart evenly
 OF_A_RECORD = {
-    "mean": "", "standard deviation": "", "mean upcrossing period": "s", "largest": "",
-    "most probable largest": "", "smallest": "", "most probable smallest": "",
+    "mean": OF_ROW, "standard deviation": OF_ROW, "mean upcrossing period": "s", "largest": OF_ROW,
+    "most probable largest": OF_ROW, "smallest": OF_ROW, "most probable smallest": OF_ROW,
 }  # fmt: skip
 WITHIN = f"{100 * NOT_EXCEEDED:g} % of seas"
-OF_SEEDS = {
-    "seeds": "", "mean": "", "standard deviation": "", "largest": "",
-    "most probable largest": "", "its standard error": "", "Gumbel scale of largest": "",
-    f"not exceeded in {WITHIN}": "", "smallest": "", "most probable smallest": "",
-    "its standard error ": "", "Gumbel scale of smallest": "", f"not undercut in {WITHIN}": "",
-}  # fmt: skip
+OF_SEEDS = {"seeds": ""} | dict.fromkeys(
+    (
+        "mean", "standard deviation", "largest", "most probable largest", "its standard error",
+        "Gumbel scale of largest", f"not exceeded in {WITHIN}", "smallest", "most probable smallest",
+        "its standard error ", "Gumbel scale of smallest", f"not undercut in {WITHIN}",
+    ),
+    OF_ROW,
+)  # fmt: skip
 
 
 def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:

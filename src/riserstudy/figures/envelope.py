@@ -24,7 +24,7 @@ def envelope(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
         for colour, (called, point) in zip(COLOURS, curves, strict=False):
             for end, word in zip(ends, (called, None), strict=False):
                 values = read(point[end].dropna(point[end].dims[-1]))
-                ax.plot(values, values[values.dims[-1]], color=colour, label=word)
+                ax.plot(values, read(values[values.dims[-1]]), color=colour, label=word)
         known = dataset[name] if name in dataset else xr.DataArray(0.0, name=name)
         ax.set_xlabel(label(known if about(known) else dataset[ends[0]]))
     axes[0].set_ylabel(label(xr.DataArray(0.0, name="s")))

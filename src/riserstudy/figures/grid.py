@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.extremes import largest_size, told
 from riserstudy.dataset.limits import SIGNED
+from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.figures.style import key_below, panels
@@ -25,19 +26,6 @@ SIZE = "_absmax"  # the largest, whatever its sign
 CHARACTERS = 14.0  # of a legend, in an inch
 WRAPPED = 36  # characters, beyond which a label goes on below
 LINE = 0.2  # inches, of a legend
-
-#: factor and name of the unit that one reads a value in
-READ_IN = {
-    "N": (1e-3, "kN"),
-    "N m": (1e-3, "kN m"),
-    "Pa": (1e-6, "MPa"),
-    "rad": (180.0 / np.pi, "deg"),
-    "degree": (1.0, "deg"),
-    "m s-1": (1.0, "m/s"),
-    "kg m-3": (1.0, "kg/m³"),
-    "1": (1.0, "-"),
-    "": (1.0, "-"),
-}
 
 
 def axes_of(dataset: xr.Dataset) -> list[str]:
@@ -71,10 +59,9 @@ def called(value: xr.DataArray) -> str:
     """One value of an axis, with the axis's name and unit: ``mud weight 1800 kg/m³``."""
     if value.dtype.kind not in "fiu":
         return str(value.item())
-    unit = about(value).get("units", "")
-    unit = READ_IN.get(unit, (1.0, unit))[1]
+    factor, unit = read_in(about(value).get("units", ""))
     name = str(value.name).replace("_", " ")
-    return f"{name} {value.item():.4g}" + ("" if unit == "-" else f" {unit}")
+    return f"{name} {factor * value.item():.4g}" + ("" if unit in ("", "1") else f" {unit}")
 
 
 def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
@@ -139,8 +126,9 @@ def about(values: xr.DataArray) -> dict[str, str]:
 
 def read(values: xr.DataArray) -> xr.DataArray:
     """Values in the unit that one reads them in."""
-    factor, _ = READ_IN.get(about(values).get("units", ""), (1.0, ""))
-    return factor * values
+    if values.dtype.kind not in "fiu":
+        return values
+    return read_in(about(values).get("units", "")).factor * values
 
 
 def label(values: xr.DataArray) -> str:
@@ -149,7 +137,8 @@ def label(values: xr.DataArray) -> str:
     name = about(values).get("long_name", str(values.name).replace("_", " "))
     if values.dtype.kind not in "fiu":
         return name
-    unit = READ_IN.get(unit, (1.0, unit))[1].replace(" ", "\0")  # which is not taken apart
+    unit = "-" if unit in ("", "1") else read_in(unit).unit
+    unit = unit.replace(" ", "\0")  # which is not taken apart
     return fill(f"{name} ({unit})", WRAPPED).replace("\0", " ")
 
 
@@ -179,7 +168,7 @@ def laid_out(count: int) -> tuple[Figure, list[Axes]]:
 def places_of(axis: xr.DataArray, set_ticks: Callable[..., object]) -> NDArray[np.float64]:
     """Where the values of an axis are drawn: at themselves, or words one after the other."""
     if axis.dtype.kind in "fiu":
-        return np.asarray(axis.values, float)
+        return np.asarray(read(axis).values, float)
     places = np.arange(axis.size, dtype=float)
     set_ticks(places, [str(value) for value in axis.values])
     return places

@@ -54,7 +54,7 @@ def _draw(ax: Axes, extremes: xr.Dataset, name: str, axis: str, style: str) -> N
     for colour, (called, point) in zip(COLOURS, points(extremes, over=[axis]), strict=False):
         marker = "o" if extremes.sizes[axis] <= DENSE else None
         ax.plot(
-            point[axis],
+            read(point[axis]),
             read(point[name]),
             style,
             color=colour,

@@ -12,8 +12,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.dataset.limits import SIGNED
+from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
-from riserstudy.figures.grid import ENDINGS, READ_IN, key, label, present, read
+from riserstudy.figures.grid import ENDINGS, key, label, present, read
 from riserstudy.figures.style import COLOURS, headline, panels
 
 QUANTITIES = ("effective_tension", "bending_moment", "von_mises_stress", "x", "y")
@@ -49,18 +50,23 @@ def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
     sides = [run[name + end] for end in ENDINGS if name + end in run]
     if len(sides) == 2:
         high, low = (_shown(side) for side in sides)
-        s = high[high.dims[-1]]
+        s = _along(high)
         ax.fill_betweenx(s, low, high, color=COLOURS[0], alpha=0.2, linewidth=0.0)
         ax.plot(high, s, color=COLOURS[0], label="largest and smallest over time")
         ax.plot(low, s, color=COLOURS[0])
     if static is not None:
         rest = _shown(static)
-        ax.plot(rest, rest[rest.dims[-1]], color="black", linewidth=0.9, label="at rest")
+        ax.plot(rest, _along(rest), color="black", linewidth=0.9, label="at rest")
     for allowable in _limits(run, name):
         ax.axvline(allowable, color=RED, linestyle="--", linewidth=1.0, label="limit")
     ax.set_xlabel(label(xr.DataArray(0.0, name=name)))
     ax.locator_params(axis="x", nbins=4)
     ax.set_title(_largest(sides or [static], name), fontsize="small")
+
+
+def _along(values: xr.DataArray) -> xr.DataArray:
+    """Arclength of values, as it is read."""
+    return read(values[values.dims[-1]])
 
 
 def _shown(values: xr.DataArray) -> xr.DataArray:
@@ -71,10 +77,9 @@ def _largest(sides: list[Any], name: str) -> str:
     """The largest value and its place; of signed quantities the largest size."""
     values = max((_shown(side) for side in sides), key=lambda v: float(_size(v, name).max()))
     k = int(_size(values, name).argmax())
-    unit = attributes(name).get("units", "")
-    unit = READ_IN.get(unit, (1.0, unit))[1]
-    place = float(values[values.dims[-1]][k])
-    return f"largest {float(values[k]):.4g} {unit},\nat s = {place:.4g} m"
+    unit = read_in(attributes(name).get("units", "")).unit
+    place = float(_along(values)[k])
+    return f"largest {float(values[k]):.4g} {unit},\nat s = {place:.4g} {read_in('m').unit}"
 
 
 def _size(values: xr.DataArray, name: str) -> Any:
@@ -83,7 +88,7 @@ def _size(values: xr.DataArray, name: str) -> Any:
 
 def _limits(run: xr.Dataset, name: str) -> Iterator[float]:
     """Allowables all along the riser, in the unit that one reads."""
-    factor, _ = READ_IN.get(attributes(name).get("units", ""), (1.0, ""))
+    factor = read_in(attributes(name).get("units", "")).factor
     for row in json.loads(run.attrs.get("limits", "[]")):
         if row["output"] == name and not row["at"]:
             yield factor * row["allowable"]

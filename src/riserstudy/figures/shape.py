@@ -7,8 +7,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.dataset.unit_systems import read_in
 from riserstudy.errors import InputError
-from riserstudy.figures.grid import key, label
+from riserstudy.figures.grid import key, label, read
 from riserstudy.figures.style import COLOURS, GREY, headline, panels
 
 SNAPSHOTS = 24
@@ -45,13 +46,14 @@ def _named(run: xr.Dataset, name: str) -> xr.DataArray:
 
 def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
     if "time" in run and {name, "z"} <= set(run):
-        across, up, time = run[name].values, run["z"].values, run["time"].values
+        across, up = read(run[name]).values, read(run["z"]).values
+        time, s = run["time"].values, read(run["s"]).values
         for k in np.unique(np.linspace(0, len(time) - 1, SNAPSHOTS).round().astype(int)):
             ax.plot(across[k], up[k], color=GREY, linewidth=0.4, alpha=0.7)
         most = int(np.nanargmax(np.nanmax(across, axis=0) - np.nanmin(across, axis=0)))
         there = across[:, most]
         for colour, word, k in zip(COLOURS, SIDES, (there.argmax(), there.argmin()), strict=False):
-            said = f"{time[k]:.5g} s: {name} {word} at s = {float(run['s'][most]):.5g} m"
+            said = f"{time[k]:.5g} s: {name} {word} at s = {float(s[most]):.5g} {read_in('m').unit}"
             ax.plot(across[k], up[k], color=colour, label=said)
     if f"{name}_static" in run and "z_static" in run:
-        ax.plot(run[f"{name}_static"], run["z_static"], color="black", label="at rest")
+        ax.plot(read(run[f"{name}_static"]), read(run["z_static"]), color="black", label="at rest")

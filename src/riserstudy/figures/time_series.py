@@ -5,6 +5,7 @@ from __future__ import annotations
 import xarray as xr
 from matplotlib.figure import Figure
 
+from riserstudy.dataset.unit_systems import read_in
 from riserstudy.figures.grid import absent, key, label, points, read
 from riserstudy.figures.style import COLOURS, panels
 from riserstudy.study.plots import USUAL
@@ -38,7 +39,6 @@ def _place(values: xr.DataArray) -> tuple[dict[str, int], str]:
     span = values.max("time") - values.min("time")
     others = [dim for dim in span.dims if dim != within]
     k = int(span.mean(others).fillna(-1.0).argmax(within))
-    at = values[within][k]
-    return {within: k}, f"at {within} = {at.item():.4g} {at.attrs.get('units', '')}".removesuffix(
-        " 1"
-    )
+    factor, unit = read_in(values[within].attrs.get("units", ""))
+    at = factor * values[within][k].item()
+    return {within: k}, f"at {within} = {at:.4g} {unit}".removesuffix(" 1")

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
-from riserstudy.figures.grid import along, axes_of, key, label, laid_out, places_of, points
+from riserstudy.figures.grid import along, axes_of, key, label, laid_out, places_of, points, read
 from riserstudy.figures.style import COLOURS, GREY, headline
 
 FloatArray = NDArray[np.float64]
@@ -45,7 +45,13 @@ def _lines(uses: xr.Dataset) -> Figure:
         colour = COLOURS[k % len(COLOURS)]
         style = "-" if k < len(COLOURS) else ":"
         ax.plot(
-            uses[axis], values, style, color=colour, marker="o", markersize=3.0, label=_short(name)
+            read(uses[axis]),
+            values,
+            style,
+            color=colour,
+            marker="o",
+            markersize=3.0,
+            label=_short(name),
         )
     ax.axhline(1.0, color="black", linewidth=0.8)
     ax.set_xlabel(label(uses[axis]))

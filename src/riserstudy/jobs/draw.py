@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from riserstudy.chapters.draw import draw
+from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError, RiserStudyError
 from riserstudy.figures import draw_plot, save
 from riserstudy.grading.printed import with_printed
@@ -18,10 +19,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def main(paper: str, name: str, targets: list[Path], sources: list[Path]) -> None:
+def main(
+    paper: str, name: str, targets: list[Path], sources: list[Path], units: UnitSystem
+) -> None:
     """Write the figure in all formats."""
-    figure = from_datasets(paper, name, sources) if sources else from_scene(paper, name)
-    save(figure, *targets)
+    with reading_in(units):
+        figure = from_datasets(paper, name, sources) if sources else from_scene(paper, name)
+        save(figure, *targets)
     seal(*targets)
 
 
@@ -61,6 +65,7 @@ if __name__ == "__main__":
     parser.add_argument("name")
     parser.add_argument("--targets", type=Path, nargs="+", required=True)
     parser.add_argument("--sources", type=Path, nargs="*", default=[])
+    parser.add_argument("--units", type=UnitSystem, default=UnitSystem.FIELD)
     try:
         main(**vars(parser.parse_args()))
     except RiserStudyError as error:

@@ -15,6 +15,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, Self
 
+from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.digests import defining, digest, sources_behind
 from riserstudy.errors import InputError
 from riserstudy.figures import module_of_plot
@@ -75,6 +76,11 @@ class Workplan:
             for paper, file in self.files.items():
                 for name in file.schematics:
                     self.schematic(paper, name).scene()
+
+    @property
+    def units(self) -> str:
+        """System of units that plots and limits are read in."""
+        return self.settings.units or UnitSystem.FIELD.value
 
     @classmethod
     def read(

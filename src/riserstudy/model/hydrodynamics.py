@@ -18,6 +18,7 @@ from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
+from riserstudy.model.current_jump import spread
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
@@ -37,9 +38,10 @@ def current(of: Layout) -> Iterator[Effect]:
         return
     if not flow.turns:
         z, speed = current_table(flow, of.scene.water)
-        parts = [(flow.towards, speed)]
+        z, velocity = spread(z, speed[np.newaxis], of.segment_at)
+        parts = [(flow.towards, velocity[0])]
     else:
-        z, velocity = current_velocity(flow, of.scene.water)
+        z, velocity = spread(*current_velocity(flow, of.scene.water), of.segment_at)
         parts = list(zip((0.0, 0.5 * math.pi), velocity, strict=True))[: of.d - 1]
     for heading, speed in parts:
         near = np.zeros(of.last + 1, np.int64)

@@ -12,6 +12,7 @@ from riserstudy.effects.stress_gauge import StressGauge
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Report
+from riserstudy.model.space_out import joint_of
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.riser import Section
 
@@ -35,7 +36,7 @@ def guides(of: Layout) -> Iterator[Effect]:
 
 def sliding_joint(of: Layout) -> Iterator[Effect]:
     """A telescopic joint under its own constant tension, or with stops."""
-    joint = of.scene.top.telescopic_joint
+    joint = joint_of(of.scene)
     if joint and (joint.tension or joint.stop):
         record = sliding_tension(joint, of.last - 1)
         line = "tension" if joint.tension else "stop"

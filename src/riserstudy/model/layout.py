@@ -84,6 +84,11 @@ class Layout(NamedTuple):
         """Unit vector of a heading (rad) in the horizontal directions of the model, (d - 1,)."""
         return np.array([math.cos(heading or 0.0), math.sin(heading or 0.0)])[: self.d - 1]
 
+    def segment_at(self, elevation: float) -> float:
+        """Length of the segment that is at an elevation with the riser upright, unstretched (m)."""
+        e = int(np.searchsorted(self.mesh.s[1:-1], elevation - self.bottom, side="right"))
+        return float(self.mesh.l0[e])
+
     @property
     def cornered(self) -> list[int]:
         """Sections at whose lower end shear may jump: by a joint, a guide or a rigid body below."""

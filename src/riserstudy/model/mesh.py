@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.model.space_out import joint_of
 from riserstudy.scene.models import Scene
 
 GROWTH = 0.15  # by which segments grow away from a held end, metre by metre
@@ -113,7 +114,7 @@ def even(scene: Scene, elements: int) -> Mesh:
 
 
 def _with_joint(scene: Scene, l0: NDArray[np.float64], section: NDArray[np.int64]) -> Mesh:
-    joint, body = scene.top.telescopic_joint, _has_body(scene)
+    joint, body = joint_of(scene), _has_body(scene)
     if joint is None:
         return Mesh(l0, section, body=body)
     return Mesh(np.append(l0, joint.length), np.append(section, len(scene.riser)), True, body=body)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
-from riserstudy.dataset.tables import READ_IN
+from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.figures.grid import called
 from riserstudy.report.wording import counted
@@ -72,7 +72,7 @@ def _rows(dataset: xr.Dataset) -> list[LimitRow]:
 
 def _row(of: xr.Dataset, axes: list[str], told: Mapping[str, str | float]) -> LimitRow:
     use, verdicts = of["use_of_limit"].values, of["verdict_of_limit"].values
-    factor, unit = READ_IN[str(told["unit"])]
+    factor, unit = read_in(str(told["unit"]))
     about = (
         _in_words(str(of["limit"].item())),
         f"{factor * float(told['allowable']):.5g} {unit}",

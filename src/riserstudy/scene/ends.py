@@ -138,9 +138,13 @@ class TelescopicJoint(Strict):
     ``tension``: tensioners pull with it along the joint, whatever its length. Absent stop: none. The mass
     of the outer barrel is that of ``top.body``, at the ring; the inner one moves with the platform. Stops
     of the joint and the ``stroke`` of tensioners are apart: a rig may have both.
+
+    Stroke and stops count from ``length``; with ``mid_stroke: riser in equilibrium`` from the length that is
+    left above the riser when that stands plumb in still water under its tensioners, as spaced out.
     """
 
     length: Annotated[u.Length, POSITIVE]
+    mid_stroke: Literal["riser in equilibrium"] | None = None
     bending_stiffness: Annotated[u.BendingStiffness, POSITIVE]
     tension: Annotated[u.Force, POSITIVE] | None = None
     stop: JointStop | None = None

@@ -61,6 +61,10 @@ def fit(scene: Parts) -> None:
     joint = scene.top.telescopic_joint
     if joint and not all(bending):
         raise ValueError("a telescopic_joint needs bending stiffness in the riser")
+    if joint and joint.mid_stroke and scene.bottom.hold == "free":
+        raise ValueError(
+            "top.telescopic_joint.mid_stroke needs a lower end that is held; give the joint's length alone"
+        )
     _vessel_and_soil(scene, all(bending))
     _starts_gently(scene)
     length = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)

@@ -210,6 +210,7 @@ TURN = math.tau * (1.0 + 1e-9)  # rad, rounding told apart
 class Point(Strict):
     """One point of a current profile, at an elevation or a depth below the mean level of the water.
 
+    Two at one elevation are a jump there: of the water below, and of that above.
     Absent direction: that of the current's heading.
     """
 
@@ -348,6 +349,10 @@ class Current(Strict):
             raise ValueError("profile: elevation in every line, or depth in every line")
         for name in ("elevation", "depth"):
             values = [x for point in points if (x := getattr(point, name)) is not None]
-            if any(a >= b for a, b in pairwise(values)):
-                raise ValueError(f"profile: {name}s must rise from point to point")
+            if any(a > b for a, b in pairwise(values)) or any(
+                a == b for a, b in zip(values, values[2:], strict=False)
+            ):
+                raise ValueError(
+                    f"profile: {name}s must rise from point to point; two at one {name} are a jump there"
+                )
         return self

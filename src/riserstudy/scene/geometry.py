@@ -83,6 +83,18 @@ def span(scene: Parts) -> Span | None:
     return Span(scene.bottom.elevation, scene.bottom.elevation + length if top is None else top)
 
 
+def levels(scene: Parts, k: int) -> tuple[float, float] | None:
+    """Elevations of a section's ends before it stretches (m); None where they are not given."""
+    lengths = [section.total_length for section in scene.riser]
+    bottom = scene.bottom.elevation
+    if bottom is None:
+        if scene.top.elevation is None:
+            return None
+        bottom = scene.top.elevation - sum(lengths)
+    low = bottom + sum(lengths[:k])
+    return low, low + lengths[k]
+
+
 def _length(scene: Parts) -> float:
     """From end to end along the riser, with its telescopic joint (m)."""
     joint = scene.top.telescopic_joint

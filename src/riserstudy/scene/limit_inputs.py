@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from riserstudy.scene.limits import Limit, section_of
+from riserstudy.scene.limits import Limit
 
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
@@ -22,11 +22,10 @@ def limits_fit(scene: Parts) -> None:
     """
     names = [section.name for section in scene.riser]
     for k, limit in enumerate(scene.limits or []):
-        place = section_of(limit.at or names[0])
-        if place not in names:
-            raise ValueError(
-                f"limits[{k}].at: no section {place!r}; allowed are " + ", ".join(map(repr, names))
-            )
+        try:
+            limit.sections(names)
+        except ValueError as fault:
+            raise ValueError(f"limits[{k}].at: {fault}") from None
         if limit.output == "stroke" and scene.top.telescopic_joint:
             raise ValueError(
                 f"limits[{k}].output: 'stroke' counts from the static state. Write 'joint_stroke', which "
@@ -52,10 +51,11 @@ def lacks(scene: Parts, limit: Limit) -> list[str]:
     """What a scene lacks for the output of a limit, by its fields; empty where it should be there."""
     name = limit.output
     if name == "von_mises_stress":
+        names = limit.sections([section.name for section in scene.riser])
         return [
             lack
             for section in (scene.riser if limit.at else scene.riser_sections)
-            if limit.at is None or section_of(limit.at) == section.name
+            if section.name in names
             for lack in wall_lacks(scene, section)
         ]
     needs: dict[str, tuple[str, Callable[[Parts], bool]]] = {

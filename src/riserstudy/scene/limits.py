@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, Self
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import field_validator, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from riserstudy.scene.base import Strict
 from riserstudy.scene.units import to_si
@@ -32,20 +33,21 @@ ALONG = ("effective_tension", "bending_moment", "shear_force", "von_mises_stress
 OF_THE_RISER = ("effective_tension", "von_mises_stress")
 SIDES = ("largest", "smallest", "mean")
 ENDS = ("lower end of ", "upper end of ")
+ABOVE = ", above water"  # what the upper part of a section is called that leaves the water, after its name
 
 
 class Limit(Strict):
     """An allowable of one output: its largest or smallest value, or its mean over time.
 
     Of outputs whose sign is a convention, such as moments and angles, the size is meant.
-    ``at``: a section of the riser, or ``lower end of`` or ``upper end of`` one; absent: all along it, for
-    tension and stress without the stack and conductor below its flex joint. The allowable's origin is given
-    like that of any other value.
+    ``at``: a section of the riser, or ``lower end of`` or ``upper end of`` one, or the first and the last of
+    several on end, ``[lowest, highest]``; absent: all along it, for tension and stress without the stack and
+    conductor below its flex joint. The allowable's origin is given like that of any other value.
     """
 
     output: str
     mode: Literal["drilling", "connected", "disconnect"]
-    at: str | None = None
+    at: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = None
     largest: str | None = None
     smallest: str | None = None
     mean: str | None = None
@@ -67,13 +69,49 @@ class Limit(Strict):
             raise ValueError("give one of largest, smallest and mean")
         if self.at is not None and self.output not in ALONG:
             raise ValueError(f"at: {self.output} has one place; allowed with " + ", ".join(ALONG))
-        if self.mean is not None and self.output in ALONG and not (self.at or "").startswith(ENDS):
+        if self.mean is not None and self.output in ALONG and not self.place.startswith(ENDS):
             raise ValueError(
                 f"mean: of {self.output} at one place; allowed with 'at: {ENDS[0]}' a section"
             )
         if self.allowable == 0.0 and self.side != "smallest":
             raise ValueError(f"{self.side}: nothing has a use of 0; allowed is any other value")
         return self
+
+    @property
+    def place(self) -> str:
+        """Where it holds, in words; "" all along the riser."""
+        return " to ".join(self.at) if isinstance(self.at, list) else self.at or ""
+
+    def sections(self, names: Sequence[str]) -> list[str]:
+        """Those of a riser's sections, named from below, that it is about.
+
+        Raises
+        ------
+        ValueError
+            When there is no such section, or the last of several is below the first.
+        """
+        ends = self.at if isinstance(self.at, list) else [section_of(self.at or "")]
+        if not self.at:
+            return list(names)
+        if missing := [end for end in ends if end not in names]:
+            raise ValueError(
+                f"no section {missing[0]!r}; allowed are {', '.join(map(repr, names))}"
+            )
+        first, last = names.index(ends[0]), names.index(ends[-1])
+        last += names[last] + ABOVE in names
+        if first > last:
+            raise ValueError(
+                f"{ends[0]!r} is above {ends[-1]!r}; allowed is the lowest section first"
+            )
+        return list(names[first : last + 1])
+
+    def places(self, names: Sequence[str]) -> list[str]:
+        """Where a value of a run may be that it is about, as extremes of runs name places."""
+        if not self.at:
+            return ["", *names]
+        end = next((end for end in ENDS if self.place.startswith(end)), "")
+        sections = self.sections(names)
+        return [end + sections[-1 if end == ENDS[1] else 0]] if end else sections
 
     @property
     def side(self) -> str:

@@ -14,6 +14,7 @@ from riserstudy.scene.ends import TensionLoss
 from riserstudy.scene.fitting import fit
 from riserstudy.scene.forcing import Translation
 from riserstudy.scene.parts import Parts
+from riserstudy.scene.waterline import cut
 from riserstudy.scene.weight import dressed, weighed
 
 
@@ -27,7 +28,16 @@ class Scene(Parts):
     def fitted(self) -> Self:
         """The scene with what follows from its parts; ValueError where they do not fit together."""
         fit(self)
-        return self._loaded()._weighed()._dressed()._carried()._timed()._valved()._with_rigid_body()
+        return (
+            self._loaded()
+            ._cut()
+            ._weighed()
+            ._dressed()
+            ._carried()
+            ._timed()
+            ._valved()
+            ._with_rigid_body()
+        )
 
     def _timed(self) -> Self:
         """The scene with the time of the release that a phase of heave stands for."""
@@ -89,6 +99,11 @@ class Scene(Parts):
         riser, tension = self.buoyancy.loads(self.riser, self.gravity)
         top = self.top.model_copy(update={"tension": tension})
         return self.model_copy(update={"riser": riser, "top": top})
+
+    def _cut(self) -> Self:
+        """The scene with sections cut where they leave the water, if their weights follow."""
+        riser = cut(self)
+        return self if riser is self.riser else self.model_copy(update={"riser": riser})
 
     def _weighed(self) -> Self:
         """The scene with the weights that follow from masses, diameters and contents."""

@@ -12,7 +12,7 @@ from pydantic.fields import FieldInfo
 
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tables import PLACES
-from riserstudy.scene.units import Percent, Unit
+from riserstudy.scene.units import Percent, Unit, usual_units
 
 HEAD = """\
 # Scene files
@@ -24,8 +24,9 @@ A scene file says what is there: YAML, one riser, and what holds, moves and surr
 `riserstudy effects SCENE.yaml` says which effects a scene has and because of which line.
 
 Values carry the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; inside everything
-is SI. A bare number where a unit is needed is refused, and so are a rotational stiffness without
-`/deg` or `/rad`, a pressure that does not say `absolute` or `gauge`, and `t` as a force (`tf` is one).
+is SI. [Units](#units) lists their names. A bare number where a unit is needed is refused, and so are a
+rotational stiffness without `/deg` or `/rad`, a pressure that does not say `absolute` or `gauge`, and `t` as
+a force (`tf` is one).
 Elevations count upwards from any datum, the same throughout a scene; arclengths count from the lower end.
 
 A plain value is *published* in a scene with `paper:`, *given* in one without. Anything else says so:
@@ -63,12 +64,34 @@ def scene_reference() -> str:
         more = ", and `heading` or any motion such as `heave` with `heave_phase`"
         named = f"`{'.'.join((*place.way, place.name))}`"
         tables.append(f"{named} ({columns}{more if place.optional else ''})")
-    parts = [HEAD % "; ".join(tables)]
+    parts = [HEAD % "; ".join(tables), units()]
     for model in models():
         parts.append(f"## {title(model)}\n\n{_prose(model)}\n")
         rows = [f"| `{name}` | {shown(field)} |" for name, field in model.model_fields.items()]
         parts.append("| key | value |\n|---|---|\n" + "\n".join(rows) + "\n")
     return "\n".join(parts)
+
+
+UNITS = """\
+## Units
+
+A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. These are the usual
+ones, by the SI unit of what they measure; others that the library pint knows are taken too. Pressures say
+`absolute` or `gauge` behind their unit, moduli and stresses do not. `t` is a tonne, `short_ton` 2000 lb,
+`gal` a US gallon; `lb` is a mass, `lbf`, `kip` and `tf` are forces.
+
+| SI unit | names |
+|---|---|
+"""
+
+
+def units() -> str:
+    """Names of usual units, by the SI unit of what they measure."""
+    rows = [
+        f"| `{unit}` | {', '.join(f'`{name}`' for name in names)} |"
+        for unit, names in usual_units().items()
+    ]
+    return UNITS + "\n".join(rows) + "\n"
 
 
 def models(first: type[BaseModel] = Scene) -> list[type[BaseModel]]:

@@ -124,6 +124,8 @@ class Section(Strict):
     ``contents`` add 2153.4 N/m. The 2714.1 N/m of steel and sea water inside are given without contents,
     or as 874.7 N/m with contents of 1025 kg/m^3. With mass, both diameters, contents, gravity and
     water a weight that is absent follows (above the water without the water displaced); else it is refused.
+    Where it follows, or with modules or lines, a section that reaches through the surface is cut there: its
+    upper part is called ``<name>, above water``.
 
     ``buoyancy_lift``: what buoyancy modules lift in water beyond their own weight, which ``submerged_weight``
     has taken off. It moves nothing; the minimum tension counts steel and modules apart. Absent: not known.

@@ -75,12 +75,13 @@ def _factor(name: str, unit: str) -> float:
     """SI units in one of a unit."""
     if name == unit:
         return 1.0
-    known = _usual().get(unit, {}).get(name)
+    known = usual_units().get(unit, {}).get(name)
     return factor(name, unit) if known is None else known
 
 
 @cache
-def _usual() -> dict[str, dict[str, float]]:
+def usual_units() -> dict[str, dict[str, float]]:
+    """How many SI units one of each usual unit is, by SI unit and name."""
     table: dict[str, dict[str, float]] = json.loads(USUAL.read_text("utf-8"))
     return table
 

@@ -11,6 +11,7 @@ import math
 from typing import TYPE_CHECKING
 
 from riserstudy.scene.dressed import carried
+from riserstudy.scene.geometry import levels
 
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
@@ -50,7 +51,7 @@ def dressed(scene: Parts) -> list[Section]:
     Raises
     ------
     ValueError
-        Where gravity or the weight of a pipe is missing, or where a section is in the water in part.
+        Where gravity or the weight of a pipe is missing.
     """
     if not any(section.modules or section.lines for section in scene.riser):
         return scene.riser
@@ -109,54 +110,23 @@ def _weightless(scene: Parts) -> list[str]:
     ]
 
 
-def _levels(scene: Parts, k: int) -> tuple[float, float] | None:
-    """Elevations of a section's ends before it stretches (m); None where they are not given."""
-    lengths = [section.total_length for section in scene.riser]
-    bottom = scene.bottom.elevation
-    if bottom is None:
-        if scene.top.elevation is None:
-            return None
-        bottom = scene.top.elevation - sum(lengths)
-    low = bottom + sum(lengths[:k])
-    return low, low + lengths[k]
-
-
 def _dips(scene: Parts, k: int) -> bool:
     """Whether a section is partly or wholly above the water."""
-    levels = _levels(scene, k)
+    ends = levels(scene, k)
     surface = scene.water.surface if scene.water else None
-    return bool(levels and surface is not None and levels[1] > surface)
+    return bool(ends and surface is not None and ends[1] > surface)
 
 
 def _displaced(scene: Parts, k: int) -> float:
-    """Mass of the water that a section displaces (kg/m).
-
-    Raises
-    ------
-    ValueError
-        Where only a part of the section is under water.
-    """
+    """Mass of the water that a section displaces (kg/m)."""
     outside = 0.25 * math.pi * (scene.riser[k].outer_diameter or 0.0) ** 2
     return _water_around(scene, k) * outside
 
 
 def _water_around(scene: Parts, k: int) -> float:
-    """Density of the water around a section (kg/m3), 0 above it.
-
-    Raises
-    ------
-    ValueError
-        Where only a part of the section is under water.
-    """
+    """Density of the water around a section (kg/m3), 0 above it."""
     if scene.water is None:
         return 0.0
-    levels, surface = _levels(scene, k), scene.water.surface
-    if levels and surface is not None and levels[1] > surface:
-        if levels[0] >= surface:
-            return 0.0
-        raise ValueError(
-            f"riser section {scene.riser[k].name!r} reaches from {levels[0]:g} m to {levels[1]:g} m through "
-            f"the surface at {surface:g} m, and its weight is to follow from its parts; split it at the "
-            f"surface, or give riser[{k}].submerged_weight of the whole, without modules and lines"
-        )
-    return scene.water.density
+    ends, surface = levels(scene, k), scene.water.surface
+    dry = ends and surface is not None and ends[0] >= surface
+    return 0.0 if dry else scene.water.density

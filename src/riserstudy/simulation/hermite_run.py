@@ -17,6 +17,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model import rao
 from riserstudy.model.build import build
+from riserstudy.model.current_jump import spread
 from riserstudy.model.hydrodynamics import wave_of
 from riserstudy.model.layout import flexibility_of, stiffness
 from riserstudy.model.mesh import Mesh, even
@@ -187,7 +188,12 @@ def _wet(scene: Scene, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Be
     )
     beam = dry
     if scene.current:
-        z, (along, _) = current_velocity(scene.current, scene.water)
+        level = 0.5 * (elevation[1:] + elevation[:-1])
+        lengths = np.diff(elevation)
+        z, (along, _) = spread(
+            *current_velocity(scene.current, scene.water),
+            lambda at: float(np.interp(at, level, lengths)),
+        )
         beam = dry._replace(current=lambda s: np.interp(np.interp(s, dry.s, elevation), z, along))
     if scene.wave is None or scene.water is None:
         return beam

@@ -13,6 +13,7 @@ from riserstudy.model.bending import flexibility
 from riserstudy.model.layout import AXES, corners, layout_of, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
+from riserstudy.model.space_out import joint_of
 from riserstudy.model.stops import joint_stops_touched, stops_touched
 from riserstudy.model.tensioner_law import leaves_table
 from riserstudy.scene.analysis import Output
@@ -59,7 +60,7 @@ def at_rest(scene: Scene, model: Model, mesh: Mesh) -> Arrays:
         arrays[name + "_static"] = values[0]
     for name in {"lfj_angle", "largest_stress"} & set(model.probes):
         arrays[name + "_static"] = probe[model.probes[name]]
-    if joint := scene.top.telescopic_joint:
+    if joint := joint_of(scene):
         arrays["joint_stroke_static"] = np.array(positions(model).joint - joint.length)
     arrays["zero_z"] = model.s.r[-1, : len(mesh.s)].copy()
     for name in set("xy").intersection(names):
@@ -187,7 +188,7 @@ def over_time(scene: Scene, model: Model, mesh: Mesh, record: Record, rest: AtRe
         series["stroke"] = record.probe[:, 0] - rest.reach[0]
     elif scene.platform and scene.top.z == "free":
         series["stroke"] = record.platform[:, 2] - (record.top[:, -1] - rest.top)
-    if joint := scene.top.telescopic_joint:
+    if joint := joint_of(scene):
         series["stroke"] = record.end[:, 1, -1] - rest.joint
         series["joint_stroke"] = record.end[:, 1, -1] - joint.length
     for name, k in model.probes.items():

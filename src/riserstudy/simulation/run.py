@@ -13,6 +13,7 @@ from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
 from riserstudy.model import rao
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
+from riserstudy.model.space_out import joint_of
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sudden import sudden_wave
@@ -137,7 +138,7 @@ def finish(scene: Scene, mesh: Mesh, result: Result) -> Result:
         facts["warnings"] += outputs.of_tensioners(rig, arrays)
         if "tensioner_stroke" in arrays:
             facts["largest_stroke"] = float(abs(arrays["tensioner_stroke"]).max())
-    if joint := scene.top.telescopic_joint:
+    if joint := joint_of(scene):
         facts["warnings"] += outputs.of_joint(joint, arrays)
     facts |= outputs.peaks(arrays)
     arrays |= outputs.sizes(arrays)

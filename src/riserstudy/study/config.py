@@ -27,12 +27,15 @@ class Config(Strict):
     """config/config.yaml.
 
     ``points_per_job``: a study of more points is simulated by several jobs. Absent: one job a study.
+    ``units`` of plots that fit any grid and of the report's tables of limits: SI, kN and MPa (field; so where
+    absent), or feet and kips (us).
     """
 
     papers: list[Name] = Field(min_length=1)
     tier: Literal["preview", "standard", "reference"]
     tiers: dict[Tier, TierModel]
     points_per_job: Annotated[int, Field(ge=1)] | None = None
+    units: Literal["si", "field", "us"] | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

@@ -1,0 +1,26 @@
+"""A table: a heading with units, and rows of plain values."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+Cell = str | float | int | None
+
+
+OF_ROW = "*"  # unit of a column whose values are in the unit that their row names
+
+
+class Table(NamedTuple):
+    """Columns, their units ("" for none, ``OF_ROW`` for that in the row's column ``unit``) and rows."""
+
+    columns: list[str]
+    units: list[str]
+    rows: list[list[Cell]]
+
+
+def heads(table: Table) -> list[str]:
+    """Names of the columns, each with its unit."""
+    return [
+        f"{name} ({unit})" if unit not in ("", OF_ROW) else name
+        for name, unit in zip(table.columns, table.units, strict=True)
+    ]

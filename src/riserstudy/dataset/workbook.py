@@ -1,0 +1,79 @@
+"""Tables as one workbook, a sheet each; what writes it comes with the extra ``workbook``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from importlib.util import find_spec
+from pathlib import Path
+
+from riserstudy.dataset.table import Cell, Table, heads
+from riserstudy.errors import InputError, SimulationError
+
+ENDING = ".xlsx"
+WIDEST = 28.0  # characters of a column
+LONGEST = 1_000_000  # rows of a sheet
+
+
+def lacks_library(target: Path) -> InputError | None:
+    """What to raise of a workbook that cannot be written here; None where it can."""
+    if find_spec("openpyxl") is not None:
+        return None
+    allowed = "install it with `pip install 'riserstudy[workbook]'`, or write .csv"
+    return InputError(
+        "--output", str(target), "workbooks need openpyxl, which is not here", allowed
+    )
+
+
+def _cell(value: Cell) -> Cell:
+    """A cell as a workbook can hold it: what is no number as a word."""
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def write_workbook(tables: Mapping[str, Table], target: Path) -> None:
+    """Write tables as the sheets of a workbook, by their names.
+
+    Raises
+    ------
+    InputError
+        When the library that writes workbooks is not installed, or a table is longer than a sheet.
+    SimulationError
+        When it cannot be written, as on a full disk.
+    """
+    if fault := lacks_library(target):
+        raise fault
+    from openpyxl import Workbook
+    from openpyxl.styles import Alignment, Font
+    from openpyxl.utils import get_column_letter
+
+    book = Workbook()
+    book.remove(book.active)
+    for name, table in tables.items():
+        if len(table.rows) > LONGEST:
+            allowed = f"allowed in a workbook are {LONGEST}; write this table as .csv"
+            raise InputError("--output", str(target), f"{len(table.rows)} rows of {name}", allowed)
+        sheet = book.create_sheet(name)
+        sheet.append(heads(table))
+        for row in table.rows:
+            sheet.append([_cell(cell) for cell in row])
+            for cell in sheet[sheet.max_row]:
+                if isinstance(cell.value, str):
+                    cell.data_type = "s"  # a name that begins like a formula is none
+        for k, cell in enumerate(sheet[1], start=1):
+            cell.font, cell.alignment = Font(bold=True), Alignment(wrap_text=True, vertical="top")
+            words = [
+                len(str(row[k - 1])) for row in table.rows[:200] if isinstance(row[k - 1], str)
+            ]
+            sheet.column_dimensions[get_column_letter(k)].width = min(
+                WIDEST, max([12, *words]) + 1.0
+            )
+        sheet.freeze_panes = "B2"
+    partial = target.with_name(f".{target.name}.part")
+    try:
+        book.save(partial)
+        partial.replace(target)
+    except OSError as error:
+        reason = f"{target} cannot be written: {error.strerror}"
+        raise SimulationError(f"{reason}; see whether the disk is full") from None
+    finally:
+        partial.unlink(missing_ok=True)

@@ -1,0 +1,1 @@
+"""Scenes as decks of other programs."""

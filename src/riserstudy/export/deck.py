@@ -1,0 +1,97 @@
+"""A deck in the making: its objects, what of the scene went into it, and what did not."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+from riserstudy.scene.origin import CALLED, leaves, within
+
+PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9 _.,/+-]*[A-Za-z0-9)]|[A-Za-z]")
+WORDS = ("yes", "no", "on", "off", "true", "false", "null", "infinity")
+
+
+@dataclass
+class Deck:
+    """A deck, and which lines of the scene it says.
+
+    Attributes
+    ----------
+    objects : lists of objects by their name in a deck, and General and Environment.
+    said : paths of the scene that are in the deck, without indices.
+    otherwise : path of the scene, and how it is in the deck.
+    """
+
+    file: SceneFile
+    scene: Scene
+    objects: dict[str, Any] = field(default_factory=dict)
+    said: set[str] = field(default_factory=set)
+    otherwise: dict[str, str] = field(default_factory=dict)
+
+    def add(self, of: str, entry: dict[str, Any]) -> None:
+        """Put an object into a list."""
+        self.objects.setdefault(of, []).append(entry)
+
+    def refused(self, path: str, found: str, allowed: str) -> InputError:
+        """What to raise of a line without which the deck would be that of another riser."""
+        return InputError(self.file.source, path, found, allowed)
+
+    def left_out(self) -> list[str]:
+        """Lines that name what of the scene is not in the deck, or is otherwise in it."""
+        lines = [f"{path}: {told}" for path, told in self.otherwise.items()]
+        missing: dict[str, None] = {}
+        for path, _ in leaves(self.file.tree):
+            bare = re.sub(r"\[\d+\]", "", path)
+            called = bare.rpartition(".")[2] in CALLED
+            if called or any(within(bare, place) for place in self.said):
+                continue
+            if not any(within(path, place) for place in self.otherwise):
+                missing[bare if bare.count(".") < 2 else bare.rpartition(".")[0]] = None
+        return [*lines, *(f"{path}: not written" for path in missing)]
+
+    def text(self) -> str:
+        """The deck as a text data file."""
+        head = ["%YAML 1.1", "# Type: Model", f"# Made from {self.file.source.rpartition('/')[2]}"]
+        return "\n".join([*head, "---", *_lines(self.objects, 0), ""])
+
+
+def _lines(entry: dict[str, Any], indent: int) -> list[str]:
+    """An object, entry by entry; tables are rows on a line each."""
+    margin, lines = "  " * indent, []
+    for key, value in entry.items():
+        if isinstance(value, dict):
+            lines += [f"{margin}{key}:", *_lines(value, indent + 1)]
+        elif isinstance(value, list) and value and isinstance(value[0], dict):
+            lines.append(f"{margin}{key}:")
+            for one in value:
+                first, *rest = _lines(one, indent + 2)
+                lines += [f"{margin}  - {first.lstrip()}", *rest]
+        elif isinstance(value, list) and value and isinstance(value[0], list):
+            lines.append(f"{margin}{key}:")
+            lines += [f"{margin}  - [{', '.join(map(_word, row))}]" for row in value]
+        elif isinstance(value, list):
+            lines.append(f"{margin}{key}: [{', '.join(map(_word, value))}]")
+        else:
+            lines.append(f"{margin}{key}: {_word(value)}")
+    return lines
+
+
+def _word(value: Any) -> str:
+    """One value as decks write it."""
+    if value is None:
+        return "~"
+    if isinstance(value, bool):
+        return "Yes" if value else "No"
+    if isinstance(value, float):
+        return "Infinity" if math.isinf(value) else repr(float(f"{value:.15g}")).replace("e+", "e")
+    if isinstance(value, int):
+        return str(value)
+    text = str(value)
+    plain = PLAIN.fullmatch(text) and "," not in text and text.lower() not in WORDS
+    return text if plain else json.dumps(text, ensure_ascii=False)

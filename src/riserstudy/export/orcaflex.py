@@ -1,0 +1,92 @@
+"""A scene as an OrcaFlex text model: what has a counterpart, with all else named."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from riserstudy.export import pipes, surroundings, topside
+from riserstudy.export.deck import Deck
+from riserstudy.model.tensioner_law import tension_at_mid_stroke
+from riserstudy.scene.load import SceneFile
+
+
+class Exported(NamedTuple):
+    """The text of a deck, and what of the scene is not in it."""
+
+    text: str
+    left_out: list[str]
+
+
+def write_deck(file: SceneFile) -> Exported:
+    """The OrcaFlex text model of a scene.
+
+    Parameters
+    ----------
+    file : SceneFile
+        Of a riser that is held at its lower end.
+
+    Returns
+    -------
+    Exported
+        Units are those of OrcaFlex's SI: tonne, kN, m, s, kN m/deg.
+
+    Raises
+    ------
+    InputError
+        Where the deck would be that of another riser.
+    SimulationError
+        Where the riser at rest is needed, and there is none.
+    """
+    scene = file.scene()
+    deck = Deck(file, scene)
+    if scene.water is None:
+        raise deck.refused("water", "missing", "a deck has water; add 'water:'")
+    if scene.bottom.hold == "free" or scene.bottom.elevation is None:
+        allowed = "allowed are wellhead and foot: a deck is written of a riser that is held below"
+        raise deck.refused("bottom.hold", scene.bottom.hold, allowed)
+    if scene.vessel:
+        allowed = "allowed is 'platform', whose motion is prescribed"
+        raise deck.refused("vessel", "a platform that floats freely", allowed)
+    if scene.gravity not in (None, pipes.GRAVITY):
+        deck.otherwise["gravity"] = (
+            f"{scene.gravity:g} m/s^2; that of a deck is {pipes.GRAVITY} m/s^2: weights in water are kept, "
+            "those of contents and in air change with it"
+        )
+    deck.objects |= {"General": surroundings.stages(deck)}
+    deck.objects |= {"Environment": surroundings.environment(deck, scene.water)}
+    surroundings.vessel(deck)
+    clay = surroundings.soil(deck)
+    pipes.line_types(deck)
+    top, upper = topside.top(deck, _rest(file))
+    foot = ["Fixed", 0, 0, scene.bottom.elevation]
+    deck.said |= {"bottom.hold", "bottom.elevation", "bottom.rotation"}
+    pipes.lines(deck, top, upper, foot, pipes.stiffness(scene.bottom.rotation))
+    if clay:
+        deck.objects["Lines"][-1]["PyModel"] = clay
+    return Exported(deck.text(), deck.left_out())
+
+
+def _rest(file: SceneFile) -> topside.Rest:
+    """Elevations of the riser's upper end, below a joint where there is one.
+
+    Cylinders are at mid-stroke where the riser rests under the constant pull that they have there.
+    """
+    scene = file.scene()
+    unstretched = (scene.bottom.elevation or 0.0) + sum(s.total_length for s in scene.riser)
+    rig = scene.top.tensioners
+    if rig is None or rig.mid_stroke == "riser unstretched":
+        return topside.Rest(unstretched, unstretched)
+    from riserstudy.simulation.simulate import simulate
+
+    each = tension_at_mid_stroke(rig, scene.gravity or 0.0)
+    pull: dict[str, Any] = {
+        "top.tensioners": None,
+        "top.tension": f"{rig.count * each!r} N",
+        "analysis": {},
+    }
+    run = simulate(file.with_values(pull, "export"), progress=False)
+    length = sum(section.total_length for section in scene.riser)
+    ring = np.interp(length, run["s"].to_numpy(), run["z"].to_numpy())
+    return topside.Rest(unstretched, float(ring))

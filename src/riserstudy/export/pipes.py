@@ -1,0 +1,214 @@
+"""Sections of a scene as line types and lines of a deck.
+
+A deck weighs a line by its mass, and the water that its ``OD`` displaces. A scene gives the weight in water
+apart from diameters: its line type has the ``OD`` that displaces what is missing, and diameters of their own
+for drag, added mass and stress.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from riserstudy.export.deck import Deck
+from riserstudy.scene.riser import Section
+
+GRAVITY = 9.80665  # m/s2, of a deck in SI
+SAME = 1e-6  # share by which two numbers are one
+FINE = 100  # segments along the riser, where the scene has no mesh
+STEEPER = 1e-3  # kN, a weight that is worth a line
+
+Run = list[int]  # numbers of sections on end that are one line
+
+
+def runs(deck: Deck) -> list[Run]:
+    """Sections of each line, from the highest: lines end where contents change, and at joints."""
+    found: list[Run] = []
+    riser = deck.scene.riser
+    for k in range(len(riser) - 1, -1, -1):
+        above = riser[k + 1] if k + 1 < len(riser) else None
+        same = (
+            above is not None and not above.flex_joint_below and _inside(above) == _inside(riser[k])
+        )
+        if same:
+            found[-1].append(k)
+        else:
+            found.append([k])
+    return found
+
+
+def _inside(section: Section) -> float | None:
+    return section.contents.density if section.contents else None
+
+
+def line_types(deck: Deck) -> None:
+    """Write the line types, one a section."""
+    for k, section in enumerate(deck.scene.riser):
+        deck.add("LineTypes", _line_type(deck, section, k))
+    deck.said |= {
+        f"riser.{name}"
+        for name in (
+            "length", "joints", "outer_diameter", "inner_diameter", "young_modulus", "mass", "wall_density",
+            "axial_stiffness", "bending_stiffness", "submerged_weight", "modules", "contents.density",
+            "tangential_drag", "added_mass.coefficient", "added_mass.diameter", "drag.diameter",
+            "flex_joint_below", "buoyancy_lift",
+        )
+    } | {"buoyancy"}  # fmt: skip
+
+
+def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
+    scene, path = deck.scene, f"riser[{k}]"
+    if section.mass is None:
+        raise deck.refused(f"{path}.mass", "missing", "a deck needs the mass of every section")
+    gravity, water = scene.gravity or GRAVITY, scene.water.density if scene.water else 0.0
+    lost = section.mass - (section.submerged_weight or 0.0) / GRAVITY  # kg/m, in the water
+    _above_water(deck, section, k, gravity)
+    high = _levels(deck, k)[1]
+    outer = section.outer_diameter or 0.0
+    afloat = scene.water is not None and (scene.water.surface or 0.0) < high
+    dry = scene.water is not None and _levels(deck, k)[0] >= (scene.water.surface or 0.0) and afloat
+    if not dry:
+        area = lost / water
+        if area < 0.0:
+            allowed = "allowed is up to its weight in air"
+            raise deck.refused(f"{path}.submerged_weight", "more than its mass weighs", allowed)
+        outer = math.sqrt(4.0 * area / math.pi)
+    inner = (section.inner_diameter or 0.0) if section.contents else 0.0
+    own = section.outer_diameter or 0.0
+    entry: dict[str, Any] = {"Name": section.name}
+    pipe = section.young_modulus and not section.lines and abs(outer - own) < SAME * own
+    if pipe:
+        entry |= {
+            "Category": "Homogeneous pipe", "OD": own, "ID": section.inner_diameter or 0.0,
+            "MaterialDensity": 1e-3 * section.mass / section.wall_area,
+            "E": 1e-3 * (section.young_modulus or 0.0), "PoissonRatio": 0.3,
+        }  # fmt: skip
+        outer = own
+    else:
+        if outer <= inner:
+            found = f"displaces as a pipe of {outer:.4g} m, around contents of {inner:.4g} m"
+            allowed = "allowed is that the pipe is wider than its contents"
+            raise deck.refused(f"{path}.submerged_weight", found, allowed)
+        axial, bending = section.elasticity
+        entry |= {
+            "Category": "General", "OD": outer, "ID": inner, "MassPerUnitLength": 1e-3 * section.mass,
+            "EI": [1e-3 * bending, None], "EA": 1e-3 * axial, "PoissonRatio": 0.3, "GJ": 80.0,
+            "StressOD": section.outer_diameter, "StressID": section.inner_diameter,
+        }  # fmt: skip
+        if own and abs(outer - own) > SAME * own:
+            deck.otherwise[f"{path}.outer_diameter"] = (
+                f"{own:.6g} m is StressOD; OD is {outer:.6g} m, by the weight in water"
+            )
+    if section.lines:
+        deck.otherwise[f"{path}.lines"] = "within the mass, weight and stiffness of the line type"
+    return entry | _water(deck, section, k, outer, bool(pipe))
+
+
+def _above_water(deck: Deck, section: Section, k: int, gravity: float) -> None:
+    """Name the weight of a section above the water that is another in a deck: there nothing displaces."""
+    water = deck.scene.water
+    low, high = _levels(deck, k)
+    surface = water.surface if water else None
+    if surface is None or high <= surface:
+        return
+    dry = high - max(low, surface)
+    more = ((section.mass or 0.0) * GRAVITY - (section.submerged_weight or 0.0)) * dry
+    if abs(more) > 1e3 * STEEPER and deck.scene.gravity:
+        deck.otherwise[f"riser[{k}].submerged_weight"] = (
+            f"above the water the deck weighs the mass: {1e-3 * more:+.4g} kN in all"
+        )
+
+
+def _levels(deck: Deck, k: int) -> tuple[float, float]:
+    """Elevations of a section's ends before it stretches (m)."""
+    lengths = [section.total_length for section in deck.scene.riser]
+    low = (deck.scene.bottom.elevation or 0.0) + sum(lengths[:k])
+    return low, low + lengths[k]
+
+
+def _water(deck: Deck, section: Section, k: int, outer: float, pipe: bool) -> dict[str, Any]:
+    """Drag and added mass, each by its own diameter."""
+    drag, added, sliding = section.drag, section.added_mass, section.tangential_drag
+    across = along = mass = 0.0
+    entry: dict[str, Any] = {}
+    if drag:
+        across = drag.constant if not drag.table else _mean(deck, drag.table, k)
+        entry["NormalDragLiftDiameter"] = drag.diameter
+        deck.said |= set() if drag.table else {"riser.drag.coefficient"}
+    if sliding:
+        along = sliding.coefficient
+        entry["AxialDragLiftDiameter"] = sliding.diameter
+    if added:
+        mass = added.coefficient * (added.diameter / outer) ** 2
+    if pipe and all(key not in entry or entry[key] == outer for key in entry):
+        return {"Cdn": across, "Cdz": along, "Can": mass, "Caz": 0}
+    if pipe:  # a homogeneous pipe has one diameter for all
+        scale = entry.get("NormalDragLiftDiameter", outer) / outer
+        slide = entry.get("AxialDragLiftDiameter", outer) / outer
+        return {"Cdn": across * scale, "Cdz": along * slide, "Can": mass, "Caz": 0}
+    return {"Ca": [mass, None, 0], "Cd": [across, None, along], **entry}
+
+
+def _mean(deck: Deck, table: tuple[tuple[float, float], ...], k: int) -> float:
+    """Mean of a drag coefficient over a section: a deck has one a line type."""
+    import numpy as np
+
+    low, high = _levels(deck, k)
+    z = np.linspace(low, high, 401)
+    mean = float(np.interp(z, *np.array(table).T).mean())
+    deck.otherwise[f"riser[{k}].drag.coefficient"] = (
+        f"its mean over the section, {mean:.4g}: a line type has one"
+    )
+    return mean
+
+
+def lines(deck: Deck, top: list[Any], upper: float, foot: list[Any], lower: float) -> None:
+    """Write the riser's lines, joined end to end.
+
+    Parameters
+    ----------
+    top, foot : what the highest and the lowest end are connected to, and where: name, x, y, z (m).
+    upper, lower : bending stiffness of these ends (kN m/deg).
+    """
+    found = runs(deck)
+    names = ["Riser"] if len(found) == 1 else [f"Riser {k + 1}" for k in range(len(found))]
+    mesh = deck.scene.analysis.mesh
+    total = sum(section.total_length for section in deck.scene.riser)
+    most = total / (mesh.elements if mesh else FINE)
+    for n, run in enumerate(found):
+        riser = deck.scene.riser
+        last = n == len(found) - 1
+        joint = riser[run[-1]].flex_joint_below
+        stiff = math.inf if joint is None else 1e-3 * joint.stiffness * math.pi / 180.0
+        ends = [
+            [*top, 0, 180, 0, None] if n == 0 else ["Free", 0, 0, 0, 0, 180, 0, None],
+            [*foot, 0, 180, 0, None] if last else [names[n + 1], 0, 0, 0, 0, 180, 0, None, "End A"],
+        ]
+        inside = _inside(riser[run[0]])
+        entry: dict[str, Any] = {
+            "Name": names[n], "IncludeTorsion": False, "TopEnd": "End A",
+            "LengthAndEndOrientations": "Explicit", "Representation": "Finite element",
+            ENDS: ends,
+            BENDING: [[upper, None] if n == 0 else [], [lower if last else stiff, None]],
+            "LineType, Length, TargetSegmentLength": [
+                [riser[k].name, riser[k].total_length, min(riser[k].total_length, most)]
+                for k in run
+            ],
+            "ContentsMethod": "Uniform", "ContentsDensity": 1e-3 * (inside or 0.0),
+            "IncludedInStatics": True, "StaticsStep1": "Catenary", "StaticsStep2": "Full statics",
+        }  # fmt: skip
+        deck.add("Lines", entry)
+
+
+ENDS = (
+    "Connection, ConnectionX, ConnectionY, ConnectionZ, ConnectionAzimuth, ConnectionDeclination, "
+    "ConnectionGamma, ConnectionReleaseStage, ConnectionzRelativeTo"
+)
+BENDING = "ConnectionxBendingStiffness, ConnectionyBendingStiffness"
+
+
+def stiffness(rotation: Any) -> float:
+    """Bending stiffness of an end (kN m/deg)."""
+    if rotation in (None, "free"):
+        return 0.0
+    return math.inf if rotation == "fixed" else 1e-3 * rotation.stiffness * math.pi / 180.0

@@ -1,0 +1,258 @@
+"""Water, current, waves, soil and the motion of the platform in a deck."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from riserstudy.export.deck import Deck
+from riserstudy.export.topside import VESSEL, held
+from riserstudy.model.sea import current_velocity
+from riserstudy.scene.forcing import Water
+from riserstudy.scene.rao import MOTIONS
+from riserstudy.scene.sea import RegularWave
+from riserstudy.scene.soil import Matlock
+
+STRETCHING = {"none": "None", "constant": "Vertical stretching", "stretched": "Wheeler stretching"}
+STRAIGHT = 1e-3  # share of the greatest speed by which a current may be off its table
+
+
+def environment(deck: Deck, water: Water) -> dict[str, Any]:
+    """Levels, density, current and wave of a deck."""
+    surface, seabed = water.surface, water.seabed
+    if surface is None or seabed is None:
+        name = "water.surface" if surface is None else "water.seabed"
+        raise deck.refused(name, "missing", "a deck needs the levels of surface and seabed")
+    deck.said |= {"water"}
+    made: dict[str, Any] = {
+        "WaterSurfaceZ": surface, "KinematicViscosity": 1.35e-6, "VerticalDensityVariation": "Constant",
+        "Density": 1e-3 * water.density, "SeabedType": "Flat", "SeabedOrigin": [0, 0],
+        "WaterDepth": surface - seabed, "SeabedSlope": 0, "SeabedNormalStiffness": 100,
+        "SeabedShearStiffness": 100,
+    }  # fmt: skip
+    return made | _waves(deck) | _current(deck, surface)
+
+
+def _current(deck: Deck, surface: float) -> dict[str, Any]:
+    flow = deck.scene.current
+    if flow is None:
+        return {"RefCurrentSpeed": 0}
+    deck.said |= {f"current.{name}" for name in ("profile", "heading", "headings", "beyond")}
+    z, velocity = current_velocity(flow, deck.scene.water)
+    keep = _needed(z, velocity)
+    z, velocity = z[keep][::-1], velocity[:, keep][:, ::-1]
+    if len(z) < len(keep):
+        deck.otherwise["current.profile"] = f"a table of {len(z)} points"
+    reference = flow.towards if not flow.turns else 0.0
+    along = np.array([math.cos(reference), math.sin(reference)])
+    if flow.turns:
+        factor = np.hypot(*velocity)
+        turn = np.degrees(np.arctan2(velocity[1], velocity[0]))
+    else:
+        factor, turn = along @ velocity, np.zeros(len(z))
+    rows = [
+        [float(surface - level), float(f), float(t)]
+        for level, f, t in zip(z, factor, turn, strict=True)
+    ]
+    return {
+        "CurrentModel": "Variation scheme", "CurrentRamped": flow.ramp is not None,
+        "VerticalCurrentVariationMethod": "Interpolated", "RefCurrentSpeed": 1,
+        "RefCurrentDirection": math.degrees(reference),
+        "CurrentDepth, CurrentFactor, CurrentRotation": rows,
+    }  # fmt: skip
+
+
+def _needed(z: np.ndarray, velocity: np.ndarray) -> list[int]:
+    """Numbers of the points between which a table is straight, within a share of its greatest speed."""
+    if len(z) < 100:
+        return list(range(len(z)))
+    allowed = STRAIGHT * float(np.abs(velocity).max())
+    keep, rest = [0, len(z) - 1], [(0, len(z) - 1)]
+    while rest:
+        low, high = rest.pop()
+        inner = np.arange(low + 1, high)
+        if not len(inner):
+            continue
+        straight = [np.interp(z[inner], z[[low, high]], part[[low, high]]) for part in velocity]
+        off = np.abs(velocity[:, inner] - straight).max(axis=0)
+        worst = int(np.argmax(off))
+        if off[worst] > allowed:
+            keep.append(int(inner[worst]))
+            rest += [(low, int(inner[worst])), (int(inner[worst]), high)]
+    return sorted(keep)
+
+
+def _waves(deck: Deck) -> dict[str, Any]:
+    wave = deck.scene.wave
+    if wave is None:
+        calm = {
+            "Name": "Wave1",
+            "WaveType": "Airy",
+            "WaveDirection": 0,
+            "WaveHeight": 0,
+            "WavePeriod": 10,
+        }
+        return {"KinematicStretchingMethod": "Vertical stretching", "WaveTrains": [calm]}
+    deck.said |= {
+        f"wave.{n}" for n in ("heading", "above_mean_level", "height", "amplitude", "period")
+    }
+    train: dict[str, Any] = {"Name": "Wave1", "WaveDirection": math.degrees(wave.heading or 0.0)}
+    if isinstance(wave, RegularWave):
+        height = wave.height or 2.0 * (wave.amplitude or 0.0)
+        train = {**train, "WaveType": "Airy", "WaveHeight": height, "WavePeriod": wave.period}
+    else:
+        deck.said |= {
+            f"wave.{n}" for n in ("significant_height", "peak_period", "peak_enhancement")
+        }
+        deck.said |= {"wave.components", "wave.seed"}
+        deck.otherwise["wave.seed"] = "the record of the deck is another: it draws its own phases"
+        train |= {
+            "WaveType": "JONSWAP", "WaveJONSWAPParameters": "Partially specified",
+            "WaveHs": wave.significant_height, "WaveTp": wave.peak_period,
+            "WaveGamma": wave.peak_enhancement, "WaveNumberOfSpectralDirections": 1,
+            "WaveNumberOfComponents": wave.components, "WaveSeed": wave.seed,
+        }  # fmt: skip
+    return {"KinematicStretchingMethod": STRETCHING[wave.above_mean_level], "WaveTrains": [train]}
+
+
+def stages(deck: Deck) -> dict[str, Any]:
+    """General data: duration in a stage that builds up and one after it; none in statics."""
+    scene, a = deck.scene, deck.scene.analysis
+    made: dict[str, Any] = {"UnitsSystem": "SI"}
+    deck.said |= {"gravity", "analysis.duration", "analysis.output.interval"}
+    if a.duration is None:
+        return made
+    response = scene.platform and scene.platform.response
+    cruise = scene.platform and scene.platform.cruise
+    ramps = {
+        path: what.ramp
+        for path, what in (
+            ("wave.ramp", scene.wave), ("platform.response.ramp", response), ("platform.cruise.ramp", cruise),
+        )
+        if what
+    }  # fmt: skip
+    longest = max((ramp for ramp in ramps.values() if ramp), default=0.0)
+    first = min(longest or 0.1 * a.duration, a.duration)
+    for path, ramp in ramps.items():
+        deck.said.add(path)
+        if ramp != first:
+            told = "none" if ramp is None else f"{ramp:g} s"
+            deck.otherwise[path] = f"{told}; the deck builds up over its first stage, {first:g} s"
+    made["StageDuration"] = [first, a.duration - first] if a.duration > first else [first]
+    every = a.output.interval if a.output else 0.1
+    return made | {"TargetLogSampleInterval": every, "ImplicitConstantTimeStep": a.step or 0.1}
+
+
+def vessel(deck: Deck) -> None:
+    """The vessel that the upper end moves with, by its operators and its speed."""
+    platform = deck.scene.platform
+    if held(deck) != VESSEL:
+        return
+    place = platform and platform.position
+    at = [(place.surge or 0.0), (place.sway or 0.0), (place.heave or 0.0)] if place else [0, 0, 0]
+    deck.said |= {f"platform.position.{name}" for name in ("surge", "sway", "heave")}
+    turned = place and [getattr(place, name) for name in ("roll", "pitch", "yaw")]
+    response, cruise = (platform.response, platform.cruise) if platform else (None, None)
+    entry: dict[str, Any] = {
+        "Name": VESSEL, "VesselType": "Vessel type", "Draught": "Draught", "Length": None,
+        "Connection": "Free",
+        "InitialPosition": at, "Orientation": [0, 0, 0], "IncludedInStatics": "None",
+        "PrimaryMotion": "Prescribed" if cruise else "None",
+        "SuperimposedMotion": "RAOs + harmonics" if response else "None",
+    }  # fmt: skip
+    if turned and any(turned):
+        deck.otherwise["platform.position"] = "roll, pitch and yaw are left out"
+    if cruise:
+        deck.said |= {"platform.cruise.speed", "platform.cruise.heading"}
+        heading = math.degrees(cruise.heading or 0.0)
+        modes = ["Speed change", "Constant speed"]
+        entry[
+            "PrescribedMotionMode, PrescribedMotionSpeedValue, PrescribedMotionDirectionRelativeTo, "
+            "PrescribedMotionDirectionValue, PrescribedMotionRateOfTurn"
+        ] = [[mode, cruise.speed, "Vessel heading", heading, 0] for mode in modes]
+    deck.add("Vessels", entry)
+    deck.add("VesselTypes", _vessel_type(deck))
+
+
+def _vessel_type(deck: Deck) -> dict[str, Any]:
+    platform = deck.scene.platform
+    response = platform.response if platform else None
+    centre = platform.centre_of_rotation if platform else None
+    made: dict[str, Any] = {
+        "Name": "Vessel type", "Length": 100, "RAOResponseUnits": "radians", "RAOWaveUnit": "amplitude",
+        "WavesReferredToBy": "frequency (rad/s)", "RAOPhaseConvention": "lags",
+        "RAOPhaseUnitsConvention": "radians", "RAOPhaseRelativeToConvention": "crest",
+        "SurgePositive": "forward", "SwayPositive": "port", "HeavePositive": "up",
+        "RollPositiveStarboard": "down", "PitchPositiveBow": "down", "YawPositiveBow": "port",
+        "Symmetry": "None",
+    }  # fmt: skip
+    tables: list[dict[str, Any]] = []
+    origin = [0.0, 0.0, 0.0]
+    if response:
+        deck.said |= {
+            f"platform.response.{n}" for n in ("operators", "phases", "headings", "symmetry")
+        }
+        deck.said |= {"platform.response.motions", "platform.centre_of_rotation"}
+        made["RAOPhaseConvention"] = "leads" if response.phases == "lead" else "lags"
+        origin = [centre.x or 0.0, centre.y or 0.0, centre.elevation] if centre else origin
+        names = ["RAOPeriodOrFrequency"]
+        names += [f"RAO{name.capitalize()}{what}" for name in MOTIONS for what in ("Amp", "Phase")]
+        tables = [
+            {
+                "RAODirection": math.degrees(heading or 0.0),
+                ", ".join(names): [_operator(row, response.moving) for row in rows],
+            }
+            for heading, rows in response.by_heading.items()
+        ]
+        if None in response.by_heading:
+            deck.otherwise["platform.response.operators"] = "they are those of waves along x"
+    if not tables:
+        still = [[w, *[0.0] * 12] for w in (0.1, 10.0)]
+        names = ["RAOPeriodOrFrequency"]
+        names += [f"RAO{name.capitalize()}{what}" for name in MOTIONS for what in ("Amp", "Phase")]
+        tables = [{"RAODirection": 0, ", ".join(names): still}]
+    raos = {"RAOOrigin": origin, "PhaseOrigin": [None, None, None], "RAOs": tables}
+    return made | {"Draughts": [{"Name": "Draught", "DisplacementRAOs": raos}]}
+
+
+def _operator(row: Any, moving: list[str]) -> list[float]:
+    cells = [row.circular]
+    for name in MOTIONS:
+        given = name in moving
+        cells += (
+            [getattr(row, name) or 0.0, getattr(row, f"{name}_phase") or 0.0]
+            if given
+            else [0.0, 0.0]
+        )
+    return cells
+
+
+def soil(deck: Deck) -> str | None:
+    """Write the soil; the name of its model, None without.
+
+    Raises
+    ------
+    InputError
+        Where a deck of the kind that is written cannot say it.
+    """
+    ground = deck.scene.soil
+    if ground is None:
+        return None
+    clay = ground.resistance
+    if not isinstance(clay, Matlock) or clay.strength_gradient:
+        allowed = "allowed is soft clay of one strength: write P-yModels into the deck by hand"
+        raise deck.refused("soil.resistance", "a soil that changes with depth, or springs", allowed)
+    if deck.scene.water and deck.scene.water.seabed != ground.mudline:
+        deck.otherwise["soil.mudline"] = "the seabed of the deck"
+    deck.said |= {"soil"}
+    deck.otherwise["soil.resistance.straight_up_to"] = "the deck has its own beginning of the curve"
+    curve = {
+        "DepthBelowSeabedFrom": 0, "ModelType": "API RP 2A soft clay",
+        "EffectiveUnitSoilDensity": 1e-3 * clay.submerged_unit_weight / 9.80665,
+        "UndrainedShearStrength": 1e-3 * clay.strength_at_mudline, "J": clay.depth_factor,
+        "Epsilonc": 100.0 * clay.strain_at_half_strength,
+    }  # fmt: skip
+    deck.add("P-yModels", {"Name": "Clay", "PyCurves": [curve]})
+    return "Clay"

@@ -1,0 +1,263 @@
+"""The upper end of a scene in a deck: vessel, tension ring, tensioners, telescopic joint."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.export.deck import Deck
+from riserstudy.export.pipes import BENDING, ENDS, GRAVITY, stiffness
+from riserstudy.model.tensioner_law import gas_force, linear_law, table_law
+from riserstudy.scene.ends import Body, TelescopicJoint
+from riserstudy.scene.tensioners import Tensioners
+
+VESSEL, RING, SLIDE = "Platform", "Tension ring", "Slide"
+LIGHT = 1e-3  # t, of a ring without a body: a buoy needs some mass
+ABOVE = 20.0  # m, from a ring to the deck ends of cylinders that a scene has upright
+POINTS = 101  # of a law that is a curve
+REACH = 10.0  # m, either way, of a law without stops
+LINK = "Connection, ConnectionX, ConnectionY, ConnectionZ, ConnectionzRelativeTo"
+FloatArray = NDArray[np.float64]
+
+
+class Rest(NamedTuple):
+    """Elevations of the ring (m): before the riser stretches, and at rest."""
+
+    unstretched: float
+    equilibrium: float
+
+
+def held(deck: Deck) -> str:
+    """What the upper end moves with: the vessel of the deck, or nothing."""
+    return VESSEL if "platform" in (deck.scene.top.x, deck.scene.top.z) else "Fixed"
+
+
+def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
+    """Write what holds and pulls the riser's upper end.
+
+    Returns
+    -------
+    list, float
+        What the riser's highest line is connected to and where (m), and its bending stiffness (kN m/deg).
+
+    Raises
+    ------
+    InputError
+        Where a deck cannot say it.
+    """
+    of, scene = deck.scene.top, deck.scene
+    offset = of.offset or 0.0
+    deck.said |= {"top.x", "top.z", "top.offset", "top.elevation", "top.rotation"}
+    if of.held_at_tension is not None:
+        allowed = "give top.elevation: a deck has no end that is held at a tension"
+        raise deck.refused("top.held_at_tension", f"{of.held_at_tension:g} N", allowed)
+    if of.telescopic_joint:
+        _joint(deck, of.telescopic_joint, offset, rest)
+        pulls(deck, RING, rest, along=of.elevation or 0.0)
+        return [RING, 0, 0, 0], math.inf
+    if of.z != "free":
+        return [held(deck), offset, 0, of.elevation], stiffness(of.rotation)
+    if of.x == "free":
+        return _free(deck, rest), 0.0 if of.body else stiffness(of.rotation)
+    deck.add("Constraints", {
+        "Name": SLIDE, "InFrameConnection": held(deck),
+        "InFrameInitialPosition": [offset, 0, rest.unstretched], **_sliding(),
+    })  # fmt: skip
+    if of.body:
+        _body(deck, of.body, SLIDE, 0.0)
+    pulls(deck, SLIDE, rest, along=None)
+    if scene.top.x is None:
+        deck.otherwise["top.x"] = "absent: the deck holds the upper end above the lower one"
+    return [SLIDE, 0, 0, 0], stiffness(of.rotation)
+
+
+def _sliding() -> dict[str, Any]:
+    free = [[False], [False], [True, 0], [False], [False], [False]]
+    return {
+        "ConstraintType": "Calculated DOFs", "DOFFree, DOFInitialValue": free,
+        "TranslationalStiffness": 0, "TranslationalDamping": 0,
+    }  # fmt: skip
+
+
+def _free(deck: Deck, rest: Rest) -> list[Any]:
+    """An upper end that is free on inclined tensioners; it turns freely where a body is there."""
+    of = deck.scene.top
+    if of.tensioners is None or of.tensioners.arrangement is None:
+        allowed = "allowed with top.tensioners.arrangement: nothing of a deck pulls upright on what is free"
+        raise deck.refused("top.x", "free", allowed)
+    if of.rotation not in (None, "free"):
+        deck.otherwise["top.rotation"] = "free, as the ring is"
+    _body(deck, of.body, "Free", rest.unstretched)
+    pulls(deck, RING, rest, along=None)
+    return [RING, 0, 0, 0]
+
+
+def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> None:
+    """A barrel that hangs on the vessel, on a constraint that slides in the ring."""
+    of = deck.scene.top
+    deck.said |= {"top.telescopic_joint.length", "top.telescopic_joint.bending_stiffness"}
+    _body(deck, of.body, "Free", rest.unstretched)
+    deck.add("Constraints", {"Name": SLIDE, "InFrameConnection": RING, **_sliding()})
+    deck.add("LineTypes", {
+        "Name": "Inner barrel", "Category": "General", "OD": 0.5, "ID": 0.4, "MassPerUnitLength": 0.1,
+        "EI": [1e-3 * joint.bending_stiffness, None], "EA": 1e6, "PoissonRatio": 0.3, "GJ": 80.0,
+        "Ca": [0, None, 0], "Cd": [0, None, 0],
+    })  # fmt: skip
+    deck.otherwise["top.telescopic_joint"] = (
+        "its inner barrel has a mass of 0.1 t/m in the deck, carried by the vessel, and no drag"
+    )
+    deck.add("Lines", {
+        "Name": "Telescopic joint", "IncludeTorsion": False, "TopEnd": "End A",
+        ENDS: [
+            [held(deck), offset, 0, of.elevation, 0, 180, 0, None], [SLIDE, 0, 0, 0, 0, 180, 0, None],
+        ],
+        BENDING: [[stiffness(of.rotation), None], [math.inf, None]],
+        "LineType, Length, TargetSegmentLength": [["Inner barrel", joint.length, joint.length / 4.0]],
+        "IncludedInStatics": True, "StaticsStep1": "Catenary", "StaticsStep2": "Full statics",
+    })  # fmt: skip
+    if joint.length > (of.elevation or 0.0) - rest.unstretched + 1e-6:
+        deck.otherwise["top.telescopic_joint.length"] = "from the unstretched riser to the top"
+
+
+def _body(deck: Deck, body: Body | None, on: str, height: float) -> None:
+    """A lumped buoy: the ring, by mass, volume and drag of the body at it."""
+    water = deck.scene.water
+    density = water.density if water else 0.0
+    mass, volume, name = LIGHT, 0.0, RING
+    areas, added = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
+    if body:
+        mass = max(1e-3 * body.mass, LIGHT)
+        weight = body.weight(deck.scene.gravity or GRAVITY, density)
+        surface = (water.surface if water else None) or 0.0
+        above = height >= surface and on == "Free"
+        volume = (1e3 * mass - weight / GRAVITY) / density if density and not above else 0.0
+        if above and abs(weight - 1e3 * mass * GRAVITY) > 1.0:
+            more = 1e-3 * (1e3 * mass * GRAVITY - weight)
+            deck.otherwise["top.body"] = f"above the water the deck weighs its mass: {more:+.4g} kN"
+        if body.drag_area:
+            across, along = body.drag_area.horizontal or 0.0, body.drag_area.vertical or 0.0
+            areas = [across, across, along]
+        if body.added_mass:
+            across, along = body.added_mass.horizontal or 0.0, body.added_mass.vertical or 0.0
+            added = [1e-3 * across, 1e-3 * across, 1e-3 * along]
+        deck.said |= {"top.body"}
+    else:
+        deck.otherwise["top.body"] = f"absent: the ring of the deck has {1e3 * LIGHT:g} kg"
+    deck.add("6DBuoys", {
+        "Name": name, "BuoyType": "Lumped buoy", "Connection": on,
+        "InitialPosition": [0, 0, height], "InitialAttitude": [0, 0, 0], "Mass": mass,
+        "MomentsOfInertia": [0, 0, 0], "CentreOfMass": [0, 0, 0], "Volume": volume,
+        "DragArea": areas, "DragForceCoefficient": [1.0 if area else 0.0 for area in areas],
+        "HydrodynamicMass": added, "AddedMassCoefficient": [1.0 if one else 0.0 for one in added],
+    })  # fmt: skip
+
+
+def pulls(deck: Deck, ring: str, rest: Rest, along: float | None) -> None:
+    """Write tensioners and constant tensions.
+
+    Parameters
+    ----------
+    ring : what they pull.
+    rest : its elevations.
+    along : elevation of the top of a joint along which constant tensions pull (m); None: upright.
+    """
+    of = deck.scene.top
+    joint = of.telescopic_joint
+    high = rest.unstretched + ABOVE if along is None else along
+    base = held(deck)
+    for path, tension in (
+        ("top.tension", of.tension), ("top.telescopic_joint.tension", joint and joint.tension),
+    ):  # fmt: skip
+        if tension:
+            deck.said.add(path)
+            deck.add("Winches", {
+                "Name": "Constant tension", "WinchType": "Simple",
+                "Connection, ConnectionX, ConnectionY, ConnectionZ": [
+                    [base, of.offset or 0.0, 0, high], [ring, 0, 0, 0],
+                ],
+                "Stiffness": 1e5, "Damping": 0, "WinchControlType": "By stage",
+                "StageMode, StageValue": [["Specified tension", 1e-3 * tension]] * 3,
+            })  # fmt: skip
+            if joint and path == "top.tension":
+                deck.otherwise[path] = "pulls along the joint in the deck"
+    if of.tensioners:
+        _cylinders(deck, of.tensioners, ring, rest, high)
+
+
+def _cylinders(deck: Deck, rig: Tensioners, ring: str, rest: Rest, high: float) -> None:
+    """One link a cylinder."""
+    deck.said |= {
+        f"top.tensioners.{name}"
+        for name in (
+            "count", "mid_stroke", "gas", "two_chamber_gas", "linearised", "linear", "table", "interpolation",
+            "carried", "damping", "arrangement", "failed",
+        )
+    }  # fmt: skip
+    place = rig.arrangement
+    zero = rest.equilibrium if rig.mid_stroke == "riser in equilibrium" else rest.unstretched
+    if place:
+        inner, outer, height = place.ring_radius, place.deck_radius, place.deck_elevation
+        bearings = place.bearings(rig.count)
+    else:
+        inner = outer = 0.0
+        height, bearings = high, [0.0] * rig.count
+        if deck.scene.top.telescopic_joint:
+            deck.otherwise["top.tensioners.arrangement"] = "absent: cylinders lean with the joint"
+    length = math.hypot(outer - inner, height - zero)
+    aside = (deck.scene.top.offset or 0.0) if place is None else 0.0
+    law = _law(deck, rig, length)
+    for c, bearing in enumerate(bearings):
+        x, y = math.cos(bearing), math.sin(bearing)
+        if not rig.working[c]:
+            continue
+        deck.add("Links", {
+            "Name": f"Tensioner {c + 1}", "LinkType": "Spring/damper",
+            LINK: [
+                [held(deck), outer * x + aside, outer * y, height, None],
+                [ring, inner * x, inner * y, 0, None],
+            ],
+            **law, "LinearDamper": True, "DampingConstant": 1e-3 * rig.damper,
+        })  # fmt: skip
+
+
+def _law(deck: Deck, rig: Tensioners, length: float) -> dict[str, Any]:
+    """How a link pulls whose length at mid-stroke is given (m)."""
+    gravity = deck.scene.gravity or 0.0
+    if rig.linear or rig.linearised:
+        tension, slope = linear_law(rig, gravity)
+        if slope:
+            unstretched = length - tension / slope
+            return {
+                "LinearSpring": True, "UnstretchedLength": unstretched, "Stiffness": 1e-3 * slope,
+            }  # fmt: skip
+        reach = np.array([-REACH, REACH])
+        return _rows(reach + length, np.array([tension, tension]))
+    if rig.table:
+        nodes = np.array([row.reach for row in rig.table])
+        if rig.interpolation == "linear":
+            return _rows(nodes + length, np.array([row.force for row in rig.table]))
+        reach = np.unique(np.concatenate([nodes, np.linspace(nodes[0], nodes[-1], POINTS)]))
+        force = table_law(rig.table)(reach)
+    else:
+        gas = rig.any_gas
+        if gas is None:
+            raise TypeError("tensioners without a law")  # refused by the scene
+        low = rig.stroke.shortest if rig.stroke else -min(REACH, 0.9 * length)
+        longest = rig.stroke.longest if rig.stroke else REACH
+        empty = rig.pulling.volume / rig.pulling.area if rig.pulling else math.inf
+        reach = np.linspace(low, min(longest, 0.9 * empty), POINTS)
+        reach = np.unique(np.append(reach, 0.0))
+        force = gas_force(gas, reach) - rig.piston_mass * gravity
+        reach, force = reach[force >= 0.0], force[force >= 0.0]
+    deck.otherwise["top.tensioners"] = (
+        f"the law is a table of {len(reach)} points from {reach[0]:.4g} m to {reach[-1]:.4g} m"
+    )
+    return _rows(reach + length, force)
+
+
+def _rows(length: FloatArray, force: FloatArray) -> dict[str, Any]:
+    rows = [[float(a), 1e-3 * float(b)] for a, b in zip(length, force, strict=True)]
+    return {"LinearSpring": False, "SpringLength, SpringTension": rows}

@@ -1,0 +1,112 @@
+r"""Space-out: the length that a telescopic joint has at mid-stroke, with the riser plumb and in equilibrium.
+
+A riser that is pulled by P at its ring stretches by
+
+.. math:: e = \sum_k \frac{L_k}{2 EA_k} (T_k^- + T_k^+),\qquad T(s) = P - \int_s^L w\,ds
+
+with the tensions at the ends of its sections; P depends on e by the law and the inclination of tensioners.
+The joint is then as long as what is left up to its top.
+
+References
+----------
+Elementary: the stretch of a hanging rod.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from riserstudy.model.tensioner_law import gas_force, linear_law, table_law, tension_at_mid_stroke
+from riserstudy.scene.ends import TelescopicJoint
+from riserstudy.scene.models import Scene
+from riserstudy.scene.tensioners import Tensioners
+
+HALVINGS = 60  # of the range in which the stretch is looked for
+FURTHEST = 0.05  # share of its length by which no riser stretches
+
+
+def joint_of(scene: Scene) -> TelescopicJoint | None:
+    """The telescopic joint of a scene, by its length at mid-stroke; None without one."""
+    joint = scene.top.telescopic_joint
+    if joint is None or joint.mid_stroke is None:
+        return joint
+    ring = _unstretched(scene) + stretch(scene)
+    length = (scene.top.elevation or 0.0) - ring
+    return joint.model_copy(update={"length": length, "mid_stroke": None})
+
+
+def stretch(scene: Scene) -> float:
+    """By how much a riser is longer, plumb and in equilibrium under what pulls its ring (m)."""
+    pull, most = _pull(scene), FURTHEST * sum(section.total_length for section in scene.riser)
+    low, high = -most, most
+    place = scene.top.tensioners and scene.top.tensioners.arrangement
+    if place:  # above the deck ends cylinders would pull downwards
+        high = min(high, place.deck_elevation - _unstretched(scene))
+    with np.errstate(
+        invalid="ignore"
+    ):  # a gas volume that is closed pulls without bound: no number
+        for _ in range(HALVINGS):  # what pulls falls with the stretch
+            middle = 0.5 * (low + high)
+            within = _stretched_by(scene, pull(middle)) <= middle
+            low, high = (low, middle) if within else (middle, high)
+    return 0.5 * (low + high)
+
+
+def _unstretched(scene: Scene) -> float:
+    """Elevation of the ring before the riser stretches (m)."""
+    return (scene.bottom.elevation or 0.0) + sum(s.total_length for s in scene.riser)
+
+
+def _stretched_by(scene: Scene, pull: float) -> float:
+    """Stretch (m) of a plumb riser under a vertical pull at its ring (N)."""
+    gravity = scene.gravity or 0.0
+    water = scene.water.density if scene.water else 0.0
+    body = scene.top.body
+    tension = pull - (body.weight(gravity, water) if body else 0.0)
+    total = 0.0
+    for section in reversed(scene.riser):
+        length = section.total_length
+        weight = length * ((section.submerged_weight or 0.0) + section.contents_mass * gravity)
+        total += length * (tension - 0.5 * weight) / section.elasticity[0]
+        tension -= weight
+    return total
+
+
+def _pull(scene: Scene) -> Callable[[float], float]:
+    """What pulls the ring vertically (N), by the stretch of the riser (m)."""
+    top, joint, rig = scene.top, scene.top.telescopic_joint, scene.top.tensioners
+    constant = (top.tension or 0.0) + ((joint.tension if joint else None) or 0.0)
+    if rig is None:
+        return lambda _: constant
+    count, gravity = sum(rig.working), scene.gravity or 0.0
+    zero = 0.0
+    if rig.mid_stroke == "riser in equilibrium":
+        zero = _stretched_by(scene, rig.count * tension_at_mid_stroke(rig, gravity))
+    law, place, ring = _law(rig, gravity), rig.arrangement, _unstretched(scene)
+    if place is None:
+        return lambda e: constant + count * law(zero - e)
+    aside = place.deck_radius - place.ring_radius
+
+    def inclined(e: float) -> float:
+        up = place.deck_elevation - ring - e
+        length = math.hypot(aside, up)
+        reach = length - math.hypot(aside, place.deck_elevation - ring - zero)
+        return constant + count * law(reach) * up / length
+
+    return inclined
+
+
+def _law(rig: Tensioners, gravity: float) -> Callable[[float], float]:
+    """Pull of one cylinder (N) by its reach (m)."""
+    if rig.table:
+        table = table_law(rig.table, rig.interpolation)
+        return lambda reach: float(table(reach))
+    gas = rig.any_gas
+    if gas is not None and not rig.linearised:
+        weight = rig.piston_mass * gravity
+        return lambda reach: float(gas_force(gas, np.array([reach]))[0]) - weight
+    tension, slope = linear_law(rig, gravity)
+    return lambda reach: tension + slope * reach

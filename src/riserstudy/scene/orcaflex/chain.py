@@ -1,0 +1,151 @@
+"""Which lines of a deck are the riser, its joint and the lines along it, and which are something else.
+
+The riser is the way down along lines from what tensioners pull, or a vessel, or a fixed point, to the ground.
+Its lines are joined at buoys without inertia, or at each other's ends.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from riserstudy.scene.orcaflex.deck import Part
+from riserstudy.scene.orcaflex.ends import GROUND, End, Line, line_of
+from riserstudy.scene.orcaflex.pipe import greatest_diameter, lengths_of
+
+BETWEEN = 0.01  # t, the heaviest point between two lines that is left out
+
+
+class Roles(NamedTuple):
+    """Lines by what they are in a scene.
+
+    ``riser`` and ``nodes`` from above; the nodes are what its lines hang on, one more than there are lines.
+    """
+
+    riser: list[Line]
+    nodes: list[str]
+    joint: Line | None
+    alongside: list[Line]
+
+
+class Bearings(NamedTuple):
+    """What stands still, what moves as given, and what is pulled: names of a deck's objects."""
+
+    ground: set[str]
+    vessels: set[str]
+    pulled: set[str]  # what links and winches are fastened to
+    sliding: dict[str, str]  # constraints, and what they are in
+
+
+def roles(deck: Part, on: Bearings) -> Roles:
+    """Sort the lines of a deck.
+
+    Raises
+    ------
+    InputError
+        Where none is a riser, or more than one may be.
+    """
+    parts = deck.parts("Lines")
+    lines: list[Line] = []
+    for part in parts:
+        with deck.noting():
+            lines.append(line_of(part))
+    if len(lines) < len(parts):
+        raise deck.faults[-1]
+    riser = _riser(deck, lines, on)
+    nodes = [_top(line, lines) for line in riser] + [_node(riser[-1].lower, lines)]
+    joint, alongside = None, []
+    for line in [line for line in lines if line not in riser]:
+        upper, lower = _top(line, lines), _node(line.lower, lines)
+        hangs = upper in on.vessels | set(GROUND) and line.upper.on_axis
+        if hangs and on.sliding.get(lower, lower) == nodes[0] and joint is None:
+            joint = line
+        elif upper in nodes[:-1] and lower in {*nodes, *on.ground}:
+            alongside.append(line)
+        else:
+            touches = [name for name in (upper, lower) if name in nodes and name not in on.ground]
+            pulls = f"; what it pulls at {touches[0]!r} is left out too" if touches else ""
+            line.part.apart = f"a line from {upper!r} to {lower!r} that is not of the riser{pulls}"
+    return Roles(riser, nodes, joint, alongside)
+
+
+def _top(line: Line, lines: list[Line]) -> str:
+    """Name of the point of a line's upper end: its own where that is free."""
+    return line.name if line.upper.to == "Free" else _node(line.upper, lines)
+
+
+def _node(end: End, lines: list[Line]) -> str:
+    """Name of the point that an end is at: an object, or the line whose free upper end it is."""
+    by_name = {line.name: line for line in lines}
+    for _ in lines:
+        if end.to not in by_name:
+            break
+        other = by_name[end.to]
+        upper = end.of == other.part.text("TopEnd")
+        if upper and other.upper.to == "Free":
+            return other.name
+        end = other.upper if upper else other.lower
+    return end.to
+
+
+def _riser(deck: Part, lines: list[Line], on: Bearings) -> list[Line]:
+    """The lines of the riser, from above."""
+    found: list[tuple[int, list[Line]]] = []
+    for line in lines:
+        top = _top(line, lines)
+        if top in on.pulled and line.upper.on_axis:
+            rank = 0
+        elif top in on.vessels:
+            rank = 1
+        elif line.upper.to in ("Free", *GROUND):
+            rank = 2
+        else:
+            continue
+        if way := _down(line, lines, on):
+            found.append((rank, way))
+    if not found:
+        allowed = "allowed is a line, or lines on end, from tensioners or a vessel to the ground"
+        ends = [f"{line.name!r} from {line.upper.to!r} to {line.lower.to!r}" for line in lines]
+        raise deck.refused("Lines", f"no riser: {', '.join(ends)}", allowed)
+    best = min(rank for rank, _ in found)
+    ways = [way for rank, way in found if rank == best]
+    widest = max(greatest_diameter(deck, way) for way in ways)
+    ways = [way for way in ways if greatest_diameter(deck, way) == widest]
+    if len(ways) > 1:
+        names = " and ".join(repr(way[0].name) for way in ways)
+        found_ = f"{len(ways)} of them may be the riser: {names}"
+        raise deck.refused("Lines", found_, "allowed is one")
+    return ways[0]
+
+
+def _down(line: Line, lines: list[Line], on: Bearings) -> list[Line]:
+    """The way from a line down to the ground, the longest there is; none where it does not lead there."""
+    lower = _node(line.lower, lines)
+    if lower in on.ground:
+        return [line]
+    if lower in on.vessels or not line.lower.on_axis:
+        return []
+    others = [other for other in lines if other is not line]
+    ways = [
+        [line, *way]
+        for other in others
+        if other.upper.on_axis and _top(other, lines) == lower and (way := _down(other, others, on))
+    ]
+    return max(ways, key=lambda way: sum(map(depth, way)), default=[])
+
+
+def depth(line: Line) -> float:
+    """Unstretched length of a line (m)."""
+    return sum(length for _, length in lengths_of(line.part))
+
+
+def leave_points(deck: Part, names: list[str]) -> None:
+    """Leave out the points between lines of the riser, which may have no mass to speak of."""
+    buoys = deck.named("6DBuoys")
+    for buoy in [buoys[name] for name in names if name in buoys]:
+        mass = buoy.number("Mass")
+        if mass > BETWEEN:
+            allowed = (
+                f"allowed within the riser are {BETWEEN:g} t: a scene has bodies at its ends alone"
+            )
+            buoy.note(buoy.refused("Mass", f"{mass:g}", allowed))
+        buoy.apart = f"a point of the riser; its mass of {mass:g} t is left out"

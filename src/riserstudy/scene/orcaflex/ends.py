@@ -1,0 +1,104 @@
+"""Ends of lines in a deck: what they are connected to, where, and how stiffly."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from riserstudy.scene.orcaflex.deck import Part
+
+PLACE = ("Connection", "ConnectionX", "ConnectionY", "ConnectionZ")
+LEANS = ("ConnectionDeclination", "ConnectionzRelativeTo", "ConnectionReleaseStage")
+ROUND_Z = ("ConnectionAzimuth", "ConnectionGamma")  # an upright pipe is round
+BENDING = "ConnectionxBendingStiffness"
+GROUND = ("Fixed", "Anchored")
+UPRIGHT = (0, 180, None)  # deg
+
+
+class End(NamedTuple):
+    """One end of a line: what it is connected to, where in the axes of that (m), and its bending stiffness.
+
+    ``of``: which end of another line it is connected to. ``stiffness`` in kN m/deg, None where it is free.
+    """
+
+    to: str
+    x: float
+    y: float
+    z: float
+    of: str
+    leaning: float | None  # declination (deg)
+    stiffness: float | None
+
+    @property
+    def on_axis(self) -> bool:
+        """Whether it is at the origin of what it is connected to, but for its height."""
+        return not (self.x or self.y)
+
+
+class Line(NamedTuple):
+    """A line of a deck with its ends."""
+
+    part: Part
+    upper: End
+    lower: End
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return self.part.name
+
+
+def line_of(part: Part) -> Line:
+    """A line with its ends.
+
+    Raises
+    ------
+    InputError
+        Where it has not two ends with their stiffness.
+    """
+    rows = part.table(*PLACE, of=LEANS, idle=ROUND_Z)
+    stiff = part.table(BENDING, of=("ConnectionyBendingStiffness",), idle=("ConnectionDamping",))
+    if len(rows) != 2 or len(stiff) != 2:
+        allowed = "allowed are two, with bending stiffness"
+        raise part.refused(PLACE[0], f"{len(rows)} ends, {len(stiff)} stiffnesses", allowed)
+    ends = [_end(part, row, *bends) for row, bends in zip(rows, stiff, strict=True)]
+    upper, lower = ends if part.text("TopEnd") == "End A" else ends[::-1]
+    return Line(part, upper, lower)
+
+
+def _end(part: Part, row: list[Any], along: Any, across: Any) -> End:
+    to, *place, leaning, of, release = row
+    if release is not None:
+        part.note(part.refused(LEANS[-1], str(release), "allowed is none: lines stay connected"))
+    try:
+        x, y, z = (float(value) for value in place)
+        stiffness = None if along is None else float(str(along).replace("Infinity", "inf"))
+    except (TypeError, ValueError):
+        found = f"{', '.join(map(str, row))}, stiffness {along}"
+        raise part.refused(PLACE[0], found, "allowed are numbers") from None
+    if across not in (None, along):
+        found = f"{along} and {across}"
+        part.note(part.refused(BENDING, found, "allowed is one for both directions"))
+    return End(str(to), x, y, z, str(of or ""), leaning, stiffness or None)
+
+
+def upright(line: Line, end: End) -> None:
+    """See that an end that resists turning stands upright."""
+    if end.stiffness and end.leaning not in UPRIGHT:
+        found = f"declination {end.leaning} of an end that resists turning"
+        allowed = "allowed are 0 and 180: the end stands upright"
+        line.part.note(line.part.refused(LEANS[0], found, allowed))
+
+
+def rotation(stiffness: float | None) -> Any:
+    """What an end's bending stiffness (kN m/deg) is in a scene."""
+    if stiffness is None:
+        return "free"
+    return "fixed" if math.isinf(stiffness) else {"stiffness": f"{stiffness:.10g} kN*m/deg"}
+
+
+def in_series(one: float | None, other: float | None) -> float | None:
+    """Bending stiffness of two ends on one point that turns freely (kN m/deg), None for a hinge."""
+    if one is None or other is None:
+        return None
+    return 1.0 / (1.0 / one + 1.0 / other) if 1.0 / one + 1.0 / other else math.inf

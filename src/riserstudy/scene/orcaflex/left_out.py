@@ -1,0 +1,76 @@
+"""What of a deck is not in its scene: everything that nobody asked for, by name, alike entries together."""
+
+from __future__ import annotations
+
+import re
+from typing import Any, NamedTuple
+
+from riserstudy.scene.orcaflex.deck import EMPTY, Part
+
+MOST_SHOWN = 40  # characters of a value
+#: what an entry says that switches something off
+OFF = ("0", "0.0", "None", "(none)", "(no damping)", "False", "No")
+#: entries that draw, and change no result
+DRAWN = re.compile(
+    r"Pen\b|Pen[A-Z]|^Draw|^Hid|^DefaultView|^Vertex|^Edge|Symbol|Shaded|Shading|Colou?r|^Label"
+)
+
+
+class Entry(NamedTuple):
+    """An entry that is left out: the list and the object that it is of, its name and its value."""
+
+    of: str
+    object: str
+    key: str
+    value: str
+
+
+def left_out(deck: Part) -> list[str]:
+    """Lines that name what is not in the scene, most telling first."""
+    apart, otherwise, entries = _gathered(deck)
+    drawn = [entry for entry in entries if DRAWN.search(entry.key)]
+    off = [entry for entry in entries if entry not in drawn and _is_off(entry.value)]
+    alike: dict[tuple[str, str, str], list[str]] = {}
+    for entry in entries:
+        if entry not in drawn and entry not in off:
+            alike.setdefault((entry.of, entry.key, entry.value), []).append(entry.object)
+    plain = []
+    for (of, key, value), objects in alike.items():
+        place = f"{of}[{', '.join(objects)}]" if any(objects) else of
+        plain.append(f"{place}.{key}: {value}".lstrip("."))
+    for what, some in (("what is 0 or none", off), ("what only draws", drawn)):
+        keys = dict.fromkeys(f"{entry.of}.{entry.key}".lstrip(".") for entry in some)
+        plain += [f"{what}: {', '.join(keys)}"] if keys else []
+    return [*apart, *otherwise, *plain]
+
+
+def _is_off(value: str) -> bool:
+    """Whether a value, or each of a list, switches something off."""
+    return all(word.strip() in OFF for word in value.strip("[]").split(","))
+
+
+def _gathered(part: Part) -> tuple[list[str], list[str], list[Entry]]:
+    """Objects that are left out whole, entries that are otherwise in the scene, and entries that are not."""
+    if part.apart:
+        return [f"{part.path}: left out whole: {part.apart}"], [], []
+    apart: list[str] = []
+    otherwise = [f"{part.path}.{key}: {told}" for key, told in part.otherwise.items()]
+    entries: list[Entry] = []
+    for key, value in part.data.items():
+        if key in part.below:
+            for inner in part.below[key]:
+                found = _gathered(inner)
+                apart += found[0]
+                otherwise += found[1]
+                entries += found[2]
+        elif key not in part.taken and key != "Name" and value not in EMPTY:
+            entries.append(_entry(part, str(key), value))
+    return apart, otherwise, entries
+
+
+def _entry(part: Part, key: str, value: Any) -> Entry:
+    of, bracket, rest = part.path.partition("[")
+    name, _, inner = rest.partition("]")
+    text = " ".join(str(value).split())
+    text = text if len(text) <= MOST_SHOWN else f"{text[:MOST_SHOWN]} ..."
+    return Entry(of, name if bracket else "", f"{inner}.{key}".lstrip("."), text)

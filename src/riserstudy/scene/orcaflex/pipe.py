@@ -1,0 +1,195 @@
+"""Line types of an OrcaFlex text model as properties of sections.
+
+What acts across a line is given as one entry a direction (``EIx``, ``EIy``) in decks of earlier versions, as
+a list of both and of that along it (``EI``, ``Cd``, ``Ca``) or, for pipes, as one entry (``Cdn``, ``Can``)
+in later ones; what acts along it as the third of the list, or as ``Cdz``, ``Caz``.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.scene.orcaflex.deck import Part
+
+if TYPE_CHECKING:
+    from riserstudy.scene.orcaflex.ends import Line
+
+
+def lengths_of(line: Part) -> list[tuple[str, float]]:
+    """Line types and lengths (m) of the sections of a line, from its end A on.
+
+    Raises
+    ------
+    InputError
+        Where there are none, or something in them is no length.
+    """
+    if line.has("LineType", "Length"):
+        segments = ("TargetSegmentLength", "NumberOfSegments")
+        rows = line.table("LineType", "Length", idle=segments)
+    else:
+        line.value("Sections")
+        rows = []
+        for part in line.parts("Sections"):
+            rows.append([part.text("LineType"), part.number("Length")])
+            part.optional("NumberOfSegments"), part.optional("TargetSegmentLength")
+    for kind, length in rows:
+        if isinstance(length, bool) or not isinstance(length, int | float) or not length > 0.0:
+            raise line.refused("Length", f"{length!r} of {kind!r}", "allowed are lengths above 0")
+    if not rows:
+        raise line.refused("LineType, Length", "no sections", "allowed is one or more")
+    return [(str(kind), float(length)) for kind, length in rows]
+
+
+def kind_of(deck: Part, line: Part, name: str) -> Part:
+    """A line type by its name.
+
+    Raises
+    ------
+    InputError
+        Where there is none.
+    """
+    types = deck.named("LineTypes")
+    if name not in types:
+        found = f"no line type {name!r}"
+        raise line.refused("LineType", found, f"allowed are {', '.join(types)}")
+    return types[name]
+
+
+def greatest_diameter(deck: Part, way: list[Line]) -> float:
+    """Greatest outer diameter of some lines (m)."""
+    names = {name for line in way for name, _ in lengths_of(line.part)}
+    types = deck.named("LineTypes")
+    wide = [types[name].number("OD") for name in names if name in types]
+    return max((diameter for diameter in wide if not math.isnan(diameter)), default=0.0)
+
+
+def wall(kind: Part) -> dict[str, Any]:
+    """Diameters, stiffness and mass of a line type as fields of a section.
+
+    Raises
+    ------
+    InputError
+        Where it is of another category.
+    """
+    outer, inner = kind.number("OD"), kind.number("ID")
+    fields: dict[str, Any] = {"outer_diameter": _q(outer, "m"), "inner_diameter": _q(inner, "m")}
+    if kind.text("Category") == "Homogeneous pipe":
+        fields["young_modulus"] = _q(kind.number("E"), "kN/m^2")
+        for key in ("CoatingThickness", "LiningThickness", "AdditionalEI"):
+            kind.idle(key)
+        mass: Any = {
+            "derived": _q(mass_of(kind), "kg/m"),
+            "from": "MaterialDensity and diameters",
+        }
+    elif kind.text("Category") == "General":
+        if stiff := bending_stiffness(kind):
+            fields["bending_stiffness"] = _q(stiff, "kN*m^2")
+        fields["axial_stiffness"] = _q(kind.number("EA"), "kN")
+        mass = _q(mass_of(kind), "kg/m")
+    else:
+        allowed = "allowed are General, Homogeneous pipe"
+        raise kind.refused("Category", kind.text("Category"), allowed)
+    return fields | {"mass": mass}
+
+
+def mass_of(kind: Part) -> float:
+    """Mass of a line type without its contents (kg/m)."""
+    if kind.data.get("Category") == "Homogeneous pipe":
+        area = disc(kind.number("OD")) - disc(kind.number("ID"))
+        return 1000.0 * kind.number("MaterialDensity") * area
+    return 1000.0 * kind.number("MassPerUnitLength")
+
+
+def submerged(kind: Part, density: float, gravity: float) -> dict[str, Any]:
+    """Weight of a line type in water of a density (kg/m3; 0 above the water), without contents."""
+    weight = (mass_of(kind) - density * disc(kind.number("OD"))) * gravity
+    less = "mass per length less the water that OD displaces" if density else "mass, in air"
+    return {"derived": _q(weight, "N/m"), "from": less}
+
+
+def bending_stiffness(kind: Part) -> float:
+    """Bending stiffness of a general line type (kN m2), the same in both directions.
+
+    Raises
+    ------
+    InputError
+        Where there is none.
+    """
+    stiff = across(kind, "EI")
+    if stiff is None:
+        raise kind.refused("EIx", "missing, as EI is", "nothing is guessed; write it into the deck")
+    return stiff
+
+
+def flexural(kind: Part) -> float:
+    """Bending stiffness of any line type (kN m2).
+
+    Raises
+    ------
+    InputError
+        Where there is none.
+    """
+    if kind.data.get("Category") != "Homogeneous pipe":
+        return bending_stiffness(kind)
+    second = math.pi / 64.0 * (kind.number("OD") ** 4 - kind.number("ID") ** 4)
+    return kind.number("E") * second
+
+
+def across(kind: Part, name: str) -> float | None:
+    """What acts across the line (EI in kN m2), alike in both directions; None where it is not given.
+
+    Raises
+    ------
+    InputError
+        Where it is given twice, differs, or is no number.
+    """
+    kind.alike(f"{name}x", f"{name}y")
+    whole = kind.optional(name)
+    if isinstance(whole, list):
+        if len(whole) < 2 or whole[1] not in (None, "~", whole[0]):
+            found = ", ".join(map(str, whole))
+            allowed = "allowed is one value for both directions across the line"
+            raise kind.refused(name, found, allowed)
+        whole = whole[0]
+    given = [kind.optional(f"{name}x"), kind.optional(f"{name}n"), whole]
+    return _one(kind, name, given, f"{name}, {name}x, {name}n")
+
+
+def along(kind: Part, name: str) -> float:
+    """Coefficient (1) of what acts along the line, 0 where the deck does not give it.
+
+    Raises
+    ------
+    InputError
+        Where it is given twice or is no number.
+    """
+    whole = kind.optional(name)
+    third = whole[2] if isinstance(whole, list) and len(whole) > 2 else None
+    return _one(kind, f"{name}z", [kind.optional(f"{name}z"), third], f"{name}, {name}z") or 0.0
+
+
+def _one(kind: Part, name: str, given: list[Any], names: str) -> float | None:
+    """The one number of what may be given under several names."""
+    values = [value for value in given if value not in (None, "~")]
+    if len(values) > 1:
+        raise kind.refused(name, "given twice", f"allowed is one of {names}")
+    if values and (isinstance(values[0], bool) or not isinstance(values[0], int | float)):
+        raise kind.refused(name, repr(values[0]), "allowed is a number")
+    return float(values[0]) if values else None
+
+
+def axial(kind: Part) -> float:
+    """Stiffness along a line type (kN), of a modulus and a wall or as given."""
+    if kind.data.get("Category") != "Homogeneous pipe":
+        return kind.number("EA")
+    return kind.number("E") * (disc(kind.number("OD")) - disc(kind.number("ID")))
+
+
+def disc(diameter: float) -> float:
+    """Area (m2) of a circle of a diameter (m)."""
+    return 0.25 * math.pi * diameter**2
+
+
+def _q(value: float, unit: str) -> str:
+    return f"{value:.10g} {unit}"

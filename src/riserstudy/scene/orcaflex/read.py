@@ -1,0 +1,174 @@
+"""A scene from an OrcaFlex text model of a vertical riser: what has a counterpart, with all else named.
+
+Nothing is guessed: what cannot be said in a scene is refused where the riser would be another one without it,
+and named as left out otherwise. Units are those of OrcaFlex's SI: tonne, kN, m, s, kN m/deg.
+"""
+
+from __future__ import annotations
+
+import io
+import warnings
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ruamel.yaml.error import MantissaNoDotYAML1_1Warning
+
+from riserstudy.errors import InputError, InputErrors
+from riserstudy.scene.load import SceneFile, read_yaml
+from riserstudy.scene.orcaflex.chain import Bearings, Roles, leave_points, roles
+from riserstudy.scene.orcaflex.constraints import turns_in
+from riserstudy.scene.orcaflex.deck import Part
+from riserstudy.scene.orcaflex.ends import GROUND, PLACE, rotation, upright
+from riserstudy.scene.orcaflex.left_out import left_out
+from riserstudy.scene.orcaflex.sea import Sea, current_of, sea_of, wave_of
+from riserstudy.scene.orcaflex.soil import soil_of
+from riserstudy.scene.orcaflex.string import sections
+from riserstudy.scene.orcaflex.tensioners import fastened
+from riserstudy.scene.orcaflex.top import top_of
+from riserstudy.scene.orcaflex.vessel import platform_of
+from riserstudy.scene.origin import unwrap
+
+GRAVITY = 9.80665  # m/s2, of OrcaFlex's SI
+#: lists of objects that are left out whole where nothing was asked of them
+OBJECTS = (
+    "VesselTypes", "LineTypes", "Vessels", "Lines", "6DBuoys", "3DBuoys", "Constraints", "Links",
+    "Winches", "Shapes", "P-yModels",
+)  # fmt: skip
+
+
+class Imported(NamedTuple):
+    """A scene as a plain tree, and what of the deck is not in it."""
+
+    tree: dict[str, Any]
+    left_out: list[str]
+
+
+class Foot(NamedTuple):
+    """The lower end of the riser: its elevation (m) and its rotation."""
+
+    elevation: float
+    rotation: Any
+
+
+def read_deck(path: Path) -> Imported:
+    """Read the text model of a vertical riser.
+
+    Raises
+    ------
+    InputError
+        When it is no such model, or says what a scene cannot: with all that was found at once.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", MantissaNoDotYAML1_1Warning)  # 250e3, as OrcaFlex writes it
+        data = read_yaml(path)
+    if not isinstance(data, dict) or "Lines" not in data or "LineTypes" not in data:
+        allowed = "allowed is an OrcaFlex text model (.yml) with LineTypes and Lines"
+        raise InputError(path, "", "no deck of a riser", allowed)
+    deck = Part(data, "", path)
+    tree: dict[str, Any] = {}
+    with deck.noting():
+        tree = _tree(deck, path)
+    if deck.faults:
+        raise InputErrors(deck.faults)
+    for key in OBJECTS:
+        for part in deck.parts(key):
+            if not part.apart and not part.taken - {"Name"} and not part.below:
+                part.apart = "nothing of the riser refers to it"
+    SceneFile(str(path), unwrap(tree)[0]).scene()
+    return Imported(tree, left_out(deck))
+
+
+def _tree(deck: Part, path: Path) -> dict[str, Any]:
+    """The scene, as far as nothing is wrong; faults are noted."""
+    general, environment = deck.part("General"), deck.part("Environment")
+    general.demand("UnitsSystem", "SI")
+    sea = sea_of(environment, GRAVITY)
+    stages, analysis = _analysis(general)
+    wave = None
+    with deck.noting():
+        wave = wave_of(environment, stages[0] if stages else None, sea)
+    current = None
+    with deck.noting():
+        current = current_of(environment)
+    cast = roles(deck, _bearings(deck))
+    leave_points(deck, cast.nodes[1:-1])
+    foot = _foot(deck, cast, sea)
+    made = top_of(deck, cast, foot.elevation, sea)
+    bottom: dict[str, Any] = {"hold": "wellhead", "elevation": f"{foot.elevation:.10g} m"}
+    tree: dict[str, Any] = {
+        "title": f"{cast.riser[0].name}, from {path.name}",
+        "gravity": f"{GRAVITY} m/s^2",
+        "water": {
+            "density": f"{sea.density:.10g} kg/m^3",
+            "surface": f"{sea.surface:.10g} m",
+            "seabed": f"{sea.seabed:.10g} m",
+        },
+        "riser": sections(deck, cast, foot.elevation, sea),
+        "bottom": bottom | {"rotation": foot.rotation},
+    }
+    if ground := soil_of(deck, cast.riser[-1].part, sea.seabed, GRAVITY):
+        tree["bottom"]["hold"] = "foot"
+        tree["soil"] = ground
+    tree["top"] = made.tree
+    tree |= {name: what for name, what in (("current", current), ("wave", wave)) if what}
+    if made.vessel:
+        tree["platform"] = platform_of(deck, made.vessel, stages, bool(wave))
+    return tree | {"analysis": analysis}
+
+
+def _bearings(deck: Part) -> Bearings:
+    """What lines may hang on."""
+    vessels = set(deck.named("Vessels"))
+    ground = set(GROUND)
+    sliding: dict[str, str] = {}
+    for name, constraint in deck.named("Constraints").items():
+        inside = str(constraint.data.get("InFrameConnection"))
+        if inside in GROUND:
+            ground.add(name)
+        sliding[name] = inside
+    pulled = set()
+    for part in [*deck.parts("Links"), *deck.parts("Winches")]:
+        with deck.noting():
+            ends = set(fastened(part))
+            pulled |= ends - vessels - set(GROUND) if ends & (vessels | set(GROUND)) else set()
+    return Bearings(ground, vessels, pulled, sliding)
+
+
+def _foot(deck: Part, cast: Roles, sea: Sea) -> Foot:
+    """The lower end, which stands on the ground, or on a constraint that is its flex joint."""
+    line, end = cast.riser[-1], cast.riser[-1].lower
+    if not end.on_axis:
+        allowed = "allowed is a lower end at x = y = 0"
+        deck.note(line.part.refused(PLACE[1], f"{end.x:g}, {end.y:g}", allowed))
+    joints = deck.named("Constraints")
+    if end.to in joints:
+        if rotation(end.stiffness) != "fixed" or end.z:
+            allowed = "allowed is an end that is clamped to the constraint, at its origin"
+            deck.note(line.part.refused(PLACE[0], f"{end.to!r}, at {end.z:g} m", allowed))
+        to, z, turning = turns_in(joints[end.to])
+        return Foot(z + (sea.seabed if to == "Anchored" else 0.0), turning)
+    upright(line, end)
+    low = end.z + (sea.seabed if end.to == "Anchored" else 0.0)
+    return Foot(low, rotation(end.stiffness))
+
+
+def _analysis(general: Part) -> tuple[list[float], dict[str, Any]]:
+    """Durations of the stages (s), and what is computed: statics alone without stages."""
+    stages = general.numbers("StageDuration")
+    if not stages:
+        return stages, {}
+    every = f"{general.number('TargetLogSampleInterval'):.10g} s"
+    return stages, {"duration": f"{sum(stages):.10g} s", "output": {"interval": every}}
+
+
+def as_text(found: Imported, deck: Path) -> str:
+    """The scene as a file, with what was left out as its head."""
+    from ruamel.yaml import YAML
+
+    out = io.StringIO()
+    writer = YAML()
+    writer.width = 120
+    writer.dump(found.tree, out)
+    head = [f"# Made from {deck.name} by `riserstudy import`. Of the deck is not in it:"]
+    head += [f"#   {line}" for line in found.left_out] or ["#   nothing"]
+    return "\n".join([*head, out.getvalue()])

@@ -1,0 +1,170 @@
+"""Water of a deck: levels, current, one wave or a sea by its spectrum."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from riserstudy.scene.orcaflex.deck import Part
+
+SPECTRA = ("JONSWAP", "ISSC")  # of Pierson and Moskowitz, with any height, is the latter
+AIRY = ("Airy", "Single Airy")
+STEEP = ("Dean stream", "Stokes' 5th", "Cnoidal")
+STRETCHING = {"None": "none", "Vertical stretching": "constant", "Wheeler stretching": "stretched"}
+SMALL = 0.1  # share of a wave's amplitude that its second harmonic may have and be left out
+
+
+class Sea(NamedTuple):
+    """Elevations of the water's surface and the seabed (m), density (kg/m3) and gravity (m/s2)."""
+
+    surface: float
+    seabed: float
+    density: float
+    gravity: float
+
+
+def sea_of(environment: Part, gravity: float) -> Sea:
+    """Levels (m) and density (kg/m3) of the water, the same everywhere, under a gravity (m/s2)."""
+    surface = environment.number("WaterSurfaceZ")
+    depth = environment.number("WaterDepth", "SeabedOriginDepth")
+    for key in ("SeabedSlope", "VerticalDensityVariation"):
+        environment.idle(key, "Constant")
+    return Sea(surface, surface - depth, 1000.0 * environment.number("Density"), gravity)
+
+
+def current_of(sea: Part) -> dict[str, Any] | None:
+    """The current; None where there is none."""
+    speed = sea.given("RefCurrentSpeed")
+    if not speed:
+        return None
+    towards = sea.number("RefCurrentDirection")
+    sea.demand("VerticalCurrentVariationMethod", "Interpolated")
+    sea.idle("CurrentModel", "Variation scheme")
+    rows = sea.figures("CurrentDepth", "CurrentFactor", of=("CurrentRotation",))
+    points = [
+        {"depth": _q(depth, "m"), "speed": _q(speed * factor, "m/s")} for depth, factor, _ in rows
+    ]
+    if any(turn for *_, turn in rows):
+        for point, (*_, turn) in zip(points, rows, strict=True):
+            point["direction"] = _q(towards + turn, "deg")
+        return {"profile": points, "beyond": "hold"}
+    return {"profile": points, "beyond": "hold"} | (
+        {"heading": _q(towards, "deg")} if towards else {}
+    )
+
+
+def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] | None:
+    """The wave or sea, which grows over a ramp (s); None where there is none.
+
+    Raises
+    ------
+    InputError
+        Where it is one that a scene cannot say.
+    """
+    trains = environment.parts("WaveTrains")
+    if not trains:
+        return None
+    train = trains[0]
+    kind = train.text("WaveType")
+    if len(trains) > 1 or kind not in (*AIRY, *STEEP, *SPECTRA):
+        found = f"{len(trains)} wave trains, {kind}"
+        allowed = f"allowed is one of {', '.join((AIRY[0], *STEEP, *SPECTRA))}"
+        raise train.refused("WaveType", found, allowed)
+    if kind in SPECTRA:
+        wave = _spectrum(train, kind)
+    elif not train.number("WaveHeight"):
+        return None
+    else:
+        wave = {
+            "height": _q(train.number("WaveHeight"), "m"),
+            "period": _q(train.number("WavePeriod"), "s"),
+        }
+    if kind in STEEP:
+        _made_linear(train, kind, sea)
+        wave["above_mean_level"] = "stretched"
+    else:
+        method = environment.text("KinematicStretchingMethod")
+        if method not in STRETCHING:
+            allowed = f"allowed are {', '.join(STRETCHING)}"
+            raise environment.refused("KinematicStretchingMethod", method, allowed)
+        wave["above_mean_level"] = STRETCHING[method]
+    towards = train.number("WaveDirection")
+    wave |= {"heading": _q(towards, "deg")} if towards else {}
+    return wave | ({"ramp": _q(ramp, "s")} if ramp else {})
+
+
+def _made_linear(train: Part, kind: str, sea: Sea) -> None:
+    """Say what an Airy wave lacks of a steep one, which is refused where that is much."""
+    amplitude, period = 0.5 * train.number("WaveHeight"), train.number("WavePeriod")
+    if not (period > 0.0 and sea.surface > sea.seabed):
+        allowed = "allowed are a period and a depth above 0"
+        raise train.refused("WavePeriod", f"{period:g}", allowed)
+    second = second_harmonic(amplitude, period, sea.surface - sea.seabed, sea.gravity)
+    if second > SMALL:
+        found = f"{kind}, whose second harmonic has {100.0 * second:.0f} % of its amplitude"
+        allowed = f"allowed are waves with up to {100.0 * SMALL:.0f} %: those of a scene are Airy's"
+        raise train.refused("WaveType", found, allowed)
+    train.otherwise["WaveType"] = (
+        f"{kind} is an Airy wave of the same height and period, stretched to the surface; "
+        f"its second harmonic, {100.0 * second:.1f} % of the amplitude, and those above are left out"
+    )
+
+
+def second_harmonic(amplitude: float, period: float, depth: float, gravity: float) -> float:
+    """Amplitude of Stokes' second harmonic, as a share of the first.
+
+    Parameters
+    ----------
+    amplitude, period, depth, gravity : of the wave (m, s), of the water (m), and m/s2.
+    """
+    deep = (2.0 * math.pi / period) ** 2 / gravity
+    k = deep
+    for _ in range(100):  # w^2 = g k tanh(k d), by a mean of the last two
+        k = 0.5 * (k + deep / math.tanh(k * depth))
+    kd = min(k * depth, 20.0)  # beyond which nothing changes
+    steep = math.cosh(kd) * (2.0 + math.cosh(2.0 * kd)) / math.sinh(kd) ** 3
+    return 0.25 * k * amplitude * steep
+
+
+def _spectrum(train: Part, kind: str) -> dict[str, Any]:
+    """A sea by its spectrum: the same height, period and shape, but not the same record."""
+    if kind == "JONSWAP":
+        train.demand("WaveJONSWAPParameters", "Partially specified")
+    if train.optional("WaveNumberOfSpectralDirections") not in (None, 1):
+        found = str(train.optional("WaveNumberOfSpectralDirections"))
+        raise train.refused("WaveNumberOfSpectralDirections", found, "allowed is 1")
+    enhancement = train.number("WaveGamma") if kind == "JONSWAP" else 1.0
+    peak: Any = train.optional("WaveTp")
+    crossing = train.optional("WaveTz")
+    if peak is not None:
+        peak = _q(train.number("WaveTp"), "s")
+    elif crossing is not None:
+        period = train.number("WaveTz") * peak_over_zero_crossing(enhancement)
+        peak = {"derived": _q(period, "s"), "from": "WaveTz and the moments of the spectrum"}
+    else:
+        raise train.refused("WaveTp", "missing, as WaveTz is", "allowed is one of them")
+    wave: dict[str, Any] = {
+        "significant_height": _q(train.number("WaveHs"), "m"),
+        "peak_period": peak,
+        "peak_enhancement": enhancement,
+        "components": train.whole("WaveNumberOfComponents"),
+        "seed": abs(train.whole("WaveSeed")),
+    }
+    told = "the record is another: components and their phases are drawn otherwise"
+    train.otherwise["WaveSeed"] = told
+    return wave
+
+
+def peak_over_zero_crossing(enhancement: float) -> float:
+    """Peak period over zero-crossing period of a JONSWAP spectrum, a share: root of m2 / m0."""
+    import numpy as np
+    from wavespectra.construct.frequency import jonswap
+
+    w = np.geomspace(0.2, 200.0, 400_001)
+    density = np.asarray(jonswap(w, 1.0, gamma=enhancement))
+    zeroth, second = (float(np.trapezoid(density * w**n, w)) for n in (0, 2))
+    return math.sqrt(second / zeroth)
+
+
+def _q(value: float, unit: str) -> str:
+    return f"{value:.10g} {unit}"

@@ -1,0 +1,212 @@
+"""The riser of a deck as sections: its lines on end, what runs along them, and where the water ends."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from riserstudy.scene.orcaflex.chain import Roles, depth
+from riserstudy.scene.orcaflex.deck import Part
+from riserstudy.scene.orcaflex.ends import Line, in_series
+from riserstudy.scene.orcaflex.pipe import across, along, disc, kind_of, lengths_of, submerged, wall
+from riserstudy.scene.orcaflex.sea import Sea
+
+SLACK = (
+    1e-3  # share of its length by which a line along the riser may be longer or shorter than that
+)
+DECIMALS = 9  # of elevations, whose rounding is no length
+
+
+class Piece(NamedTuple):
+    """A length of one line type, from its lower end on."""
+
+    name: str
+    line: Line
+    kind: str
+    low: float  # elevation, unstretched (m)
+    high: float
+    begins: bool  # whether its line begins with it, above another
+
+
+def sections(deck: Part, cast: Roles, bottom: float, sea: Sea) -> list[dict[str, Any]]:
+    """Sections from the lowest to the highest, the lowest end at an elevation (m)."""
+    made: list[dict[str, Any]] = []
+    beside = _alongside(deck, cast, bottom)
+    levels = [level for _, *ends in beside for level in ends]
+    for piece in _cut(list(_pieces(cast, bottom)), levels, sea.surface):
+        with deck.noting():
+            made.append(_section(deck, cast, piece, sea))
+            here = [line for line, low, high in beside if low <= piece.low and piece.high <= high]
+            if here:
+                _add_lines(deck, made[-1], here)
+    called = [str(section["name"]) for section in made]
+    for k, section in enumerate(made):
+        if called.count(called[k]) > 1:
+            section["name"] = f"{called[k]} {called[k:].count(called[k])}"
+    return made
+
+
+def _pieces(cast: Roles, bottom: float) -> Iterator[Piece]:
+    """The pieces from below, those of one line type numbered from above."""
+    rows = []
+    for k, line in enumerate(cast.riser[::-1]):
+        found = lengths_of(line.part)
+        upwards = found[::-1] if line.part.text("TopEnd") == "End A" else found
+        rows += [(line, *row, k > 0 and j == 0) for j, row in enumerate(upwards)]
+    kinds = [kind for _, kind, *_ in rows]
+    low = bottom
+    for k, (line, kind, length, begins) in enumerate(rows):
+        name = f"{kind} {kinds[k:].count(kind)}" if kinds.count(kind) > 1 else kind
+        high = round(low + length, DECIMALS)
+        yield Piece(name, line, kind, low, high, begins)
+        low = high
+
+
+def _cut(pieces: list[Piece], levels: list[float], surface: float) -> list[Piece]:
+    """The pieces, cut at the water's surface and where lines along them begin and end (m)."""
+    for level in (surface, *levels):
+        for k in range(len(pieces) - 1, -1, -1):
+            piece = pieces[k]
+            if piece.low < level < piece.high:
+                name = f"{piece.name}, {'above water' if level == surface else 'upper part'}"
+                upper = piece._replace(name=name, low=level, begins=False)
+                pieces[k : k + 1] = [piece._replace(high=level), upper]
+    return pieces
+
+
+def _section(deck: Part, cast: Roles, piece: Piece, sea: Sea) -> dict[str, Any]:
+    line = piece.line.part
+    kind = kind_of(deck, line, piece.kind)
+    density = sea.density if piece.high <= sea.surface else 0.0
+    section = {"name": piece.name, "length": _q(piece.high - piece.low, "m"), **wall(kind)}
+    section["submerged_weight"] = submerged(kind, density, sea.gravity)
+    section |= _water(kind)
+    if line.optional("ContentsDensity") is not None:
+        line.demand("ContentsMethod", "Uniform")
+    if (inside := line.given("ContentsDensity")) and kind.number("ID"):
+        section["contents"] = {"density": _q(1000.0 * inside, "kg/m^3")}
+    if piece.begins and (joint := _joint(deck, cast, piece)):
+        section["flex_joint_below"] = joint
+    return section
+
+
+def _joint(deck: Part, cast: Roles, piece: Piece) -> dict[str, Any] | None:
+    """The spring between a line of the riser and that below it; None where they are clamped."""
+    below = cast.riser[cast.riser.index(piece.line) + 1]
+    stiffness = in_series(piece.line.lower.stiffness, below.upper.stiffness)
+    if below.upper.to == "Free" or piece.line.lower.to == below.name:
+        stiffness = piece.line.lower.stiffness
+    if piece.line.lower.to == "Free":
+        stiffness = below.upper.stiffness
+    if stiffness is None:
+        allowed = "allowed is a bending stiffness above 0 between lines of the riser"
+        deck.note(piece.line.part.refused("ConnectionxBendingStiffness", "a hinge", allowed))
+    if stiffness is None or math.isinf(stiffness):
+        return None
+    return {"stiffness": _q(stiffness, "kN*m/deg")}
+
+
+def _water(kind: Part) -> dict[str, Any]:
+    """Drag and added mass of a line type."""
+    outer = kind.number("OD")
+    fields: dict[str, Any] = {}
+    drag, added = across(kind, "Cd"), across(kind, "Ca")
+    sliding, extra = along(kind, "Cd"), along(kind, "Ca")
+    wide, long = kind.given("NormalDragLiftDiameter"), kind.given("AxialDragLiftDiameter")
+    if drag:
+        fields["drag"] = {"coefficient": drag, "diameter": _q(wide or outer, "m")}
+    if sliding:
+        along_it = {"coefficient": sliding, "diameter": _q(long or outer, "m")}
+        fields["tangential_drag"] = along_it
+    if added:
+        fields["added_mass"] = {"coefficient": added, "diameter": _q(outer, "m")}
+    if extra:
+        kind.otherwise["Ca"] = f"{extra:g} along the line is left out"
+    return fields
+
+
+def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float, float]]:
+    """Lines along the riser, with elevations of the riser between their ends (m)."""
+    lengths = [depth(line) for line in cast.riser[::-1]]
+    levels = [round(bottom + sum(lengths[:k]), DECIMALS) for k in range(len(lengths) + 1)][::-1]
+    found = []
+    for line in cast.alongside:
+        high = levels[cast.nodes.index(line.upper.to)] if line.upper.to in cast.nodes else levels[0]
+        low = levels[cast.nodes.index(line.lower.to)] if line.lower.to in cast.nodes else levels[-1]
+        reach = (high + line.upper.z) - (low + (line.lower.z if low > levels[-1] else 0.0))
+        long = depth(line)
+        with deck.noting():
+            if not high > low or abs(long - reach) > SLACK * reach:
+                words = f"{long:g} m along {reach:g} m of the riser"
+                allowed = "allowed along the riser is a line of its length"
+                raise line.part.refused("Length", words, allowed)
+            found.append((line, low, high))
+        aside = math.hypot(line.lower.x, line.lower.y)
+        line.part.otherwise["ConnectionX"] = (
+            f"its distance of {aside:.4g} m from the riser's axis is left out: a bend does not stretch it"
+        )
+        if abs(long - reach) > 1e-9 * reach:
+            line.part.otherwise["Length"] = (
+                f"its {long - reach:+.3g} m compared with the riser, both unstretched, are left out"
+            )
+    return found
+
+
+def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
+    """Add lines along a section, with the drag and the water of them all."""
+    beside, kinds = [], []
+    for line in lines:
+        names = {name for name, _ in lengths_of(line.part)}
+        if len(names) > 1:
+            found = ", ".join(sorted(names))
+            raise line.part.refused("LineType", found, "allowed along the riser is one line type")
+        kind = kind_of(deck, line.part, *names)
+        kinds.append(kind)
+        fields = _pipe(kind) | {"name": line.name, "tension": "shared"}
+        if inside := line.part.given("ContentsDensity"):
+            line.part.demand("ContentsMethod", "Uniform")
+            fields["contents"] = _q(1000.0 * inside, "kg/m^3")
+        beside.append({"name": fields.pop("name"), **fields})
+    section["lines"] = beside
+    waters = [_water(kind) for kind in kinds]
+    for name, power in (("drag", 1), ("tangential_drag", 1), ("added_mass", 2)):
+        _sum(section, [water[name] for water in waters if name in water], name, power)
+
+
+def _sum(section: dict[str, Any], more: list[dict[str, Any]], name: str, power: int) -> None:
+    """Let a coefficient of a section act on a diameter that stands for that of its lines too."""
+    parts = [section[name], *more] if name in section else more
+    if not more:
+        return
+    first = parts[0]["coefficient"]
+    whole = sum(
+        float(part["coefficient"]) * float(part["diameter"].split()[0]) ** power for part in parts
+    )
+    diameter = _q((whole / first) ** (1.0 / power), "m")
+    what = "diameters" if power == 1 else "squares of diameters"
+    told = f"{what} of pipe and lines, times their coefficients"
+    section[name] = {"coefficient": first, "diameter": {"derived": diameter, "from": told}}
+
+
+def _pipe(kind: Part) -> dict[str, Any]:
+    """A line along the riser by its diameters, modulus and mass."""
+    fields = wall(kind)
+    if "young_modulus" not in fields:
+        area = disc(kind.number("OD")) - disc(kind.number("ID"))
+        if not area > 0.0:
+            found = f"{kind.number('ID'):g}"
+            raise kind.refused("ID", found, "allowed of a line along the riser is less than OD")
+        modulus = kind.number("EA") / area
+        fields["young_modulus"] = {"derived": _q(modulus, "kN/m^2"), "from": "EA and diameters"}
+        second = (kind.number("OD") ** 4 - kind.number("ID") ** 4) * math.pi / 64.0
+        kind.otherwise["EI"] = (
+            f"along the riser it bends with {modulus * second:.4g} kN m^2, of EA and diameters"
+        )
+    for key in ("axial_stiffness", "bending_stiffness"):
+        fields.pop(key, None)
+    return fields
+
+
+def _q(value: float, unit: str) -> str:
+    return f"{value:.10g} {unit}"

@@ -1,0 +1,203 @@
+"""Tensioners of a deck: links that are springs, straight or by a table, or winches of constant tension.
+
+All are alike and evenly around, from points of a deck or vessel to points of the tension ring.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from riserstudy.scene.orcaflex.deck import Part
+from riserstudy.scene.orcaflex.ends import PLACE
+
+ALONG = "ConnectionzRelativeTo"
+
+
+class Anchorage(NamedTuple):
+    """What tensioners may be fastened to, and where the riser ends unstretched."""
+
+    at_ring: set[str]  # names of the line, or of the ring
+    decks: dict[str, float]  # elevation of what deck points count from (m), by its name
+    ring: float  # elevation of the upper end, unstretched (m)
+    aside: float = 0.0  # x of the vertical that bearings and radii of deck points count from (m)
+
+
+class Pull(NamedTuple):
+    """One tensioner: its deck point (m, m, deg), radius of its ring point (m), its law and damping."""
+
+    deck: tuple[float, float, float]  # radius, elevation, bearing
+    ring_radius: float
+    law: tuple[tuple[float, float], ...]  # reach (m) and pull (kN); one point: constant
+    damping: float  # kN s/m
+
+
+def fastened(part: Part) -> list[str]:
+    """What a link or winch is fastened to.
+
+    Raises
+    ------
+    InputError
+        Where it has not two ends.
+    """
+    rows = part.table(*PLACE, of=(ALONG,))
+    if len(rows) < 2:
+        raise part.refused(PLACE[0], f"{len(rows)} ends", "allowed are two")
+    return [str(row[0]) for row in rows]
+
+
+def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
+    """Tensioners of a scene from links or winches.
+
+    Raises
+    ------
+    InputError
+        Where they are not alike, or not evenly around.
+    """
+    pulls = []
+    for part in parts:
+        with part.noting():
+            pulls.append(_winch(part, of) if part.path.startswith("Winches") else _link(part, of))
+    if len(pulls) < len(parts):
+        raise parts[0].faults[-1]
+    count = len(pulls)
+    first = pulls[0]
+    bearings = sorted(pull.deck[2] for pull in pulls)
+    even = all(abs(b - bearings[0] - 360.0 * k / count) < 1e-3 for k, b in enumerate(bearings))
+    alike = {(*pull.deck[:2], pull.ring_radius, pull.law, pull.damping) for pull in pulls}
+    if len(alike) > 1 or (first.deck[0] and not even):
+        found = "links that differ, or are not evenly around the line"
+        raise parts[0].refused("Connection", found, "allowed are equal ones, evenly on a circle")
+    damping = {"damping": _q(first.damping, "kN*s/m")} if first.damping else {}
+    made = {
+        "count": count,
+        "mid_stroke": "riser unstretched",
+        **_law(first.law),
+        **damping,
+    }
+    return made | {
+        "arrangement": {
+            "ring_radius": _q(first.ring_radius, "m"),
+            "deck_radius": _q(first.deck[0], "m"),
+            "deck_elevation": _q(first.deck[1], "m"),
+            "first_bearing": _q(bearings[0], "deg"),
+        },
+    }
+
+
+class Constant(NamedTuple):
+    """A constant pull (kN) from straight above, from an elevation (m)."""
+
+    force: float
+    height: float
+
+
+def constant(parts: list[Part], of: Anchorage) -> Constant | None:
+    """The pull of one winch straight above what it pulls; None of anything else."""
+    if len(parts) != 1 or not parts[0].path.startswith("Winches"):
+        return None
+    pull = _winch(parts[0], of)
+    return None if pull.deck[0] else Constant(pull.law[0][1], pull.deck[1])
+
+
+def _law(law: tuple[tuple[float, float], ...]) -> dict[str, Any]:
+    """A law of a scene: a straight line, or a table."""
+    if len(law) == 1:
+        return {"linear": {"tension": _q(law[0][1], "kN"), "stiffness": "0 kN/m"}}
+    if len(law) > 2:
+        rows = [{"reach": _q(reach, "m"), "force": _q(force, "kN")} for reach, force in law]
+        return {"table": rows, "interpolation": "linear"}
+    (low, at_low), (high, at_high) = law
+    stiffness = (at_high - at_low) / (high - low)
+    tension = at_low - stiffness * low
+    derived = {"derived": _q(tension, "kN"), "from": "stretch of a link, the riser unstretched"}
+    return {"linear": {"tension": derived, "stiffness": _q(stiffness, "kN/m")}}
+
+
+def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], float, float]:
+    """Deck point, radius of the ring point (m) and the length between them, the riser unstretched (m)."""
+    names = fastened(part)
+    points = part.figures(*PLACE[1:], idle=(PLACE[0], ALONG))
+    ends = list(zip(names, points, strict=True))[:2]
+    (deck, (x, y, z)), (ring, (a, b, c)) = ends if names[0] in of.decks else ends[::-1]
+    if deck not in of.decks or ring not in of.at_ring or c:
+        found = f"from {deck!r} to {ring!r}"
+        allowed = f"allowed is from {' or '.join(of.decks)} to the line's upper end"
+        raise part.refused(PLACE[0], found, allowed)
+    x -= of.aside
+    bearing = math.degrees(math.atan2(y, x)) % 360.0
+    inner, outer = math.hypot(a, b), math.hypot(x, y)
+    if inner and abs(math.degrees(math.atan2(b, a)) % 360.0 - bearing) > 1e-3:
+        allowed = "allowed is that both are at one"
+        raise part.refused(PLACE[0], "points at other bearings", allowed)
+    if part.optional("ReleaseStage") is not None:
+        found = str(part.optional("ReleaseStage"))
+        part.note(part.refused("ReleaseStage", found, "allowed is none: tensioners stay connected"))
+    height = z + of.decks[deck]
+    length = math.hypot(outer - inner, height - of.ring)
+    return (round(outer, 6), round(height, 6), bearing), round(inner, 6), length
+
+
+def _link(link: Part, of: Anchorage) -> Pull:
+    kind = link.text("LinkType").lower()
+    if kind not in ("spring/damper", "tether"):
+        allowed = "allowed are Spring/Damper, Tether"
+        raise link.refused("LinkType", link.text("LinkType"), allowed)
+    deck, ring, length = _between(link, of)
+    if kind == "tether" or _said(link.value("LinearSpring")):
+        unstretched = link.number("UnstretchedLength")
+        if kind == "tether" and not unstretched > 0.0:
+            found = f"{unstretched:g}"
+            raise link.refused("UnstretchedLength", found, "allowed of a tether is above 0")
+        stiffness = link.number("Stiffness") / (unstretched if kind == "tether" else 1.0)
+        pull = stiffness * (length - unstretched)
+        law: tuple[tuple[float, float], ...] = (
+            (0.0, round(pull, 6)),
+            (1.0, round(pull + stiffness, 6)),
+        )
+    else:
+        rows = link.figures("SpringLength", "SpringTension")
+        law = tuple((round(reach - length, 6), force) for reach, force in rows)
+    return Pull(deck, ring, law, _damping(link) if kind == "spring/damper" else 0.0)
+
+
+def _damping(link: Part) -> float:
+    """Damping of a link (kN s/m), 0 without."""
+    link.idle("Damping")
+    if link.data.get("LinearDamper") is None and link.data.get("DampingConstant") is None:
+        return 0.0
+    if not _said(link.value("LinearDamper")):
+        allowed = "allowed is a LinearDamper: damping of a scene is one number"
+        raise link.refused("LinearDamper", str(link.value("LinearDamper")), allowed)
+    return link.number("DampingConstant")
+
+
+def _said(value: Any) -> bool:
+    """Whether a deck says yes."""
+    return str(value) in ("True", "Yes")
+
+
+def _winch(winch: Part, of: Anchorage) -> Pull:
+    """A winch that holds its tension."""
+    winch.demand("WinchType", "Simple")
+    winch.demand("WinchControlType", "By stage")
+    winch.idle("Damping")
+    winch.optional("Stiffness")  # of the wire, whose tension is held
+    deck, ring, _ = _between(winch, of)
+    modes = [str(mode) for (mode,) in winch.table("StageMode", idle=("StageValue",))]
+    stages = set(
+        zip(
+            modes,
+            [value for (value,) in winch.figures("StageValue", idle=("StageMode",))],
+            strict=True,
+        )
+    )
+    if len(stages) > 1 or next(iter(stages))[0] != "Specified tension":
+        found = ", ".join(f"{mode} {value:g}" for mode, value in sorted(stages))
+        allowed = "allowed is one Specified tension at all stages"
+        raise winch.refused("StageMode, StageValue", found, allowed)
+    return Pull(deck, ring, ((0.0, next(iter(stages))[1]),), 0.0)
+
+
+def _q(value: float, unit: str) -> str:
+    return f"{value:.10g} {unit}"

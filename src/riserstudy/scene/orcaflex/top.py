@@ -1,0 +1,244 @@
+"""The upper end of a deck's riser: held, on a vessel, on tensioners, or under a telescopic joint.
+
+The ring is a lumped buoy. The joint is a line from a vessel to the ring: on a constraint that slides along
+the ring, or so soft along itself that it takes no tension.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from riserstudy.scene.orcaflex.chain import Roles, depth
+from riserstudy.scene.orcaflex.constraints import guided_by, slides_in
+from riserstudy.scene.orcaflex.deck import Part
+from riserstudy.scene.orcaflex.ends import GROUND, PLACE, Line, rotation, upright
+from riserstudy.scene.orcaflex.pipe import axial, disc, flexural, kind_of, lengths_of, mass_of
+from riserstudy.scene.orcaflex.sea import Sea
+from riserstudy.scene.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
+
+SAME = 1e-6  # m, to which elevations of a deck are one
+SOFT = 10.0  # kN/m, stiffness along a joint that takes no tension worth counting
+
+
+class Top(NamedTuple):
+    """The upper end of a scene, and the vessel that it moves with."""
+
+    tree: dict[str, Any]
+    vessel: Part | None
+
+
+def top_of(deck: Part, cast: Roles, bottom: float, sea: Sea) -> Top:
+    """The upper end of a riser whose lower end is at an elevation (m).
+
+    Raises
+    ------
+    InputError
+        Where a scene cannot say what holds it.
+    """
+    line, node = cast.riser[0], cast.nodes[0]
+    vessels = deck.named("Vessels")
+    pulling = _pulling(deck, {line.name, node})
+    if line.upper.y:
+        found = f"y = {line.upper.y:g} m"
+        deck.note(line.part.refused(PLACE[2], found, "allowed is an upper end along x"))
+    if node not in vessels and line.upper.to not in GROUND:
+        return _pulled(deck, cast, bottom, pulling, sea)
+    if pulling:
+        raise pulling[0].refused("Name", pulling[0].name, "allowed with a free upper end alone")
+    upright(line, line.upper)
+    held = "platform" if node in vessels else "held"
+    base = height_of(vessels[node]) if node in vessels else 0.0
+    base += sea.seabed if line.upper.to == "Anchored" else 0.0
+    offset = {"offset": _q(line.upper.x, "m")} if line.upper.x else {}
+    tree = {"x": held, "z": held, "elevation": _q(line.upper.z + base, "m")}
+    tree |= {"rotation": rotation(line.upper.stiffness)} | offset
+    return Top(tree, vessels.get(node))
+
+
+def height_of(vessel: Part) -> float:
+    """Elevation (m) of a vessel's origin."""
+    return vessel.vector("InitialPosition")[2]
+
+
+def _pulling(deck: Part, ring: set[str]) -> list[Part]:
+    """Links and winches that pull the upper end; of the others those that pull the riser not are left out."""
+    pulling = []
+    for part in [*deck.parts("Links"), *deck.parts("Winches")]:
+        with deck.noting():
+            ends = fastened(part)
+            if ring & set(ends):
+                pulling.append(part)
+            else:
+                part.apart = f"it is between {' and '.join(map(repr, ends))}, not at the upper end"
+    return pulling
+
+
+def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Sea) -> Top:
+    """An upper end on tensioners, with what there is of ring, guide and telescopic joint."""
+    line, node = cast.riser[0], cast.nodes[0]
+    vessels, rings = deck.named("Vessels"), deck.named("6DBuoys")
+    if not pulling:
+        allowed = "allowed with Links or Winches that pull it"
+        raise line.part.refused(PLACE[0], "a free upper end", allowed)
+    ring = bottom + sum(map(depth, cast.riser))
+    decks = {"Fixed": 0.0} | {name: height_of(vessel) for name, vessel in vessels.items()}
+    anchorage = Anchorage({line.name, node}, decks, ring)
+    if node in rings:
+        upright(line, line.upper)
+    guide = deck.named("Constraints").get(node)
+    if guide is not None:
+        return _guided(deck, cast, guide, pulling, anchorage, sea)
+    body = ring_of(rings[node], sea) if node in rings else None
+    if cast.joint is not None:
+        return _jointed(deck, cast, pulling, anchorage, body, sea)
+    tree: dict[str, Any] = {"x": "free", "z": "free", "rotation": "free"}
+    with deck.noting():
+        tree["tensioners"] = tensioners(pulling, anchorage)
+    on = next((end for part in pulling for end in fastened(part) if end in vessels), "")
+    return Top(tree | ({"body": body} if body else {}), vessels.get(on))
+
+
+def _guided(
+    deck: Part, cast: Roles, guide: Part, pulling: list[Part], of: Anchorage, sea: Sea
+) -> Top:
+    """An upper end on a constraint that keeps it below a point of the vessel, and lets it go up and down."""
+    vessels = deck.named("Vessels")
+    upright(cast.riser[0], cast.riser[0].upper)
+    on, aside = guided_by(guide)
+    tree: dict[str, Any] = {"x": "platform" if on in vessels else "held", "z": "free"}
+    tree |= {"rotation": rotation(cast.riser[0].upper.stiffness)}
+    tree |= {"offset": _q(aside, "m")} if aside else {}
+    above = of._replace(aside=aside)
+    with deck.noting():
+        if pull := constant(pulling, above):
+            tree["tension"] = _q(pull.force, "kN")
+        else:
+            rig = tensioners(pulling, above)
+            if rig["arrangement"]["deck_radius"] == "0 m":
+                del rig["arrangement"]
+            elif aside:
+                rig = tensioners(pulling, of)
+            tree["tensioners"] = rig
+    bodies = [one for one in deck.parts("6DBuoys") if one.data.get("Connection") == guide.name]
+    if bodies:
+        tree["body"] = ring_of(bodies[0], sea, on=guide.name)
+    return Top(tree, vessels.get(on))
+
+
+def _jointed(
+    deck: Part,
+    cast: Roles,
+    pulling: list[Part],
+    of: Anchorage,
+    body: dict[str, Any] | None,
+    sea: Sea,
+) -> Top:
+    """A ring on tensioners under a telescopic joint, at whose top a constant tension may pull along it."""
+    joint, vessels = cast.joint, deck.named("Vessels")
+    if joint is None:
+        raise TypeError("no joint")  # never: asked for where there is one
+    on = joint.upper.to
+    elevation = joint.upper.z + (height_of(vessels[on]) if on in vessels else 0.0)
+    held = "platform" if on in vessels else "held"
+    tree: dict[str, Any] = {"x": held, "z": held, "elevation": _q(elevation, "m")}
+    tree |= {"offset": _q(joint.upper.x, "m")} if joint.upper.x else {}
+    with deck.noting():
+        tree |= _joint(deck, joint, elevation - of.ring)
+        body = _carries(deck, cast, body, sea)
+    with deck.noting():
+        pull = constant(pulling, of._replace(aside=joint.upper.x))
+        if pull and abs(pull.height - elevation) < SAME and "telescopic_joint" in tree:
+            tree["telescopic_joint"]["tension"] = _q(pull.force, "kN")
+        else:
+            tree["tensioners"] = tensioners(pulling, of)
+    return Top(tree | ({"body": body} if body else {}), vessels.get(on))
+
+
+def _joint(deck: Part, joint: Line, length: float) -> dict[str, Any]:
+    """A telescopic joint of a length (m), and the rotation of its upper end."""
+    upright(joint, joint.upper)
+    names = {name for name, _ in lengths_of(joint.part)}
+    stiff = {flexural(kind_of(deck, joint.part, name)) for name in names}
+    if len(stiff) != 1:
+        found, allowed = ", ".join(sorted(names)), "allowed is one bending stiffness of line types"
+        raise joint.part.refused("LineType", found, allowed)
+    joint_ = {"length": _q(length, "m"), "bending_stiffness": _q(stiff.pop(), "kN*m^2")}
+    return {"rotation": rotation(joint.upper.stiffness), "telescopic_joint": joint_}
+
+
+def _carries(
+    deck: Part, cast: Roles, body: dict[str, Any] | None, sea: Sea
+) -> dict[str, Any] | None:
+    """The ring with what hangs on it of a joint: half of a soft one, nothing of one that slides."""
+    joint, node = cast.joint, cast.nodes[0]
+    if joint is None:
+        return body
+    constraints = deck.named("Constraints")
+    if joint.lower.to in constraints:
+        slides_in(constraints[joint.lower.to], node)
+        return body
+    mass, outside = 0.0, 0.0
+    inside = 1000.0 * joint.part.given("ContentsDensity")
+    flexible = 0.0
+    for name, length in lengths_of(joint.part):
+        kind = kind_of(deck, joint.part, name)
+        mass += length * (mass_of(kind) + inside * disc(kind.number("ID")))
+        outside += length * disc(kind.number("OD"))
+        stiffness = axial(kind)
+        flexible += length / stiffness if stiffness else math.inf
+    if SOFT * flexible < 1.0:
+        found = f"a line on {node!r} that takes more than {SOFT:g} kN over a metre"
+        allowed = f"allowed is a joint that slides: on a constraint, or with up to {SOFT:g} kN/m"
+        raise joint.part.refused(PLACE[0], found, allowed)
+    made = body or {"name": joint.name, "mass": "0 t"}
+    own = float(_plain(made["mass"]).split()[0])
+    told = f"{own:g} t of its own and half of {joint.name!r} with its contents"
+    made["mass"] = {"derived": _q(own + 0.0005 * mass, "t"), "from": told}
+    if "displaced_volume" in made:
+        volume = float(str(made["displaced_volume"]).split()[0]) + 0.5 * outside
+        made["displaced_volume"] = {"derived": _q(volume, "m^3"), "from": told}
+    else:
+        weight = (own + 0.0005 * mass) * sea.gravity
+        made["submerged_weight"] = {"derived": _q(weight, "kN"), "from": "mass, above the water"}
+    return made
+
+
+def _plain(value: Any) -> str:
+    return str(value["derived"] if isinstance(value, dict) else value)
+
+
+def ring_of(buoy: Part, sea: Sea, on: str = "Free") -> dict[str, Any]:
+    """The tension ring as a body at the riser's end: a lumped buoy by its mass, volume and drag.
+
+    ``on``: what it is connected to, whose elevation counts where that is no free buoy's own.
+    """
+    buoy.demand("BuoyType", "Lumped buoy")
+    buoy.demand("Connection", on)
+    mass, volume = buoy.number("Mass"), buoy.number("Volume")
+    *_, height = buoy.vector("InitialPosition")
+    height = height if on == "Free" or not volume else -math.inf
+    body: dict[str, Any] = {"name": buoy.text("Name"), "mass": _q(mass, "t")}
+    if height >= sea.surface:
+        weight = _q(mass * sea.gravity, "kN")
+        body["submerged_weight"] = {"derived": weight, "from": "its mass: it is above the water"}
+        return body
+    body["displaced_volume"] = _q(volume, "m^3")
+    area = buoy.numbers("DragArea")
+    factor = buoy.numbers("DragForceCoefficient")
+    drag = [a * c for a, c in zip(area, factor, strict=False)]
+    if any(drag):
+        if drag[0] != drag[1]:
+            raise buoy.refused("DragArea", f"{area}", "allowed is the same along x and y")
+        body["drag_area"] = {"horizontal": _q(drag[0], "m^2"), "vertical": _q(drag[2], "m^2")}
+    mass_ = buoy.numbers("HydrodynamicMass")
+    added = [m * c for m, c in zip(mass_, buoy.numbers("AddedMassCoefficient"), strict=False)]
+    if any(added):
+        if added[0] != added[1]:
+            raise buoy.refused("HydrodynamicMass", f"{mass_}", "allowed is the same along x and y")
+        body["added_mass"] = {"horizontal": _q(added[0], "t"), "vertical": _q(added[2], "t")}
+    return body
+
+
+def _q(value: float, unit: str) -> str:
+    return f"{value:.10g} {unit}"

@@ -1,0 +1,183 @@
+"""A vessel of a deck as the platform of a scene: response amplitude operators with their conventions."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from riserstudy.scene.orcaflex.deck import Part
+from riserstudy.scene.rao import MOTIONS
+
+TABLE = (
+    "RAOPeriodOrFrequency",
+    *(f"RAO{name.capitalize()}{what}" for name in MOTIONS for what in ("Amp", "Phase")),
+)
+BY = {
+    "period (s)": ("period", "s"),
+    "frequency (rad/s)": ("frequency", "rad/s"),
+    "frequency (Hz)": ("frequency", "Hz"),
+}
+#: which way each motion is positive in a scene: x ahead, y to port, z up, turns by the right hand
+POSITIVE = {
+    "surge": ("SurgePositive", "forward", "aft"),
+    "sway": ("SwayPositive", "port", "starboard"),
+    "heave": ("HeavePositive", "up", "down"),
+    "roll": ("RollPositiveStarboard", "down", "up"),
+    "pitch": ("PitchPositiveBow", "down", "up"),
+    "yaw": ("YawPositiveBow", "port", "starboard"),
+}
+SYMMETRY = {"None": None, "xz plane": "sides", "xz and yz planes": "sides and ends"}
+ANGLES = {"degrees": "deg", "radians": "rad"}
+FROM = {"crest": 0.0, "trough": 180.0}  # codespell:ignore trough
+
+
+#: columns of a motion that is given stage by stage
+STAGES = (
+    "PrescribedMotionMode",
+    "PrescribedMotionSpeedValue",
+    "PrescribedMotionDirectionRelativeTo",
+    "PrescribedMotionDirectionValue",
+    "PrescribedMotionRateOfTurn",
+)
+
+
+def platform_of(deck: Part, vessel: Part, stages: list[float], waves: bool) -> dict[str, Any]:
+    """The platform: at rest without waves, else by the operators of its type; and where it is driven to.
+
+    Parameters
+    ----------
+    stages : durations of the stages (s), the first of which is the build-up; none in statics.
+    waves : whether the deck has any.
+    """
+    x, y, height = vessel.vector("InitialPosition")
+    platform: dict[str, Any] = {}
+    if x or y:
+        platform["position"] = {"surge": f"{x:.10g} m", "sway": f"{y:.10g} m"}
+        platform["position"] = {k: v for k, v in platform["position"].items() if v != "0 m"}
+    with deck.noting():
+        if cruise := _cruise(vessel, stages):
+            platform["cruise"] = cruise
+    with deck.noting():
+        if _answers(vessel) and waves:
+            _bow_along_x(vessel)
+            table, response = _operators(deck, vessel, stages)
+            centre = f"{height + table.vector('RAOOrigin')[2]:.10g} m"
+            platform |= {"centre_of_rotation": {"elevation": centre}, "response": response}
+    return platform or {"position": {"surge": "0 m"}}
+
+
+def _answers(vessel: Part) -> bool:
+    """Whether a vessel moves by its displacement operators; of earlier versions one with none other given."""
+    told = vessel.optional("SuperimposedMotion")
+    motion = vessel.optional("PrimaryMotion")
+    if motion not in (None, "None", "Prescribed"):
+        allowed = "allowed are None, Prescribed: a platform of a scene moves as it is told"
+        vessel.note(vessel.refused("PrimaryMotion", str(motion), allowed))
+    return told is None or "RAO" in str(told)
+
+
+def _bow_along_x(vessel: Part) -> None:
+    """See that the vessel lies along x, upright, and is as long as its type."""
+    if "Orientation" in vessel.data:
+        turned = list(vessel.vector("Orientation"))
+        key = "Orientation"
+    else:
+        turned = [vessel.number("InitialHeading")]
+        key = "InitialHeading"
+    if any(turned):
+        found = ", ".join(f"{angle:g}" for angle in turned)
+        vessel.note(vessel.refused(key, found, "allowed is 0: the bow along x, on an even keel"))
+    vessel.idle("Length")
+
+
+def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
+    """The way that a vessel is driven: from rest to a speed in the first stage, or at a speed throughout."""
+    if vessel.optional("PrimaryMotion") != "Prescribed" or not stages or not vessel.has(*STAGES):
+        return None
+    rows = vessel.table(*STAGES)
+    figures = vessel.figures(STAGES[1], STAGES[3], of=STAGES[4:], idle=STAGES)
+    speed, ramp = 0.0, None
+    for k, (value, _, turn) in enumerate(figures):
+        mode = rows[k][0]
+        changes = mode == "Speed change"
+        if turn or (k and ((changes and value) or (not changes and value != speed))):
+            found = f"stage {k}: {mode} {value}, turning {turn}"
+            allowed = "allowed is one speed that is reached in the first stage, without a turn"
+            raise vessel.refused(STAGES[0], found, allowed)
+        speed = value if k == 0 else speed
+        ramp = stages[0] if k == 0 and changes else ramp
+    if not speed:
+        return None
+    headings = sorted({angle for _, angle, _ in figures})
+    if len(headings) > 1:
+        found = ", ".join(f"{angle:g}" for angle in headings)
+        raise vessel.refused(STAGES[3], found, "allowed is one direction")
+    heading = headings[0]
+    cruise = {"speed": f"{speed:.10g} m/s"} | ({"ramp": f"{ramp:.10g} s"} if ramp else {})
+    return cruise | ({"heading": f"{heading:.10g} deg"} if heading else {})
+
+
+def _operators(deck: Part, vessel: Part, stages: list[float]) -> tuple[Part, dict[str, Any]]:
+    """The table of operators of a vessel, and the response that it stands for."""
+    kinds = deck.named("VesselTypes")
+    name = vessel.text("VesselType")
+    if name not in kinds:
+        raise vessel.refused("VesselType", name, f"allowed are {', '.join(kinds)}")
+    draughts = {one.name: one for one in kinds[name].parts("Draughts")}
+    draught = vessel.text("Draught")
+    if draught not in draughts:
+        raise vessel.refused("Draught", draught, f"allowed are {', '.join(draughts)}")
+    table = draughts[draught].part("DisplacementRAOs")
+    origin = table.vector("RAOOrigin")
+    if any((*origin[:2], *table.numbers("PhaseOrigin")[:2])):
+        allowed = "allowed is above the lower end, phases there too"
+        raise table.refused("RAOOrigin", f"{origin[0]:g}, {origin[1]:g}", allowed)
+    ramp = {"ramp": f"{stages[0]:.10g} s"} if stages else {}
+    return table, _response(kinds[name], table) | ramp
+
+
+def _response(kind: Part, table: Part) -> dict[str, Any]:
+    """Operators in the conventions of scenes, whatever those of the deck."""
+    kind.demand("RAOWaveUnit", "amplitude")
+    by = _choice(kind, "WavesReferredToBy", BY)
+    turns = _choice(kind, "RAOResponseUnits", ANGLES)
+    phases = _choice(kind, "RAOPhaseUnitsConvention", ANGLES)
+    half = 180.0 if phases == "deg" else 3.141592653589793
+    later = _choice(kind, "RAOPhaseRelativeToConvention", FROM) / 180.0 * half
+    lead = _choice(kind, "RAOPhaseConvention", {"leads": "lead", "lags": "lag"})
+    flipped = {}
+    for motion, (key, along, against) in POSITIVE.items():
+        flipped[motion] = _choice(kind, key, {along: 0.0, against: half})
+    operators = []
+    for one in table.parts("RAOs"):
+        heading = one.number("RAODirection")
+        for row in one.figures(*TABLE):
+            period = row[0]
+            if not 0.0 < period < math.inf:
+                one.otherwise[TABLE[0]] = f"its row at {period:g} is left out: it is no wave"
+                continue
+            operator: dict[str, Any] = {
+                "heading": f"{heading:.10g} deg",
+                by[0]: f"{period:.10g} {by[1]}",
+            }
+            for k, motion in enumerate(MOTIONS):
+                unit = "m/m" if k < 3 else f"{turns}/m"
+                phase = row[2 + 2 * k] + flipped[motion] + later
+                operator |= {
+                    motion: f"{row[1 + 2 * k]:.10g} {unit}",
+                    f"{motion}_phase": f"{phase:.10g} {phases}",
+                }
+            operators.append(operator)
+    response: dict[str, Any] = {"operators": operators, "phases": lead, "headings": "towards"}
+    symmetry = _choice(kind, "Symmetry", SYMMETRY)
+    return response | ({"symmetry": symmetry} if symmetry else {})
+
+
+def _choice(part: Part, key: str, of: dict[str, Any]) -> Any:
+    """What one of a few words of a deck stands for; of another word, which is noted, that of the first."""
+    with part.noting():
+        entry = part.text(key)
+        if entry in of:
+            return of[entry]
+        raise part.refused(key, entry, f"allowed are {', '.join(of)}")
+    return next(iter(of.values()))

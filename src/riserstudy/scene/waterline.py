@@ -1,0 +1,70 @@
+"""Sections that reach through the water's surface, cut there where their weight follows from their parts.
+
+Below the surface water carries what their outside displaces, above it nothing does.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.scene.geometry import levels
+from riserstudy.scene.limits import ABOVE
+
+if TYPE_CHECKING:
+    from riserstudy.scene.parts import Parts
+    from riserstudy.scene.riser import Section
+
+
+def cut(scene: Parts) -> list[Section]:
+    """The sections, each that reaches through the surface as two, where its weight is not given as one.
+
+    A weight of the pipe that is given with modules or lines is that in water: above it, what the outside
+    displaces is added.
+
+    Raises
+    ------
+    ValueError
+        Where a section that is cut is asked for its stress as one, or has no outer diameter.
+    """
+    if scene.water is None or scene.water.surface is None or scene.gravity is None:
+        return scene.riser
+    surface = scene.water.surface
+    sections: list[Section] = []
+    for k, section in enumerate(scene.riser):
+        ends = levels(scene, k)
+        follows = section.submerged_weight is None or section.modules or section.lines
+        if not (follows and ends and ends[0] < surface < ends[1]):
+            sections.append(section)
+            continue
+        output = scene.analysis.output
+        if output and output.stress_in == section.name:
+            raise ValueError(
+                f"analysis.output.stress_in: {section.name!r} reaches through the water's surface, where it "
+                "is cut; give two sections, and name one of them"
+            )
+        above: dict[str, Any] = {"flex_joint_below": None, "guide_below": None}
+        if section.submerged_weight is not None:
+            if section.outer_diameter is None:
+                raise ValueError(
+                    f"riser[{k}].outer_diameter: {section.name!r} reaches through the water's surface, and "
+                    "what it displaces is not known; give it, or two sections with their weights"
+                )
+            displaced = scene.water.density * 0.25 * math.pi * section.outer_diameter**2
+            above["submerged_weight"] = section.submerged_weight + displaced * scene.gravity
+        upper = _part(section, section.name + ABOVE, ends[1] - surface)
+        lower = _part(section, section.name, surface - ends[0])
+        sections += [lower, upper.model_copy(update=above)]
+    return scene.riser if len(sections) == len(scene.riser) else sections
+
+
+def _part(section: Section, name: str, length: float) -> Section:
+    """A length (m) of a section, with its share of the modules."""
+    modules = section.modules
+    if modules:
+        share = length / section.total_length * (section.joints.count if section.joints else 1)
+        parts = {"mass": share * modules.mass, "lift": share * modules.lift}
+        modules = modules.model_copy(update=parts)
+    return section.model_copy(
+        update={"name": name, "length": length, "joints": None, "modules": modules}
+    )

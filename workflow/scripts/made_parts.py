@@ -1,0 +1,151 @@
+"""Parts of documentation pages that are made from the code: committed, so that a checkout can be read.
+
+A page holds ``<!-- made: NAME arguments -->``, the part, and ``<!-- end -->``. The site makes each part anew.
+"""
+
+from __future__ import annotations
+
+import ast
+import pkgutil
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import typer
+import typer.cli
+
+from riserstudy import cli, effects
+from riserstudy.dataset.variables import variables
+from riserstudy.effects.catalogue import catalogue
+from riserstudy.study.read import read_studies
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+ROOT = Path(__file__).resolve().parents[2]
+#: a place of a page, with the part that stands there if the page keeps one
+MARK = re.compile(
+    r"<!-- made: (\w+)([^>]*?)-->(?P<kept>\n(?:(?!<!-- made:).)*?<!-- end -->)?", re.DOTALL
+)
+LONGEST_HELP = 1000  # characters: none is cut
+NO_EFFECT = ("catalogue", "registry")  # modules of the folder that hold none
+TABLE = "|---|---|---|---|"
+
+
+def commands(_: str) -> str:
+    """Every command with its arguments and options, by Typer's own writer of documentation."""
+    command = typer.main.get_command(cli.app)
+    context = typer.Context(command, info_name="riserstudy")
+    text = typer.cli.get_docs_for_click(obj=command, ctx=context, name="riserstudy")
+    text = text.partition("\n")[2]  # the page has a title
+    text = _with_whole_help(text, getattr(command, "commands", {}))
+    text = re.sub(r"^\* `--help`.*\n", "", text, flags=re.MULTILINE)
+    return re.sub(r"^\*\*Options\*\*:\n\n(?!\*)", "", text, flags=re.MULTILINE)
+
+
+def _with_whole_help(text: str, commands: Mapping[str, Any]) -> str:
+    """The list of commands with the whole first sentence of each, which Typer cuts short."""
+    for name, command in commands.items():
+        said = str(command.get_short_help_str(LONGEST_HELP))
+        text = re.sub(
+            rf"^\* `{name}`: .*$", f"* [`{name}`](#riserstudy-{name}): {said}", text, flags=re.M
+        )
+    return text
+
+
+def called_by(_: str) -> str:
+    """Effects with the part of a scene that calls for each."""
+    rows = [f"| {name} | {' '.join(_code(word) for word in effect.section.split())} |"
+            for name, effect in catalogue().items()]  # fmt: skip
+    return "\n".join(["| effect | called for by |", "|---|---|", *rows])
+
+
+def files_of_effects(_: str) -> str:
+    """Every file of effects by the first sentence at its head, with the way to its formulas."""
+    rows = []
+    for module in pkgutil.iter_modules(effects.__path__):
+        if module.name not in NO_EFFECT:
+            path = f"src/riserstudy/effects/{module.name}.py"
+            text = ast.get_docstring(ast.parse((ROOT / path).read_text("utf-8"))) or ""
+            first = " ".join(text.partition("\n\n")[0].split())
+            rows.append(f"| [`{module.name}`](../{path}) | {first} |")
+    return "\n".join(["| file | what it says |", "|---|---|", *rows])
+
+
+def quantities(_: str) -> str:
+    """Variables of datasets with their units."""
+    rows = [
+        f"| `{name}` | {about.get('units', '')} | {_told(about)} |"
+        for name, about in variables().items()
+    ]
+    return "\n".join(["| variable | unit | |", "|---|---|---|", *rows])
+
+
+def _told(about: dict[str, str]) -> str:
+    return ": ".join(about[key] for key in ("long_name", "comment") if key in about)
+
+
+def others(_: str) -> str:
+    """Least error of displacement that other simulators reached in the last `make bench`, and their time."""
+    measured = read_studies(ROOT / "config", "numerics").measured
+    accuracy = measured and measured.accuracy
+    rows = [
+        f"| {scene} | {peer} | {100 * error:g} % | {ratio:g} |"
+        for scene, peers in (accuracy.peers if accuracy else {}).items()
+        for peer, reached in peers.items()
+        for error, ratio in [min(reached)]
+    ]
+    head = "| scene | simulator | finest level reached | times riserstudy's time |"
+    return "\n".join([head, TABLE, *rows])
+
+
+def known(found: xr.Dataset, kind: str) -> str:
+    """What the engine is compared with, by one kind of reference: what is known, and the tolerance."""
+    rows = []
+    for k in np.flatnonzero(found["kind"] == kind.strip()):
+        of = {str(name): variable.item() for name, variable in found.isel(row=k).data_vars.items()}
+        unit = "" if of["unit"] == "1" else f" {of['unit']}"
+        cells = [f"{of['name']}: {of['quantity']}", of["by"], f"{of['reference']:.4g}{unit}"]
+        rows.append(f"| {' | '.join(cells)} | {of['tolerance']:.0e}: {of['because']} |")
+    return "\n".join(["| Number | Reference | Known | Tolerance, and why |", TABLE, *rows])
+
+
+def _code(word: str) -> str:
+    """A path of a scene as code; the words between as they are."""
+    bare = word.rstrip(",")
+    return f"`{bare}`{word[len(bare) :]}" if "." in bare or "_" in bare else word
+
+
+MAKERS: dict[str, Callable[[str], str]] = {
+    maker.__name__: maker for maker in (commands, called_by, files_of_effects, quantities, others)
+}
+
+
+def kept_pages() -> dict[Path, str]:
+    """Pages that keep parts, by what they should be; parts that need runs stay as they are."""
+    texts = {path: path.read_text("utf-8") for path in sorted((ROOT / "docs").glob("*.md"))}
+    kept = {
+        path: text for path, text in texts.items() if any(m["kept"] for m in MARK.finditer(text))
+    }
+    return {path: with_parts(text, MAKERS) for path, text in kept.items()}
+
+
+def with_parts(text: str, makers: Mapping[str, Callable[[str], str]]) -> str:
+    """A page with the parts that it keeps made anew, as far as there are makers for them."""
+
+    def part(found: re.Match[str]) -> str:
+        if not found["kept"] or found[1] not in makers:
+            return found[0]
+        head = found[0].partition("-->")[0]
+        return f"{head}-->\n{makers[found[1]](found[2]).strip()}\n<!-- end -->"
+
+    return MARK.sub(part, text)
+
+
+def write_validation(found: xr.Dataset) -> None:
+    """Write what the engine is compared with into its page, from a dataset of the validation study."""
+    page = ROOT / "docs/validation.md"
+    makers = {"validation": lambda kind: known(found, kind)}
+    page.write_text(with_parts(page.read_text("utf-8"), makers), "utf-8")
