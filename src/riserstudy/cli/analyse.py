@@ -11,6 +11,7 @@ from riserstudy.cli.shared import (
     SceneArgument,
     SetOption,
     check_writable,
+    compile_as_needed,
     compile_kernels,
     scene_of,
 )
@@ -108,7 +109,7 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     from riserstudy.simulation.show import shown
 
     file = scene_of(scene, settings)
-    compile_kernels()
+    compile_as_needed()
     with shown(True) as tell:
         given = advice(file, lambda what: tell(what, 0.0) if tell else None)
     console = Console(markup=False)
@@ -141,7 +142,7 @@ def modes(
     file = scene_of(scene, settings)
     if output is not None:
         check_writable(output, scene)
-    compile_kernels()
+    compile_as_needed()
     dataset = modes_of(file.scene(), count)
     table = Table("mode", "period (s)", "frequency (Hz)", "motion")
     for k in range(dataset.sizes["mode"]):

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from riserstudy.cli.shared import SceneArgument, SetOption, compile_kernels, scene_of
+from riserstudy.cli.shared import SceneArgument, SetOption, compile_as_needed, scene_of
 from riserstudy.errors import InputError
 
 
@@ -46,7 +46,7 @@ def tension(
     if missing := formula.lacks(riser):
         print("not evaluated: " + ", ".join(missing))
         raise typer.Exit(4)
-    compile_kernels()
+    compile_as_needed()
     from riserstudy.design import engine_tension as engine
 
     tolerances, rig = Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle)
@@ -92,7 +92,7 @@ def operability(
         raise InputError(file.source, "limits", "missing", allowed)
     added, far = _allowances(allowance), _read("--reach", reach, "m")
     riser = file.scene()
-    compile_kernels()
+    compile_as_needed()
     from riserstudy.design.operability import offsets
 
     found = offsets(riser, far, added)

@@ -54,25 +54,26 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
     return file
 
 
-def compile_kernels(scene: Scene | None = None) -> None:
-    """What every command does that simulates: compile all kernels, or those that a scene needs.
+def compile_kernels(scene: Scene) -> None:
+    """Compile the kernels that runs of a scene need, before its runs are timed.
 
-    The latter by a run that is broken off, so that compiling counts neither as time of the run nor against
-    its patience.
+    By a run that is broken off, so that compiling counts neither as time of the run nor against its patience.
     """
-    from riserstudy.simulation.compile import compile_once, tell_of_compiling
+    from riserstudy.simulation.refine import run
+
+    compile_as_needed()
+    with suppress(RiserStudyError):  # which the run itself will report
+        run(scene, patience=0.0)
+
+
+def compile_as_needed() -> None:
+    """Let kernels be compiled as a command comes to them, and report that on stderr."""
+    from riserstudy.simulation.compile import tell_of_compiling
 
     def tell(said: str) -> None:
-        print(f"riserstudy: {said}", file=sys.stderr)
+        print(f"riserstudy: {said}", file=sys.stderr, flush=True)
 
-    if scene is None:
-        compile_once(tell)
-    else:
-        from riserstudy.simulation.refine import run
-
-        tell_of_compiling(tell)
-        with suppress(RiserStudyError):  # which the run itself will report
-            run(scene, patience=0.0)
+    tell_of_compiling(tell)
     _plain_xarray()
 
 

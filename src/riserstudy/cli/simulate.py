@@ -14,6 +14,7 @@ from riserstudy.cli.shared import (
     SceneArgument,
     SetOption,
     check_writable,
+    compile_as_needed,
     compile_kernels,
     place_of,
     say_warnings,
@@ -157,7 +158,7 @@ def rerun(
     old = opened(dataset)
     if output is not None:
         check_writable(output, dataset)
-    compile_kernels()
+    compile_as_needed()
     from riserstudy.study.collect import write_dataset
     from riserstudy.study.rerun import rerun as run_anew
 
