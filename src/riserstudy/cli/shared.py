@@ -13,6 +13,7 @@ import typer
 from riserstudy.errors import InputError, RiserStudyError
 
 if TYPE_CHECKING:
+    from riserstudy.dataset.tables import Table
     from riserstudy.scene.models import Scene
 
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
@@ -111,6 +112,38 @@ def check_csv(output: Path) -> None:
         if output.suffix in (".xlsx", ".xls"):
             allowed += "; workbooks need a library that riserstudy does not bring"
         raise InputError("--output", str(output), f"no table {output.suffix!r}", allowed)
+
+
+CsvOption = Annotated[
+    Path | None, typer.Option("--csv", help="also write the table here", metavar="OUT.csv")
+]
+
+
+def check_tables(csv: Path | None, scene: Path) -> None:
+    """Refuse a ``--csv`` that would not be written, before anything is computed."""
+    if csv is not None:
+        check_writable(csv, scene)
+        check_csv(csv)
+
+
+def show(table: Table, csv: Path | None) -> None:
+    """Print a table in columns, and write it where ``--csv`` names a file."""
+    from riserstudy.dataset import tables
+
+    for line in tables.in_columns(table):
+        print(line)
+    if csv is not None:
+        tables.write_csv(table, csv)
+
+
+def quantity(option: str, text: str, unit: str) -> float:
+    """The value of an option in SI."""
+    from riserstudy.scene.units import to_si
+
+    try:
+        return to_si(text, unit)
+    except ValueError as fault:
+        raise InputError(option, text, str(fault), f"allowed is a value in {unit}") from None
 
 
 def place_of(at: list[str] | None) -> dict[str, str]:

@@ -181,6 +181,26 @@ def as_lines(rows: list[dict[str, Any]]) -> list[str]:
     return lines
 
 
+def in_columns(table: Table) -> list[str]:
+    """A table as aligned lines: names with their units, then the rows, numbers to five digits."""
+    heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
+    texts = [[f"{c:.5g}" if isinstance(c, float) else str(_text(c)) for c in r] for r in table.rows]
+    widths = [max(map(len, column)) for column in zip(heads, *texts, strict=True)]
+    numeric = [all(_plain(c) for c in column) for column in zip(*table.rows, strict=True)]
+    numeric = numeric or [False] * len(heads)
+    return [
+        "  ".join(
+            text.rjust(width) if right else text.ljust(width)
+            for text, width, right in zip(row, widths, numeric, strict=True)
+        ).rstrip()
+        for row in [heads, *texts]
+    ]
+
+
+def _plain(cell: Cell) -> bool:
+    return cell is None or not isinstance(cell, str)
+
+
 def write_csv(table: Table, target: Path) -> None:
     """Write a table as CSV: a line of names with their units, then the rows.
 
