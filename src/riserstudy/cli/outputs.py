@@ -63,6 +63,7 @@ class TableKind(StrEnum):
     EXTREMES = "extremes"
     TIME_SERIES = "time-series"
     LIMITS = "limits"
+    RECOIL = "recoil"
 
 
 def table(
@@ -75,7 +76,7 @@ def table(
     kind: Annotated[TableKind, typer.Option(help="which table")] = TableKind.EXTREMES,
     settings: SetOption = None,
 ) -> None:
-    """Write a table as CSV: stack-up, extremes, time series, or limits with their use.
+    """Write a table as CSV: stack-up, extremes, time series, limits with their use, or recoil.
 
     A scene is simulated for all but the stack-up; a dataset (OUT.nc) is read.
     """
@@ -97,7 +98,7 @@ def table(
         compile_kernels(file.scene())
         dataset = simulate(file)
         say_warnings(dataset)
-        made = tables.table_of(kind.value, None, dataset)
+        made = tables.table_of(kind.value, file.scene(), dataset)
     tables.write_csv(made, output)
 
 

@@ -62,7 +62,7 @@ def run(
             allowed += "; workbooks need a library that riserstudy does not bring"
         raise InputError("--output", str(output), f"no dataset {output.suffix!r}", allowed)
     if patience is None:
-        _announce(file)
+        announce(file)
     dataset = simulate(file, patience=patience)
     if output.suffix == ".csv":
         from riserstudy.dataset import tables
@@ -73,11 +73,23 @@ def run(
         write_dataset(dataset, output)
     say_warnings(dataset)
     print(_summary(dataset))
-    for line in _limits(dataset):
+    for line in _recoil(file, dataset):
+        print(line)
+    for line in limit_lines(dataset):
         print(line)
 
 
-def _announce(file: Any) -> None:
+def _recoil(file: Any, dataset: Any) -> list[str]:
+    """The outcome of a disconnect, where there is one."""
+    from riserstudy.dataset import recoil_table
+    from riserstudy.dataset.tables import in_columns
+
+    if not recoil_table.disconnects(dataset):
+        return []
+    return in_columns(recoil_table.recoil(file.scene(), dataset))
+
+
+def announce(file: Any) -> None:
     """Say before a long run what it will take."""
     from riserstudy.simulation.forecast import forecast
 
@@ -92,7 +104,7 @@ def _announce(file: Any) -> None:
         )
 
 
-def _limits(dataset: Any) -> list[str]:
+def limit_lines(dataset: Any) -> list[str]:
     """A line a limit of the scene."""
     from riserstudy.dataset.tables import as_lines
 
@@ -129,10 +141,10 @@ def check(
     from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
     from riserstudy.simulation.simulate import simulate
 
-    _announce(file)
+    announce(file)
     dataset = simulate(file)
     say_warnings(dataset)
-    for line in _limits(dataset):
+    for line in limit_lines(dataset):
         print(line)
     verdicts = {row["verdict"] for row in json.loads(dataset.attrs["limits"])}
     if verdicts & {EXCEEDED, UNKNOWN}:

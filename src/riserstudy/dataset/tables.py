@@ -232,7 +232,7 @@ def _text(cell: Cell) -> str | int:
 
 
 def table_of(kind: str, scene: Scene | None, dataset: xr.Dataset | None) -> Table:
-    """A table by its name: stack-up is that of the scene, the others of its run.
+    """A table by its name: stack-up is that of the scene, recoil of both, the others of its run.
 
     Raises
     ------
@@ -241,6 +241,10 @@ def table_of(kind: str, scene: Scene | None, dataset: xr.Dataset | None) -> Tabl
     """
     if kind == "stack-up" and scene is not None:
         return stack_up(scene)
+    if kind == "recoil" and scene is not None and dataset is not None:
+        from riserstudy.dataset.recoil_table import recoil  # which is made of tables
+
+        return recoil(scene, dataset)
     made = {"extremes": extremes, "time-series": time_series, "limits": limits}.get(kind)
     if made is None or dataset is None:
         raise InputError("table", kind, "nothing to make it from", "allowed is a scene or its run")

@@ -1,0 +1,74 @@
+"""Leaving the well in time: recoil, watch-circles."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from riserstudy.cli.shared import (
+    CsvOption,
+    SceneArgument,
+    SetOption,
+    check_tables,
+    check_writable,
+    compile_kernels,
+    say_warnings,
+    scene_of,
+    show,
+)
+from riserstudy.cli.simulate import announce, limit_lines
+from riserstudy.errors import InputError
+
+DatasetOption = Annotated[
+    Path | None,
+    typer.Option("-o", "--output", help="also write the dataset (netCDF)", metavar="OUT.nc"),
+]
+AccuracyOption = Annotated[
+    str | None,
+    typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT"),
+]
+
+
+def recoil(
+    scene: SceneArgument,
+    settings: SetOption = None,
+    accuracy: AccuracyOption = None,
+    output: DatasetOption = None,
+    csv: CsvOption = None,
+) -> None:
+    """Simulate an emergency disconnect: overpull, lift, clearance, re-contact, strokes, speed of the mud.
+
+    Exit status 2 where the scene has no disconnect within its run, 4 where the smallest clearance could not
+    be evaluated.
+    """
+    file = scene_of(scene, settings, accuracy)
+    _check_outputs(output, csv, scene)
+    if file.scene().disconnect is None:
+        allowed = "Add `disconnect: {at: 12 s}` and what follows it"
+        raise InputError(file.source, "disconnect", "absent: nothing disconnects", allowed)
+    compile_kernels(file.scene())
+    from riserstudy.dataset import recoil_table
+    from riserstudy.simulation.simulate import simulate
+    from riserstudy.study.collect import write_dataset
+
+    announce(file)
+    dataset = simulate(file)
+    say_warnings(dataset)
+    show(recoil_table.recoil(file.scene(), dataset), csv)
+    for line in limit_lines(dataset):
+        print(line)
+    if output is not None:
+        write_dataset(dataset, output)
+    if "clearance_min" not in dataset.attrs:
+        raise typer.Exit(4)
+
+
+def _check_outputs(output: Path | None, csv: Path | None, scene: Path) -> None:
+    check_tables(csv, scene)
+    if output is None:
+        return
+    check_writable(output, scene)
+    if output.suffix != ".nc":
+        raise InputError("--output", str(output), f"no dataset {output.suffix!r}", "allowed is .nc")
