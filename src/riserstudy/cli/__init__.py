@@ -31,6 +31,7 @@ COMMANDS = (
     analyse.modes,
     design.tension,
     design.operability,
+    leave.watch_circles,
     leave.recoil,
     files.draw,
     files.import_deck,
@@ -42,7 +43,7 @@ COMMANDS = (
     results.prune,
     results.diff,
 )
-NAMES: dict[Any, str] = {files.import_deck: "import"}  # that are no names of functions
+NAMES: dict[Any, str] = {files.import_deck: "import", leave.watch_circles: "watch-circles"}  # that are no names of functions
 
 app = typer.Typer(
     name="riserstudy",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
@@ -14,6 +15,7 @@ from riserstudy.cli.shared import (
     check_tables,
     check_writable,
     compile_kernels,
+    quantity,
     say_warnings,
     scene_of,
     show,
@@ -62,6 +64,67 @@ def recoil(
     if output is not None:
         write_dataset(dataset, output)
     if "clearance_min" not in dataset.attrs:
+        raise typer.Exit(4)
+
+
+class Mode(StrEnum):
+    """Modes of operation that limits have."""
+
+    DRILLING = "drilling"
+    CONNECTED = "connected"
+    DISCONNECT = "disconnect"
+
+
+def watch_circles(
+    scene: SceneArgument,
+    disconnect: Annotated[
+        str, typer.Option(help="time from the red alarm until the LMRP is off", metavar="TIME")
+    ],
+    prepare: Annotated[
+        str, typer.Option(help="time from the yellow alarm to the red alarm", metavar="TIME")
+    ],
+    mode: Annotated[
+        list[Mode] | None, typer.Option(help="limits of this mode; may be repeated; absent: all")
+    ] = None,
+    settings: SetOption = None,
+    accuracy: AccuracyOption = None,
+    output: DatasetOption = None,
+    csv: CsvOption = None,
+) -> None:
+    """Simulate a drift-off or a drive-off: when each limit is reached, the red and the yellow circle.
+
+    The scene has a `vessel`, or a platform with `cruise`. Exit status 4 where a limit could not be
+    evaluated.
+    """
+    file = scene_of(scene, settings, accuracy)
+    _check_outputs(output, csv, scene)
+    times = [
+        quantity(option, text, "s")
+        for option, text in (("--disconnect", disconnect), ("--prepare", prepare))
+    ]
+    for option, text, value in zip(("--disconnect", "--prepare"), (disconnect, prepare), times, strict=True):
+        if value < 0.0:
+            raise InputError(option, text, "below 0 s", "Give a time from 0 s")
+    from riserstudy.design.watch_table import Times, circles, moves_off
+
+    of = file.scene()
+    moves_off(of)
+    modes = [one.value for one in mode or Mode]
+    modes = [one for one in modes if any(limit.mode == one for limit in of.limits or [])]
+    if not modes:
+        raise InputError("--mode", ", ".join(mode or []), "no limit of the scene has it", "Add one")
+    compile_kernels(of)
+    from riserstudy.simulation.simulate import simulate
+    from riserstudy.study.collect import write_dataset
+
+    announce(file)
+    dataset = simulate(file)
+    say_warnings(dataset)
+    found = circles(of, dataset, Times(*times), modes)
+    show(found.table, csv)
+    if output is not None:
+        write_dataset(dataset, output)
+    if found.missing:
         raise typer.Exit(4)
 
 

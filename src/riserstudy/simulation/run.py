@@ -23,6 +23,7 @@ from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.events import march_through
 from riserstudy.simulation.extremes import extremes
+from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.section_forces import derived, envelopes_of, section_of
@@ -140,6 +141,8 @@ def finish(scene: Scene, mesh: Mesh, result: Result) -> Result:
         arrays |= forces
         facts["extremes"] = extremes(scene, mesh, arrays, histories_of, facts.pop("peaks", {}))
         facts["extremes"] += rows_of_limits(scene, facts)
+        if scene.limits and "time" in arrays:
+            facts["limits_reached"] = first_reached(scene, mesh, arrays, histories_of)
     facts["solve_seconds"] += clock.perf_counter() - started
     return result
 
