@@ -31,6 +31,7 @@ COMMANDS = (
     analyse.modes,
     design.tension,
     design.operability,
+    design.envelope,
     leave.watch_circles,
     leave.recoil,
     files.draw,

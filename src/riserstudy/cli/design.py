@@ -1,8 +1,9 @@
-"""What is signed before a riser is run: tension, operability."""
+"""What is signed before a riser is run: tension, operability, envelope."""
 
 from __future__ import annotations
 
 import math
+import sys
 from typing import Annotated
 
 import typer
@@ -15,6 +16,7 @@ from riserstudy.cli.shared import (
     compile_as_needed,
     quantity,
     scene_of,
+    show,
 )
 from riserstudy.errors import InputError
 
@@ -125,6 +127,74 @@ def operability(
         print(f"{label(limit):50s} {_between(between.low, between.high, between.missing)}")
     if any(between.missing for between in found):
         raise typer.Exit(4)
+
+
+def envelope(
+    scene: SceneArgument,
+    reach: Annotated[
+        str, typer.Option(help="how far to either side of the well to look", metavar="LENGTH")
+    ],
+    current: Annotated[
+        list[str],
+        typer.Option(help="speed at the surface: '0.5 m/s'; may be repeated", metavar="SPEED"),
+    ],
+    sea: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="significant height and peak period: '4 m, 10 s'; may be repeated; absent: calm",
+            metavar="HEIGHT,PERIOD",
+        ),
+    ] = None,
+    seeds: Annotated[int, typer.Option(min=5, help="runs of each sea")] = 5,
+    settings: SetOption = None,
+    csv: CsvOption = None,
+) -> None:
+    """Compute the operating envelope: offsets between which all limits are met, by current and by sea.
+
+    On risers at rest, with what each sea adds in runs of the scene at its own current and offset: nine seas in
+    ten do not exceed it. Exit status 4 where a limit could not be evaluated.
+    """
+    file = scene_of(scene, settings)
+    check_tables(csv, scene)
+    if "limits" not in file.tree:
+        allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
+        raise InputError(file.source, "limits", "missing", allowed)
+    far = _positive("--reach", reach, "m")
+    speeds = [quantity("--current", one, "m/s") for one in current]
+    pairs = [_sea(one) for one in sea or []]
+    compile_as_needed()
+    from riserstudy.design.envelope import envelope as computed
+    from riserstudy.design.sea_allowances import Sea, in_sea
+
+    seas = [Sea(*pair) for pair in pairs]
+    for one in seas:
+        in_sea(file, one, 1).scene()  # refuses a scene without a sea before anything runs
+    found = computed(file, far, speeds, seas, seeds, _tell)
+    show(found.table, csv)
+    for name, why in found.missing.items():
+        print(f"{name}: not evaluated: {why}; the envelope leaves it out")
+    if found.missing:
+        raise typer.Exit(4)
+
+
+def _tell(said: str) -> None:
+    print(f"riserstudy: {said}", file=sys.stderr, flush=True)
+
+
+def _sea(text: str) -> tuple[float, float]:
+    """Significant height (m) and peak period (s)."""
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) != 2:
+        allowed = "allowed is a height and a period: '4 m, 10 s'"
+        raise InputError("--sea", text, f"{len(parts)} values", allowed)
+    return _positive("--sea", parts[0], "m"), _positive("--sea", parts[1], "s")
+
+
+def _positive(option: str, text: str, unit: str) -> float:
+    value = quantity(option, text, unit)
+    if not (value > 0.0 and math.isfinite(value)):
+        raise InputError(option, text, "not above 0", f"allowed is a positive value in {unit}")
+    return value
 
 
 def _allowances(given: list[str] | None) -> dict[str, float]:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.design.derived.operability import envelopes
+from riserstudy.design.envelopes import envelopes
 from riserstudy.chapters.design.derived.seas import allowances
 from riserstudy.chapters.design.figures.operability import operability_drilling
 from riserstudy.chapters.design.figures.recoil import recoil_failures
