@@ -53,7 +53,9 @@ SEA = {
 
 
 def words(values):
-    return [word for path, value in values.items() for word in ("--set", f"{path}={json.dumps(value)}")]
+    return [
+        word for path, value in values.items() for word in ("--set", f"{path}={json.dumps(value)}")
+    ]
 
 
 def rows_of(path):

@@ -37,7 +37,9 @@ def settings():
 @pytest.mark.parametrize("density", [1030, 1440, 1900])
 @pytest.mark.parametrize("failed", [0, 2])
 def test_the_window_of_the_command_is_that_of_the_chapter(commands, tmp_path, density, failed):
-    changed = [word for path, value in mud(density).items() for word in ("--set", f"{path}={value}")]
+    changed = [
+        word for path, value in mud(density).items() for word in ("--set", f"{path}={value}")
+    ]
     table = tmp_path / "tension.csv"
     code, out, _ = commands(
         "tension", RISER, "--failed", failed, *ASKED, *WINDOW, *changed, "--csv", table
@@ -81,7 +83,9 @@ def hung(seed, conductor=False):
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_cylinders_need_the_tension_at_which_the_riser_on_a_constant_one_is_slack_at_one_point(seed):
+def test_cylinders_need_the_tension_at_which_the_riser_on_a_constant_one_is_slack_at_one_point(
+    seed,
+):
     held, constant = hung(seed, conductor=seed % 2 == 1)
     tolerances = Tolerances(1.0, 1.0)
     needed = engine.needed(held.scene(), tolerances).tension

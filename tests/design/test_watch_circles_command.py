@@ -98,13 +98,13 @@ def test_a_hull_from_its_circle_on_reaches_the_limit_when_the_disconnect_is_over
 
 @pytest.mark.parametrize("ramp, heading", [(None, 0.0), (30.0, 0.0), (30.0, 60.0)])
 def test_a_cruising_platform_has_the_circles_of_its_speed(commands, tmp_path, ramp, heading):
-    cruise = {"speed": "1.5 m/s", "heading": f"{heading} deg"} | ({"ramp": f"{ramp} s"} if ramp else {})
+    cruise = {"speed": "1.5 m/s", "heading": f"{heading} deg"} | (
+        {"ramp": f"{ramp} s"} if ramp else {}
+    )
     out = "x" if heading == 0.0 else "y"
     limit = {"output": out, "at": "upper end of thread", "largest": "90 m", "mode": "disconnect"}
     top = {"x": "platform", "z": "held", "elevation": "1001 m"}
-    scene = scene_file(
-        tmp_path, limits=[limit], vessel=None, top=top, platform={"cruise": cruise}
-    )
+    scene = scene_file(tmp_path, limits=[limit], vessel=None, top=top, platform={"cruise": cruise})
     table = tmp_path / "out.csv"
     times = ["--disconnect", "20 s", "--prepare", "10 s"]
     assert commands("watch-circles", scene, *times, "--csv", table)[0] == 0

@@ -42,7 +42,9 @@ def verdicts(file):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_run_that_ends_before_a_limit_is_reached_is_within_it_and_one_that_ends_after_is_not(seed):
+def test_a_run_that_ends_before_a_limit_is_reached_is_within_it_and_one_that_ends_after_is_not(
+    seed,
+):
     whole = verdicts(adrift(seed, [limit(name, 1e12) for name in OUTPUTS], DURATION))[1]
     rows = json.loads(whole.attrs["limits"])
     assert json.loads(whole.attrs["limits_reached"]) == ["never"] * len(OUTPUTS)

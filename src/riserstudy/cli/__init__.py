@@ -44,7 +44,10 @@ COMMANDS = (
     results.prune,
     results.diff,
 )
-NAMES: dict[Any, str] = {files.import_deck: "import", leave.watch_circles: "watch-circles"}  # that are no names of functions
+NAMES: dict[Any, str] = {
+    files.import_deck: "import",
+    leave.watch_circles: "watch-circles",
+}  # that are no names of functions
 
 app = typer.Typer(
     name="riserstudy",

@@ -151,8 +151,8 @@ def envelope(
 ) -> None:
     """Compute the operating envelope: offsets between which all limits are met, by current and by sea.
 
-    On risers at rest, with what each sea adds in runs of the scene at its own current and offset: nine seas in
-    ten do not exceed it. Exit status 4 where a limit could not be evaluated.
+    On risers at rest, with what each sea adds in runs of the scene at its own current and offset, which
+    nine seas in ten do not exceed. Exit status 4 where a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_tables(csv, scene)

@@ -102,7 +102,9 @@ def watch_circles(
         quantity(option, text, "s")
         for option, text in (("--disconnect", disconnect), ("--prepare", prepare))
     ]
-    for option, text, value in zip(("--disconnect", "--prepare"), (disconnect, prepare), times, strict=True):
+    for option, text, value in zip(
+        ("--disconnect", "--prepare"), (disconnect, prepare), times, strict=True
+    ):
         if value < 0.0:
             raise InputError(option, text, "below 0 s", "Give a time from 0 s")
     from riserstudy.design.watch_table import Times, circles, moves_off

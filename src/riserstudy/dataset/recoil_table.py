@@ -1,4 +1,4 @@
-"""What a disconnect did, as a table: overpull, lift, clearance, re-contact, strokes against their ends, mud."""
+"""The outcome of a disconnect: overpull, lift, clearance, re-contact, strokes and their ends, mud."""
 
 from __future__ import annotations
 
@@ -83,9 +83,7 @@ def _strokes(scene: Scene, extremes: list[dict[str, Any]]) -> list[list[Cell]]:
             name, low, high = ends[row["output"]]
             least, most = row["smallest"], row["largest"]
             out = low is not None and least < low - TOUCHING
-            rows.append(
-                [f"shortest {name}", least, "m", row.get("smallest_time"), _end(low, out)]
-            )
+            rows.append([f"shortest {name}", least, "m", row.get("smallest_time"), _end(low, out)])
             out = high is not None and most > high + TOUCHING
             rows.append([f"longest {name}", most, "m", row.get("largest_time"), _end(high, out)])
     return rows

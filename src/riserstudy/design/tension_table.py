@@ -65,7 +65,10 @@ def tension_table(scene: Scene, asked: Asked) -> Rows:
         for k, (name, value) in enumerate(zip(names, needed, strict=True))
     ]
     of = formula.governing(scene, asked.tolerances)
-    totals = [Found("formula", of.tension, f"governed by the {names[of.end]}"), _engine(scene, asked)]
+    totals = [
+        Found("formula", of.tension, f"governed by the {names[of.end]}"),
+        _engine(scene, asked),
+    ]
     units = f"with {asked.rig.failed} of {asked.rig.units} units out"
     least = Found("setting", setting(of.tension, asked.rig), units)
     return Rows(ends, [*totals, least, *_window(scene, asked, of.tension)])
@@ -103,7 +106,8 @@ def _window(scene: Scene, asked: Asked, minimum: float) -> list[Found]:
 def lines(rows: Rows) -> list[str]:
     """The rows as readable lines in kN."""
     told = [
-        f"{(row.tension or 0.0) / 1e3:10.2f} kN  {row.what}" + (f"  ({row.note})" if row.note else "")
+        f"{(row.tension or 0.0) / 1e3:10.2f} kN  {row.what}"
+        + (f"  ({row.note})" if row.note else "")
         for row in rows.ends
     ]
     for row in rows.totals:

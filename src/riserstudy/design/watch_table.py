@@ -58,19 +58,25 @@ def offset_of(scene: Scene, dataset: xr.Dataset) -> xr.DataArray:
     time = dataset["time"]
     if scene.vessel:
         x = (scene.top.offset or 0.0) + dataset["platform_surge"]
-        return np.hypot(x, dataset.get("platform_sway", 0.0 * x))
+        y = dataset["platform_sway"] if "platform_sway" in dataset else 0.0 * x
+        return _distance(x, y)
     platform = scene.platform
     if platform is None or platform.cruise is None:
         raise TypeError("nothing leaves the well")  # asked before
     cruise, at = platform.cruise, platform.position
     ramp = cruise.ramp or 0.0
-    late = np.maximum(time - ramp, 0.0)
+    late = (time - ramp).clip(min=0.0)
     early = time - late
     way = cruise.speed * (late + (0.5 * early**2 / ramp if ramp else 0.0))
     heading = cruise.heading or 0.0
     x = (scene.top.offset or 0.0) + ((at and at.surge) or 0.0) + way * math.cos(heading)
     y = ((at and at.sway) or 0.0) + way * math.sin(heading)
-    return np.hypot(x, y)
+    return _distance(x, y)
+
+
+def _distance(x: xr.DataArray, y: xr.DataArray) -> xr.DataArray:
+    """From the well (m)."""
+    return (x**2 + y**2) ** 0.5
 
 
 def circles(scene: Scene, dataset: xr.Dataset, times: Times, modes: Sequence[str]) -> Circles:

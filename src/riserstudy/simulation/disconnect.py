@@ -102,7 +102,7 @@ def rows_of_limits(scene: Scene, facts: dict[str, Any]) -> list[dict[str, Any]]:
     }
     return [
         {"output": name, "where": "", "mean": value}
-        | {side: value for side in ("largest", "smallest")}
+        | dict.fromkeys(("largest", "smallest"), value)
         | {f"{side}_time": time for side in ("largest", "smallest")}
         for name, (value, time) in told.items()
         if value is not None

@@ -20,9 +20,7 @@ Arrays = dict[str, FloatArray]
 NEVER, UNKNOWN = "never", "unknown"
 
 
-def first_reached(
-    scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays
-) -> list[float | str]:
+def first_reached(scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays) -> list[float | str]:
     """Time (s) at which each limit is first reached, NEVER, or UNKNOWN where there is no history of it.
 
     Straight between the outputs. A mean is reached at no time: UNKNOWN.

@@ -23,8 +23,8 @@ from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.events import march_through
 from riserstudy.simulation.extremes import extremes
-from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.failure import why
+from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.section_forces import derived, envelopes_of, section_of
 from riserstudy.simulation.step_peaks import peaks_of, room_for_steps, steps_of, within
