@@ -13,6 +13,7 @@ from riserstudy.cli.shared import (
     check_writable,
     compile_as_needed,
     compile_kernels,
+    recipe_lines,
     scene_of,
 )
 
@@ -26,7 +27,8 @@ def cost(
 ) -> None:
     """Say what 5, 1, 0.2 and 0.05 % of error cost for a scene, before a grid of it is launched.
 
-    The row ``default`` is a scene without a request: 0.2 % of displacement, 1 % of moment and tension.
+    The row ``default`` is a scene without a request: 0.2 % of displacement, 1 % of moment and tension. For
+    more than 20 min of an irregular sea the recipe for long records follows.
     """
     file = scene_of(scene, settings)
     if plot is not None:
@@ -43,6 +45,8 @@ def cost(
         asked = "default" if price.requested is None else f"{100 * price.requested:.3g} %"
         shares = f"{asked:>9}  {100 * price.estimated:7.2g} %"
         print(f"{shares}  {price.elements:8d}  {step}  {price.seconds:.3g} s", flush=True)
+    for line in recipe_lines(file.scene()):
+        print(line)
     if plot is not None:
         requests.plot(prices, str(file.tree["title"]), plot)
 

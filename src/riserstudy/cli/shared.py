@@ -146,6 +146,21 @@ def quantity(option: str, text: str, unit: str) -> float:
         raise InputError(option, text, str(fault), f"allowed is a value in {unit}") from None
 
 
+def recipe_lines(scene: Scene) -> list[str]:
+    """The recipe for long records in words; nothing for scenes that it is not for."""
+    from riserstudy.simulation.recipe import recipe
+
+    found = recipe(scene)
+    if found is None:
+        return []
+    errors = ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in found.error.items())
+    return [
+        f"recipe for long records: {found.words}",
+        f"  takes about {found.seconds:.2g} s with its error estimate; estimated error on the first "
+        f"{found.piece:.4g} s: {errors or 'none given'}",
+    ]
+
+
 def place_of(at: list[str] | None) -> dict[str, str]:
     """Values by axis, as text."""
     given = [one.partition("=") for one in at or []]

@@ -17,12 +17,14 @@ from riserstudy.cli.shared import (
     compile_as_needed,
     compile_kernels,
     place_of,
+    recipe_lines,
     say_warnings,
     scene_of,
 )
 from riserstudy.errors import InputError
 
 WORTH_TELLING = 10.0  # seconds of a run, from which on it is announced
+WORTH_A_RECIPE = 60.0  # seconds of a run, from which on a cheaper one is offered
 
 SAME_AS_STORED = 1e-9  # relative, of what is stored to ten digits
 
@@ -102,6 +104,8 @@ def announce(file: Any) -> None:
             file=sys.stderr,
             flush=True,
         )
+        for line in recipe_lines(file.scene()) if price.seconds > WORTH_A_RECIPE else []:
+            print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
 
 def limit_lines(dataset: Any) -> list[str]:
