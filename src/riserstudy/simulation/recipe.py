@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from riserstudy.errors import SimulationError
+from riserstudy.model.mesh import COARSEST
 from riserstudy.scene.analysis import Layers, Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import Storm
@@ -60,13 +62,43 @@ def recipe(scene: Scene) -> Recipe | None:
         return None
     low, high = (length if math.isfinite(length) else None for length in end_layers(scene))
     layers = Layers.model_construct(bottom=low, top=high) if low or high else None
-    mesh = Mesh.model_construct(elements=found.elements, layers=layers)
-    own = {"accuracy": None, "mesh": mesh, "step": found.step}
-    whole = scene.model_copy(update={"analysis": scene.analysis.model_copy(update=own)})
-    error = run(piece_of(whole, found.piece)).facts["error_estimate"]
+    elements, step = found.elements, found.step
+    error = _error(_with(scene, elements, layers, step), found.piece)
+    while coarser := _coarser(scene, elements, layers, step, found.piece):
+        elements, step, error = coarser
+    whole = _with(scene, elements, layers, step)
     price = forecast(whole)
     seconds = price.seconds if price else math.nan
-    return Recipe(mesh, found.step, found.piece, error, seconds)
+    mesh = Mesh.model_construct(elements=elements, layers=layers)
+    return Recipe(mesh, step, found.piece, error, seconds)
+
+
+def _coarser(
+    scene: Scene, elements: int, layers: Layers | None, step: float, piece: float
+) -> tuple[int, float, dict[str, float]] | None:
+    """A longer step (s) or else a coarser mesh that serves a piece (s), with its error; None: neither."""
+    for fewer, longer in ((elements, 2.0 * step), (elements // 2, step)):
+        if fewer < COARSEST:
+            continue
+        try:
+            error = _error(_with(scene, fewer, layers, longer), piece)
+        except SimulationError:
+            continue
+        if error and max(error.values()) <= ROUGH:
+            return fewer, longer, error
+    return None
+
+
+def _error(scene: Scene, piece: float) -> dict[str, float]:
+    error: dict[str, float] = run(piece_of(scene, piece)).facts["error_estimate"]
+    return error
+
+
+def _with(scene: Scene, elements: int, layers: Layers | None, step: float) -> Scene:
+    """The scene with a mesh and a step (s) of its own."""
+    mesh = Mesh.model_construct(elements=elements, layers=layers)
+    own = {"accuracy": None, "mesh": mesh, "step": step}
+    return scene.model_copy(update={"analysis": scene.analysis.model_copy(update=own)})
 
 
 def _long(scene: Scene) -> bool:
