@@ -389,6 +389,43 @@ def test_a_single_run_compiles_what_it_needs_and_says_so_once(tmp_path):
     assert said == [1, 0]
 
 
+@pytest.mark.parametrize("name", ["modes", "operability", "tension"])
+def test_no_command_compiles_what_its_scene_does_not_need(commands, monkeypatch, name):
+    from riserstudy.simulation import compile as compiling
+
+    def all_of_them(*_):
+        raise AssertionError("all kernels are compiled")
+
+    monkeypatch.setattr(compiling, "compile_once", all_of_them)
+    monkeypatch.setattr(compiling, "compile_groups", all_of_them)
+    limits = "limits=[{output: lfj_angle, largest: 4 deg, mode: drilling}]"
+    more = {
+        "modes": [],
+        "operability": ["--reach", "20 m", "--set", limits],
+        "tension": ["--failed", 1, *TENSIONERS],
+    }
+    assert commands(name, GENERIC, *more[name])[0] == 0
+
+
+def test_compiling_reports_its_progress_without_a_terminal(monkeypatch):
+    """Of functions that call one another: each report has more of them compiled than the one before."""
+    numba = pytest.importorskip("numba")
+    from riserstudy.simulation import compile_times
+
+    monkeypatch.setattr(compile_times, "EVERY", 0.0)
+    said = []
+    compile_times.follow(lambda *report: said.append(report))
+    inner = numba.njit(lambda x: x + 1.0)
+    outer = numba.njit(lambda x: inner(x) * 2.0)
+    assert outer(1.0) == 4.0
+    compile_times.follow(None)
+    assert said[0][:2] == ("", 0)
+    counts, times = ([report[k] for report in said] for k in (1, 2))
+    assert counts == sorted(counts)
+    assert times == sorted(times)
+    assert counts[-1] == 2
+
+
 @pytest.mark.parametrize("group", scenes())
 def test_a_scene_finds_most_of_what_it_runs_in_its_group(group):
     assert {group_of(scene) for scene in scenes()[group]} == {group}

@@ -13,7 +13,7 @@ from typing import Annotated, Any
 import typer
 
 import riserstudy
-from riserstudy.cli import analyse, design, files, outputs, results, simulate
+from riserstudy.cli import analyse, design, files, leave, outputs, results, simulate
 from riserstudy.errors import RiserStudyError, shown
 
 OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothing refers to
@@ -31,6 +31,9 @@ COMMANDS = (
     analyse.modes,
     design.tension,
     design.operability,
+    design.envelope,
+    leave.watch_circles,
+    leave.recoil,
     files.draw,
     files.import_deck,
     files.export_deck,
@@ -45,6 +48,7 @@ COMMANDS = (
 NAMES: dict[Any, str] = {
     files.import_deck: "import",
     files.export_deck: "export",
+    leave.watch_circles: "watch-circles",
 }  # that are no names of functions
 
 app = typer.Typer(

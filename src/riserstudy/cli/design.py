@@ -1,13 +1,24 @@
-"""What is signed before a riser is run: tension, operability."""
+"""What is signed before a riser is run: tension, operability, envelope."""
 
 from __future__ import annotations
 
 import math
+import sys
 from typing import Annotated
 
 import typer
 
-from riserstudy.cli.shared import SceneArgument, SetOption, compile_kernels, scene_of
+from riserstudy.cli.shared import (
+    CsvOption,
+    SceneArgument,
+    SetOption,
+    check_tables,
+    compile_as_needed,
+    quantity,
+    scene_of,
+    show,
+)
+from riserstudy.cli.targets import ForceOption
 from riserstudy.errors import InputError
 
 
@@ -28,17 +39,40 @@ def tension(
     fleet_angle: Annotated[
         str, typer.Option(help="of lines to the vertical, where R_f leaves it out", metavar="ANGLE")
     ] = "0 deg",
+    dynamic_limit: Annotated[
+        str | None,
+        typer.Option(help="dynamic tension limit of all units: 6.7 MN", metavar="FORCE"),
+    ] = None,
+    share: Annotated[
+        float | None,
+        typer.Option(min=0.01, max=1.0, help="of the limit that a setting may be, such as 0.9"),
+    ] = None,
+    overpull: Annotated[
+        str | None,
+        typer.Option(help="tension wanted between LMRP and stack: 200 kN", metavar="FORCE"),
+    ] = None,
     settings: SetOption = None,
+    csv: CsvOption = None,
+    force: ForceOption = False,
 ) -> None:
-    """Say the smallest tension at which no point of a riser is slack, by the formula and by the engine.
+    """Compute the smallest tension at which no point of a riser is slack, and the window of the setting.
 
-    Exit status 4 where the scene does not give what it takes, such as steel and buoyancy apart.
+    By the formula and by the engine, which replaces tensioners by a constant tension. The window lies
+    between the minimum tension, or the tension that lifts the LMRP off with --overpull, and the --share of
+    --dynamic-limit. Exit status 4 where the scene does not give what it takes, such as steel and buoyancy
+    apart.
     """
     file = scene_of(scene, settings)
+    check_tables(csv, file.files, force)
+    if (share is None) != (dynamic_limit is None):
+        alone = "--share" if dynamic_limit is None else "--dynamic-limit"
+        raise InputError(alone, "", "given alone", "Give both --dynamic-limit and --share")
     if failed >= units:
         allowed = f"allowed are up to {units - 1} of {units}"
         raise InputError("--failed", str(failed), "no unit is left", allowed)
-    angle = _read("--fleet-angle", fleet_angle, "rad")
+    angle = quantity("--fleet-angle", fleet_angle, "rad")
+    pulled = None if overpull is None else quantity("--overpull", overpull, "N")
+    limit = None if dynamic_limit is None else quantity("--dynamic-limit", dynamic_limit, "N")
     from riserstudy.design import tension as formula
     from riserstudy.design.tension import Rig, Tolerances
 
@@ -46,25 +80,20 @@ def tension(
     if missing := formula.lacks(riser):
         print("not evaluated: " + ", ".join(missing))
         raise typer.Exit(4)
-    compile_kernels()
-    from riserstudy.design import engine_tension as engine
+    compile_as_needed()
+    from riserstudy.design.tension_table import Asked, lines, tension_table
 
-    tolerances, rig = Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle)
-    needed, first = formula.needed(riser, tolerances), riser.lowest_riser_section
-    governing = formula.governing(riser, tolerances)
-    ends = [f"lower end of {section.name}" for section in riser.riser]
-    ends.append(f"upper end of {riser.riser[-1].name}")
-    for k, (name, value) in enumerate(zip(ends, needed, strict=True)):
-        stands = "  (stack or conductor, below the flex joint: not counted)" if k < first else ""
-        print(f"{value / 1e3:10.2f} kN  {name}{stands}")
-    print(f"formula: {governing.tension / 1e3:.2f} kN, governed by the {ends[governing.end]}")
-    if missing := engine.lacks(riser):
-        print("engine:  not evaluated: " + ", ".join(missing))
-    else:
-        slack = engine.needed(riser, tolerances)
-        print(f"engine:  {slack.tension / 1e3:.2f} kN, slack first {slack.s:.4g} m from the bottom")
-    setting = formula.setting(governing.tension, rig) / 1e3
-    print(f"setting: {setting:.2f} kN with {failed} of {units} units out")
+    ceiling = None if limit is None or share is None else (limit, share)
+    asked = Asked(Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle))
+    rows = tension_table(riser, asked._replace(overpull=pulled, ceiling=ceiling))
+    for line in lines(rows):
+        print(line)
+    if csv is not None:
+        from riserstudy.dataset import tables
+
+        tables.write_csv(rows.table(), csv)
+    if rows.missing:
+        raise typer.Exit(4)
 
 
 def operability(
@@ -90,9 +119,9 @@ def operability(
     if "limits" not in file.tree:
         allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
         raise InputError(file.source, "limits", "missing", allowed)
-    added, far = _allowances(allowance), _read("--reach", reach, "m")
+    added, far = _allowances(allowance), quantity("--reach", reach, "m")
     riser = file.scene()
-    compile_kernels()
+    compile_as_needed()
     from riserstudy.design.operability import offsets
 
     found = offsets(riser, far, added)
@@ -100,6 +129,75 @@ def operability(
         print(f"{label(limit):50s} {_between(between.low, between.high, between.missing)}")
     if any(between.missing for between in found):
         raise typer.Exit(4)
+
+
+def envelope(
+    scene: SceneArgument,
+    reach: Annotated[
+        str, typer.Option(help="how far to either side of the well to look", metavar="LENGTH")
+    ],
+    current: Annotated[
+        list[str],
+        typer.Option(help="speed at the surface: '0.5 m/s'; may be repeated", metavar="SPEED"),
+    ],
+    sea: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="significant height and peak period: '4 m, 10 s'; may be repeated; absent: calm",
+            metavar="HEIGHT,PERIOD",
+        ),
+    ] = None,
+    seeds: Annotated[int, typer.Option(min=5, help="runs of each sea")] = 5,
+    settings: SetOption = None,
+    csv: CsvOption = None,
+    force: ForceOption = False,
+) -> None:
+    """Compute the operating envelope: offsets between which all limits are met, by current and by sea.
+
+    On risers at rest, with what each sea adds in runs of the scene at its own current and offset, which
+    nine seas in ten do not exceed. Exit status 4 where a limit could not be evaluated.
+    """
+    file = scene_of(scene, settings)
+    check_tables(csv, file.files, force)
+    if "limits" not in file.tree:
+        allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
+        raise InputError(file.source, "limits", "missing", allowed)
+    far = _positive("--reach", reach, "m")
+    speeds = [quantity("--current", one, "m/s") for one in current]
+    pairs = [_sea(one) for one in sea or []]
+    compile_as_needed()
+    from riserstudy.design.envelope import envelope as computed
+    from riserstudy.design.sea_allowances import Sea, in_sea
+
+    seas = [Sea(*pair) for pair in pairs]
+    for one in seas:
+        in_sea(file, one, 1).scene()  # refuses a scene without a sea before anything runs
+    found = computed(file, far, speeds, seas, seeds, _tell)
+    show(found.table, csv)
+    for name, why in found.missing.items():
+        print(f"{name}: not evaluated: {why}; the envelope leaves it out")
+    if found.missing:
+        raise typer.Exit(4)
+
+
+def _tell(said: str) -> None:
+    print(f"riserstudy: {said}", file=sys.stderr, flush=True)
+
+
+def _sea(text: str) -> tuple[float, float]:
+    """Significant height (m) and peak period (s)."""
+    parts = [part.strip() for part in text.split(",")]
+    if len(parts) != 2:
+        allowed = "allowed is a height and a period: '4 m, 10 s'"
+        raise InputError("--sea", text, f"{len(parts)} values", allowed)
+    return _positive("--sea", parts[0], "m"), _positive("--sea", parts[1], "s")
+
+
+def _positive(option: str, text: str, unit: str) -> float:
+    value = quantity(option, text, unit)
+    if not (value > 0.0 and math.isfinite(value)):
+        raise InputError(option, text, "not above 0", f"allowed is a positive value in {unit}")
+    return value
 
 
 def _allowances(given: list[str] | None) -> dict[str, float]:
@@ -112,18 +210,8 @@ def _allowances(given: list[str] | None) -> dict[str, float]:
         if not equals or name not in UNITS:
             allowed = "allowed is OUTPUT=VALUE, of " + ", ".join(UNITS)
             raise InputError("--allowance", one, "no output that has limits", allowed)
-        added[name] = _read("--allowance", text, UNITS[name])
+        added[name] = quantity("--allowance", text, UNITS[name])
     return added
-
-
-def _read(option: str, text: str, unit: str) -> float:
-    """A quantity in SI."""
-    from riserstudy.scene.units import to_si
-
-    try:
-        return to_si(text, unit)
-    except ValueError as fault:
-        raise InputError(option, text, str(fault), f"allowed is a value in {unit}") from None
 
 
 def _between(low: float, high: float, missing: str) -> str:

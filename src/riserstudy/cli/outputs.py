@@ -66,6 +66,7 @@ class TableKind(StrEnum):
     EXTREMES = "extremes"
     TIME_SERIES = "time-series"
     LIMITS = "limits"
+    RECOIL = "recoil"
 
 
 def table(
@@ -84,7 +85,7 @@ def table(
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.SI,
 ) -> None:
-    """Write a table as CSV: stack-up, extremes, time series, or limits with their use; or all as a workbook.
+    """Write a table as CSV: stack-up, extremes, time series, limits, recoil; or all as a workbook.
 
     A scene is simulated for all but the stack-up; a dataset (OUT.nc) is read. Workbooks (OUT.xlsx) need the
     extra `riserstudy[workbook]`.

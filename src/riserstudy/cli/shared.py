@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from riserstudy.cli.targets import Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError
 
 if TYPE_CHECKING:
+    from riserstudy.dataset.tables import Table
     from riserstudy.scene.models import Scene
 
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
@@ -63,25 +66,26 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
     return file
 
 
-def compile_kernels(scene: Scene | None = None) -> None:
-    """What every command does that simulates: compile all kernels, or those that a scene needs.
+def compile_kernels(scene: Scene) -> None:
+    """Compile the kernels that runs of a scene need, before its runs are timed.
 
-    The latter by a run that is broken off, so that compiling counts neither as time of the run nor against
-    its patience.
+    By a run that is broken off, so that compiling counts neither as time of the run nor against its patience.
     """
-    from riserstudy.simulation.compile import compile_once, tell_of_compiling
+    from riserstudy.simulation.refine import run
+
+    compile_as_needed()
+    with suppress(RiserStudyError):  # which the run itself will report
+        run(scene, patience=0.0)
+
+
+def compile_as_needed() -> None:
+    """Let kernels be compiled as a command comes to them, and report that on stderr."""
+    from riserstudy.simulation.compile import tell_of_compiling
 
     def tell(said: str) -> None:
-        print(f"riserstudy: {said}", file=sys.stderr)
+        print(f"riserstudy: {said}", file=sys.stderr, flush=True)
 
-    if scene is None:
-        compile_once(tell)
-    else:
-        from riserstudy.simulation.refine import run
-
-        tell_of_compiling(tell)
-        with suppress(RiserStudyError):  # which the run itself will report
-            run(scene, patience=0.0)
+    tell_of_compiling(tell)
     _plain_xarray()
 
 
@@ -93,6 +97,54 @@ def _plain_xarray() -> None:
         import xarray
 
         xarray.Dataset(coords={"s": [0.0]})
+
+
+CsvOption = Annotated[
+    Path | None,
+    typer.Option("--csv", help="also write the table here", metavar="OUT.csv"),
+    Writes("table"),
+]
+
+
+def check_tables(csv: Path | None, reads: Iterable[Path], force: bool) -> None:
+    """Refuse a ``--csv`` that would not be written, before anything is computed."""
+    if csv is not None:
+        check_output(csv, ("table",), reads, force, "--csv")
+
+
+def show(table: Table, csv: Path | None) -> None:
+    """Print a table in columns, and write it where ``--csv`` names a file."""
+    from riserstudy.dataset import tables
+
+    for line in tables.in_columns(table):
+        print(line)
+    if csv is not None:
+        tables.write_csv(table, csv)
+
+
+def quantity(option: str, text: str, unit: str) -> float:
+    """The value of an option in SI."""
+    from riserstudy.scene.units import to_si
+
+    try:
+        return to_si(text, unit)
+    except ValueError as fault:
+        raise InputError(option, text, str(fault), f"allowed is a value in {unit}") from None
+
+
+def recipe_lines(scene: Scene) -> list[str]:
+    """The recipe for long records in words; nothing for scenes that it is not for."""
+    from riserstudy.simulation.recipe import recipe
+
+    found = recipe(scene)
+    if found is None:
+        return []
+    errors = ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in found.error.items())
+    return [
+        f"recipe for long records: {found.words}",
+        f"  takes about {found.seconds:.2g} s with its error estimate; estimated error on the first "
+        f"{found.piece:.4g} s: {errors or 'none given'}",
+    ]
 
 
 def place_of(at: list[str] | None) -> dict[str, str]:

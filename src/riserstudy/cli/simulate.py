@@ -14,8 +14,10 @@ from riserstudy.cli.shared import (
     SceneArgument,
     SetOption,
     UnitsOption,
+    compile_as_needed,
     compile_kernels,
     place_of,
+    recipe_lines,
     say_warnings,
     scene_of,
 )
@@ -24,6 +26,7 @@ from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
 
 WORTH_TELLING = 10.0  # seconds of a run, from which on it is announced
+WORTH_A_RECIPE = 60.0  # seconds of a run, from which on a cheaper one is offered
 
 SAME_AS_STORED = 1e-9  # relative, of what is stored to ten digits
 
@@ -70,7 +73,7 @@ def run(
     from riserstudy.study.collect import write_dataset
 
     if patience is None:
-        _announce(file)
+        announce(file)
     dataset = simulate(file, patience=patience)
     if output.suffix == ".csv":
         from riserstudy.dataset import tables
@@ -82,11 +85,23 @@ def run(
         write_dataset(dataset, output)
     say_warnings(dataset)
     print(_summary(dataset))
-    for line in _limits(dataset, units or UnitSystem.FIELD):
+    for line in _recoil(file, dataset):
+        print(line)
+    for line in limit_lines(dataset, units or UnitSystem.FIELD):
         print(line)
 
 
-def _announce(file: Any) -> None:
+def _recoil(file: Any, dataset: Any) -> list[str]:
+    """The outcome of a disconnect, where there is one."""
+    from riserstudy.dataset import recoil_table
+    from riserstudy.dataset.tables import in_columns
+
+    if not recoil_table.disconnects(dataset):
+        return []
+    return in_columns(recoil_table.recoil(file.scene(), dataset))
+
+
+def announce(file: Any) -> None:
     """Say before a long run what it will take, and what makes it long."""
     from riserstudy.scene.sudden import sudden_wave
     from riserstudy.simulation.forecast import forecast
@@ -102,9 +117,11 @@ def _announce(file: Any) -> None:
             file=sys.stderr,
             flush=True,
         )
+        for line in recipe_lines(file.scene()) if price.seconds > WORTH_A_RECIPE else []:
+            print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
 
-def _limits(dataset: Any, units: UnitSystem) -> list[str]:
+def limit_lines(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> list[str]:
     """A line a limit of the scene."""
     from riserstudy.dataset.tables import as_lines
 
@@ -142,10 +159,10 @@ def check(
     from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
     from riserstudy.simulation.simulate import simulate
 
-    _announce(file)
+    announce(file)
     dataset = simulate(file)
     say_warnings(dataset)
-    for line in _limits(dataset, units):
+    for line in limit_lines(dataset, units):
         print(line)
     verdicts = {row["verdict"] for row in json.loads(dataset.attrs["limits"])}
     if verdicts & {EXCEEDED, UNKNOWN}:
@@ -173,7 +190,7 @@ def rerun(
     old = opened(dataset)
     if output is not None:
         check_output(output, ("dataset",), [dataset], force)
-    compile_kernels()
+    compile_as_needed()
     from riserstudy.study.collect import write_dataset
     from riserstudy.study.rerun import rerun as run_anew
 

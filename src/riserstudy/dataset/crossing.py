@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
+
+from riserstudy.dataset.place_of_crossing import place_of_crossing
 
 
 def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr.DataArray:
@@ -14,7 +15,10 @@ def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr
     """
     place = curve[along].values
     times: xr.DataArray = xr.apply_ufunc(
-        lambda c: _first(c, level, place), curve, input_core_dims=[[along]], vectorize=True
+        lambda c: place_of_crossing(c, level, place),
+        curve,
+        input_core_dims=[[along]],
+        vectorize=True,
     )
     return times
 
@@ -39,14 +43,3 @@ def at_time(history: xr.DataArray, time: xr.DataArray) -> xr.DataArray:
         vectorize=True,
     )
     return values
-
-
-def _first(curve: NDArray[np.float64], level: float, place: NDArray[np.float64]) -> float:
-    over = np.flatnonzero(curve >= level)
-    if len(over) == 0:
-        return np.inf
-    k = int(over[0])
-    if k == 0:
-        return float(place[0])
-    share = (level - curve[k - 1]) / (curve[k] - curve[k - 1])
-    return float(place[k - 1] + share * (place[k] - place[k - 1]))

@@ -74,7 +74,7 @@ def takes(scene: Scene, limit: Limit) -> str:
         return "from the joint's length"
     if len(scene.riser) == 1 or limit.output not in ALONG:
         return ""
-    sections = [section.name for section in _sections(scene, limit)]
+    sections = [section.name for section in sections_of(scene, limit)]
     below = len(scene.riser) - len(sections)
     parts = (
         [] if limit.at else [f"{sections[0]} to {sections[-1]}" if sections[1:] else sections[0]]
@@ -95,14 +95,14 @@ def demand_of(
     ----------
     rows : extremes of a run, a row an output and place.
     """
-    names = [section.name for section in (scene.riser if limit.at else _sections(scene, limit))]
+    names = [section.name for section in (scene.riser if limit.at else sections_of(scene, limit))]
     places = limit.places(names)
     there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
     demands = [_demand(limit, row) for row in there]
     return max(demands, key=lambda one: use(limit.side, one[0], limit.allowable), default=None)
 
 
-def _sections(scene: Scene, limit: Limit) -> list[Section]:
+def sections_of(scene: Scene, limit: Limit) -> list[Section]:
     """The sections that a limit without a place applies to."""
     return scene.riser_sections if limit.output in OF_THE_RISER else scene.riser
 

@@ -122,6 +122,26 @@ def as_lines(rows: list[dict[str, Any]], system: UnitSystem = UnitSystem.FIELD) 
     return lines
 
 
+def in_columns(table: Table) -> list[str]:
+    """A table as aligned lines: names with their units, then the rows, numbers to five digits."""
+    heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
+    texts = [[f"{c:.5g}" if isinstance(c, float) else str(_text(c)) for c in r] for r in table.rows]
+    widths = [max(map(len, column)) for column in zip(heads, *texts, strict=True)]
+    numeric = [all(_plain(c) for c in column) for column in zip(*table.rows, strict=True)]
+    numeric = numeric or [False] * len(heads)
+    return [
+        "  ".join(
+            text.rjust(width) if right else text.ljust(width)
+            for text, width, right in zip(row, widths, numeric, strict=True)
+        ).rstrip()
+        for row in [heads, *texts]
+    ]
+
+
+def _plain(cell: Cell) -> bool:
+    return cell is None or not isinstance(cell, str)
+
+
 def write_csv(table: Table, target: Path) -> None:
     """Write a table as CSV: a line of names with their units, then the rows.
 
@@ -139,7 +159,7 @@ def _text(cell: Cell) -> Cell:
 
 
 def table_of(kind: str, scene: Scene | None, dataset: xr.Dataset | None) -> Table:
-    """A table by its name: stack-up is that of the scene, the others of its run.
+    """A table by its name: stack-up is that of the scene, recoil of both, the others of its run.
 
     Raises
     ------
@@ -148,6 +168,10 @@ def table_of(kind: str, scene: Scene | None, dataset: xr.Dataset | None) -> Tabl
     """
     if kind == "stack-up" and scene is not None:
         return stack_up(scene)
+    if kind == "recoil" and scene is not None and dataset is not None:
+        from riserstudy.dataset.recoil_table import recoil  # which is made of tables
+
+        return recoil(scene, dataset)
     made = {"extremes": extremes, "time-series": time_series, "limits": limits}.get(kind)
     if made is None or dataset is None:
         raise InputError("table", kind, "nothing to make it from", "allowed is a scene or its run")

@@ -37,15 +37,16 @@ class Slack(NamedTuple):
 
 def lacks(scene: Scene) -> list[str]:
     """What a scene lacks that the engine needs beside the formula."""
-    joint = scene.top.telescopic_joint
-    told = scene.top.tension is not None or (joint and joint.tension is not None)
-    return [] if told else ["top.tension or top.telescopic_joint.tension"]
+    top, joint = scene.top, scene.top.telescopic_joint
+    pulled = top.tension is not None or top.tensioners or (joint and joint.tension is not None)
+    return [] if pulled else ["top.tension, top.telescopic_joint.tension or top.tensioners"]
 
 
 def needed(scene: Scene, tolerances: Tolerances) -> Slack:
     """Smallest top tension at which no point of a riser at rest is slack.
 
-    The tension falls by what is left at the slackest point until nothing is left there.
+    The tension falls by what is left at the slackest point until nothing is left there. Tensioners are
+    replaced by a constant tension on the ring, along the telescopic joint where there is one.
 
     Raises
     ------
@@ -82,12 +83,12 @@ def along(scene: Scene) -> tuple[FloatArray, FloatArray]:
 
 
 def with_tension(scene: Scene, tension: float) -> Scene:
-    """The scene with another constant tension (N), where it has one."""
-    joint = scene.top.telescopic_joint
+    """The scene with a constant tension (N) on the ring, in place of its tension or of its tensioners."""
+    top, joint = scene.top, scene.top.telescopic_joint
     changed: dict[str, Any] = {"tension": tension}
-    if joint and joint.tension is not None:
-        changed = {"telescopic_joint": joint.model_copy(update=changed)}
-    return scene.model_copy(update={"top": scene.top.model_copy(update=changed)})
+    if joint and (joint.tension is not None or top.tensioners):
+        changed = {"telescopic_joint": joint.model_copy(update=changed), "tension": None}
+    return scene.model_copy(update={"top": top.model_copy(update=changed | {"tensioners": None})})
 
 
 def _with_tolerances(scene: Scene, tolerances: Tolerances) -> Scene:

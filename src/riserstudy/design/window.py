@@ -5,7 +5,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from riserstudy.design.tension import Rig, setting
+from riserstudy.design import tension
+from riserstudy.design.tension import Rig, Tolerances, setting
+from riserstudy.scene.models import Scene
+
+WEIGHED = Tolerances(1.0, 1.0)
 
 
 class Window(NamedTuple):
@@ -57,3 +61,60 @@ def window(
         if value is not None and math.isfinite(value):
             side["recoil"] = value
     return Window(floors, ceilings)
+
+
+class Ceiling(NamedTuple):
+    """The upper end of a setting."""
+
+    dynamic_limit: float  # dynamic tension limit of all units (N)
+    share: float  # of it that a setting may be
+
+
+def window_of(
+    scene: Scene, tolerances: Tolerances, rig: Rig, overpull: float | None, ceiling: Ceiling
+) -> Window:
+    """The window of a scene's setting by the formula.
+
+    Parameters
+    ----------
+    overpull : effective tension wanted between LMRP and stack (N); None: the LMRP is not lifted off.
+
+    Raises
+    ------
+    ValueError
+        When the scene does not give it: what it lacks.
+    """
+    needed = tension.governing(scene, tolerances).tension
+    lifted = None if overpull is None else lift_off(scene, overpull)
+    return window(needed, lifted, rig, *ceiling)
+
+
+def lift_off(scene: Scene, overpull: float, weighed: float | None = None) -> float:
+    """Vertical tension (N) at which the riser pulls its LMRP off with an overpull (N).
+
+    Parameters
+    ----------
+    weighed : vertical tension (N) at which nothing is left at the riser's lower end, weights as given;
+        absent: by the formula.
+
+    Raises
+    ------
+    ValueError
+        When the scene does not give it: what it lacks.
+    """
+    if missing := lift_off_lacks(scene):
+        raise ValueError("not evaluated: " + ", ".join(missing))
+    body, water, gravity = scene.bottom.body, scene.water, scene.gravity
+    if body is None or water is None:
+        raise TypeError("no LMRP")  # asked before
+    if weighed is None:
+        weighed = float(tension.needed(scene, WEIGHED)[0])
+    return weighed + body.weight(gravity or 0.0, water.density) + overpull
+
+
+def lift_off_lacks(scene: Scene) -> list[str]:
+    """What a scene lacks for lifting its LMRP off, by its fields; empty where it is all there."""
+    if scene.lowest_riser_section:
+        return ["bottom.body as the LMRP: sections of the riser stand below its flex joint"]
+    missing = [] if scene.bottom.body else ["bottom.body"]
+    return missing + ([] if scene.water else ["water"])

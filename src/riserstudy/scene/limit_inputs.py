@@ -72,6 +72,8 @@ def lacks(scene: Parts, limit: Limit) -> list[str]:
             "analysis.output.stress_in",
             lambda s: bool(s.analysis.output and s.analysis.output.stress_in),
         ),
+        "overpull": ("disconnect", lambda s: s.disconnect is not None),
+        "lmrp_clearance": ("disconnect", lambda s: s.disconnect is not None),
         "ufj_angle": ("top.x that is held, on the platform or a vessel", lambda s: bool(s.lateral)),
         "lfj_angle": ("a held lower end, or a riser.flex_joint_below", lambda s: bool(s.lateral)),
         "bending_moment": ("bending stiffness and a load across", lambda s: bool(s.lateral)),

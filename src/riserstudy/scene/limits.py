@@ -26,6 +26,8 @@ UNITS = {
     "tensioner_force": "N",
     "lower_end_tension": "N",
     "largest_stress": "N/m^2",
+    "overpull": "N",
+    "lmrp_clearance": "m",
 }
 #: of which there is a value at every place along the riser
 ALONG = ("effective_tension", "bending_moment", "shear_force", "von_mises_stress", "x", "y")

@@ -45,10 +45,13 @@ def compile_once(tell: Callable[[str], None]) -> None:
 
 
 def tell_of_compiling(tell: Callable[[str], None]) -> None:
-    """Say so when the first kernel is compiled: a single run compiles what it needs, and nothing else."""
-    from riserstudy.simulation.compile_times import at_first  # which loads the compiler
+    """Report compiling from its first kernel on: a command compiles what it needs, and nothing else."""
+    from riserstudy.simulation.compile_times import follow  # which loads the compiler
 
-    def said() -> None:
+    def report(kernel: str, done: int, spent: float) -> None:
+        if kernel:
+            tell(f"compiling: {done} functions in {spent:.0f} s, now {kernel}")
+            return
         once = "once for this version"
         try:
             kernel_cache().mkdir(parents=True, exist_ok=True)
@@ -56,7 +59,7 @@ def tell_of_compiling(tell: Callable[[str], None]) -> None:
             once = f"in every run: {kernel_cache()} cannot be written ({error.strerror})"
         tell(f"compiling the kernels that this scene needs, up to a minute, {once}")
 
-    at_first(said)
+    follow(report)
 
 
 def available_cores() -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time as clock
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -9,29 +10,62 @@ from numba.core import event as events
 from numba.core.event import Event, Listener, install_recorder
 
 COMPILE = "numba:compile"
+EVERY = 5.0  # s of compiling, after which its progress is reported
+Report = Callable[[str, int, float], None]
 
 
-class _First(Listener):  # type: ignore[misc]
-    """Does something when a kernel is compiled for the first time."""
+class _Progress(Listener):  # type: ignore[misc]
+    """Reports that compiling begins and, while it lasts, how far it is."""
 
-    do: Callable[[], None] | None = None
+    def __init__(self) -> None:
+        self.under_way = 0  # kernels, each within those that call it
+        self.began = 0.0  # s
+        self.follow(None)
+
+    def follow(self, report: Report | None) -> None:
+        self.report = report
+        self.started = False
+        self.done = 0  # kernels
+        self.spent = self.reported = 0.0  # s
 
     def on_start(self, event: Event) -> None:
-        do, self.do = self.do, None
-        if do:
-            do()
+        if self.under_way == 0:
+            self.began = clock.perf_counter()
+        self.under_way += 1
+        self._report(event)
 
     def on_end(self, event: Event) -> None:
-        pass
+        self.under_way -= 1
+        self.done += 1
+        self._report(event)
+        if self.under_way == 0:
+            self.spent += clock.perf_counter() - self.began
+
+    def _report(self, event: Event) -> None:
+        if self.report is None:
+            return
+        spent = self.spent + clock.perf_counter() - self.began
+        if not self.started:
+            self.started = True
+            self.report("", 0, spent)
+        elif spent - self.reported >= EVERY:
+            self.reported = spent
+            self.report(event.data["dispatcher"].py_func.__name__, self.done, spent)
 
 
-_first = _First()
-events.register(COMPILE, _first)
+_progress = _Progress()
+events.register(COMPILE, _progress)
 
 
-def at_first(do: Callable[[], None]) -> None:
-    """Do something, and nothing that was to be done, when the next kernel is compiled."""
-    _first.do = do
+def follow(report: Report | None) -> None:
+    """Report when the first kernel of this process is compiled, and every few seconds of compiling.
+
+    Parameters
+    ----------
+    report : takes the name of a kernel, empty at the beginning, the number that is compiled, and the time
+        that compiling has taken (s). None: nothing is reported.
+    """
+    _progress.follow(report)
 
 
 class Compiled(NamedTuple):

@@ -36,6 +36,11 @@ def let_go(scene: Scene, mesh: Mesh, facts: dict[str, Any], model: Model) -> Mod
             f"disconnect: at {release.at:g} s the riser stands on the stack with {-pull:.4g} N, and would "
             "fall: raise top.tension, take another moment, or give disconnect.stack"
         )
+    if pull < -STILL * float(abs(model.s.segment).max()):
+        facts["warnings"].append(
+            f"disconnect: at {release.at:.4g} s the overpull is {pull / 1e3:.4g} kN: the LMRP stands on "
+            "the stack and does not lift off; raise the top tension"
+        )
     before = energies(model.programs, model.state)[0]
     freed = released(model)
     facts["taken_by_the_release"] = before - energies(freed.programs, freed.state)[0]
@@ -66,9 +71,11 @@ def enter_lift(scene: Scene, arrays: outputs.Arrays, facts: dict[str, Any]) -> N
     time = arrays["time"][after]
     facts["lift_max"] = float(lift.max())
     facts["lift_rate_max"] = float(arrays["lift_rate"][after].max())
-    falls = np.flatnonzero(np.diff(lift) < 0.0)
+    falls = np.flatnonzero((np.diff(lift) < 0.0) & (lift[:-1] > TOUCHING))
     if len(falls):
-        facts["clearance_min"] = float(lift[falls[0] :].min())
+        lowest = falls[0] + int(lift[falls[0] :].argmin())
+        facts["clearance_min"] = float(lift[lowest])
+        facts["clearance_time"] = float(time[lowest])
     below = np.flatnonzero(lift < -TOUCHING)
     if len(below):
         facts["recontact_time"] = float(time[below[0]])
@@ -82,3 +89,21 @@ def enter_lift(scene: Scene, arrays: outputs.Arrays, facts: dict[str, Any]) -> N
     if column := flow_of(scene):
         facts["contents_speed_max"] = float(abs(column.speed).max())
         facts["contents_top_min"] = float(column.top.min())
+
+
+def rows_of_limits(scene: Scene, facts: dict[str, Any]) -> list[dict[str, Any]]:
+    """Overpull (N) and clearance (m) as rows of extremes, as far as a run has them."""
+    release = scene.disconnect
+    if release is None:
+        return []
+    told = {
+        "overpull": (facts.get("overpull"), release.at),
+        "lmrp_clearance": (facts.get("clearance_min"), facts.get("clearance_time")),
+    }
+    return [
+        {"output": name, "where": "", "mean": value}
+        | dict.fromkeys(("largest", "smallest"), value)
+        | {f"{side}_time": time for side in ("largest", "smallest")}
+        for name, (value, time) in told.items()
+        if value is not None
+    ]

@@ -36,7 +36,7 @@ def extremes(
     """
     rows = []
     for name in ALONG:
-        for where, nodes in _places(scene, mesh, name):
+        for where, nodes in places(scene, mesh, name):
             if row := _along(name, where, nodes, arrays, histories):
                 rows.append(row)
     for name in OVER_TIME:
@@ -60,7 +60,8 @@ def _seen_by_steps(
     return {}
 
 
-def _places(scene: Scene, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]]:
+def places(scene: Scene, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]]:
+    """Places along the riser that an output has, by what limits call them, with their nodes."""
     for k, section in enumerate(scene.riser):
         if name == "von_mises_stress" and wall_lacks(scene, section):
             continue  # at its ends there is that of its neighbours

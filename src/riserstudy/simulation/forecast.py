@@ -39,9 +39,7 @@ def forecast(scene: Scene) -> Forecast | None:
         return None
     if scene.vessel or scene.top.tension_loss:
         return None  # what happens later is another motion than that of the first periods
-    output = a.output.model_copy(update={"start": None, "interval": min(a.output.interval, piece)})
-    first = a.model_copy(update={"duration": piece, "output": output})
-    facts = _facts(scene.model_copy(update={"analysis": first}))
+    facts = _facts(piece_of(scene, piece))
     times = a.duration / piece * (1.0 if a.mesh is None else ESTIMATED)
     return Forecast(
         times * facts["solve_seconds"],
@@ -50,6 +48,16 @@ def forecast(scene: Scene) -> Forecast | None:
         piece,
         facts.get("error_estimate", {}),
     )
+
+
+def piece_of(scene: Scene, piece: float) -> Scene:
+    """The first piece of a run (s)."""
+    a = scene.analysis
+    if a.output is None:
+        raise TypeError("a scene without time")  # asked before
+    output = a.output.model_copy(update={"start": None, "interval": min(a.output.interval, piece)})
+    first = a.model_copy(update={"duration": piece, "output": output})
+    return scene.model_copy(update={"analysis": first})
 
 
 def _longest_ramp(scene: Scene) -> float:

@@ -21,11 +21,12 @@ from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
 from riserstudy.simulation import audit, outputs
 from riserstudy.simulation.coupling import march_in_turns, sides_of
-from riserstudy.simulation.disconnect import enter_lift
+from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.events import march_through
 from riserstudy.simulation.extremes import extremes
 from riserstudy.simulation.failure import why
+from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.section_forces import derived, envelopes_of, section_of
 from riserstudy.simulation.step_peaks import peaks_of, room_for_steps, steps_of, within
@@ -146,6 +147,9 @@ def finish(scene: Scene, mesh: Mesh, result: Result) -> Result:
         forces, histories_of = derived(scene, mesh, arrays, arrays.pop("mesh_moment_static", None))
         arrays |= forces
         facts["extremes"] = extremes(scene, mesh, arrays, histories_of, facts.pop("peaks", {}))
+        facts["extremes"] += rows_of_limits(scene, facts)
+        if scene.limits and "time" in arrays:
+            facts["limits_reached"] = first_reached(scene, mesh, arrays, histories_of)
     facts["solve_seconds"] += clock.perf_counter() - started
     return result
 

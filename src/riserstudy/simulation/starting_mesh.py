@@ -40,6 +40,18 @@ def coarsest_mesh(scene: Scene) -> Mesh:
     return graded(scene, fine, longest=longest) if confined else probe
 
 
+def end_layers(scene: Scene) -> tuple[float, float]:
+    """Lengths at the lower and the upper end in which bending is confined (m); infinite where it is not.
+
+    Raises
+    ------
+    SimulationError
+        When no equilibrium is found.
+    """
+    model, probe = _at_rest(scene)
+    return _end_layer(scene, model, probe, 0), _end_layer(scene, model, probe, probe.ring - 1)
+
+
 def _at_rest(scene: Scene) -> tuple[Model, Mesh]:
     """The scene in equilibrium on few even segments.
 

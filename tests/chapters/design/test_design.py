@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.design.derived.operability import envelopes
 from riserstudy.chapters.design.derived.seas import allowances
 from riserstudy.chapters.design.figures.operability import operability_drilling
 from riserstudy.chapters.design.figures.recoil import recoil_failures
 from riserstudy.chapters.design.figures.tension import heaviest
+from riserstudy.design.envelopes import envelopes
 
 LIMITS = [
     "drilling: mean lfj_angle",

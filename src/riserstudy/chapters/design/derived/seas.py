@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from riserstudy.chapters.design.derived.operability import SIDES, envelopes
 from riserstudy.dataset.describe import described, scenes_of
 from riserstudy.dataset.limits import label
 from riserstudy.dataset.statistics import gumbel
+from riserstudy.design.envelopes import SIDES, envelopes
 from riserstudy.scene.units import to_si
 
 PAPER = "design"

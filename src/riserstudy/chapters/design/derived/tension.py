@@ -10,13 +10,13 @@ import xarray as xr
 from riserstudy.dataset.describe import described, scenes_of
 from riserstudy.design import tension
 from riserstudy.design.tension import Rig, Tolerances
-from riserstudy.design.window import Window, window
+from riserstudy.design.window import WEIGHED, Ceiling, Window, lift_off, window
+from riserstudy.design.window import window_of as window_of_scene
 from riserstudy.scene.models import Scene
 from riserstudy.scene.units import to_si
 
 PAPER = "design"
 FLOORS = ("minimum tension", "LMRP lift-off")
-WEIGHED = Tolerances(1.0, 1.0)
 
 
 def minimum_tension(muds: xr.Dataset, weight: float, buoyancy: float) -> xr.Dataset:
@@ -99,26 +99,21 @@ def window_of(scene: Scene, settings: dict[str, Any], failed: int) -> Window:
         ``fleet_angle``: of the tensioners; ``overpull``: effective tension wanted between LMRP and stack;
         ``dynamic_limit``, ``share``: dynamic tension limit of all units, and how much of it a setting may be.
     """
-    needed = tension.governing(scene, _tolerances(settings)).tension
-    weighed = float(tension.needed(scene, WEIGHED)[0])
-    return _window(scene, settings, failed, needed, weighed)
+    overpull = to_si(settings["overpull"], "N")
+    tolerances = _tolerances(settings)
+    return window_of_scene(scene, tolerances, _rig(settings, failed), overpull, _ceiling(settings))
 
 
 def _window(
     scene: Scene, settings: dict[str, Any], failed: int, needed: float, weighed: float
 ) -> Window:
     """The window by the vertical tensions (N) of weights with tolerances, and of weights as told."""
-    off = weighed + lmrp(scene) + to_si(settings["overpull"], "N")
-    limit = to_si(settings["dynamic_limit"], "N")
-    return window(needed, off, _rig(settings, failed), limit, settings["share"])
+    off = lift_off(scene, to_si(settings["overpull"], "N"), weighed)
+    return window(needed, off, _rig(settings, failed), *_ceiling(settings))
 
 
-def lmrp(scene: Scene) -> float:
-    """Weight in water (N) of what hangs below the riser when it is lifted off."""
-    body = scene.bottom.body
-    if body is None or scene.water is None:
-        raise ValueError("not evaluated: bottom.body")
-    return body.weight(scene.gravity or 0.0, scene.water.density)
+def _ceiling(settings: dict[str, Any]) -> Ceiling:
+    return Ceiling(to_si(settings["dynamic_limit"], "N"), settings["share"])
 
 
 def _tolerances(settings: dict[str, Any]) -> Tolerances:

@@ -1,0 +1,143 @@
+"""Leaving the well in time: recoil, watch-circles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from riserstudy.cli.shared import (
+    CsvOption,
+    SceneArgument,
+    SetOption,
+    check_tables,
+    compile_kernels,
+    quantity,
+    say_warnings,
+    scene_of,
+    show,
+)
+from riserstudy.cli.simulate import announce, limit_lines
+from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.errors import InputError
+
+DatasetOption = Annotated[
+    Path | None,
+    typer.Option("-o", "--output", help="also write the dataset (netCDF)", metavar="OUT.nc"),
+    Writes("dataset"),
+]
+AccuracyOption = Annotated[
+    str | None,
+    typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT"),
+]
+
+
+def recoil(
+    scene: SceneArgument,
+    settings: SetOption = None,
+    accuracy: AccuracyOption = None,
+    output: DatasetOption = None,
+    csv: CsvOption = None,
+    force: ForceOption = False,
+) -> None:
+    """Simulate an emergency disconnect: overpull, lift, clearance, re-contact, strokes, speed of the mud.
+
+    Exit status 2 where the scene has no disconnect within its run, 4 where the smallest clearance could not
+    be evaluated.
+    """
+    file = scene_of(scene, settings, accuracy)
+    _check_outputs(output, csv, file.files, force)
+    if file.scene().disconnect is None:
+        allowed = "Add `disconnect: {at: 12 s}` and what follows it"
+        raise InputError(file.source, "disconnect", "absent: nothing disconnects", allowed)
+    compile_kernels(file.scene())
+    from riserstudy.dataset import recoil_table
+    from riserstudy.simulation.simulate import simulate
+    from riserstudy.study.collect import write_dataset
+
+    announce(file)
+    dataset = simulate(file)
+    say_warnings(dataset)
+    show(recoil_table.recoil(file.scene(), dataset), csv)
+    for line in limit_lines(dataset):
+        print(line)
+    if output is not None:
+        write_dataset(dataset, output)
+    if "clearance_min" not in dataset.attrs:
+        raise typer.Exit(4)
+
+
+class Mode(StrEnum):
+    """Modes of operation that limits have."""
+
+    DRILLING = "drilling"
+    CONNECTED = "connected"
+    DISCONNECT = "disconnect"
+
+
+def watch_circles(
+    scene: SceneArgument,
+    disconnect: Annotated[
+        str, typer.Option(help="time from the red alarm until the LMRP is off", metavar="TIME")
+    ],
+    prepare: Annotated[
+        str, typer.Option(help="time from the yellow alarm to the red alarm", metavar="TIME")
+    ],
+    mode: Annotated[
+        list[Mode] | None, typer.Option(help="limits of this mode; may be repeated; absent: all")
+    ] = None,
+    settings: SetOption = None,
+    accuracy: AccuracyOption = None,
+    output: DatasetOption = None,
+    csv: CsvOption = None,
+    force: ForceOption = False,
+) -> None:
+    """Simulate a drift-off or a drive-off: when each limit is reached, the red and the yellow circle.
+
+    The scene has a `vessel`, or a platform with `cruise`. Exit status 4 where a limit could not be
+    evaluated.
+    """
+    file = scene_of(scene, settings, accuracy)
+    _check_outputs(output, csv, file.files, force)
+    times = [
+        quantity(option, text, "s")
+        for option, text in (("--disconnect", disconnect), ("--prepare", prepare))
+    ]
+    for option, text, value in zip(
+        ("--disconnect", "--prepare"), (disconnect, prepare), times, strict=True
+    ):
+        if value < 0.0:
+            raise InputError(option, text, "below 0 s", "Give a time from 0 s")
+    from riserstudy.design.watch_table import Times, circles, moves_off
+
+    of = file.scene()
+    moves_off(of)
+    modes = [one.value for one in mode or Mode]
+    modes = [one for one in modes if any(limit.mode == one for limit in of.limits or [])]
+    if not modes:
+        raise InputError("--mode", ", ".join(mode or []), "no limit of the scene has it", "Add one")
+    compile_kernels(of)
+    from riserstudy.simulation.simulate import simulate
+    from riserstudy.study.collect import write_dataset
+
+    announce(file)
+    dataset = simulate(file)
+    say_warnings(dataset)
+    found = circles(of, dataset, Times(*times), modes)
+    show(found.table, csv)
+    if output is not None:
+        write_dataset(dataset, output)
+    if found.missing:
+        raise typer.Exit(4)
+
+
+def _check_outputs(
+    output: Path | None, csv: Path | None, reads: Iterable[Path], force: bool
+) -> None:
+    reads = list(reads)
+    check_tables(csv, reads, force)
+    if output is not None:
+        check_output(output, ("dataset",), reads, force)

@@ -1,0 +1,95 @@
+"""The outcome of a disconnect: overpull, lift, clearance, re-contact, strokes and their ends, mud."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.dataset.tables import Cell, Table
+from riserstudy.errors import InputError
+from riserstudy.scene.models import Scene
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+TOUCHING = 1e-6  # m, beyond an end of the stroke that is contact
+
+
+def recoil(scene: Scene, dataset: xr.Dataset) -> Table:
+    """Outcome of the disconnect of one run, in kN, m and s.
+
+    Raises
+    ------
+    InputError
+        When the scene has no disconnect, or its run ends before.
+    """
+    of, release = dataset.attrs, scene.disconnect
+    if release is None:
+        allowed = "Add `disconnect: {at: 12 s}` and what follows it"
+        raise InputError("disconnect", "", "absent: nothing disconnects", allowed)
+    if "lift_max" not in of:
+        allowed = "Give analysis.duration some seconds more"
+        raise InputError("disconnect.at", f"{release.at:g} s", "not within the run", allowed)
+    overpull = float(of["overpull"])
+    rows: list[list[Cell]] = [
+        ["overpull", overpull / 1e3, "kN", release.at, "" if overpull >= 0.0 else "on the stack"],
+        ["largest lift", of["lift_max"], "m", None, ""],
+        _clearance(of),
+        ["re-contact", None, "", of.get("recontact_time"), "no" if _free(of) else "yes"],
+        ["largest upward speed", of["lift_rate_max"], "m/s", None, ""],
+        *_strokes(scene, json.loads(of.get("extremes", "[]"))),
+    ]
+    if "smallest_tension" in of:
+        rows.append(["smallest effective tension", of["smallest_tension"] / 1e3, "kN", None, ""])
+    if "contents_speed_max" in of:
+        rows.append(["largest speed of the mud", of["contents_speed_max"], "m/s", None, ""])
+        rows.append(["lowest level of the mud", of["contents_top_min"], "m", None, "elevation"])
+    return Table(["quantity", "value", "unit", "time", "note"], ["", "", "", "s", ""], rows)
+
+
+def disconnects(dataset: xr.Dataset) -> bool:
+    """Whether a run has a disconnect to report."""
+    return "lift_max" in dataset.attrs
+
+
+def _free(of: dict[str, Any]) -> bool:
+    return "recontact_time" not in of
+
+
+def _clearance(of: dict[str, Any]) -> list[Cell]:
+    if "clearance_min" not in of:
+        return ["smallest clearance", None, "m", None, "not evaluated: the LMRP rises to the end"]
+    return ["smallest clearance", of["clearance_min"], "m", of["clearance_time"], ""]
+
+
+def _strokes(scene: Scene, extremes: list[dict[str, Any]]) -> list[list[Cell]]:
+    """Largest strokes of cylinders and telescopic joint, with the ends that they have."""
+    rig, joint = scene.top.tensioners, scene.top.telescopic_joint
+    ends: dict[str, tuple[str, float | None, float | None]] = {}
+    if rig:
+        stroke = rig.stroke
+        ends["tensioner_stroke"] = (
+            "cylinder stroke",
+            stroke.shortest if stroke else None,
+            stroke.longest if stroke else None,
+        )
+    if joint:
+        stop = joint.stop
+        collapse = -stop.collapse if stop and stop.collapse else None
+        ends["joint_stroke"] = ("joint stroke", collapse, stop.stroke if stop else None)
+    rows: list[list[Cell]] = []
+    for row in extremes:
+        if row["output"] in ends:
+            name, low, high = ends[row["output"]]
+            least, most = row["smallest"], row["largest"]
+            out = low is not None and least < low - TOUCHING
+            rows.append([f"shortest {name}", least, "m", row.get("smallest_time"), _end(low, out)])
+            out = high is not None and most > high + TOUCHING
+            rows.append([f"longest {name}", most, "m", row.get("largest_time"), _end(high, out)])
+    return rows
+
+
+def _end(end: float | None, out: bool) -> str:
+    if end is None:
+        return "no end in the scene"
+    return f"stroke-out: the end is at {end:+.4g} m" if out else f"end at {end:+.4g} m"

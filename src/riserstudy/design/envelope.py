@@ -1,0 +1,157 @@
+"""The operating envelope of a scene: offsets between which limits are met, by current and by sea."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.dataset.limits import label
+from riserstudy.dataset.tables import Cell, Table
+from riserstudy.design.envelopes import SIDES, envelopes
+from riserstudy.design.operability import AtRest, Offsets, moved, offsets_at
+from riserstudy.design.sea_allowances import Sea, allowances
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.scene.forcing import Shape
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+
+COLUMNS = ["mode", "sea", "current", "from", "to", "limit at from", "limit at to", "note"]
+UNITS = ["", "", "m/s", "m", "m", "", "", ""]
+CALM = "calm"
+
+
+class Envelope(NamedTuple):
+    """Rows by mode, sea and current, and the limits that could not be evaluated, with why."""
+
+    table: Table
+    missing: dict[str, str]
+
+
+def envelope(
+    file: SceneFile,
+    reach: float,
+    currents: Sequence[float],
+    seas: Sequence[Sea],
+    seeds: int,
+    tell: Callable[[str], None] = lambda _: None,
+) -> Envelope:
+    """Offsets between which the limits of each mode are met, on risers at rest with allowances for seas.
+
+    Parameters
+    ----------
+    reach : how far to either side of the well the search goes (m).
+    currents : speeds of the current at the surface (m/s).
+    seas : irregular seas; none: calm.
+    seeds : runs of each sea.
+    tell : is given what runs next.
+
+    Raises
+    ------
+    InputError
+        When the scene cannot be moved, or has no current or sea of its own.
+    SimulationError
+        When a run in a sea cannot be completed.
+    """
+    scene = file.scene()
+    limits = scene.limits or []
+    moved(scene, 0.0)  # refuses a scene that cannot be moved
+    with_speeds = [with_current(scene, speed) for speed in currents]
+    added = [allowances(file, sea, seeds, tell) for sea in seas] or [[0.0] * len(limits)]
+    labels = [label(limit) for limit in limits]
+    found = np.full((len(added), len(currents), len(limits), len(SIDES)), math.nan)
+    missing: dict[str, str] = {}
+    for c, (speed, of) in enumerate(zip(currents, with_speeds, strict=True)):
+        tell(f"offsets in a current of {speed:g} m/s")
+        for n, between in enumerate(_each(of, reach, added)):
+            for k, one in enumerate(between):
+                found[n, c, k] = one[:2]
+                if one.missing:
+                    missing.setdefault(labels[k], one.missing)
+    names = [f"{sea.height:g} m, {sea.period:g} s" for sea in seas] or [CALM]
+    kept = [k for k, name in enumerate(labels) if name not in missing]
+    array = xr.DataArray(
+        found[:, :, kept],
+        dims=("sea", "current", "limit", "offset_side"),
+        coords={
+            "sea": names,
+            "current": list(currents),
+            "limit": [labels[k] for k in kept],
+            "offset_side": list(SIDES),
+        },
+    )
+    return Envelope(Table(COLUMNS, UNITS, _rows(array) if kept else []), missing)
+
+
+def _each(scene: Scene, reach: float, added: list[list[float]]) -> list[list[Offsets]]:
+    """Offsets of all limits with the allowances of each sea, on risers at rest that all seas share."""
+    limits = scene.limits or []
+    try:
+        at = AtRest(scene, reach)
+    except SimulationError as failure:
+        lost = Offsets(math.nan, math.nan, f"a static equilibrium ({failure})")
+        return [[lost] * len(limits) for _ in added]
+    return [
+        [
+            Offsets(math.nan, math.nan, f"{limit.output} in the runs of the sea")
+            if math.isnan(more)
+            else offsets_at(at, [limit], reach, {limit.output: more})[0]
+            for limit, more in zip(limits, of_sea, strict=True)
+        ]
+        for of_sea in added
+    ]
+
+
+def with_current(scene: Scene, speed: float) -> Scene:
+    """The scene in a current of another speed at the surface (m/s); a table of speeds is scaled.
+
+    Raises
+    ------
+    InputError
+        When its current has no speed at the surface that could be changed.
+    """
+    current = scene.current
+    allowed = "Give `current.profile` as a shape with surface_speed, or as points"
+    if current is None:
+        if speed == 0.0:
+            return scene
+        raise InputError("current", "", "absent", allowed)
+    profile = current.profile
+    if isinstance(profile, Shape):
+        changed: object = profile.model_copy(update={"surface_speed": speed})
+    elif isinstance(profile, list):
+        own = max(profile, key=lambda point: -(point.depth or 0.0) + (point.elevation or 0.0)).speed
+        if own == 0.0:
+            raise InputError("current.profile", "0 m/s", "still at the surface", allowed)
+        changed = [
+            point.model_copy(update={"speed": point.speed * speed / own}) for point in profile
+        ]
+    else:
+        raise InputError("current.profile", "", "a sum or a wind drift", allowed)
+    return scene.model_copy(update={"current": current.model_copy(update={"profile": changed})})
+
+
+def _rows(limits: xr.DataArray) -> list[list[Cell]]:
+    """A row for each mode, sea and current."""
+    of = envelopes(limits)
+    rows: list[list[Cell]] = []
+    for mode in of["operation"].values:
+        for sea in of["sea"].values:
+            for speed in of["current"].values:
+                one = of.sel(operation=mode, sea=sea, current=speed)
+                ends = [float(value) for value in one["envelope_offset"]]
+                names = [str(name) for name in one["governing_limit_name"].values]
+                if math.isnan(ends[0]):
+                    note = "no offset meets all limits"
+                    rows.append([str(mode), str(sea), float(speed), None, None, "", "", note])
+                    continue
+                cells: list[Cell] = [end if math.isfinite(end) else None for end in ends]
+                governs: list[Cell] = [
+                    name if math.isfinite(end) else "not reached"
+                    for name, end in zip(names, ends, strict=True)
+                ]
+                rows.append([str(mode), str(sea), float(speed), *cells, *governs, ""])
+    return rows

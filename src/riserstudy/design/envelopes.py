@@ -1,0 +1,40 @@
+"""The envelope of a mode: offsets between which all of its limits are met, and the limits that govern."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+SIDES = ("low", "high")
+NONE = "none"
+
+
+def envelopes(limits: xr.DataArray) -> xr.Dataset:
+    """Offsets between which all limits of a mode are kept, and the limit that governs either side.
+
+    Not a number where no offset keeps them.
+    """
+    modes = [str(name).split(":")[0] for name in limits["limit"].values]
+    parts = []
+    for mode in dict.fromkeys(modes):
+        of = limits.isel(limit=[k for k, name in enumerate(modes) if name == mode])
+        low, high = of.sel(offset_side="low"), of.sel(offset_side="high")
+        ends = {"low": low.max("limit", skipna=False), "high": high.min("limit", skipna=False)}
+        open_here = ends["low"] <= ends["high"]
+        envelope = xr.concat([ends[side].where(open_here) for side in SIDES], of["offset_side"])
+        governs = xr.concat(
+            [
+                _named(low.argmax("limit", skipna=False), low),
+                _named(high.argmin("limit", skipna=False), high),
+            ],
+            of["offset_side"],
+        )
+        governs = governs.where(np.isfinite(envelope), NONE)
+        part = xr.Dataset({"envelope_offset": envelope, "governing_limit_name": governs})
+        parts.append(part.assign_coords(operation=mode))
+    return xr.concat(parts, "operation", coords="minimal", compat="override")
+
+
+def _named(which: xr.DataArray, of: xr.DataArray) -> xr.DataArray:
+    names = [str(name).split(": ", 1)[1] for name in of["limit"].values]
+    return which.copy(data=np.array(names, object)[which.values]).drop_vars("offset_side")

@@ -1,0 +1,117 @@
+"""What irregular seas add to each limit's demand at rest: runs of several seeds, and their extremes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.dataset.limits import demand_of
+from riserstudy.dataset.statistics import gumbel
+from riserstudy.errors import InputError
+from riserstudy.scene.limits import Limit
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+from riserstudy.scene.sea import Storm
+from riserstudy.simulation.refine import run
+
+FloatArray = NDArray[np.float64]
+ALIKE = 1e-9  # spread of the seeds, relative to the largest, that is rounding
+
+
+class Sea(NamedTuple):
+    """An irregular sea."""
+
+    height: float  # significant (m)
+    period: float  # of the peak (s)
+
+
+def in_sea(file: SceneFile, sea: Sea, seed: int) -> SceneFile:
+    """The scene in another sea, with other phases.
+
+    Raises
+    ------
+    InputError
+        When the scene has no irregular sea, or no time.
+    """
+    scene = file.scene()
+    response = scene.platform and scene.platform.response
+    paths = ["platform.response.wave"] if response and isinstance(response.wave, Storm) else []
+    paths += ["wave"] if isinstance(scene.wave, Storm) else []
+    if not paths:
+        allowed = "Give `platform.response.wave` with significant_height, or `wave`"
+        raise InputError(file.source, "wave", "no irregular sea for --sea", allowed)
+    if scene.analysis.duration is None:
+        allowed = "Give the time of each run in a sea, such as `1 h`"
+        raise InputError(file.source, "analysis.duration", "absent", allowed)
+    values: dict[str, Any] = {}
+    for path in paths:
+        values |= {
+            f"{path}.significant_height": f"{sea.height!r} m",
+            f"{path}.peak_period": f"{sea.period!r} s",
+            f"{path}.seed": seed,
+        }
+    return file.with_values(values, "--sea")
+
+
+def allowances(
+    file: SceneFile, sea: Sea, seeds: int, tell: Callable[[str], None] = lambda _: None
+) -> list[float]:
+    """What a sea adds to the demand of each limit of a scene, that nine seas in ten do not exceed.
+
+    By runs with the scene's own current and offset. The extremes of the seeds follow a Gumbel distribution.
+    Limits on means have no allowance.
+
+    Parameters
+    ----------
+    tell : is given what runs next.
+
+    Raises
+    ------
+    InputError
+        When the scene has no irregular sea.
+    SimulationError
+        When a run cannot be completed.
+    """
+    scene = file.scene()
+    limits = scene.limits or []
+    rest = _extremes(at_rest(scene))
+    added = np.zeros((seeds, len(limits)))
+    for seed in range(seeds):
+        tell(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
+        rows = _extremes(in_sea(file, sea, seed + 1).scene())
+        added[seed] = [_added(scene, limit, rest, rows) for limit in limits]
+    return [allowance(column) for column in added.T]
+
+
+def allowance(added: FloatArray) -> float:
+    """What nine seas in ten do not exceed, by what each seed added, (seeds,), in its unit; not below zero."""
+    most = float(added.max())
+    if np.isnan(added).any() or np.ptp(added) <= ALIKE * abs(most):
+        return max(most, 0.0)
+    return max(gumbel(added).fractile, 0.0)
+
+
+def at_rest(scene: Scene) -> Scene:
+    """The scene without time."""
+    still = {"duration": None, "output": None, "step": None, "start": None}
+    return scene.model_copy(update={"analysis": scene.analysis.model_copy(update=still)})
+
+
+def _extremes(scene: Scene) -> list[dict[str, Any]]:
+    rows: list[dict[str, Any]] = run(scene).facts["extremes"]
+    return rows
+
+
+def _added(
+    scene: Scene, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]
+) -> float:
+    """What a run adds to the demand at rest; not a number where either has none."""
+    still, moving = demand_of(scene, limit, rest), demand_of(scene, limit, rows)
+    if limit.side == "mean":
+        return 0.0
+    if still is None or moving is None:
+        return float("nan")
+    return still[0] - moving[0] if limit.side == "smallest" else moving[0] - still[0]

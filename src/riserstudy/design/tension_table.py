@@ -1,0 +1,118 @@
+"""What the command `tension` reports: tension along the riser, setting, and the window of the setting."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from riserstudy.dataset.tables import Table
+from riserstudy.design import engine_tension as engine
+from riserstudy.design import tension as formula
+from riserstudy.design.tension import Rig, Tolerances, setting
+from riserstudy.design.window import lift_off, lift_off_lacks, window
+from riserstudy.scene.models import Scene
+
+
+class Asked(NamedTuple):
+    """What a tension is wanted for."""
+
+    tolerances: Tolerances
+    rig: Rig
+    overpull: float | None = None  # N
+    ceiling: tuple[float, float] | None = None  # dynamic tension limit (N), share of it
+
+
+class Found(NamedTuple):
+    """A tension of a riser."""
+
+    what: str
+    tension: float | None  # N; None: not evaluated
+    note: str = ""
+
+
+class Rows(NamedTuple):
+    """Tensions in the order of the report."""
+
+    ends: list[Found]  # T_SRmin at the ends of sections
+    totals: list[Found]
+
+    @property
+    def missing(self) -> bool:
+        """Whether something was asked for that could not be evaluated."""
+        return any(row.tension is None for row in self.totals)
+
+    def table(self) -> Table:
+        """The same as a table in SI units."""
+        rows = [[row.what, row.tension, row.note] for row in (*self.ends, *self.totals)]
+        return Table(["quantity", "tension", "note"], ["", "N", ""], rows)
+
+
+def tension_table(scene: Scene, asked: Asked) -> Rows:
+    """Minimum tension by formula and engine, the setting, and the window that it lies in.
+
+    Raises
+    ------
+    ValueError
+        When the scene does not give what the formula takes.
+    SimulationError
+        When no equilibrium is found.
+    """
+    needed, first = formula.needed(scene, asked.tolerances), scene.lowest_riser_section
+    names = [f"lower end of {section.name}" for section in scene.riser]
+    names.append(f"upper end of {scene.riser[-1].name}")
+    below = "stack or conductor, below the flex joint: not counted"
+    ends = [
+        Found(name, float(value), below if k < first else "")
+        for k, (name, value) in enumerate(zip(names, needed, strict=True))
+    ]
+    of = formula.governing(scene, asked.tolerances)
+    totals = [
+        Found("formula", of.tension, f"governed by the {names[of.end]}"),
+        _engine(scene, asked),
+    ]
+    units = f"with {asked.rig.failed} of {asked.rig.units} units out"
+    least = Found("setting", setting(of.tension, asked.rig), units)
+    return Rows(ends, [*totals, least, *_window(scene, asked, of.tension)])
+
+
+def _engine(scene: Scene, asked: Asked) -> Found:
+    if missing := engine.lacks(scene):
+        return Found("engine", None, ", ".join(missing))
+    slack = engine.needed(scene, asked.tolerances)
+    note = f"slack first {slack.s:.4g} m from the bottom"
+    if scene.top.tensioners:
+        note += "; constant tension on the ring in place of the tensioners"
+    return Found("engine", slack.tension, note)
+
+
+def _window(scene: Scene, asked: Asked, minimum: float) -> list[Found]:
+    """Floor by the LMRP, ceiling, and what is between floors and ceiling; nothing where none is wanted."""
+    rows, lifted = [], None
+    if asked.overpull is not None:
+        if missing := lift_off_lacks(scene):
+            return [Found("floor, LMRP lift-off", None, ", ".join(missing))]
+        lifted = lift_off(scene, asked.overpull)
+        least = setting(lifted, asked.rig._replace(failed=0))
+        rows.append(Found("floor, LMRP lift-off", least, "weights as given, all units working"))
+    if asked.ceiling is None:
+        return rows
+    limit, share = asked.ceiling
+    of = window(minimum, lifted, asked.rig, limit, share)
+    note = f"{100.0 * share:g} % of the dynamic tension limit"
+    rows.append(Found("ceiling", of.ceilings[of.ceiling], note))
+    said = "above the floor" if of.gap >= 0.0 else "no setting: the ceiling is below the floor"
+    return [*rows, Found("window", of.gap, f"{said}, {of.floor}")]
+
+
+def lines(rows: Rows) -> list[str]:
+    """The rows as readable lines in kN."""
+    told = [
+        f"{(row.tension or 0.0) / 1e3:10.2f} kN  {row.what}"
+        + (f"  ({row.note})" if row.note else "")
+        for row in rows.ends
+    ]
+    for row in rows.totals:
+        if row.tension is None:
+            told.append(f"{row.what}: not evaluated: {row.note}")
+        else:
+            told.append(f"{row.what}: {row.tension / 1e3:.2f} kN, {row.note}")
+    return told

@@ -1,0 +1,107 @@
+"""The recipe for long records: a mesh and a step of the scene's own, found on a short piece of it.
+
+A request for accuracy runs all of a record again and again, each time finer. A mesh and a step that serve its
+first piece run it once, with coarser runs that estimate the error of the whole record.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from riserstudy.errors import SimulationError
+from riserstudy.model.mesh import COARSEST
+from riserstudy.scene.analysis import Layers, Mesh
+from riserstudy.scene.models import Scene
+from riserstudy.scene.sea import Storm
+from riserstudy.simulation.forecast import forecast, piece_of
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.starting_mesh import end_layers
+
+LONG_RECORD = 1200.0  # s of an irregular sea, from which on the recipe is worth its piece
+ROUGH = 0.05  # relative error that the piece is refined to
+
+
+class Recipe(NamedTuple):
+    """A mesh and a step for a long record, and what they come to."""
+
+    mesh: Mesh
+    step: float  # s
+    piece: float  # of the record, that they were tried on (s)
+    error: dict[str, float]  # estimated on the piece, relative
+    seconds: float  # of the whole record, with its error estimate
+
+    @property
+    def words(self) -> str:
+        """What to add to the command."""
+        parts = [f"elements: {self.mesh.elements}"]
+        layers = self.mesh.layers
+        if layers:
+            ends = (("bottom", layers.bottom), ("top", layers.top))
+            given = ", ".join(f"{name}: {value:.3g} m" for name, value in ends if value)
+            parts.append(f"layers: {{{given}}}")
+        mesh = ", ".join(parts)
+        return f"--set analysis.mesh='{{{mesh}}}' --set analysis.step='{self.step:.4g} s'"
+
+
+def recipe(scene: Scene) -> Recipe | None:
+    """The recipe for a long record; None for what is short, regular, or has a mesh of its own.
+
+    Raises
+    ------
+    SimulationError
+        When the piece cannot be completed.
+    """
+    if not _long(scene) or scene.analysis.mesh:
+        return None
+    rough = scene.model_copy(
+        update={"analysis": scene.analysis.model_copy(update={"accuracy": ROUGH, "step": None})}
+    )
+    found = forecast(rough)
+    if found is None:
+        return None
+    low, high = (length if math.isfinite(length) else None for length in end_layers(scene))
+    layers = Layers.model_construct(bottom=low, top=high) if low or high else None
+    elements, step = found.elements, found.step
+    error = _error(_with(scene, elements, layers, step), found.piece)
+    while coarser := _coarser(scene, elements, layers, step, found.piece):
+        elements, step, error = coarser
+    whole = _with(scene, elements, layers, step)
+    price = forecast(whole)
+    seconds = price.seconds if price else math.nan
+    mesh = Mesh.model_construct(elements=elements, layers=layers)
+    return Recipe(mesh, step, found.piece, error, seconds)
+
+
+def _coarser(
+    scene: Scene, elements: int, layers: Layers | None, step: float, piece: float
+) -> tuple[int, float, dict[str, float]] | None:
+    """A longer step (s) or else a coarser mesh that serves a piece (s), with its error; None: neither."""
+    for fewer, longer in ((elements, 2.0 * step), (elements // 2, step)):
+        if fewer < COARSEST:
+            continue
+        try:
+            error = _error(_with(scene, fewer, layers, longer), piece)
+        except SimulationError:
+            continue
+        if error and max(error.values()) <= ROUGH:
+            return fewer, longer, error
+    return None
+
+
+def _error(scene: Scene, piece: float) -> dict[str, float]:
+    error: dict[str, float] = run(piece_of(scene, piece)).facts["error_estimate"]
+    return error
+
+
+def _with(scene: Scene, elements: int, layers: Layers | None, step: float) -> Scene:
+    """The scene with a mesh and a step (s) of its own."""
+    mesh = Mesh.model_construct(elements=elements, layers=layers)
+    own = {"accuracy": None, "mesh": mesh, "step": step}
+    return scene.model_copy(update={"analysis": scene.analysis.model_copy(update=own)})
+
+
+def _long(scene: Scene) -> bool:
+    response = scene.platform and scene.platform.response
+    irregular = isinstance(scene.wave, Storm) or (response and isinstance(response.wave, Storm))
+    return bool(irregular) and (scene.analysis.duration or 0.0) > LONG_RECORD

@@ -1,0 +1,148 @@
+"""The operating envelope: at its ends a run uses all of the limit that governs, and seas narrow it."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+
+from riserstudy import load_scene, simulate
+from riserstudy.design.sea_allowances import Sea, allowances, in_sea
+
+RISER = "config/scenes/design/riser.yaml"
+LIMITS = [
+    {"output": "lfj_angle", "largest": "4 deg", "mode": "drilling"},
+    {"output": "ufj_angle", "largest": "4 deg", "mode": "drilling"},
+    {"output": "joint_stroke", "largest": "6 m", "mode": "drilling"},
+    {"output": "lfj_angle", "largest": "9 deg", "mode": "connected"},
+    {"output": "effective_tension", "smallest": "100 kN", "mode": "connected"},
+]
+SEA = {
+    "limits": LIMITS,
+    "top.x": "platform",
+    "top.z": "platform",
+    "platform": {
+        "centre_of_rotation": {"elevation": "1500 m"},
+        "response": {
+            "operators": [
+                {
+                    "period": f"{period} s",
+                    **{"surge": "0.4 m/m", "surge_phase": "90 deg"},
+                    **{"heave": "0.3 m/m", "heave_phase": "0 deg"},
+                }
+                for period in (2, 6, 12, 40)
+            ],
+            "phases": "lead",
+            "wave": {
+                "significant_height": "3 m",
+                "peak_period": "10 s",
+                "peak_enhancement": 2,
+                "components": 40,
+                "seed": 1,
+            },
+            "ramp": "20 s",
+        },
+    },
+    "analysis": {
+        "duration": "120 s",
+        "output": {"interval": "1 s"},
+        "mesh": {"elements": 40},
+        "step": "0.5 s",
+    },
+}
+
+
+def words(values):
+    return [
+        word for path, value in values.items() for word in ("--set", f"{path}={json.dumps(value)}")
+    ]
+
+
+def rows_of(path):
+    return list(csv.DictReader(path.open()))
+
+
+def envelope(commands, folder, *more):
+    table = folder / "envelope.csv"
+    code, out, _ = commands("envelope", RISER, "--reach", "240 m", *more, "--csv", table)
+    return code, out, rows_of(table)
+
+
+def test_at_each_end_of_an_envelope_a_check_uses_all_of_the_limit_that_governs(commands, tmp_path):
+    speeds = [0.0, 0.7, 1.3]
+    asked = [word for speed in speeds for word in ("--current", f"{speed} m/s")]
+    more = words({"limits": LIMITS})
+    code, out, rows = envelope(commands, tmp_path, *asked, *more)
+    assert code == 0
+    assert len(rows) == 2 * len(speeds)
+    assert len(out.splitlines()) == len(rows) + 1
+    ends = 0
+    for row in rows:
+        for side in ("from", "to"):
+            if not row[f"{side} (m)"]:
+                assert row[f"limit at {side}"] == "not reached"
+                continue
+            speed = row["current (m/s)"]
+            there = {
+                "top.offset": f"{row[f'{side} (m)']} m",
+                "current.profile.surface_speed": f"{speed} m/s",
+                "limits": LIMITS,
+            }
+            run = simulate(load_scene(RISER, **there), progress=False)
+            of_mode = {
+                f"{one['side']} {one['output']}": one["utilisation"]
+                for one in json.loads(run.attrs["limits"])
+                if one["mode"] == row["mode"]
+            }
+            assert of_mode[row[f"limit at {side}"]] == pytest.approx(1.0, abs=0.01)
+            assert max(of_mode.values()) < 1.01
+            ends += 1
+    assert ends >= 8
+
+
+def test_a_higher_sea_narrows_the_envelope_within_that_of_calm_water(commands, tmp_path):
+    speed = ("--current", "0.5 m/s")
+    _, _, calm = envelope(commands, tmp_path, *speed, *words(SEA))
+    code, _, seas = envelope(
+        commands, tmp_path, *speed, "--sea", "2 m, 9 s", "--sea", "6 m, 11 s", *words(SEA)
+    )
+    assert code == 0
+    room = {
+        (row["mode"], row["sea"]): float(row["to (m)"]) - float(row["from (m)"])
+        for row in (*calm, *seas)
+        if row["to (m)"]
+    }
+    for mode in ("drilling", "connected"):
+        assert room[mode, "calm"] > room[mode, "2 m, 9 s"] > room.get((mode, "6 m, 11 s"), 0.0)
+
+
+@pytest.mark.parametrize("height", [2.0, 5.0])
+def test_an_allowance_is_at_least_the_median_of_what_the_seeds_add(height):
+    file = load_scene(RISER, **SEA)
+    sea = Sea(height, 10.0)
+    found = allowances(file, sea, 5)
+    added = []
+    for seed in range(1, 6):
+        run = simulate(in_sea(file, sea, seed), progress=False)
+        angle = abs(run["lfj_angle"])
+        added.append(float(angle.max()) - abs(float(run["lfj_angle_static"])))
+    # peaks between outputs are a little more than those of the outputs
+    assert np.median(added) * 0.99 < found[0] < 2.0 * max(added)
+    assert found[0] > 0.8 * max(added)
+
+
+@pytest.mark.parametrize(
+    "more, said",
+    [
+        (["--sea", "4 m"], "--sea"),
+        (["--sea", "4 m, 0 s"], "--sea"),
+        (["--sea", "4 m, 10 s"], "irregular sea"),
+        (["--reach", "-5 m"], "--reach"),
+        (["--current", "3 m"], "--current"),
+    ],
+)
+def test_what_cannot_be_meant_is_refused(commands, more, said):
+    asked = ["--reach", "100 m", "--current", "1 m/s"]
+    code, out, err = commands("envelope", RISER, *asked, *more)
+    assert (code, out) == (2, "")
+    assert said in err

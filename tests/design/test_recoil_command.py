@@ -1,0 +1,106 @@
+"""The outcome of a disconnect: the table agrees with the dataset, and limits on it are checked."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy import load_scene, simulate
+
+SCENE = "config/scenes/design/recoil.yaml"
+QUICK = {
+    "analysis.accuracy": None,
+    "analysis.mesh": {"elements": 24},
+    "analysis.step": "20 ms",
+    "analysis.duration": "40 s",
+}
+LIMITS = [
+    {"output": "overpull", "smallest": "100 kN", "mode": "disconnect"},
+    {"output": "lmrp_clearance", "smallest": "1 m", "mode": "disconnect"},
+]
+
+
+def words(values):
+    return [
+        word for path, value in values.items() for word in ("--set", f"{path}={json.dumps(value)}")
+    ]
+
+
+def cases():
+    draw = np.random.default_rng(7)
+    for _ in range(4):
+        yield {
+            "disconnect.phase": f"{draw.uniform(0.0, 360.0):.1f} deg",
+            "platform.heave.amplitude": f"{draw.uniform(0.5, 3.0):.2f} m",
+            "top.tensioners.gas.pressure": f"{draw.uniform(48.0, 78.0):.1f} bar absolute",
+        }
+
+
+@pytest.mark.parametrize("changed", list(cases()))
+def test_the_table_of_a_disconnect_is_what_its_histories_show(commands, tmp_path, changed):
+    run, table = tmp_path / "run.nc", tmp_path / "recoil.csv"
+    more = words(QUICK | changed)
+    code, out, _ = commands("recoil", SCENE, *more, "-o", run, "--csv", table)
+    rows = {row["quantity"]: row for row in csv.DictReader(table.open())}
+    with xr.open_dataset(run) as of:
+        after = of["time"] > float(rows["overpull"]["time (s)"])
+        lift, reach = of["lift"].where(after, drop=True), of["tensioner_stroke"]
+        attributes = dict(of.attrs)
+    value = {name: float(row["value"] or "nan") for name, row in rows.items()}
+    assert value["overpull"] == pytest.approx(attributes["overpull"] / 1e3)
+    assert value["largest lift"] == pytest.approx(float(lift.max()))
+    assert value["largest upward speed"] == pytest.approx(attributes["lift_rate_max"])
+    assert (rows["re-contact"]["note"] == "no") == bool(lift.min() > -1e-6)
+    assert (code == 4) == bool(np.isnan(value["smallest clearance"]))
+    if code == 0:
+        then = float(rows["smallest clearance"]["time (s)"])
+        assert float(lift.sel(time=then, method="nearest")) == pytest.approx(
+            value["smallest clearance"]
+        )
+    for side, name in ((reach.min(), "shortest"), (reach.max(), "longest")):
+        row = rows[f"{name} cylinder stroke"]
+        assert abs(value[f"{name} cylinder stroke"]) >= abs(float(side)) - 1e-6
+        end = -7.62 if name == "shortest" else 7.62
+        out_of_it = abs(value[f"{name} cylinder stroke"]) > abs(end) + 1e-6
+        assert row["note"].startswith("stroke-out") == out_of_it
+    assert out.splitlines()[0].split()[0] == "quantity"
+
+
+def test_a_stored_run_and_its_scene_give_one_table(commands, tmp_path):
+    run, one, two = (tmp_path / name for name in ("run.nc", "one.csv", "two.csv"))
+    code, out, _ = commands("run", SCENE, *words(QUICK), "-o", run)
+    assert code == 0
+    assert "largest upward speed" in out
+    assert commands("table", run, "-o", one, "--kind", "recoil")[0] == 0
+    assert commands("table", SCENE, *words(QUICK), "-o", two, "--kind", "recoil")[0] == 0
+    assert one.read_text() == two.read_text()
+
+
+@pytest.mark.parametrize("changed", list(cases()))
+def test_limits_on_overpull_and_clearance_are_met_where_the_attributes_meet_them(changed):
+    dataset = simulate(load_scene(SCENE, **QUICK, **changed, limits=LIMITS), progress=False)
+    rows = json.loads(dataset.attrs["limits"])
+    for row, name in zip(rows, ("overpull", "clearance_min"), strict=True):
+        found = dataset.attrs.get(name)
+        if found is None:
+            assert row["verdict"] == "not evaluated"
+        else:
+            assert row["demand"] == pytest.approx(found)
+            assert row["verdict"] == ("within" if found >= row["allowable"] else "exceeded")
+
+
+def test_a_scene_without_a_disconnect_has_no_recoil(commands):
+    code, out, said = commands("recoil", "config/scenes/design/riser.yaml")
+    assert (code, out) == (2, "")
+    assert "disconnect" in said
+
+
+@pytest.mark.parametrize("pressure", [36, 42, 50, 64])
+def test_a_disconnect_warns_exactly_where_the_lmrp_stands_on_the_stack(pressure):
+    held = {"top.tensioners.gas.pressure": f"{pressure} bar absolute"}
+    dataset = simulate(load_scene(SCENE, **QUICK, **held), progress=False)
+    said = [text for text in json.loads(dataset.attrs["warnings"]) if "overpull" in text]
+    assert bool(said) == (dataset.attrs["overpull"] < 0.0)
+    assert bool(said) or pressure > 36, "no case stands on the stack: it tests nothing"

@@ -1,0 +1,152 @@
+"""The command of watch circles: closed forms of drift and of a cruise, and what cannot be told."""
+
+import csv
+import json
+import math
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from riserstudy.design.drift import Hull, drift
+
+HULL = Hull(9e7, 599625.0)
+
+
+def scene_file(folder, force=1e6, current=0.0, limits=(), **parts):
+    """A thread below a hull that its pull does not hold back."""
+    tree = {
+        "title": "adrift",
+        "gravity": "9.81 m/s^2",
+        "water": {"density": "1025 kg/m^3", "surface": "1000 m", "seabed": "0 m"},
+        "riser": [
+            {
+                "name": "thread",
+                "length": "1000 m",
+                "axial_stiffness": "100 N",
+                "mass": "0.001 kg/m",
+                "submerged_weight": "0 N/m",
+            }
+        ],
+        "bottom": {"hold": "wellhead", "elevation": "0 m"},
+        "top": {"x": "vessel", "z": "held", "elevation": "1001 m"},
+        "vessel": {
+            "mass": "6e7 kg",
+            "added_mass": "3e7 kg",
+            "hull_drag": "599625 N*s^2/m^2",
+            "wave_drift": {"force": f"{force} N", "heading": "0 deg"},
+        },
+        "limits": list(limits),
+        "analysis": {
+            "duration": "400 s",
+            "mesh": {"elements": 10},
+            "step": "0.25 s",
+            "output": {"interval": "1 s"},
+        },
+        **parts,
+    }
+    if current:
+        tree["current"] = {"profile": {"shape": "uniform", "surface_speed": f"{current} m/s"}}
+    path = folder / "adrift.yaml"
+    path.write_text(json.dumps({name: part for name, part in tree.items() if part is not None}))
+    return path
+
+
+def away(largest, mode="disconnect"):
+    at = "upper end of thread"
+    return {"output": "x", "at": at, "largest": f"{largest} m", "mode": mode}
+
+
+def rows_of(path):
+    return {row["limit"]: row for row in csv.DictReader(path.open())}
+
+
+def number(row, column):
+    return float(row[column]) if row[column] else math.nan
+
+
+def drawn():
+    draw = np.random.default_rng(3)
+    return [tuple(draw.uniform((3e5, 0.0, 40.0, 20.0), (2e6, 0.8, 200.0, 90.0))) for _ in range(5)]
+
+
+@pytest.mark.parametrize("force, current, limit, seconds", drawn())
+def test_a_hull_from_its_circle_on_reaches_the_limit_when_the_disconnect_is_over(
+    commands, tmp_path, force, current, limit, seconds
+):
+    scene = scene_file(tmp_path, force, current, [away(limit), away(2.0 * limit)])
+    table = tmp_path / "out.csv"
+    times = ["--disconnect", f"{seconds} s", "--prepare", "15 s"]
+    code, _, _ = commands("watch-circles", scene, *times, "--csv", table)
+    assert code == 0
+    row = rows_of(table)["disconnect: first of all"]
+
+    def way(time):
+        return float(drift(HULL, force, current, time).way)
+
+    first = brentq(lambda t: way(t) - limit, 0.0, 2000.0)
+    assert number(row, "reached (s)") == pytest.approx(first, rel=1e-3)
+    assert number(row, "offset (m)") == pytest.approx(limit, rel=1e-3)
+    for column, before in (("red", seconds), ("yellow", seconds + 15.0)):
+        radius = number(row, f"{column} circle (m)")
+        if first > before:
+            assert radius == pytest.approx(way(first - before), rel=2e-3, abs=1e-3)
+        else:
+            assert math.isnan(radius)
+            assert f"{column}: an alarm at the start is too late" in row["note"]
+
+
+@pytest.mark.parametrize("ramp, heading", [(None, 0.0), (30.0, 0.0), (30.0, 60.0)])
+def test_a_cruising_platform_has_the_circles_of_its_speed(commands, tmp_path, ramp, heading):
+    cruise = {"speed": "1.5 m/s", "heading": f"{heading} deg"} | (
+        {"ramp": f"{ramp} s"} if ramp else {}
+    )
+    out = "x" if heading == 0.0 else "y"
+    limit = {"output": out, "at": "upper end of thread", "largest": "90 m", "mode": "disconnect"}
+    top = {"x": "platform", "z": "held", "elevation": "1001 m"}
+    scene = scene_file(tmp_path, limits=[limit], vessel=None, top=top, platform={"cruise": cruise})
+    table = tmp_path / "out.csv"
+    times = ["--disconnect", "20 s", "--prepare", "10 s"]
+    assert commands("watch-circles", scene, *times, "--csv", table)[0] == 0
+    row = rows_of(table)["disconnect: first of all"]
+    share = 1.0 if heading == 0.0 else math.sin(math.radians(heading))
+    first = 90.0 / share / 1.5 + (ramp or 0.0) / 2.0
+    assert number(row, "reached (s)") == pytest.approx(first, rel=1e-3)
+    assert number(row, "offset (m)") == pytest.approx(90.0 / share, rel=1e-3)
+    assert number(row, "red circle (m)") == pytest.approx(90.0 / share - 30.0, rel=2e-3)
+    assert number(row, "yellow circle (m)") == pytest.approx(90.0 / share - 45.0, rel=2e-3)
+
+
+def test_limits_that_are_not_reached_and_means_are_named(commands, tmp_path):
+    mean = {"output": "x", "at": "upper end of thread", "mean": "5 m", "mode": "drilling"}
+    scene = scene_file(tmp_path, limits=[away(1e5), away(50.0, "connected"), mean])
+    times = ["--disconnect", "20 s", "--prepare", "10 s"]
+    code, out, _ = commands("watch-circles", scene, *times)
+    assert code == 4
+    assert "not evaluated: a mean has no time" in out
+    assert "drilling: first of all that are evaluated" in out
+    code, out, _ = commands("watch-circles", scene, *times, "--mode", "disconnect")
+    assert code == 0
+    assert out.count("not reached within the run") == 2
+    assert "connected" not in out
+
+
+@pytest.mark.parametrize(
+    "words, said",
+    [
+        (["--disconnect", "-3 s", "--prepare", "1 s"], "--disconnect"),
+        (["--disconnect", "3 s", "--prepare", "1 m"], "--prepare"),
+        (["--disconnect", "3 s", "--prepare", "1 s", "--mode", "drilling"], "--mode"),
+    ],
+)
+def test_what_cannot_be_meant_is_refused_before_a_run(commands, tmp_path, words, said):
+    code, out, err = commands("watch-circles", scene_file(tmp_path, limits=[away(9.0)]), *words)
+    assert (code, out) == (2, "")
+    assert said in err
+
+
+def test_a_scene_that_stays_above_the_well_is_refused(commands):
+    words = ["--disconnect", "60 s", "--prepare", "90 s"]
+    code, _, err = commands("watch-circles", "config/scenes/design/riser.yaml", *words)
+    assert code == 2
+    assert "`vessel` (drift-off) or `platform.cruise` (drive-off)" in err
