@@ -16,7 +16,7 @@ from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError
 
 if TYPE_CHECKING:
-    from riserstudy.dataset.tables import Table
+    from riserstudy.dataset.table import Table
     from riserstudy.scene.models import Scene
 
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]

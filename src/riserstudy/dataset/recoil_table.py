@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.dataset.tables import Cell, Table
+from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.scene.models import Scene
 

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.limits import label
-from riserstudy.dataset.tables import Cell, Table
+from riserstudy.dataset.table import Cell, Table
 from riserstudy.design.envelopes import SIDES, envelopes
 from riserstudy.design.operability import AtRest, Offsets, moved, offsets_at
 from riserstudy.design.sea_allowances import Sea, allowances

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from riserstudy.dataset.tables import Table
+from riserstudy.dataset.table import Table
 from riserstudy.design import engine_tension as engine
 from riserstudy.design import tension as formula
 from riserstudy.design.tension import Rig, Tolerances, setting

@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.limits import EXCEEDED, label
-from riserstudy.dataset.tables import Cell, Table
+from riserstudy.dataset.table import Cell, Table
 from riserstudy.design.watch_circles import NEVER, TOO_LATE, watch_circle
 from riserstudy.errors import InputError
 from riserstudy.scene.models import Scene
