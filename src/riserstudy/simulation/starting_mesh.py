@@ -22,7 +22,7 @@ def coarsest_mesh(scene: Scene) -> Mesh:
     if not scene.lateral:
         return even(scene, len(scene.riser) if massless(scene) else COARSEST)
     model, probe = _at_rest(scene)
-    layers = [_end_layer(scene, model, probe, end) for end in (0, probe.ring - 1)]
+    layers = _end_layers(scene, model, probe)
     if scene.wave and scene.water:
         layers[1] = min(layers[1], depth_of_action(scene.wave, scene.water, scene.gravity or 0.0))
     fine = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]
@@ -38,6 +38,15 @@ def coarsest_mesh(scene: Scene) -> Mesh:
         longest[0] = 0.5 * pile_length(scene.soil, conductor, stiffness(conductor).bending)
     confined = longest or any(layer.length < math.inf for layer in fine)
     return graded(scene, fine, longest=longest) if confined else probe
+
+
+def end_layers(scene: Scene) -> list[float]:
+    """Layers of bending at the lower and the upper end (m), infinite where an even mesh will do."""
+    return _end_layers(scene, *_at_rest(scene)) if scene.lateral else [math.inf, math.inf]
+
+
+def _end_layers(scene: Scene, model: Model, probe: Mesh) -> list[float]:
+    return [_end_layer(scene, model, probe, end) for end in (0, probe.ring - 1)]
 
 
 def _at_rest(scene: Scene) -> tuple[Model, Mesh]:
