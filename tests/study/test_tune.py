@@ -51,6 +51,12 @@ studies:
     axes:
       steps: {path: analysis.step, unit: s, values: {start: 0.01, stop: 0.2, step: 0.01}}
       mass: {path: "riser[0].mass", unit: kg/m, values: [600, 700, 800]}
+  newmark:
+    scene: scenes/riser.yaml
+    caption: the method of a paper
+    set: {analysis.method: {beta: 0.25, gamma: 0.5}}
+    axes:
+      mass: {path: "riser[0].mass", unit: kg/m, values: {start: 600, stop: 900, step: 10}}
   few:
     scene: scenes/riser.yaml
     caption: few points
@@ -132,6 +138,7 @@ def test_points_that_a_setting_is_held_against_are_none_that_it_was_tuned_on(fil
         ("rest", "a study at rest"),
         ("stepped", "sets analysis.step: nothing to tune"),
         ("few", "3 points: nothing to tune"),
+        ("newmark", "which is not tuned"),
         ("absent", "no study 'absent'"),
     ],
 )

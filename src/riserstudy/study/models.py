@@ -150,7 +150,7 @@ class TunedModel(Strict):
     accuracy: str
     on: str
     points: Annotated[int, Field(ge=1)]
-    held_out: Annotated[int, Field(ge=1)]
+    held_out: Annotated[int, Field(ge=0)]
     seed: Annotated[int, Field(ge=0)]
     error: Annotated[float, Field(ge=0)]
     work: Annotated[float, Field(gt=0)]

@@ -51,7 +51,7 @@ class Setting:
 
     @property
     def least_work(self) -> float:
-        """Segments times solutions in a second of a run, at least."""
+        """Segments times solutions in a second of a run, at least (1/s)."""
         return self.elements * METHODS[self.method][1] / self.step
 
 

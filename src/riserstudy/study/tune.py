@@ -28,12 +28,11 @@ from riserstudy.study.grid import Index
 from riserstudy.study.setting import METHODS, Setting, layers_of, meshes, own_setting, steps
 from riserstudy.study.study import Study
 
-FALL = (
-    6.0  # from a request's error to that of segments a quarter as long: no less than 2.6 a halving
-)
+FALL = 6.0  # of errors from a request to segments a quarter as long: no more is counted on
 ENOUGH = 0.9  # of the accuracy: error at points that are tuned on, at most
 UNSURE = 0.4  # of the accuracy: error of the run to compare with, at most
 ROUNDS = 4  # of points held against a setting
+TUNED = (None, *(method for method, _ in METHODS.values()))  # methods that may be replaced
 OWN = ("mesh", "step", "method", "accuracy")  # of an analysis, which tuning chooses
 FREE = {f"analysis.{name}": None for name in OWN} | {"analysis.output.stations": None}
 #: is told what is at work
@@ -80,10 +79,10 @@ def check_tunable(study: Study, count: int) -> None:
     where, analysis = study.where, study.base.tree.get("analysis") or {}
     if not isinstance(analysis, dict) or analysis.get("duration") is None:
         raise InputError(where, "analysis", "no duration: a study at rest", "request an accuracy")
-    for name in ("solver", "method"):
-        if analysis.get(name) in ("hermite", "explicit"):
+    for name, tuned in (("solver", (None,)), ("method", TUNED)):
+        if analysis.get(name) not in tuned:
             found = f"{analysis[name]!r}, which is not tuned"
-            raise InputError(where, f"analysis.{name}", found, "name another study")
+            raise InputError(where, f"analysis.{name}", found, "leave it out to tune")
     own = {"analysis"} | {f"analysis.{name}" for name in (*OWN, "solver")}
     for axis, values in study.axes.items():
         for path in (path for _, sets in values for path in sets):
@@ -191,7 +190,7 @@ class Tuner:
         return max(error.get(name, 0.0) / limit for name, limit in self.target.items())
 
     def excess(self, setting: Setting, place: Place) -> float:
-        """What a setting may err by at a point, over the accuracy; infinite where it fails."""
+        """Error of a setting at a point, relative to the accuracy; infinite where it fails."""
         return self._tried(setting, place)[0]
 
     def _tried(self, setting: Setting, place: Place) -> tuple[float, float]:
@@ -232,13 +231,12 @@ class Tuner:
         """
         scenes = [place.file.scene() for place in places]
         own = self.own
-        best, least = (
-            None,
-            sum(place.asked for place in places),
-        )  # of what costs more none is of use
+        best: Setting | None = None
+        least = sum(place.asked for place in places)  # a setting that takes more is of no use
         if own and (work := self._suffices(own, places)) < least:
             best, least = own, work
-        counts = meshes(scenes, max(place.best.facts["elements"] for place in places))
+        # twice as fine as the finest request
+        counts = meshes(scenes, max(place.best.facts["elements"] for place in places) // 2)
         for layers in reversed(layers_of(scenes, own)):
             for method in reversed(METHODS):
                 self.say(f"{method} on {'graded' if layers else 'even'} meshes")
@@ -296,14 +294,16 @@ class Tuner:
             [place.index for place in places],
             [place.index for place in checks],
             max(self.excess(setting, place) for place in places),
-            max(self.excess(setting, place) for place in checks),
+            max((self.excess(setting, place) for place in checks), default=0.0),
             work / asked,
             own,
         )
 
 
 def _finer(scene: Scene, mesh: Mesh, asked: Result) -> Result:
-    """A run on segments a quarter as long as a request's, by its step with the fourth-order method.
+    """A run on segments a quarter as long as a request's, by half its step with the fourth-order method.
+
+    With events the request is by that method already; the step is a quarter then.
 
     Raises
     ------
@@ -313,7 +313,8 @@ def _finer(scene: Scene, mesh: Mesh, asked: Result) -> Result:
     if not massless(scene):
         mesh = mesh.halved().halved()
     analysis = scene.analysis.model_copy(update={"method": "ESDIRK4"})
-    return single(scene.model_copy(update={"analysis": analysis}), mesh, asked.facts["step"])
+    step = asked.facts["step"] * (0.25 if scene.events else 0.5)
+    return single(scene.model_copy(update={"analysis": analysis}), mesh, step)
 
 
 def _percent(error: dict[str, float]) -> str:
