@@ -13,7 +13,7 @@ from typing import Annotated, Any
 import typer
 
 import riserstudy
-from riserstudy.cli import analyse, design, files, leave, outputs, results, simulate
+from riserstudy.cli import analyse, design, files, leave, outputs, results, simulate, tune
 from riserstudy.errors import RiserStudyError, shown
 
 OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothing refers to
@@ -29,6 +29,7 @@ COMMANDS = (
     analyse.effects,
     analyse.advise,
     analyse.modes,
+    tune.tune,
     design.tension,
     design.operability,
     design.envelope,

@@ -89,6 +89,12 @@ def _refuse_what_is_not_known(result: Result) -> None:
         )
 
 
+def allowed(accuracy: float | None) -> dict[str, float]:
+    """Relative error that a request allows, by quantity; None: the default."""
+    moment = accuracy or MOMENT
+    return {"displacement": accuracy or DISPLACEMENT, "moment": moment, "tension": moment}
+
+
 def _exact(result: Result) -> Result:
     """A run that nothing coarser can be compared with."""
     result.facts["error_estimate"] = {}
@@ -106,8 +112,7 @@ class Refinement:
     def __init__(self, scene: Scene, watch: Watch | None = None) -> None:
         a = scene.analysis
         self.scene, self.watch = scene, watch or Watch()
-        self.target = {"displacement": a.accuracy or DISPLACEMENT, "moment": a.accuracy or MOMENT}
-        self.target["tension"] = self.target["moment"]
+        self.target = allowed(a.accuracy)
         self.meshes = [coarsest_mesh(scene)]  # each the halves of the one before
         self.step = _longest_step(scene) if a.duration else None
         self.ways = [] if massless(scene) else ["mesh"]

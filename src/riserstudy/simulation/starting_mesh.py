@@ -22,7 +22,7 @@ def coarsest_mesh(scene: Scene) -> Mesh:
     if not scene.lateral:
         return even(scene, len(scene.riser) if massless(scene) else COARSEST)
     model, probe = _at_rest(scene)
-    layers = [_end_layer(scene, model, probe, end) for end in (0, probe.ring - 1)]
+    layers = _end_layers(scene, model, probe)
     if scene.wave and scene.water:
         layers[1] = min(layers[1], depth_of_action(scene.wave, scene.water, scene.gravity or 0.0))
     fine = [Layer(0.0, layers[0]), Layer(probe.riser_length, layers[1])]
@@ -41,15 +41,21 @@ def coarsest_mesh(scene: Scene) -> Mesh:
 
 
 def end_layers(scene: Scene) -> tuple[float, float]:
-    """Lengths at the lower and the upper end in which bending is confined (m); infinite where it is not.
+    """Layers of bending at the lower and the upper end (m), infinite where an even mesh will do.
 
     Raises
     ------
     SimulationError
         When no equilibrium is found.
     """
-    model, probe = _at_rest(scene)
-    return _end_layer(scene, model, probe, 0), _end_layer(scene, model, probe, probe.ring - 1)
+    if not scene.lateral:
+        return math.inf, math.inf
+    low, high = _end_layers(scene, *_at_rest(scene))
+    return low, high
+
+
+def _end_layers(scene: Scene, model: Model, probe: Mesh) -> list[float]:
+    return [_end_layer(scene, model, probe, end) for end in (0, probe.ring - 1)]
 
 
 def _at_rest(scene: Scene) -> tuple[Model, Mesh]:

@@ -139,6 +139,23 @@ Reads = Annotated[Derived, BeforeValidator(_bare, json_schema_input_type=list[st
 Labels = Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
 
 
+class TunedModel(Strict):
+    """What `riserstudy tune` found mesh, step and method of a study on, and what they are worth.
+
+    ``accuracy``: what was requested; ``points``: so many were tuned on, ``held_out``: so many others were
+    checked. ``error``: the largest at all of them, over the accuracy. ``work``: segments times Newton
+    iterations, over those of requesting the accuracy at each point.
+    """
+
+    accuracy: str
+    on: str
+    points: Annotated[int, Field(ge=1)]
+    held_out: Annotated[int, Field(ge=0)]
+    seed: Annotated[int, Field(ge=0)]
+    error: Annotated[float, Field(ge=0)]
+    work: Annotated[float, Field(gt=0)]
+
+
 #: an axis over all readings of that name in the study file
 Reading = Literal["readings"]
 
@@ -148,6 +165,7 @@ class StudyModel(Strict):
 
     ``limits``: those that every point is held against, as scenes have them; absent: those of the scene.
     ``error_because``: why points whose mesh and step are prescribed may err by more than 1 %.
+    ``tuned``: where `riserstudy tune` wrote mesh, step and method. Absent: nowhere.
     """
 
     scene: str
@@ -157,6 +175,7 @@ class StudyModel(Strict):
     axes: dict[AxisName, Numbers | Samples | Labels | Reading]
     keep: list[str] | None = None
     error_because: str | None = None
+    tuned: TunedModel | None = None
 
     @property
     def on_top(self) -> dict[str, Any]:

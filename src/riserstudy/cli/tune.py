@@ -1,0 +1,117 @@
+"""Tune a study: one mesh, step and method for all its points."""
+
+from __future__ import annotations
+
+import sys
+from datetime import date
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from riserstudy.cli.shared import compile_kernels
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    from riserstudy.study.study import Study
+    from riserstudy.study.tune import Tuned
+
+FEWEST = 2  # points to tune on
+
+
+def tune(
+    studies: Annotated[Path, typer.Argument(help="study file (YAML)", metavar="STUDY.yaml")],
+    study: Annotated[
+        str | None, typer.Argument(help="which study of the file", metavar="[STUDY]")
+    ] = None,
+    accuracy: Annotated[
+        str | None,
+        typer.Option(
+            help="error to stay below, such as 1%; absent: that of the study", metavar="PERCENT"
+        ),
+    ] = None,
+    points: Annotated[int, typer.Option(min=FEWEST, max=256, help="points to tune on")] = 12,
+    seed: Annotated[int, typer.Option(min=0, help="of the draw of these points")] = 1,
+    write: Annotated[bool, typer.Option("--write", help="write it into the study file")] = False,
+) -> None:
+    """Find the cheapest mesh, step and method that a study's points meet an accuracy with.
+
+    Tuned at a few points, and held against others: corners and middle of the axes, ends of what is sampled.
+    """
+    from riserstudy.study.write_tuned import write_tuned
+
+    one = _study(studies, study)
+    from riserstudy.study.tune import check_tunable
+    from riserstudy.study.tune import tune as tuned_of
+
+    check_tunable(one, points)
+    compile_kernels(one.grid.file((0,) * len(one.axes)).scene())
+    found = tuned_of(one, accuracy, points, seed, _say)
+    for line in _lines(one, found):
+        print(line)
+    if write:
+        write_tuned(studies, one, found, about(found, seed))
+        print(f"{studies}: written into studies.{one.name}")
+
+
+def _say(what: str) -> None:
+    print(f"riserstudy: {what}", file=sys.stderr, flush=True)
+
+
+def _study(path: Path, name: str | None) -> Study:
+    """A study of a file that lies in a folder of its configuration."""
+    from riserstudy.scene.check import check
+    from riserstudy.scene.load import read_yaml
+    from riserstudy.study.models import StudyFile
+    from riserstudy.study.study import Study
+
+    file = check(StudyFile, read_yaml(path), path)
+    if name is None and len(file.studies) > 1:
+        allowed = f"name one of {', '.join(file.studies)}"
+        raise InputError(path, "studies", f"{len(file.studies)} studies", allowed)
+    name = name or next(iter(file.studies), "")
+    if name not in file.studies:
+        allowed = f"allowed are {', '.join(file.studies) or 'none'}"
+        raise InputError(path, "studies", f"no study {name!r}", allowed)
+    config = path.resolve().parent.parent
+    return Study(path.stem, name, file.studies[name], config, "standard", None, file.readings)
+
+
+def about(found: Tuned, seed: int) -> dict[str, Any]:
+    """What the study file gets to know of it."""
+    return {
+        "accuracy": found.accuracy,
+        "on": date.today().isoformat(),
+        "points": len(found.points),
+        "held_out": len(found.checked),
+        "seed": seed,
+        "error": float(f"{max(found.error, found.held_out):.2g}"),
+        "work": float(f"{found.work:.2g}"),
+    }
+
+
+def _lines(study: Study, found: Tuned) -> list[str]:
+    """The setting as a study has it, and what it is worth."""
+    setting = found.setting
+    mesh = setting.analysis["mesh"]
+    layers = ", ".join(f"{end}: {length}" for end, length in mesh.get("layers", {}).items())
+    graded = f", layers: {{{layers}}}" if layers else ""
+    method = setting.analysis["method"]
+    method = method if isinstance(method, str) else f"{{rho_inf: {method['rho_inf']:g}}}"
+    lines = [
+        f"analysis.mesh: {{elements: {setting.elements}{graded}}}",
+        f"analysis.step: {setting.analysis['step']}",
+        f"analysis.method: {method}",
+        f"accuracy {found.accuracy}; largest error {found.error:.2f} of it at {len(found.points)} points "
+        f"that were tuned on, {found.held_out:.2f} at {len(found.checked)} others, of {len(study.grid)}",
+        f"work {found.work:.2g} of requesting the accuracy at each point",
+    ]
+    if found.own:
+        _, error, work = found.own
+        same = found.own[0] == setting
+        lines.append(
+            "the study has this setting already"
+            if same
+            else f"the study's own setting: work {work:.2g}, largest error {error:.2f}"
+        )
+    return lines

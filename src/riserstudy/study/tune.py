@@ -1,0 +1,326 @@
+"""Find the cheapest mesh, step and method that a study's points meet an accuracy with.
+
+Settings are tried on a few points that stand for all. Their errors are measured against runs that are
+four times as fine as a request, and what these may err themselves counts too. The grid of meshes and steps
+is walked along the border between settings that suffice and those that do not, from long steps on fine
+meshes to short ones on coarse; so a method and a kind of mesh take some forty trials, most of which end at
+their first point. The setting is then held against other points, and tuned anew with them where it fails.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from riserstudy.dataset.result import Result
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.model.mesh import Mesh
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.refine import Refinement, allowed, run
+from riserstudy.simulation.run import single
+from riserstudy.simulation.starting_mesh import massless
+from riserstudy.study.corners import corners, others
+from riserstudy.study.grid import Index
+from riserstudy.study.setting import METHODS, Setting, layers_of, meshes, own_setting, steps
+from riserstudy.study.study import Study
+
+FALL = 6.0  # of errors from a request to segments a quarter as long: no more is counted on
+ENOUGH = 0.9  # of the accuracy: error at points that are tuned on, at most
+UNSURE = 0.4  # of the accuracy: error of the run to compare with, at most
+ROUNDS = 4  # of points held against a setting
+TUNED = (None, *(method for method, _ in METHODS.values()))  # methods that may be replaced
+OWN = ("mesh", "step", "method", "accuracy")  # of an analysis, which tuning chooses
+FREE = {f"analysis.{name}": None for name in OWN} | {"analysis.output.stations": None}
+#: is told what is at work
+Say = Callable[[str], None]
+
+
+@dataclass
+class Place:
+    """A point, with a run to compare others with, the errors of that run, and the work of a request."""
+
+    index: Index
+    file: SceneFile
+    best: Result
+    unsure: dict[str, float]
+    asked: float
+
+
+@dataclass
+class Tuned:
+    """A setting and what it is worth.
+
+    ``error``: the largest over the accuracy at points tuned on, ``held_out`` at others. ``work``: over that
+    of requesting the accuracy at each point. ``own``: what the study had, its largest error and its work.
+    """
+
+    accuracy: str
+    setting: Setting
+    points: list[Index]
+    checked: list[Index]
+    error: float
+    held_out: float
+    work: float
+    own: tuple[Setting, float, float] | None
+
+
+def check_tunable(study: Study, count: int) -> None:
+    """Refuse a study that tuning is no help to.
+
+    Raises
+    ------
+    InputError
+        When its runs have no time, its axes or solver fix what would be tuned, or it has few points.
+    """
+    where, analysis = study.where, study.base.tree.get("analysis") or {}
+    if not isinstance(analysis, dict) or analysis.get("duration") is None:
+        raise InputError(where, "analysis", "no duration: a study at rest", "request an accuracy")
+    for name, tuned in (("solver", (None,)), ("method", TUNED)):
+        if analysis.get(name) not in tuned:
+            found = f"{analysis[name]!r}, which is not tuned"
+            raise InputError(where, f"analysis.{name}", found, "leave it out to tune")
+    own = {"analysis"} | {f"analysis.{name}" for name in (*OWN, "solver")}
+    for axis, values in study.axes.items():
+        for path in (path for _, sets in values for path in sets):
+            if path in own or path.startswith("analysis.mesh."):
+                found = f"sets {path}: nothing to tune"
+                raise InputError(where, f"axes.{axis}", found, "name another study")
+    if (points := len(study.grid)) < 2 * count:
+        found = f"{points} points: nothing to tune, as {count} are to be tuned on"
+        raise InputError(where, "axes", found, "request an accuracy, or name fewer with --points")
+
+
+def tune(
+    study: Study, accuracy: str | None, count: int, seed: int, say: Say = lambda _: None
+) -> Tuned:
+    """The cheapest setting that meets an accuracy at a few points, and at others that it is held against.
+
+    Parameters
+    ----------
+    accuracy : such as "1 %"; None: that of the study, or the default.
+    count : points to tune on; half as many, four at least, are held against the setting.
+
+    Raises
+    ------
+    InputError
+        When there is nothing to tune, or the accuracy is none.
+    SimulationError
+        When a point cannot be run to compare others with, or no setting suffices.
+    """
+    check_tunable(study, count)
+    tuner = Tuner(study, accuracy, say)
+    places = [tuner.place(index) for index in corners(study, count, seed)]
+    seen: list[Index] = [one.index for one in places]
+    for _ in range(ROUNDS):
+        setting = tuner.cheapest(places)
+        fresh = others(study, seen, max(4, count // 2), seed)
+        checks = [tuner.place(index) for index in fresh]
+        found = [tuner.excess(setting, one) for one in checks]
+        if max(found, default=0.0) <= 1.0:
+            return tuner.worth(setting, places, checks)
+        say(f"{described(setting)} errs by {max(found):.2f} of the accuracy at another point")
+        seen += fresh
+        places += checks
+    raise SimulationError(
+        f"{study.where}: each of {ROUNDS} settings that were tuned failed at other points; tune on more with "
+        "--points, or request an accuracy"
+    )
+
+
+def described(setting: Setting) -> str:
+    """A setting in words."""
+    kind = "graded" if setting.layers else "even"
+    return f"{setting.method}, {setting.elements} {kind} segments, {setting.step:g} s"
+
+
+@dataclass
+class Tuner:
+    """A study and an accuracy, with every error and work that was measured."""
+
+    study: Study
+    accuracy: str | None
+    say: Say
+    target: dict[str, float] = field(init=False)
+    asked: dict[str, str] = field(init=False)
+    known: dict[tuple[Setting, Index], tuple[float, float]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        free = self.study.base.with_values(FREE, self.study.where)
+        own = (self.study.base.tree.get("analysis") or {}).get("accuracy")
+        wanted = self.accuracy or own
+        self.asked = {"analysis.accuracy": wanted} if wanted else {}
+        analysis = free.with_values(self.asked, "--accuracy").scene().analysis
+        self.target = allowed(analysis.accuracy)
+
+    def place(self, index: Index) -> Place:
+        """A point with a run to compare others with.
+
+        Raises
+        ------
+        SimulationError
+            When that run cannot be completed, or be as accurate as it has to be.
+        """
+        at = dict(zip(self.study.axes, index, strict=True))
+        where = f"{self.study.where}: at index {at}"
+        self.say(f"a request and a finer run at index {at}")
+        file = self.study.grid.file(index).with_values(FREE, "tune")
+        scene = file.with_values(self.asked, "--accuracy").scene()
+        try:
+            refinement = Refinement(scene)
+            asked = refinement.result()
+            best = _finer(scene, refinement.finest_mesh, asked)
+        except SimulationError as error:
+            raise SimulationError(f"{where}: {error}") from None
+        off = difference(asked, best)
+        unsure = {name: value / FALL for name, value in off.items()}
+        if self._over(asked.facts["error_estimate"]) > 1.0 or self._over(unsure) > UNSURE:
+            found = f"estimated {_percent(asked.facts['error_estimate'])}, true {_percent(off)}"
+            raise SimulationError(
+                f"{where} a request misses the accuracy ({found}), so that nothing can be compared with it; "
+                "tune to a larger --accuracy"
+            )
+        work = sum(map(_work, asked.facts["refinements"]))
+        return Place(index, file, best, unsure, work)
+
+    def _over(self, error: dict[str, float]) -> float:
+        return max(error.get(name, 0.0) / limit for name, limit in self.target.items())
+
+    def excess(self, setting: Setting, place: Place) -> float:
+        """Error of a setting at a point, relative to the accuracy; infinite where it fails."""
+        return self._tried(setting, place)[0]
+
+    def _tried(self, setting: Setting, place: Place) -> tuple[float, float]:
+        """What a setting may err by at a point, over the accuracy, and its segments times iterations."""
+        key = (setting, place.index)
+        if key not in self.known:
+            try:
+                result = run(
+                    place.file.with_values(setting.values, "tune").scene(), estimated=False
+                )
+            except SimulationError:
+                self.known[key] = (math.inf, math.inf)
+            else:
+                coarse, fine = sorted((result, place.best), key=lambda one: len(one.arrays["l0"]))
+                error = difference(coarse, fine)
+                sums = {name: off + place.unsure.get(name, 0.0) for name, off in error.items()}
+                self.known[key] = (self._over(sums), _work(result.facts))
+        return self.known[key]
+
+    def _suffices(self, setting: Setting, places: list[Place]) -> float:
+        """Work of a setting that suffices at all points; infinite for others.
+
+        The point that a setting fails at goes first: it is likely to tell of the next.
+        """
+        for k, place in enumerate(places):
+            if self.excess(setting, place) > ENOUGH:
+                places.insert(0, places.pop(k))
+                return math.inf
+        return sum(self._tried(setting, place)[1] for place in places)
+
+    def cheapest(self, places: list[Place]) -> Setting:
+        """The setting of least work that suffices at all points.
+
+        Raises
+        ------
+        SimulationError
+            When none does.
+        """
+        scenes = [place.file.scene() for place in places]
+        own = self.own
+        best: Setting | None = None
+        least = sum(place.asked for place in places)  # a setting that takes more is of no use
+        if own and (work := self._suffices(own, places)) < least:
+            best, least = own, work
+        # twice as fine as the finest request
+        counts = meshes(scenes, max(place.best.facts["elements"] for place in places) // 2)
+        for layers in reversed(layers_of(scenes, own)):
+            for method in reversed(METHODS):
+                self.say(f"{method} on {'graded' if layers else 'even'} meshes")
+                every = [
+                    [Setting(n, layers, step, method) for step in steps(scenes)] for n in counts
+                ]
+                found, work = self._along_border(every, places, least)
+                if work < least:
+                    best, least = found, work
+        if best is None:
+            raise SimulationError(
+                f"{self.study.where}: no mesh, step and method that takes less than requests meets the "
+                "accuracy at all points; request an accuracy"
+            )
+        return best
+
+    @property
+    def own(self) -> Setting | None:
+        """The setting that the study has."""
+        return own_setting(self.study.base.scene())
+
+    def _along_border(
+        self, every: list[list[Setting]], places: list[Place], least: float
+    ) -> tuple[Setting | None, float]:
+        """The cheapest of settings, by mesh from coarse to fine and step from long to short, and its work.
+
+        None where none needs less work than the least that is known.
+        """
+        best, n, k = None, len(every) - 1, 0
+        seconds = sum(place.file.scene().analysis.duration or 0.0 for place in places)
+        while n >= 0 and k < len(every[n]):
+            setting, work = every[n][k], math.inf
+            if setting.least_work * seconds < least:
+                work = self._suffices(setting, places)
+                if work == math.inf:
+                    k += 1
+                    continue
+            if work < least:
+                best, least = setting, work
+            n -= 1
+        return best, least
+
+    def worth(self, setting: Setting, places: list[Place], checks: list[Place]) -> Tuned:
+        """What a setting errs by and costs, compared with requests and with what the study had."""
+        asked = sum(place.asked for place in places)
+        work = sum(self._tried(setting, place)[1] for place in places)
+        own = None
+        if self.own:
+            had = [self._tried(self.own, place) for place in places + checks]
+            theirs = sum(one for _, one in had[: len(places)])
+            own = self.own, max(off for off, _ in had), theirs / asked
+        return Tuned(
+            str(self.asked.get("analysis.accuracy") or _percent(self.target)),
+            setting,
+            [place.index for place in places],
+            [place.index for place in checks],
+            max(self.excess(setting, place) for place in places),
+            max((self.excess(setting, place) for place in checks), default=0.0),
+            work / asked,
+            own,
+        )
+
+
+def _finer(scene: Scene, mesh: Mesh, asked: Result) -> Result:
+    """A run on segments a quarter as long as a request's, by half its step with the fourth-order method.
+
+    With events the request is by that method already; the step is a quarter then.
+
+    Raises
+    ------
+    SimulationError
+        When it cannot be completed.
+    """
+    if not massless(scene):
+        mesh = mesh.halved().halved()
+    analysis = scene.analysis.model_copy(update={"method": "ESDIRK4"})
+    step = asked.facts["step"] * (0.25 if scene.events else 0.5)
+    return single(scene.model_copy(update={"analysis": analysis}), mesh, step)
+
+
+def _percent(error: dict[str, float]) -> str:
+    return ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in error.items())
+
+
+def _work(spent: dict[str, Any]) -> float:
+    """Segments times Newton iterations: what a run costs, the same on every machine."""
+    return float(spent["elements"]) * float(spent["newton_iterations"])
