@@ -67,6 +67,8 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
 
 def takes(scene: Scene, limit: Limit) -> str:
     """What a limit looks at where its name does not tell: which sections, and what where they meet."""
+    if limit.side == "mean" and 0.0 < scene.built_up < (scene.analysis.duration or 0.0):
+        return f"from {scene.built_up:g} s on, when ramps are over"
     if limit.output == "stroke" and scene.top.telescopic_joint:
         return "from the joint's length"
     sections = [section.name for section in scene.riser]
