@@ -220,3 +220,46 @@ def test_a_range_of_sections_that_is_none_is_refused(at, said):
     limit = {"output": "effective_tension", "at": at, "smallest": "1 kN", "mode": "drilling"}
     with pytest.raises(InputError, match=said):
         SceneFile("hung.yaml", HUNG | {"limits": [limit]}).scene()
+
+
+@pytest.mark.parametrize("floor", ["0 N", "0 kN"])
+def test_a_floor_of_zero_tells_its_margin_and_no_share(floor):
+    limits = [{"output": "effective_tension", "smallest": floor, "mode": "connected"}]
+    rows = json.loads(simulate(SceneFile("hung.yaml", HUNG | {"limits": limits})).attrs["limits"])
+    (line,) = as_lines(rows)
+    assert "margin 500 kN: within" in line
+    assert "use" not in line
+    slack = {"demand": -400e3, "utilisation": float("inf"), "verdict": "exceeded"}
+    (line,) = as_lines([rows[0] | slack])
+    assert "margin -400 kN: exceeded" in line
+
+
+@pytest.mark.parametrize(
+    "share, said", [(0.0, "0 %"), (1.146e-17, "0 %"), (0.3349, "33.49 %"), (12.0, "1200 %")]
+)
+def test_a_use_by_rounding_is_printed_as_none(share, said):
+    row = {
+        "output": "x", "at": "", "mode": "drilling", "side": "largest", "allowable": 1.0, "demand": share,
+        "utilisation": share, "s": None, "time": None, "verdict": "within", "missing": "", "origin": "given",
+    }  # fmt: skip
+    assert f", use {said}:" in as_lines([row])[0]
+
+
+@pytest.mark.parametrize("ramp", [10.0, 25.0, 200.0])
+def test_a_mean_over_time_leaves_out_what_grows(ramp):
+    """A string that the platform draws aside for good: its slope at the foot is that of the end."""
+    limit = {"output": "x", "at": "upper end of lower", "mean": "1 m", "mode": "drilling"}
+    riser = [part | {"mass": "100 kg/m"} for part in HUNG["riser"]]
+    changes = {
+        "riser": riser, "limits": [limit], "top": {"x": "platform", "z": "free", "tension": "1 MN"},
+        "platform": {"surge": {"amplitude": "3 m", "period": "40 s", "ramp": f"{ramp} s"}},
+        "analysis": {
+            "duration": "80 s", "step": "0.5 s", "mesh": {"elements": 8}, "output": {"interval": "0.5 s"},
+        },
+    }  # fmt: skip
+    run = simulate(SceneFile("hung.yaml", HUNG | changes), progress=False)
+    (row,) = json.loads(run.attrs["limits"])
+    at = run["x"].interp(s=250.0)
+    later = at["time"] >= (ramp if ramp < 80.0 else 0.0)
+    assert row["demand"] == pytest.approx(abs(float(at.where(later).mean())), rel=1e-6, abs=1e-9)
+    assert ("when ramps are over" in as_lines([row])[0]) == (ramp < 80.0)

@@ -1,11 +1,13 @@
 """Plots that fit any grid: what they show, of datasets with known numbers."""
 
+import json
 import re
 
 import numpy as np
 import pytest
 import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import QuadMesh
 
 from riserstudy.errors import InputError
 from riserstudy.figures import draw_plot
@@ -178,3 +180,50 @@ def test_a_study_file_without_figures_gets_those_that_fit():
         *("two_heat_map", "two_envelope", "two_time_series"),
     ]
     assert found["two_heat_map"].reads == ["two"]
+
+
+def angles(low, high, limits=()):
+    """An angle of runs at rest over three axes, from a lowest to a highest value."""
+    axes = ("heave_amplitude", "tug", "reading")
+    found = grid(*axes).drop_vars(["bending_moment", "bending_moment_max", "bending_moment_min"])
+    shape = found["point_key"].shape
+    values = np.linspace(low, high, int(np.prod(shape))).reshape(shape)
+    found["lfj_angle"] = (axes, np.radians(values))
+    rows = [
+        {"output": "lfj_angle", "at": "", "side": "largest", "allowable": np.radians(level)}
+        for level in limits
+    ]
+    return found.assign_attrs(limits=json.dumps(rows))
+
+
+@pytest.mark.parametrize("low, high", [(-3.0, 5.0), (-6.0, 1.0)])
+def test_colours_of_a_quantity_with_a_sign_are_about_zero_and_alike_in_all_panels(low, high):
+    figure = drawn("heat map", angles(low, high), ["lfj_angle"])
+    meshes = [m for ax in figure.axes for m in ax.collections if isinstance(m, QuadMesh)]
+    maps = {(m.get_cmap().name, *m.get_clim()) for m in meshes if m.get_label() != "bar"}
+    assert len(maps) == 1
+    name, least, most = maps.pop()
+    assert name == "RdBu_r"
+    assert -least == most == pytest.approx(max(-low, high))
+
+
+def test_colours_of_a_quantity_of_one_sign_fill_its_range():
+    figure = drawn("heat map", angles(1.0, 5.0), ["lfj_angle"])
+    mesh = figure.axes[0].collections[0]
+    assert (mesh.get_cmap().name, *mesh.get_clim()) == (
+        "viridis",
+        pytest.approx(1.0),
+        pytest.approx(5.0),
+    )
+
+
+def test_a_heat_map_marks_where_its_limit_is():
+    inside, beyond = (
+        drawn("heat map", angles(-3.0, 5.0, [level]), ["lfj_angle"]) for level in (2.0, 9.0)
+    )
+
+    def marks(figure):
+        return [line.get_ydata()[0] for ax in figure.axes for line in ax.get_lines()]
+
+    assert set(np.round(marks(inside), 9)) == {-2.0, 2.0}
+    assert marks(beyond) == []

@@ -17,7 +17,7 @@ from riserstudy.numerics.changes import fitting
 from riserstudy.numerics.effect_shares import priced
 from riserstudy.numerics.effects import effects, kernels
 from riserstudy.numerics.scenes import Setting, bases
-from riserstudy.scene.load import read_scene
+from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.simulation.compile_times import while_compiling
 from riserstudy.study.read import read_studies, read_study
 
@@ -187,3 +187,26 @@ def test_the_dataset_tells_signatures_and_times_of_kernels(tmp_path):
     found = kernels(marker)
     assert found["compile_seconds"][1] == [5.0, 0.5]
     assert found["signatures"][1] == [2, 1]
+
+
+@pytest.mark.parametrize("first, last", [(-5.7, 9.0), (-12.0, 4.0), (-20.0, 20.0)])
+def test_stops_are_put_in_where_a_table_of_tensioners_ends(first, last):
+    table = [{"reach": f"{r} m", "force": f"{800 + 10 * r} kN"} for r in (first, 0.0, last)]
+    file = SceneFile(
+        "rig.yaml",
+        {
+            "title": "rig", "gravity": "9.81 m/s^2",
+            "riser": [{"name": "r", "length": "500 m", "axial_stiffness": "5e9 N", "mass": "500 kg/m",
+                       "submerged_weight": "2 kN/m"}],
+            "bottom": {"hold": "wellhead", "elevation": "-500 m"},
+            "top": {
+                "z": "free",
+                "tensioners": {"count": 4, "mid_stroke": "riser unstretched", "table": table},
+            },
+            "platform": {"heave": {"amplitude": "1 m", "period": "10 s", "ramp": "10 s"}},
+            "analysis": {"duration": "20 s", "output": {"interval": "1 s"}},
+        },
+    )  # fmt: skip
+    (changed,) = [scene for change, scene in fitting(file) if change.label == "with end stops"]
+    stroke = changed.scene().top.tensioners.stroke
+    assert (stroke.shortest, stroke.longest) == (max(first, -7.5), min(last, 7.5))

@@ -122,8 +122,10 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     console = Console(markup=False)
     for line in given.said:
         console.print(line, highlight=False)
-    columns = ("displ.", "moment", "tension", "run time")
-    table = Table("change", *columns, "verdict", title=str(file.tree["title"]))
+    table = Table("change", title=str(file.tree["title"]))
+    for name in ("displ.", "moment", "tension", "run time"):
+        table.add_column(name, no_wrap=True, justify="right")
+    table.add_column("verdict", min_width=15)
     for row in given.rows:
         table.add_row(row.label, *row.changes, row.verdict, style=None if row.counts else "dim")
     console.print(table)

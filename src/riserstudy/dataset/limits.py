@@ -68,6 +68,8 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
 
 def takes(scene: Scene, limit: Limit) -> str:
     """What a limit applies to where its name does not show it: sections, and what counts where they meet."""
+    if limit.side == "mean" and 0.0 < scene.built_up < (scene.analysis.duration or 0.0):
+        return f"from {scene.built_up:g} s on, when ramps are over"
     if limit.output == "stroke":
         return "from the static state"
     if limit.output == "joint_stroke":

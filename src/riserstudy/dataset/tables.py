@@ -74,6 +74,10 @@ def limits(dataset: xr.Dataset) -> Table:
     return Table(names, units, [[row.get(name, "") for name in names] for row in rows])
 
 
+BEYOND = 1e3  # share of a limit from which on none is told
+ROUNDING = 1e-6  # share of a limit that is none
+
+
 def in_units(table: Table, system: UnitSystem) -> Table:
     """A table with its values in the units of a system, which its heads and its column ``unit`` name."""
     whole = [read_in(unit, system) for unit in table.units]
@@ -113,8 +117,7 @@ def as_lines(rows: list[dict[str, Any]], system: UnitSystem = UnitSystem.FIELD) 
             continue
         where = "" if row["s"] is None else f" at s = {along.factor * row['s']:.5g} {along.unit}"
         when = "" if row["time"] is None else f" at t = {row['time']:.5g} s"
-        use = f"{100 * row['utilisation']:.4g} %" if row["utilisation"] < 1e3 else "beyond all"
-        text = f"{factor * row['demand']:.5g} {unit}{where}{when}, {allowed}, use {use}"
+        text = f"{factor * row['demand']:.5g} {unit}{where}{when}, {allowed}, {_use(row, system)}"
         verdict = row["verdict"] + (
             f"; not known everywhere for want of {row['missing']}" if row["missing"] else ""
         )
@@ -140,6 +143,17 @@ def in_columns(table: Table) -> list[str]:
 
 def _plain(cell: Cell) -> bool:
     return cell is None or not isinstance(cell, str)
+
+
+def _use(row: dict[str, Any], system: UnitSystem) -> str:
+    """Share of a limit that is used; of a floor of zero, of which there are no shares, the margin."""
+    if row["side"] == "smallest" and row["allowable"] == 0.0:
+        factor, unit = read_in(UNITS[row["output"]], system)
+        return f"margin {factor * row['demand']:.5g} {unit}"
+    if not row["utilisation"] < BEYOND:
+        return "use beyond all"
+    share = row["utilisation"]
+    return f"use {100.0 * share if share > ROUNDING else 0.0:.4g} %"
 
 
 def write_csv(table: Table, target: Path) -> None:

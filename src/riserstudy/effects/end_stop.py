@@ -60,12 +60,12 @@ register(
                 "top.tensioners.stroke",
                 {
                     "top.tensioners.stroke": {
-                        "shortest": "-7.5 m",
-                        "longest": "7.5 m",
+                        "shortest": "=shortest reach",
+                        "longest": "=longest reach",
                         "stop_stiffness": "100 MN/m",
                     }
                 },
-                "at 7.5 m, 100 MN/m",
+                "at 7.5 m, or where the table ends, 100 MN/m",
             ),
         ),
     ),

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import json
+from typing import NamedTuple
+
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.dataset.limits import SIGNED
+from riserstudy.dataset.unit_systems import read_in
+from riserstudy.dataset.variables import attributes
 from riserstudy.figures.grid import (
     ENDINGS,
     SIZE,
@@ -19,6 +25,7 @@ from riserstudy.figures.grid import (
     present,
     read,
 )
+from riserstudy.figures.range_graph import RED
 from riserstudy.study.plots import EXTREMES
 
 PANELS = 4
@@ -43,21 +50,67 @@ def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
         for end in ends[: 1 if slices[1:] else None]
     ]
     figure, axes = laid_out(len(shown))
+    ranges = {end: _range(extremes[end]) for end in ends}
     for ax, (called, values) in zip(axes, shown, strict=True):
-        _draw(figure, ax, values.transpose(up, across))
+        end = str(values.name)
+        _draw(figure, ax, values.transpose(up, across), ranges[end], _allowables(dataset, end))
         ax.set_title(called, loc="right", fontsize="small")
     return figure
 
 
-def _draw(figure: Figure, ax: Axes, values: xr.DataArray) -> None:
+class Range(NamedTuple):
+    """What the colours of a quantity tell, the same in all its panels."""
+
+    low: float
+    high: float
+    colours: str
+
+
+def _range(values: xr.DataArray) -> Range:
+    """From the smallest to the largest; about zero, in two colours, where both signs are there."""
+    shown = read(values)
+    low, high = float(shown.min()), float(shown.max())
+    if _quantity(str(values.name)) in SIGNED and low < 0.0 < high:
+        most = max(-low, high)
+        return Range(-most, most, "RdBu_r")
+    apart = max(high - low, LEAST * abs(high))  # differences by rounding are none
+    return Range(high - apart, high, "viridis")
+
+
+def _quantity(name: str) -> str:
+    for ending in (*ENDINGS, SIZE):
+        name = name.removesuffix(ending)
+    return name
+
+
+def _allowables(dataset: xr.Dataset, name: str) -> list[float]:
+    """Limits of a quantity all along the riser, as they are read, on the side that is shown."""
+    quantity = _quantity(name)
+    wrong = {"_max": ("smallest", "mean"), "_min": ("largest", "mean")}
+    side = wrong.get(name.removeprefix(quantity), ("mean",))
+    factor = read_in(attributes(quantity).get("units", "")).factor
+    levels = [
+        factor * row["allowable"]
+        for row in json.loads(dataset.attrs.get("limits", "[]"))
+        if row["output"] == quantity and not row["at"] and row["side"] not in side
+    ]
+    both = quantity in SIGNED and not name.endswith(SIZE)
+    return sorted({*levels, *(-level for level in levels if both)})
+
+
+def _draw(figure: Figure, ax: Axes, values: xr.DataArray, told: Range, limits: list[float]) -> None:
     up, across = (values[dim] for dim in values.dims)
     x, y = places_of(across, ax.set_xticks), places_of(up, ax.set_yticks)
-    low, high = float(read(values).min()), float(read(values).max())
-    apart = max(high - low, LEAST * abs(high))  # differences by rounding are none
+    shown = read(values)
     colours = ax.pcolormesh(
-        x, y, read(values), shading="nearest", cmap="viridis", vmin=high - apart, vmax=high
+        x, y, shown, shading="nearest", cmap=told.colours, vmin=told.low, vmax=told.high
     )
-    figure.colorbar(colours, ax=ax, label=label(values))
+    bar = figure.colorbar(colours, ax=ax, label=label(values))
+    for level in limits:
+        if told.low <= level <= told.high:
+            bar.ax.axhline(level, color=RED, linewidth=1.4)
+        if min(shown.shape) > 1 and float(shown.min()) < level < float(shown.max()):
+            ax.contour(x, y, shown, levels=[level], colors=[RED], linewidths=1.2)
     ax.set_xlabel(label(across))
     ax.set_ylabel(label(up))
     ax.grid(False)

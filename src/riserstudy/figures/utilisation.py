@@ -14,7 +14,7 @@ from riserstudy.figures.grid import along, axes_of, key, label, laid_out, places
 from riserstudy.figures.style import COLOURS, GREY, headline
 
 FloatArray = NDArray[np.float64]
-SLICES = 2  # points of a third axis that are shown
+SLICES = 4  # points of a third axis that are shown, evenly chosen
 MOST = 2.0  # use, beyond which colours and lines tell no more
 DARK = 1.6  # use, from which on a number is white
 FEW = 60  # cells of a panel, up to which each has its number
@@ -63,7 +63,8 @@ def _lines(uses: xr.Dataset) -> Figure:
 def _maps(uses: xr.Dataset) -> Figure:
     across, up = along(uses, 2)
     slices = points(uses, over=[across, up])
-    chosen = [slices[k] for k in sorted({0, len(slices) - 1})][:SLICES]
+    last = len(slices) - 1
+    chosen = [slices[k] for k in sorted({round(last * j / (SLICES - 1)) for j in range(SLICES)})]
     figure, axes = laid_out(2 * len(chosen))
     names = [_short(str(name)) for name in uses["limit"].values]
     shown = set()

@@ -80,7 +80,7 @@ def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) ->
     """What a change does, in words."""
     label, because = changed.change.label, changed.because
     if changed.peaks is None or base.peaks is None or changed.message:
-        return Row(label, because, ["", "", "", ""], f"cannot be run: {changed.message}", False)
+        return Row(label, f"cannot be run: {changed.message}", [""] * 4, "cannot be run", False)
     sizes = base.peaks.change_to(changed.peaks)
     lost = math.isnan(changed.peaks.moment) and base.peaks.moment > 0.0
     small = not lost and all(

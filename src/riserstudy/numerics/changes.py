@@ -16,6 +16,7 @@ from riserstudy.scene.models import Scene
 SEA_WATER = "1025 kg/m^3"
 SECTIONS = "riser[*]"
 TURN = math.radians(1e-4)
+STOPS = 7.5  # m, either way from mid-stroke, of stops that a scene has not
 
 
 def fitting(file: SceneFile) -> Iterator[tuple[Change, SceneFile]]:
@@ -105,9 +106,17 @@ def _filled(value: Any, scene: Scene, k: int) -> Any:
         "half the body": f"{0.5 * body.mass if body else 0.0!r} kg",
         "lowest": f"{lowest!r} m",
         "highest": f"{highest!r} m",
+        "shortest reach": f"{max([-STOPS, *_reaches(scene)[:1]])!r} m",
+        "longest reach": f"{min([STOPS, *_reaches(scene)[-1:]])!r} m",
         "current turned": _turned(scene.current),
         "cruise turned": _turned(scene.platform.cruise if scene.platform else None),
     }[value.removeprefix("=")]
+
+
+def _reaches(scene: Scene) -> list[float]:
+    """Reaches of the table of tensioners (m), rising; none without one."""
+    rig = scene.top.tensioners
+    return [row.reach for row in (rig and rig.table) or []]
 
 
 def _turned(what: Current | Cruise | None) -> str:

@@ -98,6 +98,15 @@ class Parts(Strict):
         return sorted({t for t in times if t < (a.duration or 0.0)})
 
     @property
+    def built_up(self) -> float:
+        """Time from which on nothing grows any more by a ramp of the scene (s)."""
+        platform = self.platform or Platform()
+        response = platform.response
+        moving = [motion for _, motion in platform.harmonics]
+        growing = (*moving, platform.cruise, response, self.wave, self.current)
+        return max((what.ramp or 0.0 for what in growing if what), default=0.0)
+
+    @property
     def events(self) -> list[float]:
         """Times at which a part of the system is no longer what it was (s), in order."""
         release, loss, rig = self.disconnect, self.top.tension_loss, self.top.tensioners

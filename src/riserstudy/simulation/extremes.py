@@ -27,7 +27,8 @@ def extremes(
     """A row for each output and place: its largest and smallest value with arclength (m) and time (s).
 
     Values along the riser are those of envelopes at the nodes, which see every step; their times are those
-    of the outputs. A run at rest has no times, and its values are their own means.
+    of the outputs. Means are from the time on at which all ramps are over, where the run goes on after it. A
+    run at rest has no times, and its values are their own means.
 
     Parameters
     ----------
@@ -35,12 +36,14 @@ def extremes(
     peaks : of values over time, by all steps; where there is none those of the outputs are taken.
     """
     rows = []
+    time = arrays.get("time", np.zeros(0))
+    later = time >= scene.built_up if len(time) and scene.built_up < time[-1] else time >= 0.0
     for name in ALONG:
         for where, nodes in places(scene, mesh, name):
-            if row := _along(name, where, nodes, arrays, histories):
+            if row := _along(name, where, nodes, arrays, histories, later):
                 rows.append(row)
     for name in OVER_TIME:
-        if row := _over_time(name, arrays):
+        if row := _over_time(name, arrays, later):
             rows.append(row | _seen_by_steps(scene, mesh, name, arrays, peaks))
     return rows
 
@@ -72,7 +75,12 @@ def places(scene: Scene, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]]:
 
 
 def _along(
-    name: str, where: str, nodes: slice, arrays: Arrays, histories: Arrays
+    name: str,
+    where: str,
+    nodes: slice,
+    arrays: Arrays,
+    histories: Arrays,
+    later: NDArray[np.bool_],
 ) -> dict[str, Any] | None:
     moving = name + "_max" in arrays
     ends = ("_max", "_min") if moving else ("_static", "_static")
@@ -92,13 +100,13 @@ def _along(
         row["largest_time"] = float(times[history[:, nodes][:, high].argmax()])
         row["smallest_time"] = float(times[history[:, nodes][:, low].argmin()])
         if nodes.stop - nodes.start == 1:
-            row["mean"] = float(history[:, nodes].mean())
+            row["mean"] = float(history[later][:, nodes].mean())
     elif not moving and nodes.stop - nodes.start == 1:
         row["mean"] = row["largest"]
     return row
 
 
-def _over_time(name: str, arrays: Arrays) -> dict[str, Any] | None:
+def _over_time(name: str, arrays: Arrays, later: NDArray[np.bool_]) -> dict[str, Any] | None:
     """Of one value a time; of cylinders the row is that of all of them."""
     row: dict[str, Any] = {"output": name, "where": ""}
     rest = arrays.get(name + "_static")
@@ -107,6 +115,7 @@ def _over_time(name: str, arrays: Arrays) -> dict[str, Any] | None:
         high, low = (np.unravel_index(f(values), values.shape)[0] for f in (np.argmax, np.argmin))
         row |= {"largest": float(values.max()), "largest_time": float(arrays["time"][high])}
         row |= {"smallest": float(values.min()), "smallest_time": float(arrays["time"][low])}
+        values = values[later]
     elif rest is not None:
         values = rest.reshape(1, -1)
         row |= {"largest": float(values.max()), "smallest": float(values.min())}
