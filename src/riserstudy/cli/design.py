@@ -38,6 +38,9 @@ def tension(
     if failed >= units:
         allowed = f"allowed are up to {units - 1} of {units}"
         raise InputError("--failed", str(failed), "no unit is left", allowed)
+    for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
+        if not math.isfinite(tolerance):  # which a minimum lets pass
+            raise InputError(option, str(tolerance), "no finite number", "allowed is such as 1.05")
     angle = _read("--fleet-angle", fleet_angle, "rad")
     from riserstudy.design import tension as formula
     from riserstudy.design.tension import Rig, Tolerances

@@ -82,8 +82,11 @@ def run(
 def _announce(file: Any) -> None:
     """Say before a long run what it will take."""
     from riserstudy.simulation.forecast import forecast
+    from riserstudy.simulation.show import shown
+    from riserstudy.simulation.watch import Watch
 
-    price = forecast(file.scene())
+    with shown(True) as tell:
+        price = forecast(file.scene(), Watch(tell=tell))
     if price and price.seconds > WORTH_TELLING:
         minutes = f"{price.seconds / 60.0:.2g} min" if price.seconds > 90.0 else ""
         print(
