@@ -40,7 +40,7 @@ def cost(
     from riserstudy.numerics import accuracy_cost as requests
 
     prices: list[requests.Price] = []
-    for price in requests.prices(file):
+    for price in requests.prices(file, progress=True):
         if not prices:  # a scene that is refused has no table
             print("  request  estimated  segments       step   time")
         prices.append(price)

@@ -70,6 +70,9 @@ def tension(
     if failed >= units:
         allowed = f"allowed are up to {units - 1} of {units}"
         raise InputError("--failed", str(failed), "no unit is left", allowed)
+    for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
+        if not math.isfinite(tolerance):  # which a minimum lets pass
+            raise InputError(option, str(tolerance), "no finite number", "allowed is such as 1.05")
     angle = quantity("--fleet-angle", fleet_angle, "rad")
     pulled = None if overpull is None else quantity("--overpull", overpull, "N")
     limit = None if dynamic_limit is None else quantity("--dynamic-limit", dynamic_limit, "N")

@@ -14,6 +14,8 @@ FloatArray = NDArray[np.float64]
 PROFILE_POINTS = 2001  # of a named current profile
 EDGE = 1e-6  # share of a profile over which it ends in still water
 
+SHALLOW = 1e-12  # kd tanh kd below which tanh kd is kd to twelve digits, and kd too small to be searched for
+
 
 def current_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
     """Elevations (m), rising, and speeds (m/s) where there is one direction, (k,); end values hold beyond."""
@@ -124,6 +126,8 @@ def wave_number(frequency: float, depth: float, gravity: float) -> float:
     from scipy.optimize import brentq  # which takes longer to load than most runs take
 
     shape = frequency**2 * depth / gravity  # kd tanh kd
+    if shape < SHALLOW:
+        return math.sqrt(shape) / depth
     high = max(shape, math.sqrt(shape)) + 1.0
     return float(brentq(lambda kd: kd * math.tanh(kd) - shape, 0.0, high, xtol=1e-14)) / depth
 

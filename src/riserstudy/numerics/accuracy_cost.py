@@ -7,17 +7,21 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from riserstudy.errors import TakesTooLong
 from riserstudy.numerics.attempt import deciding
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.forecast import forecast
 from riserstudy.simulation.refine import run
+from riserstudy.simulation.show import shown
 from riserstudy.simulation.simulate import at_accuracy
+from riserstudy.simulation.watch import Tell, Watch
 
 #: relative errors, and None for what a scene without a request gets, from the cheapest on
 REQUESTS = (0.05, 0.01, None, 0.002, 0.0005)
 OF_ACCURACY = ("analysis.mesh", "analysis.step", "analysis.accuracy")  # absent where it is default
 SLOWEST = 60.0  # seconds: a request that took longer is the last
+PATIENCE = 600.0  # seconds after which a request is given up
 
 
 class Price(NamedTuple):
@@ -28,33 +32,47 @@ class Price(NamedTuple):
     elements: int
     step: float | None  # (s)
     seconds: float  # of all refinements, kernels compiled; of a long run as forecast
+    forecast: bool  # from its first periods
 
 
-def prices(file: SceneFile) -> Iterator[Price]:
+def prices(file: SceneFile, progress: bool = False) -> Iterator[Price]:
     """Run a scene at ever finer requests; the first run, which may compile, is not timed.
 
     Of a scene that lasts long its first periods are run, and their time is multiplied.
+
+    Parameters
+    ----------
+    progress : show on a terminal what is run, and elsewhere say it once it takes long.
 
     Raises
     ------
     SimulationError
         When a run cannot be completed.
+    TakesTooLong
+        When one does not end within ``PATIENCE``.
     """
-    coarsest = requesting(file, REQUESTS[0])
-    if forecast(coarsest) is None:
-        run(coarsest)
     for share in REQUESTS:
-        scene = requesting(file, share)
-        if price := forecast(scene):
-            yield Price(share, deciding(price.error), price.elements, price.step, price.seconds)
-            continue
-        started = clock.perf_counter()
-        facts = run(scene).facts
-        seconds = clock.perf_counter() - started
-        estimated = deciding(facts.get("error_estimate", {}))
-        yield Price(share, estimated, facts["elements"], facts.get("step"), seconds)
-        if seconds > SLOWEST:
+        with shown(progress) as tell:
+            price = _price(requesting(file, share), share, tell, share == REQUESTS[0])
+        yield price
+        if price.seconds > SLOWEST and not price.forecast:
             return
+
+
+def _price(scene: Scene, share: float | None, tell: Tell | None, first: bool) -> Price:
+    """What one request comes to."""
+    if price := forecast(scene, Watch(PATIENCE, tell)):
+        error = deciding(price.error)
+        return Price(share, error, price.elements, price.step, price.seconds, True)
+    if first:
+        run(scene, PATIENCE, tell=tell)
+    started = clock.perf_counter()
+    facts = run(scene, PATIENCE, tell=tell).facts
+    if "ended_by" in facts:
+        raise TakesTooLong(f"a run does not reach {_asked(share)} within {PATIENCE:g} s")
+    seconds = clock.perf_counter() - started
+    estimated = deciding(facts.get("error_estimate", {}))
+    return Price(share, estimated, facts["elements"], facts.get("step"), seconds, False)
 
 
 def requesting(file: SceneFile, share: float | None) -> Scene:
@@ -64,9 +82,9 @@ def requesting(file: SceneFile, share: float | None) -> Scene:
     return file.with_values(dict.fromkeys(OF_ACCURACY), "default").scene()
 
 
-def _name(price: Price) -> str:
+def _asked(share: float | None) -> str:
     """A request in a label."""
-    return "default" if price.requested is None else f"{100 * price.requested:g} %"
+    return "default" if share is None else f"{100 * share:g} %"
 
 
 def plot(found: list[Price], title: str, target: Path) -> None:
@@ -81,7 +99,7 @@ def plot(found: list[Price], title: str, target: Path) -> None:
     ax.loglog([p.seconds for p in found], [p.estimated for p in found], "o-", ms=5)
     for p in found:
         ax.annotate(
-            f"  {_name(p)}: {p.elements} segments",
+            f"  {_asked(p.requested)}: {p.elements} segments",
             (p.seconds, p.estimated),
             fontsize=8,
         )

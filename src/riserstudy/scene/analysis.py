@@ -12,6 +12,7 @@ from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Strict
 
 MOST_OUTPUTS = 1_000_000
 MOST_STEPS = 1_000_000_000
+MOST_PERIODS = 40_000_000  # of the shortest motion, each of 24 steps or more
 MOST_VALUES = 300_000_000  # of a history at all its times and places: 2.4 GB
 
 

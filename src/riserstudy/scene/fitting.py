@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from riserstudy.scene.analysis import MOST_PERIODS
 from riserstudy.scene.forcing import Shape
 from riserstudy.scene.geometry import closes, covered
 from riserstudy.scene.limit_inputs import limits_fit
@@ -66,6 +67,7 @@ def fit(scene: Parts) -> None:
             "top.telescopic_joint.mid_stroke needs a lower end that is held; give the joint's length alone"
         )
     _vessel_and_soil(scene, all(bending))
+    _ends(scene)
     _starts_gently(scene)
     length = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)
     stations = (scene.analysis.output and scene.analysis.output.stations) or []
@@ -144,6 +146,18 @@ def _vessel_and_soil(scene: Parts, bends: bool) -> None:
     if gauged and gauged not in [s.name for s in scene.riser if s.young_modulus]:
         raise ValueError(
             f"analysis.output.stress_in: no section {gauged!r} with young_modulus and diameters"
+        )
+
+
+def _ends(scene: Parts) -> None:
+    """A step that is chosen is a share of the shortest period: more of these than any run could end with."""
+    duration, shortest = scene.analysis.duration, scene.shortest_period
+    if duration is None or shortest is None or scene.analysis.step is not None:
+        return
+    if duration / MOST_PERIODS > shortest:
+        raise ValueError(
+            f"analysis.duration {duration:g} s holds more than {MOST_PERIODS} periods of {shortest:g} s, the "
+            "shortest of platform and waves; take a shorter duration or a longer period"
         )
 
 

@@ -9,6 +9,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import period
+from riserstudy.simulation.watch import Watch, size
 
 PERIODS = 12.0  # of a scene after its ramps, which are run first
 LONG = 20.0  # times these, from which on a run is worth it
@@ -25,13 +26,19 @@ class Forecast(NamedTuple):
     error: dict[str, float]  # estimated for that
 
 
-def forecast(scene: Scene) -> Forecast | None:
+def forecast(scene: Scene, watch: Watch | None = None) -> Forecast | None:
     """Time that a scene will take, from a piece of it; None where it is short, or lets go of the wellhead.
+
+    Parameters
+    ----------
+    watch : what looks on; absent: nothing does.
 
     Raises
     ------
     SimulationError
         When the piece cannot be completed.
+    TakesTooLong
+        When the watch breaks it off.
     """
     a = scene.analysis
     piece = _longest_ramp(scene) + PERIODS * period(scene)
@@ -39,7 +46,7 @@ def forecast(scene: Scene) -> Forecast | None:
         return None
     if scene.vessel or scene.top.tension_loss:
         return None  # what happens later is another motion than that of the first periods
-    facts = _facts(piece_of(scene, piece))
+    facts = _facts(piece_of(scene, piece), watch or Watch())
     times = a.duration / piece * (1.0 if a.mesh is None else ESTIMATED)
     return Forecast(
         times * facts["solve_seconds"],
@@ -70,13 +77,15 @@ def _longest_ramp(scene: Scene) -> float:
     return max(((one.ramp or 0.0) for one in growing if one), default=0.0)
 
 
-def _facts(scene: Scene) -> dict[str, Any]:
+def _facts(scene: Scene, watch: Watch) -> dict[str, Any]:
     """Facts of a run of which the first attempt, which loads kernels, does not count."""
     a = scene.analysis
     if a.mesh is not None:
         mesh = prescribed(scene, a.mesh.elements)
-        single(scene, mesh, a.step)
-        return single(scene, mesh, a.step).facts
-    refinement = Refinement(scene)
-    single(scene, refinement.mesh, refinement.step, True)
+        watch.begin(f"the first periods: {size(len(mesh.l0), a.step)}")
+        single(scene, mesh, a.step, watch=watch)
+        return single(scene, mesh, a.step, watch=watch).facts
+    refinement = Refinement(scene, watch)
+    watch.begin(f"the first periods: {size(len(refinement.mesh.l0), refinement.step)}")
+    single(scene, refinement.mesh, refinement.step, True, watch)
     return refinement.result().facts

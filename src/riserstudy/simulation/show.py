@@ -16,7 +16,7 @@ LATE = 5.0  # s, after which runs are told of where nobody looks on
 def shown(progress: bool) -> Iterator[Tell | None]:
     """What is told of runs, and shows it: on a terminal or in a notebook as one line that changes.
 
-    Elsewhere, as in a log, each run that begins after a while gets a line of its own on stderr.
+    Elsewhere, as in a log, each run that is at work after a while gets a line of its own on stderr.
     """
     if not progress:
         yield None
@@ -35,10 +35,12 @@ def shown(progress: bool) -> Iterator[Tell | None]:
 
 def _lines() -> Tell:
     """Tell by lines."""
-    started = clock.perf_counter()
+    started, said = clock.perf_counter(), ""
 
     def tell(what: str, share: float) -> None:
-        if share == 0.0 and clock.perf_counter() - started > LATE:
+        nonlocal said
+        if (share == 0.0 or what != said) and clock.perf_counter() - started > LATE:
             print(f"riserstudy: {what}", file=sys.stderr, flush=True)
+            said = what
 
     return tell

@@ -12,6 +12,7 @@ from riserstudy.solve.record import Record
 from riserstudy.solve.sums import Sums
 
 OFTEN = 0.2  # s between two looks
+BEGUN = 1e-9  # share that is told of a run that has written no output yet
 
 #: is told what is at work, and what share of it is done
 Tell = Callable[[str, float], None]
@@ -54,8 +55,8 @@ class Watch:
             while not done.wait(OFTEN):
                 if self.spent > self.patience:
                     sums.stop[0] = 1
-                elif self._tell and (done_so_far := share(record)) > 0.0:
-                    self._tell(self._what, done_so_far)
+                elif self._tell:
+                    self._tell(self._what, max(BEGUN, share(record)))
 
         looking = threading.Thread(target=look, daemon=True)
         looking.start()
