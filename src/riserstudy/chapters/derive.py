@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from riserstudy.chapters import function_of
 from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import history
+from riserstudy.dataset.origins import joined, origins_of
 from riserstudy.scene.origin import unwrap
 
 if TYPE_CHECKING:
@@ -31,12 +32,10 @@ def derive(
     plain, given, _ = unwrap(settings or {})
     dataset: xr.Dataset = function_of(paper, "derived", name)(**datasets, **plain)
     dataset = dataset.drop_dims(OVER, errors="ignore")  # statistics of runs, not of what is derived
-    origins = {f"with.{path}": origin.status for path, origin in given.items()}
+    own = {f"with.{path}": origin.status for path, origin in given.items()}
     if settings:
         dataset.attrs["settings"] = json.dumps(settings)
-    for source in datasets.values():
-        for path, status in json.loads(source.attrs.get("origins", "{}")).items():
-            origins[path] = status if origins.get(path) != "calibrated" else "calibrated"
+    origins = joined([own, *map(origins_of, datasets.values())])
     dataset.attrs.setdefault("title", f"{paper}: {name.replace('_', ' ')}")
     dataset.attrs["origins"] = json.dumps(origins)
     dataset.attrs["parents"] = json.dumps({name: _about(d) for name, d in datasets.items()})

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, fields, replace
@@ -15,6 +14,7 @@ import numpy as np
 import xarray as xr
 from scipy.stats import binomtest
 
+from riserstudy.dataset.origins import origins_of
 from riserstudy.errors import SimulationError
 from riserstudy.grading.margin import below
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
@@ -345,7 +345,7 @@ def _band(hits: xr.DataArray) -> str:
 
 
 def _calibrated(dataset: xr.Dataset) -> bool:
-    return "calibrated" in json.loads(dataset.attrs.get("origins", "{}")).values()
+    return "calibrated" in origins_of(dataset).values()
 
 
 def _row(
