@@ -9,6 +9,7 @@ from riserstudy.chapters import function_of
 from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import history
 from riserstudy.dataset.origins import joined, origins_of
+from riserstudy.dataset.points_behind import parent
 from riserstudy.scene.origin import unwrap
 
 if TYPE_CHECKING:
@@ -26,8 +27,8 @@ def derive(
     ``settings`` are what the study file tells it besides the datasets; the attribute ``settings`` keeps them
     with ranges and reasons.
 
-    Its attribute ``parents`` tells tier, engine and digest of each of its sources, ``origins`` joins their
-    origins: where a calibrated value went must stay known.
+    Its attribute ``parents`` tells tier, engine, digest and axes of each of its sources, ``origins`` joins
+    their origins: where a calibrated value went must stay known.
     """
     plain, given, _ = unwrap(settings or {})
     dataset: xr.Dataset = function_of(paper, "derived", name)(**datasets, **plain)
@@ -38,11 +39,6 @@ def derive(
     origins = joined([own, *map(origins_of, datasets.values())])
     dataset.attrs.setdefault("title", f"{paper}: {name.replace('_', ' ')}")
     dataset.attrs["origins"] = json.dumps(origins)
-    dataset.attrs["parents"] = json.dumps({name: _about(d) for name, d in datasets.items()})
+    dataset.attrs["parents"] = json.dumps({name: parent(d) for name, d in datasets.items()})
     dataset.attrs["history"] = history(f"derived {name} of {paper} from {', '.join(datasets)}")
     return dataset
-
-
-def _about(source: xr.Dataset) -> dict[str, Any]:
-    """What tells a source from others: its digest covers scene, axes and points."""
-    return {n: source.attrs[n] for n in ("tier", "engine", "digest") if n in source.attrs}
