@@ -15,7 +15,7 @@ from riserstudy.grading.cases import Case, regrade
 from riserstudy.grading.grade import Found, judged, table, weighed
 from riserstudy.grading.margin import above
 from riserstudy.grading.models import Item
-from riserstudy.report.regraded import cases_of
+from riserstudy.report.without_points import cases_of
 
 LINES = ["a chord", "a; b=2", "tangent, line=a chord", "1"]
 PUBLISHED = 2.0

@@ -10,7 +10,7 @@ import sqlite3
 from collections import Counter
 from typing import Any, NamedTuple
 
-from riserstudy.report.regraded import Regraded, regraded
+from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.report.wording import grouped, listed, share
 from riserstudy.study.models import StudyFile, StudyModel
 
@@ -76,7 +76,7 @@ class Missed(NamedTuple):
     worst: float
     where: str
     verdicts: list[tuple[str, str]]  # paper and id of numbers and claims that rest on one
-    without: Regraded  # what becomes of these
+    without: WithoutPoints  # what becomes of these
 
     @property
     def said(self) -> str:
@@ -215,7 +215,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         worst["error"] if worst else 0.0,
         f"{worst['study']} ({_largest(worst)})" if worst else "",
         verdicts,
-        regraded(db, verdicts, numbers),
+        without_points(db, verdicts, numbers),
     )
 
 

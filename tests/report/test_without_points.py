@@ -5,7 +5,7 @@ import sqlite3
 
 import pytest
 
-from riserstudy.report.regraded import places, regraded
+from riserstudy.report.without_points import places, without_points
 
 CLAIM, STUDY = ("paper", "C1"), "paper/runs"
 LABELS = ["a; b", "a, speed=1.0", 'o\'clock "x"']
@@ -41,7 +41,7 @@ def db():
 
 def test_a_verdict_that_a_point_alone_made_turns_without_it(db):
     for point in (12, 13):  # at either speed
-        found = regraded(db, [CLAIM], {STUDY: [point]})
+        found = without_points(db, [CLAIM], {STUDY: [point]})
         assert found.turned == [(CLAIM, "holds")]
         said = "Without these points 1 of the 1 verdicts that can be graded anew turns"
         assert (found.turning, found.left) == (said, "")
@@ -49,21 +49,21 @@ def test_a_verdict_that_a_point_alone_made_turns_without_it(db):
 
 def test_other_points_leave_a_verdict_as_it_is(db):
     for off in ({STUDY: [14]}, {STUDY: []}, {}):
-        found = regraded(db, [CLAIM], off)
+        found = without_points(db, [CLAIM], off)
         assert (found.stand, found.turned, found.bound) == ([CLAIM], [], [])
         assert found.turning.startswith("Without these points none of the 1 verdicts")
 
 
 def test_what_rests_on_such_points_in_its_base_or_in_every_case_cannot_be_graded(db):
     for points in ([10, 12], [*range(10, 16)]):
-        found = regraded(db, [CLAIM], {STUDY: points})
+        found = without_points(db, [CLAIM], {STUDY: points})
         assert found.bound == [CLAIM]
         assert found.left.startswith("1 cannot")
 
 
 def test_a_fitted_value_stays_one(db):
     db.execute("update margins set calibrated = 1")
-    assert regraded(db, [CLAIM], {STUDY: [12]}).turned == [(CLAIM, "calibrated")]
+    assert without_points(db, [CLAIM], {STUDY: [12]}).turned == [(CLAIM, "calibrated")]
 
 
 def test_places_of_points_are_those_of_their_axes_whatever_the_labels(db):

@@ -13,7 +13,7 @@ from riserstudy.grading.cases import Case, Dropped, Place, regrade
 Verdict = tuple[str, str]  # paper and id
 
 
-class Regraded(NamedTuple):
+class WithoutPoints(NamedTuple):
     """Verdicts by what becomes of them."""
 
     turned: list[tuple[Verdict, str]]  # with what they are without such points
@@ -35,9 +35,9 @@ class Regraded(NamedTuple):
         return f"{len(self.bound)} cannot, as the base case or every case rests on such a point"
 
 
-def regraded(
+def without_points(
     db: sqlite3.Connection, verdicts: Iterable[Verdict], off: Mapping[str, list[int]]
-) -> Regraded:
+) -> WithoutPoints:
     """Grade verdicts anew without the cases that rest on points that are off.
 
     Parameters
@@ -45,7 +45,7 @@ def regraded(
     off : numbers of such points, by simulated study.
     """
     dropped = Dropped({study: places(db, study, points) for study, points in off.items()})
-    of = Regraded([], [], [])
+    of = WithoutPoints([], [], [])
     for verdict in verdicts:
         asked = "select kind, verdict from numbers_and_claims where paper = ? and id = ?"
         kind, graded = db.execute(asked, verdict).fetchone()
