@@ -59,7 +59,7 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
 
 
 def uses(file: SceneFile, result: Result) -> dict[str, NDArray[Any]]:
-    """What one run uses of each limit of its scene, by the name that ``add_limits`` gives it, (limit,)."""
+    """What one run uses of each limit of its scene, by the name that ``add_limits`` gives it; (n,) each."""
     rows = checked(file, file.scene(), result.facts.get("extremes", []))
     return {
         name: np.array([getattr(one, of) for one in rows], kind)
