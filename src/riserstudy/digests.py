@@ -10,6 +10,7 @@ import hashlib
 from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 from riserstudy.folders import PACKAGE, remembered
 
@@ -107,10 +108,38 @@ def defining(modules: Iterable[str], function: str) -> str | None:
     return next((module for module in modules if function in _defined(module)), None)
 
 
-def _defined(module: str) -> set[str]:
+def _defined(module: str) -> dict[str, ast.FunctionDef]:
     file = source_of(module)
     nodes = _tree(file).body if file else []
-    return {node.name for node in nodes if isinstance(node, ast.FunctionDef)}
+    return {node.name: node for node in nodes if isinstance(node, ast.FunctionDef)}
+
+
+class Arguments(NamedTuple):
+    """Names that a function must be given, and all that it takes; None: it takes any."""
+
+    needed: set[str]
+    taken: set[str] | None
+
+
+def arguments_of(modules: Iterable[str], function: str) -> Arguments:
+    """Arguments of the function of that name, by reading its source.
+
+    Raises
+    ------
+    LookupError
+        When no module defines it.
+    """
+    module = defining(modules, function)
+    if module is None:
+        raise LookupError(function)
+    node = _defined(module)[function]
+    plain, named = [a.arg for a in node.args.args], [a.arg for a in node.args.kwonlyargs]
+    filled = plain[len(plain) - len(node.args.defaults) :]
+    filled += [n for n, value in zip(named, node.args.kw_defaults, strict=True) if value]
+    if node.decorator_list:  # which may change them
+        return Arguments(set(), None)
+    any_name = node.args.kwarg is not None
+    return Arguments({*plain, *named}.difference(filled), None if any_name else {*plain, *named})
 
 
 @cache

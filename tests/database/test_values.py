@@ -198,7 +198,7 @@ def test_numbers_and_claims_and_errata_are_those_of_the_tables(db):
     asked = "select margin, margin_low, margin_high from numbers_and_claims where id = 'A1'"
     assert db.execute(asked).fetchall() == [(-0.3, -0.5, 0.25)]
     assert dict(db.execute("select place, margin from margins where id = 'A1'")) == {
-        "sample=0": 0.25, "sample=1; speed=2.0": -0.5, "sample=2": None
+        '{"sample": 0}': 0.25, '{"sample": 1, "line": "a; b"}': -0.5, "{}": None
     }  # fmt: skip
 
 

@@ -137,10 +137,14 @@ def graded():
         "margin_high": "0.25",
     }
     _write("reproduction", [row, row | {"id": "A2", "published": "", "error": ""}])
-    places = {"sample=0": "0.25", "sample=1; speed=2.0": "-0.5", "sample=2": "nan"}
+    case = {"base": 0, "judged": 1, "met": 1, "calibrated": 0, "rests_on": '{"plain/surge": []}'}
+    margins = {'{"sample": 0}': "0.25", '{"sample": 1, "line": "a; b"}': "-0.5", "{}": ""}
     _write(
         "margins",
-        [{"paper": "plain", "id": "A1", "place": p, "margin": m} for p, m in places.items()],
+        [
+            {"paper": "plain", "id": "A1", "place": p, "margin": m} | case
+            for p, m in margins.items()
+        ],
     )
     known = {"paper": "plain", "id": "E1", "where": "p. 3", "printed": "a", "reading": "b"}
     _write("errata", [known | {"simulation": INJECTION}])

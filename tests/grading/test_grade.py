@@ -297,18 +297,41 @@ def test_a_number_met_in_some_samples_depends():
 
 
 def test_a_claim_is_graded_over_its_samples_and_tells_the_base_case():
-    options = {"at_least": 1.0}
-    space = dataset(np.arange(20.0)).merge(samples(lever=["in"] * 20))
+    options = {"at_least": 3.0}
+    space = dataset(np.arange(60.0)).merge(samples(lever=["in"] * 60))
     about = {"kind": "claim", "check": "claim", "with": options, "over": {"runs": "space"}}
-    found = row({"base": dataset(0.5), "space": space}, **about)
+    found = row({"base": dataset(5.0), "space": space}, **about)
     assert found.verdict == "holds"
-    assert found.note == "True in 19 of 20 samples (95 %). Base case: 0.5, false."
+    assert found.note == "True in 57 of 60 samples (95 %). Base case: 5, true."
     beside = row(
-        {"base": dataset(2.0), "space": space, "other": dataset(3.0)},
+        {"base": dataset(4.0), "space": space, "other": dataset(3.0)},
         **about,
         beside={"Settled": {"runs": "other"}},
     )
-    assert beside.note.endswith("Base case: 2, true. Settled: 3, true.")
+    assert beside.note.endswith("Base case: 4, true. Settled: 3, true.")
+
+
+@pytest.mark.parametrize("count", [1, 2, 8, 58, 59, 200])
+@pytest.mark.parametrize("base", [True, False])
+def test_a_claim_holds_where_its_base_and_enough_samples_are_true(count, base):
+    """Of 59 draws that are all true, and not of 58, one may say at 95 % confidence that 95 % are."""
+    enough = count >= np.log(0.05) / np.log(0.95)
+    space = dataset(np.full(count, 5.0)).merge(samples(lever=["in"] * count))
+    about = {"kind": "claim", "check": "claim", "with": {"at_least": 3.0}}
+    datasets = {"base": dataset(5.0 if base else 1.0), "space": space}
+    found = row(datasets, **about, over={"runs": "space"})
+    assert found.verdict == ("holds" if base and enough else "depends")
+    share = f"true in {count} of {count} samples"
+    if not base:
+        assert found.depends_on.startswith(f"the base case; {share}")
+    elif not enough:
+        assert found.depends_on.startswith(f"too few samples ({count} of 59); {share}")
+
+
+def test_all_readings_of_a_grid_are_enough_however_few():
+    both = dataset([5.0, 4.0]).rename(sample="reading").assign_coords(reading=["a", "b"])
+    about = {"kind": "claim", "check": "claim", "with": {"at_least": 3.0}}
+    assert row({"base": both}, **about, base={"reading": "a"}).verdict == "holds"
 
 
 def test_a_case_of_many_cells_is_told_by_its_range_its_share_and_what_decides():
@@ -455,19 +478,21 @@ def test_the_base_of_a_claim_is_in_every_tier(paper):
     "premise, told, verdict",
     [
         (
-            6.0,
-            "True in 4 of 4 samples (100 %). Judged where what it takes for granted is so: 4 of 10",
+            120.0,
+            "True in 80 of 80 samples (100 %). "
+            "Judged where what it takes for granted is so: 80 of 200",
             "holds",
         ),
-        (2.0, "true in 5 of 8 samples (62 %)", "depends"),
-        (99.0, "is so in none of 10 samples; judged by the base case", "holds"),
+        (150.0, "too few samples (50 of 59)", "depends"),
+        (40.0, "true in 100 of 160 samples (62 %", "depends"),
+        (999.0, "is so in none of 200 samples; judged by the base case", "holds"),
     ],
 )
 def test_a_claim_is_judged_only_where_what_it_takes_for_granted_is_so(premise, told, verdict):
-    """Of samples 0 to 9 those from 5 on are true; the base case, 7, is, too."""
-    datasets = {"base": dataset(7.0), "open": dataset(range(10))}
-    datasets["open"]["assumed_a"] = ("sample", np.arange(10.0), {"long_name": "a"})
-    limits = {"least": 5.0, "premise": premise}
+    """Of samples 0 to 199 those from 100 on are true; the base case, 140, is, too."""
+    datasets = {"base": dataset(140.0), "open": dataset(range(200))}
+    datasets["open"]["assumed_a"] = ("sample", np.arange(200.0), {"long_name": "a"})
+    limits = {"least": 100.0, "premise": premise}
     about = {"kind": "claim", "check": "premised", "over": {"runs": "open"}, "with": limits}
     found = row(datasets, **about)
     assert found.verdict == verdict

@@ -84,10 +84,13 @@ def weighed_over(*values, **about):
 def test_a_claim_tells_the_margin_of_its_base_and_of_each_sample():
     found = weighed_over(1.0, 2.5, 4.0, 8.0, kind="claim", check="claim")
     assert found.row.margin == 0.5
-    assert [(one.place, one.margin) for one in found.margins] == [
-        ("sample=0", -0.5), ("sample=1", 0.2), ("sample=2", 0.5), ("sample=3", 0.75)
+    base, *cases = found.cases
+    assert (base.base, base.judged, base.margin) == (True, False, 0.5)
+    assert [(one.place, one.margin) for one in cases] == [
+        ({"sample": 0}, -0.5), ({"sample": 1}, 0.2), ({"sample": 2}, 0.5), ({"sample": 3}, 0.75)
     ]  # fmt: skip
-    true = np.mean([one.margin > 0.0 for one in found.margins])
+    assert [one.met for one in cases] == [one.margin > 0.0 for one in cases]
+    true = np.mean([one.met for one in cases])
     assert f"true in {4 * true:.0f} of 4 samples" in found.row.depends_on
     assert -0.5 < found.row.margin_low < found.row.margin_high < 0.75
 
@@ -95,9 +98,13 @@ def test_a_claim_tells_the_margin_of_its_base_and_of_each_sample():
 def test_a_number_has_room_within_its_tolerance():
     found = weighed_over(4.0, 4.1, 4.5, kind="number", check="number", published=4.0, rounding=0.2)
     assert found.row.margin == 1.0
-    assert [one.margin for one in found.margins] == pytest.approx([1.0, 0.0, -0.8])
+    assert [one.margin for one in found.cases] == pytest.approx([1.0, 1.0, 0.0, -0.8])
+    assert [one.met for one in found.cases] == [True, True, True, False]
 
 
 def test_a_check_that_says_true_or_false_alone_has_no_margin():
     found = weighed_over(1.0, 4.0, kind="claim", check="plain")
-    assert (found.row.margin, found.row.margin_low, found.margins) == (None, None, [])
+    assert (found.row.margin, found.row.margin_low) == (None, None)
+    assert [(one.met, one.margin) for one in found.cases] == [
+        (True, None), (False, None), (True, None)
+    ]  # fmt: skip

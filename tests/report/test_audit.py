@@ -9,13 +9,15 @@ from riserstudy.report.audit import UNSAID, missed, told_by
 
 TABLES = """
 create table parameters (point, path, value);
-create table studies (study, paper, name, caption);
+create table studies (study, paper, name, caption, axes, table_name);
+create table columns (table_name, column_name, role, position);
+create table wide (point);
 create table points (point integer primary key, study, place, error_displacement, error_moment,
     error_tension, warnings, wall_seconds, unexplained_energy);
 create table rests_on (paper, id, study);
 create table simulated_behind (study, source);
 create table numbers_and_claims (paper, id, kind, verdict, margin);
-create table margins (paper, id, place, margin);
+create table margins (paper, id, place, base, judged, met, margin, calibrated, rests_on);
 insert into numbers_and_claims values
     ('paper', 'N1', 'claim', 'depends', null), ('paper', 'N2', 'claim', 'holds', null);
 """
@@ -40,7 +42,9 @@ def database(rows):
     db = sqlite3.connect(":memory:")
     db.executescript(TABLES)
     for point, (name, fixed, accuracy, *errors) in enumerate(rows):
-        db.execute("insert into studies values (?, 'paper', ?, '')", (f"paper/{name}", name))
+        db.execute(
+            "insert into studies values (?, 'paper', ?, '', '{}', 'wide')", (f"paper/{name}", name)
+        )
         db.execute(
             "insert into points values (?, ?, '', ?, ?, ?, '', 1, 0)",
             (point, f"paper/{name}", *errors),

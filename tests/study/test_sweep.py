@@ -12,6 +12,8 @@ import pytest
 from riserstudy import load_scene, simulate, sweep
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.study import simulate_points, store
+from riserstudy.study.far_values import far_values
+from riserstudy.study.sweep import Lines, _study
 
 ROOT = Path(__file__).parents[2]
 COARSE = {
@@ -55,11 +57,107 @@ def test_a_point_of_a_sweep_is_what_simulate_makes_of_its_scene():
     assert (found["failure"] == "").all()
 
 
-def test_numbers_count_in_the_unit_of_the_scene_and_texts_as_they_stand():
+def planned(axes, **overrides):
+    """The grid of a sweep, which nothing is simulated of."""
+    return _study(scene(**overrides), axes, ["x"])
+
+
+@pytest.mark.parametrize(
+    "texts, unit, values",
+    [
+        (["2 MN", "2.5 MN"], "MN", [2.0, 2.5]),
+        (["2000 kN", "2.5 MN"], "kN", [2000.0, 2500.0]),
+        (["2.0e3 kN", "2500 kN"], "kN", [2000.0, 2500.0]),
+        ([" 203.9432 tf", "2500kN"], "tf", [203.9432, 2500.0 / 9.80665]),
+    ],
+)
+def test_numbers_have_their_own_unit_or_that_of_the_scene(texts, unit, values):
+    written = planned({"top.tension": texts})
+    assert written.model.axes["top_tension"].unit == unit
+    assert [value for value, _ in written.axes["top_tension"]] == pytest.approx(values, rel=1e-12)
+    loads = [written.grid.file(point.index).scene().top.tension for point in written.plan]
+    plain = planned({"top.tension": [load / 1e3 for load in loads]})  # in kN, as the scene has it
+    again = [plain.grid.file(point.index).scene().top.tension for point in plain.plan]
+    assert again == pytest.approx(loads, rel=1e-12)
+
+
+def test_a_sweep_of_quantities_is_over_an_axis_of_numbers():
     numbers = swept({"top.tension": [2000, 2500]}, keep=["ufj_angle"])
-    texts = swept({"top.tension": ["2 MN", "2.5 MN"]}, keep=["ufj_angle"])
+    texts = swept({"top.tension": ["2000 kN", "2500 kN"]}, keep=["ufj_angle"])
+    assert texts["top_tension"].attrs["units"] == "kN"
+    np.testing.assert_array_equal(texts["top_tension"], numbers["top_tension"])
     np.testing.assert_array_equal(numbers["ufj_angle"], texts["ufj_angle"])
-    assert list(texts["top_tension"].values) == ["2 MN", "2.5 MN"]
+
+
+def test_options_stay_labels():
+    labels = ["free", "fixed"]
+    assert planned({"bottom.rotation": labels}).axes["bottom_rotation"][1][0] == "fixed"
+
+
+@pytest.mark.parametrize(
+    "values, said",
+    [
+        ([1.6e6, 2.0e6], "2000000.0 kN is 1000 times the scene's 2000 kN at top.tension"),
+        ([1600.0, 2100.0], ""),
+        ([16.0, 17.0], "0.008 times the scene's 2000 kN"),
+        ([20.0, 200.0, 1000.0], ""),  # it leads there
+        ([20.0, 2000.0], ""),  # the scene's own is among them
+        (["2 kN", "3 kN"], "2.0 kN is 0.001 times"),
+        (["2 MN", "3 MN"], ""),
+        ([0.0, 2100.0], ""),
+    ],
+)
+def test_values_far_from_the_scene_s_are_warned_of(values, said):
+    warned = far_values(planned({"top.tension": values}, **{"top.tension": "2000 kN"}))
+    assert len(warned) == bool(said)
+    if said:
+        assert said in warned[0]
+        assert warned[0].startswith("sweep: axes.top_tension: ")
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_slip_of_a_prefix_is_warned_of_whatever_the_scene_s_value(seed):
+    draw = np.random.default_rng(seed)
+    load = float(draw.uniform(1.5, 4.0))
+    values = sorted(set((load * draw.uniform(0.3, 3.0, 4)).round(3)))
+    right = planned({"top.tension": values}, **{"top.tension": f"{load} MN"})
+    assert far_values(right) == []
+    for slip in (1e3, 1e-3, 100.0 / 0.3):
+        wrong = planned(
+            {"top.tension": [v * slip for v in values]}, **{"top.tension": f"{load} MN"}
+        )
+        assert len(far_values(wrong)) == 1
+
+
+def test_a_sweep_warns_and_tells_how_far_it_is_where_there_is_no_terminal(capsys):
+    file = scene(**{"top.tension": "2000 kN"})
+    with pytest.warns(UserWarning, match=r"210000.0 kN is 105 times the scene's 2000 kN"):
+        found = sweep(file, {"top.tension": [2e5, 2.1e5]}, keep=["x"], cores=1)
+    assert np.isfinite(found["x"]).all()
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0] == "sweep: 2 points, 0 of them stored"
+    assert lines[-1] == "sweep: 2 of 2 points"
+
+
+def test_progress_says_how_much_is_left(monkeypatch, capsys):
+    now = [0.0]
+    monkeypatch.setattr("riserstudy.study.sweep.time.monotonic", lambda: now[0])
+    told = Lines(120)
+    told(40)  # stored
+    for second in range(1, 41):
+        now[0] = float(second)
+        told(2)
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0] == "sweep: 120 points, 40 of them stored"
+    assert lines[1] == "sweep: 52 of 120 points, about 34 s to go"
+    assert lines[-1] == "sweep: 120 of 120 points"
+    assert len(lines) < 10
+
+
+def test_nothing_is_told_where_all_is_stored_or_nobody_asks(capsys):
+    swept({"platform.surge.period": PERIODS}, keep=["x"])
+    sweep(scene(), {"platform.surge.period": PERIODS}, keep=["x"], cores=1)
+    assert capsys.readouterr().err == ""
 
 
 def test_what_is_stored_is_not_simulated_again(monkeypatch):
@@ -70,8 +168,8 @@ def test_what_is_stored_is_not_simulated_again(monkeypatch):
 
 
 def test_a_point_that_cannot_be_completed_has_no_numbers_and_says_why():
-    """20 kN do not carry a riser of 75 kN in water."""
-    found = swept({"top.tension": [20, 2000]}, keep=["x", "ufj_angle"])
+    """30 kN do not carry a riser of 75 kN in water."""
+    found = swept({"top.tension": [30, 2000]}, keep=["x", "ufj_angle"])
     weak, strong = (found.isel(top_tension=k) for k in (0, 1))
     assert "buckles under its own weight" in str(weak["failure"].item())
     assert strong["failure"].item() == ""
@@ -84,12 +182,12 @@ def test_a_point_that_cannot_be_completed_has_no_numbers_and_says_why():
 
 @pytest.mark.parametrize(
     "axes, options",
-    [({"top.tension": [2000, 20]}, {"on_error": "raise"}), ({"top.tension": [10, 20]}, {})],
+    [({"top.tension": [2000, 30]}, {"on_error": "raise"}), ({"top.tension": [25, 30]}, {})],
     ids=["asked for", "nothing is left"],
 )
 def test_failure_is_an_error_where_it_must_be(axes, options):
     with pytest.raises(
-        SimulationError, match=r"points? cannot be completed; at top_tension = (10|20):"
+        SimulationError, match=r"points? cannot be completed; at top_tension = (25|30):"
     ):
         swept(axes, **options)
 
@@ -100,6 +198,8 @@ def test_failure_is_an_error_where_it_must_be(axes, options):
         ({}, {}, "name at least one path"),
         ({"top.tension": []}, {}, "values, each once"),
         ({"top.tension": [1, 1]}, {}, "values, each once"),
+        ({"top.tension": [1600, "1700 kN"]}, {}, "give all of them a unit, or none"),
+        ({"top.tension": ["2 MN", "3 m"]}, {}, "another dimension"),
         ({"top.pull": [1, 2]}, {}, "pull"),
         ({"platform.surge.period": [8, -8]}, {}, "platform.surge.period"),
         ({"platform.surge.phase": [0, 90]}, {}, "platform.surge.phase"),  # no unit is there

@@ -18,7 +18,7 @@ from riserstudy.report.wording import grouped, seconds, share
 REPRODUCTION = """\
 paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,margin,margin_low,margin_high,note
 chang2020,A1,14,number,a <b>bold</b> number,0.3,0.538921,m,0.7964,depends,\
-"the phase; met in 1 of 4 samples (25 %)",,,,"Met by phase: early (50 %); late, or never (0 %). A note."
+"the phase; met in 1 of 4 samples (25 %)",,,,"Met by phase: early (50 %); late; or never (0 %). A note."
 chang2020,A2,14,claim,a claim,,1.5,1,,holds,,0.25,,,True in 256 of 256 samples (100 %). Base case: 1.5.
 chang2020,A10,14,claim,open,,0,1,,depends,"the flow; true in 200 of 256 samples (78 %, 73 to 83 %)",\
 0.1,-0.02,0.3,"True by flow: along, 1 m/s (69 %); against (100 %). Base case: 3, true. As in A1."
@@ -126,7 +126,7 @@ def test_every_claim_leads_to_its_figure(sources):
 def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     text = " ".join(Page(render(sources)).words)
     assert "a <b>bold</b> number Decided by the phase." in text
-    assert "early 50 % late, or never 0 %" in text
+    assert "early 50 % late; or never 0 %" in text
     assert "0.3 m 0.5389 m 80 % 25 % depends" in text
     assert "True in all 256 samples." in text
     assert "E1 Eq. 3 a slip read so says this" in text

@@ -43,6 +43,8 @@ def begin_once():
     PLAN.leave_points(Path(".cache/points.json"))
     for note in notes:
         print(f"riserstudy: note: {note}", file=sys.stderr)
+    for warning in PLAN.warnings:
+        print(f"riserstudy: warning: {warning}", file=sys.stderr)
 
 
 # Jobs use the Python that runs Snakemake, whether or not its environment was activated.

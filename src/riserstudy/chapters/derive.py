@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 from riserstudy.chapters import function_of
 from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import history
+from riserstudy.dataset.origins import joined, origins_of
+from riserstudy.dataset.points_behind import parent
 from riserstudy.scene.origin import unwrap
 
 if TYPE_CHECKING:
@@ -25,25 +27,18 @@ def derive(
     ``settings`` are what the study file tells it besides the datasets; the attribute ``settings`` keeps them
     with ranges and reasons.
 
-    Its attribute ``parents`` tells tier, engine and digest of each of its sources, ``origins`` joins their
-    origins: where a calibrated value went must stay known.
+    Its attribute ``parents`` tells tier, engine, digest and axes of each of its sources, ``origins`` joins
+    their origins: where a calibrated value went must stay known.
     """
     plain, given, _ = unwrap(settings or {})
     dataset: xr.Dataset = function_of(paper, "derived", name)(**datasets, **plain)
     dataset = dataset.drop_dims(OVER, errors="ignore")  # statistics of runs, not of what is derived
-    origins = {f"with.{path}": origin.status for path, origin in given.items()}
+    own = {f"with.{path}": origin.status for path, origin in given.items()}
     if settings:
         dataset.attrs["settings"] = json.dumps(settings)
-    for source in datasets.values():
-        for path, status in json.loads(source.attrs.get("origins", "{}")).items():
-            origins[path] = status if origins.get(path) != "calibrated" else "calibrated"
+    origins = joined([own, *map(origins_of, datasets.values())])
     dataset.attrs.setdefault("title", f"{paper}: {name.replace('_', ' ')}")
     dataset.attrs["origins"] = json.dumps(origins)
-    dataset.attrs["parents"] = json.dumps({name: _about(d) for name, d in datasets.items()})
+    dataset.attrs["parents"] = json.dumps({name: parent(d) for name, d in datasets.items()})
     dataset.attrs["history"] = history(f"derived {name} of {paper} from {', '.join(datasets)}")
     return dataset
-
-
-def _about(source: xr.Dataset) -> dict[str, Any]:
-    """What tells a source from others: its digest covers scene, axes and points."""
-    return {n: source.attrs[n] for n in ("tier", "engine", "digest") if n in source.attrs}

@@ -160,12 +160,17 @@ create table numbers_and_claims (
     primary key (paper, id)
 );
 
-create table margins (            -- of each case that a number or claim is judged by
+create table margins (            -- of each case of a number or claim
     paper text not null references papers (paper),
     id text not null,
-    place text not null,          -- sample and cell of the axes
+    place text not null,          -- JSON: sample and cell, by axis
+    base integer not null check (base in (0, 1)),  -- the base case
+    judged integer not null check (judged in (0, 1)),  -- counts in the share
+    met integer not null check (met in (0, 1)),
     margin real,
-    primary key (paper, id, place)
+    calibrated integer not null check (calibrated in (0, 1)),
+    rests_on text not null,       -- JSON: axes by which place picks its points, by simulated study
+    primary key (paper, id, place, base)
 ) without rowid;
 
 create table rests_on (           -- datasets that a number or claim, or the simulation of an erratum, is checked with

@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 from riserstudy.database.names import Names, quoted
-from riserstudy.database.parameters import in_si
 from riserstudy.database.read_dataset import Grid
 from riserstudy.dataset.extremes import Statistic
+from riserstudy.scene.fields import in_si
 
 #: facts about every point, in the order of its columns
 FACTS = (

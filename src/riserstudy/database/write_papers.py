@@ -114,8 +114,9 @@ def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
 
 def _margin(row: dict[str, str]) -> tuple[str | float | None, ...]:
     """A row of margins.csv."""
-    margin = float(row["margin"])
-    return row["paper"], row["id"], row["place"], margin if math.isfinite(margin) else None
+    flags = (int(row[name]) for name in ("base", "judged", "met"))
+    margin, fitted = _number(row["margin"]), int(row["calibrated"])
+    return row["paper"], row["id"], row["place"], *flags, margin, fitted, row["rests_on"]
 
 
 def _number(text: str) -> float | None:

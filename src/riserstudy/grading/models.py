@@ -10,9 +10,12 @@ from pydantic import Field, model_validator
 from riserstudy.digests import defining
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
+from riserstudy.grading.verdict import RELATIVE
 from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml
+from riserstudy.scene.units import Percent
+from riserstudy.study.arguments import refuse_arguments
 
 
 class PrintedNumber(Strict):
@@ -57,6 +60,7 @@ class Item(Checked):
     that counts as the simulated value. ``beside`` names datasets of further cases, told in the note:
     one cell, or many with their range and the share of hits.
     ``impossible`` says why nothing can be compared.
+    ``within``: share of the printed value that a number is to be met to, as `0.15 %`. Absent: 1 %.
     """
 
     figure: str
@@ -65,6 +69,7 @@ class Item(Checked):
     published: float | None = None
     unit: str = ""
     rounding: float | None = Field(default=None, gt=0)
+    within: Percent | None = None
     over: dict[str, str] = Field(default_factory=dict)
     base: dict[str, str | float] = Field(default_factory=dict)
     beside: dict[str, dict[str, str]] = Field(default_factory=dict)
@@ -78,6 +83,15 @@ class Item(Checked):
         if (self.published is None) != (self.rounding is None):
             raise ValueError(
                 "rounding: the unit of the last printed digit goes with a printed value"
+            )
+        if self.rounding and self.published and self.rounding > abs(self.published):
+            raise ValueError(
+                f"rounding: {self.rounding:g} is coarser than the number {self.published:g}; "
+                "it is the unit of the last printed digit, as 0.1 of 24.4"
+            )
+        if self.within is not None and not (self.published and 0.0 < self.within <= RELATIVE):
+            raise ValueError(
+                f"within: {100 * self.within:g} %; allowed is a share of a number other than zero, up to 1 %"
             )
         if bool(self.check) == bool(self.impossible):
             raise ValueError("needs one of check and impossible")
@@ -213,4 +227,8 @@ def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
         if defining(modules, name) is None:
             found = f"chapters/{paper}/claims.py defines no function {name!r}"
             raise InputError(path, "check", found, "define it, or say why nothing is compared")
+    for entry in (*file.items, *file.errata):
+        if entry.check:
+            given = [*entry.reads, *entry.options]
+            refuse_arguments(path, f"{entry.id}.with", paper, "claims", entry.check, given)
     return file

@@ -11,7 +11,7 @@ import xarray as xr
 from riserstudy.chapters import checks_of
 from riserstudy.errors import RiserStudyError
 from riserstudy.folders import write_whole
-from riserstudy.grading.grade import ErratumRow, Margin, Row, errata, table, weigh
+from riserstudy.grading.grade import Case, ErratumRow, Row, errata, table, weigh
 from riserstudy.grading.models import read_published
 from riserstudy.jobs.seals import seal
 
@@ -23,8 +23,8 @@ def main(paper: str, graded: Path, errors: Path, margins: Path, sources: list[Pa
     weights = weigh(file, datasets, checks_of(paper))
     rows = [item.row for item in weights]
     write_whole(graded, table(rows, Row).encode())
-    each = (margin for item in weights for margin in item.margins)
-    write_whole(margins, table(each, Margin).encode())
+    cases = (case for item in weights for case in item.cases)
+    write_whole(margins, table(cases, Case).encode())
     write_whole(errors, table(errata(file, datasets, checks_of(paper)), ErratumRow).encode())
     seal(graded, errors, margins)
     for row in rows:

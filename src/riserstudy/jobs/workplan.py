@@ -22,6 +22,7 @@ from riserstudy.figures import module_of_plot
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.models import PublishedFile, published_path, read_published
 from riserstudy.grading.printed import with_printed
+from riserstudy.jobs.plan_checks import refuse_unprinted, warnings
 from riserstudy.numerics.measure import module_of
 from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
 from riserstudy.scene.check import check
@@ -73,9 +74,13 @@ class Workplan:
             scene_file(config / study.model.scene).scene()
             study.plan  # noqa: B018  every point is checked before any job
         if only is None:
-            for paper, file in self.files.items():
-                for name in file.schematics:
-                    self.schematic(paper, name).scene()
+            schematics = [
+                self.schematic(p, n) for p, of in self.files.items() for n in of.schematics
+            ]
+            for scene in schematics:
+                scene.scene()
+            own = {self.config / study.model.scene for study in self.studies}
+            refuse_unprinted(config, map(scene_file, sorted(own)))
 
     @property
     def units(self) -> str:
@@ -134,6 +139,11 @@ class Workplan:
             for paper, file in self.files.items()
             for name, model in file.studies.items()
         }
+
+    @property
+    def warnings(self) -> list[str]:
+        """What is unusual in the studies, and may be a slip."""
+        return warnings(self.studies)
 
     @property
     def studies(self) -> list[Study]:

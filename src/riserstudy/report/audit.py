@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import sqlite3
 from collections import Counter
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from riserstudy.report.without import Without, without
+from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.report.wording import grouped, listed, share
 from riserstudy.study.models import StudyFile, StudyModel
 
@@ -77,7 +76,7 @@ class Missed(NamedTuple):
     worst: float
     where: str
     verdicts: list[tuple[str, str]]  # paper and id of numbers and claims that rest on one
-    without: Without  # what becomes of these
+    without: WithoutPoints  # what becomes of these
 
     @property
     def said(self) -> str:
@@ -189,15 +188,8 @@ def warned(db: sqlite3.Connection) -> list[Warned]:
     return sorted(warnings, key=lambda one: -one.points)
 
 
-def missed(
-    db: sqlite3.Connection,
-    files: dict[str, StudyFile],
-    judging: Mapping[tuple[str, str], set[str]] | None = None,
-) -> Missed:
-    """How many points miss the tolerance, why, and which verdicts rest on one.
-
-    ``judging``: datasets whose cases make a verdict, as ``without`` takes them. None: all that it rests on.
-    """
+def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
+    """How many points miss the tolerance, why, and which verdicts rest on one."""
     points = _points(db, files)
     off = [p for p in points if _misses(p)]
     asked = [p for p in points if not p["fixed"]]
@@ -210,12 +202,9 @@ def missed(
         f"where source in ({marks}) group by n.rowid order by n.rowid",
         studies,
     ).fetchall()
-    rests: dict[tuple[str, str], set[str]] = {}
-    for paper, id_, study in db.execute("select paper, id, study from rests_on"):
-        rests.setdefault((paper, id_), set()).add(study)
-    places: dict[str, list[str]] = {}
+    numbers: dict[str, list[int]] = {}
     for point in off:
-        places.setdefault(point["study"], []).append(point["place"])
+        numbers.setdefault(point["study"], []).append(point["point"])
     return Missed(
         len(points),
         len(off),
@@ -226,7 +215,7 @@ def missed(
         worst["error"] if worst else 0.0,
         f"{worst['study']} ({_largest(worst)})" if worst else "",
         verdicts,
-        without(db, verdicts, places, rests | dict(judging or {})),
+        without_points(db, verdicts, numbers),
     )
 
 

@@ -13,7 +13,7 @@ from riserstudy.report.wording import number, sentence, share, unit
 VERDICTS = {
     "reproduced": "within the printed rounding or 1 %, with nothing fitted",
     "calibrated": "met with an input that was fitted to a printed number",
-    "holds": "true in at least 95 % of samples of the unspecified inputs",
+    "holds": "true in the base case and in at least 95 % of samples of the unspecified inputs, 59 or more",
     "depends": "decided by an input that the paper does not give",
     "fails": "a number that no sample meets, a claim true in at most 5 %",
     "not reproducible": "the paper does not say enough",
@@ -27,7 +27,7 @@ AS_IT_IS = (
 _SAMPLES = re.compile(rf"{SAMPLES_MET}\.?")
 _SENTENCES = re.compile(r"(?<=[.?])\s+(?=[A-Z0-9])")
 _BY_OPTION = re.compile(r"^(Met|True) by ([^:]+): (.+)\.$")
-_OPTION = re.compile(r"^(.*) \((\d+) %\)$")
+_OPTION = re.compile(r"(?:^|; )(.+?) \((\d+) %\)(?=; |$)")
 
 
 class ByOption(NamedTuple):
@@ -84,6 +84,8 @@ class Claim(NamedTuple):
         if self.verdict == "not reproducible":
             return sentence(self.said[0]) if self.said else "The paper does not say enough."
         if self.verdict == "depends":
+            if self.decided_by.startswith("too few "):
+                return f"True in {self.met} of {self.samples} samples: {self.decided_by}."
             if self.decided_by.startswith("no "):
                 return sentence(f"{self.decided_by} decides it")
             return f"Decided by {self.decided_by}."
@@ -132,10 +134,8 @@ def _margin_text(margin: float, low: float | None, high: float | None) -> str:
 
 def _by_option(found: re.Match[str]) -> ByOption:
     shares = []
-    for text in found[3].split("; "):
-        option = _OPTION.match(text)
-        if option:
-            shares.append((option[1], int(option[2])))
+    for option, percent in _OPTION.findall(found[3]):
+        shares.append((option, int(percent)))
     return ByOption(found[2], shares)
 
 

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.database.ask import opened
-from riserstudy.grading.models import printed_of, published_path
 from riserstudy.report import audit
 from riserstudy.report.animation import animation
 from riserstudy.report.claims import VERDICTS, Claim, read_claims
@@ -95,7 +94,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         tables = {p: _scenes(p, files[p], datasets, sources.config) for p in sources.papers}
         figures = _figures(db, sources, files, claims, paths, tables)
         rows, warned = audit.audit(db, files), audit.warned(db)
-        missed = audit.missed(db, files, _judging(sources.config, sources.papers))
+        missed = audit.missed(db, files)
         facts = audit.run_facts(db)
     cold = json.loads(sources.compiled.read_text() or "{}").get("cold_seconds")
     # tables show each cell of these: of a file, every cell would be a read of its own
@@ -120,23 +119,6 @@ def contents(sources: Sources) -> dict[str, Any]:
         "rows": rows,
         "warned": warned,
         "missed": missed,
-    }
-
-
-def _judging(config: Path, papers: list[str]) -> dict[tuple[str, str], set[str]]:
-    """Datasets whose cases make each verdict: of claims over what is open no base case."""
-    return {
-        (paper, item.id): {
-            f"{paper}/{name}"
-            for name in (
-                item.over.values()
-                if item.over and item.kind == "claim"
-                else [*item.reads.values(), *item.over.values()]
-            )
-        }
-        for paper in papers
-        if published_path(config, paper).exists()
-        for item in printed_of(config, paper).items
     }
 
 

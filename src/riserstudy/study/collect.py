@@ -273,6 +273,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "evidence": json.dumps({p: o.why for p, o in origins.items()}),
         "effects": json.dumps(effects),
         "errors_estimated": f"{estimated} of {len(results)} points, chosen by their keys",
+        **({"error_because": because} if (because := study.model.error_because) else {}),
         "history": history(f"simulated study {study.name} of {study.paper}, tier {study.tier}"),
     }
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import checked, label
 from riserstudy.dataset.variables import attributes
@@ -16,7 +17,14 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from riserstudy.dataset.result import Result
+    from riserstudy.scene.load import SceneFile
 
+#: variables over ``limit``: what of a checked limit they hold, and as what
+OVER_LIMITS: dict[str, tuple[str, type]] = {
+    "use_of_limit": ("utilisation", float),
+    "demand_of_limit": ("demand", float),
+    "verdict_of_limit": ("verdict", object),
+}
 TOLD = ("mode", "side", "output", "at", "allowable", "unit", "origin")
 
 
@@ -41,16 +49,22 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
     shape = (*(len(steps) for steps in study.axes.values()), len(labels))
     dims = (*study.axes, "limit")
 
-    def add(name: str, values: list[list[float | None]] | list[list[str]], kind: type) -> None:
-        dataset[name] = (dims, np.array(values, kind).reshape(shape), attributes(name))
-
-    add("use_of_limit", [[one.utilisation for one in row] for row in rows], float)
-    add("demand_of_limit", [[one.demand for one in row] for row in rows], float)
-    add("verdict_of_limit", [[one.verdict for one in row] for row in rows], object)
+    for name, (of, kind) in OVER_LIMITS.items():
+        values: NDArray[Any] = np.array([[getattr(one, of) for one in row] for row in rows], kind)
+        dataset[name] = (dims, values.reshape(shape), attributes(name))
     dataset.coords["limit"] = ("limit", labels, attributes("limit"))
     dataset.attrs["limits"] = json.dumps(
         [{name: getattr(one, name) for name in TOLD} for one in rows[0]]
     )
+
+
+def uses(file: SceneFile, result: Result) -> dict[str, NDArray[Any]]:
+    """What one run uses of each limit of its scene, by the name that ``add_limits`` gives it; (n,) each."""
+    rows = checked(file, file.scene(), result.facts.get("extremes", []))
+    return {
+        name: np.array([getattr(one, of) for one in rows], kind)
+        for name, (of, kind) in OVER_LIMITS.items()
+    }
 
 
 def _places(study: Study) -> list[tuple[int, ...]]:

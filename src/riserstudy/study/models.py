@@ -209,7 +209,7 @@ class StudyModel(Strict):
                 raise ValueError(f"axes.{name}: samples have variables of such names; take another")
         for (one, first), (other, second) in combinations(self._numbers.items(), 2):
             for path in first:
-                if any(_meets(path, own) for own in second):
+                if any(meets(path, own) for own in second):
                     found = f"sets {path!r}, and so does axis {one!r}"
                     raise ValueError(f"axes.{other}: {found}; allowed is a path of its own")
         self._keep_apart()
@@ -238,7 +238,7 @@ class StudyModel(Strict):
             before |= {path: f"axis {name!r} has its own" for _, path in put}
 
 
-def _meets(one: str, other: str) -> bool:
+def meets(one: str, other: str) -> bool:
     """Whether two paths of a scene are the same, or one lies within the other."""
     short, long = sorted((one, other), key=len)
     return long == short or long.startswith((f"{short}.", f"{short}["))

@@ -10,6 +10,7 @@ from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
 from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml
+from riserstudy.study.arguments import refuse_arguments
 from riserstudy.study.figures import NEEDS, FigureModel, Plot
 from riserstudy.study.models import StudyFile, StudyModel, Tier
 from riserstudy.study.plots import faults
@@ -26,14 +27,7 @@ def read_studies(config: Path, paper: str) -> StudyFile:
     """
     path = config / "studies" / f"{paper}.yaml"
     file = check(StudyFile, read_yaml(path, keep=True), path)
-    for name in file.derived:
-        if defining(chapter_modules(paper, "derived"), name) is None:
-            found = f"chapters/{paper}/derived.py defines no function {name}"
-            raise InputError(path, f"derived.{name}", found, "leave it out, or define it")
-    for name, figure in file.figures.items():
-        if not figure.plot and defining(chapter_modules(paper, "figures"), name) is None:
-            allowed = "allowed are plot: " + ", ".join(NEEDS)
-            raise InputError(path, f"figures.{name}", "nothing says how to draw it", allowed)
+    _refuse_calls(file, path, paper)
     studies = {
         name: Study(paper, name, model, config, "standard", None, file.readings)
         for name, model in file.studies.items()
@@ -50,6 +44,24 @@ def read_studies(config: Path, paper: str) -> StudyFile:
                 path, f"figures.{name}.of", found, allowed or "name another quantity or plot"
             )
     return file
+
+
+def _refuse_calls(file: StudyFile, path: Path, paper: str) -> None:
+    """Refuse derived datasets and figures whose functions are not there or take something else."""
+    for name, derived in file.derived.items():
+        if defining(chapter_modules(paper, "derived"), name) is None:
+            found = f"chapters/{paper}/derived.py defines no function {name}"
+            raise InputError(path, f"derived.{name}", found, "leave it out, or define it")
+        given = [*derived.reads, *derived.settings]
+        refuse_arguments(path, f"derived.{name}", paper, "derived", name, given)
+    for name, figure in file.figures.items():
+        if figure.plot:
+            continue
+        if defining(chapter_modules(paper, "figures"), name) is None:
+            allowed = "allowed are plot: " + ", ".join(NEEDS)
+            raise InputError(path, f"figures.{name}", "nothing says how to draw it", allowed)
+        given = [*figure.reads, *(figure.settings or {})]
+        refuse_arguments(path, f"figures.{name}", paper, "figures", name, given)
 
 
 def read_study(config: Path, paper: str, name: str, tier: Tier, accuracy: str | None) -> Study:

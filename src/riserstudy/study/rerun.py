@@ -12,13 +12,16 @@ from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import labelled, to_dataset
 from riserstudy.dataset.place import place
 from riserstudy.digests import engine_digest
-from riserstudy.study.collect import FACTS, laid_on, statistics
+from riserstudy.study.collect import FACTS, NODE_DIGITS, laid_on, statistics
+from riserstudy.study.limits import uses
 
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.dataset.result import Result
+
 #: that change from run to run, or tell what was run
-LEFT_OUT = ("wall_seconds", "solve_seconds", "point_key", "warnings", "effects")
+LEFT_OUT = ("wall_seconds", "solve_seconds", "point_key", "warnings", "effects", "failure")
 
 
 @dataclass(frozen=True)
@@ -64,13 +67,14 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     estimated = bool(np.isfinite(point.get("error_displacement", 0.0)))
     file = file_behind(dataset, index)
     result = run(file.scene(), estimated=estimated)
+    limits = uses(file, result) if "limit" in point.dims else {}
     whole = to_dataset(result, file, absent(set(result.facts["effects"])))
     whole.attrs["source"] = dataset.attrs.get("scene_file") or dataset.attrs.get("source", "")
     told = xr.Dataset(statistics([result], [str(name) for name in point.data_vars])).squeeze()
-    if "s_node" in point.dims and not np.array_equal(point["s_node"], result.arrays["s_node"]):
-        result = laid_on(result, point["s_node"].values)
+    result = _on_nodes_of(point, result)
     new = labelled(result).merge(told.reindex_like(point[[OVER]]) if OVER in point else {})
     facts = {name: tell(result.facts) for name, tell in FACTS.items() if name not in LEFT_OUT}
+    facts |= limits
     return Rerun(
         {axis: point[axis].item() for axis in index},
         (engine, engine_digest()),
@@ -83,9 +87,27 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     )
 
 
+def _on_nodes_of(point: xr.Dataset, result: Result) -> Result:
+    """A run over the nodes of a dataset, which has them as ``s`` where it keeps histories alone."""
+    own, at = result.arrays, result.arrays.get("s", result.arrays["s_node"])
+    everywhere = at.shape == own["s_node"].shape and np.array_equal(at, own["s_node"])
+    name = "s_node" if "s_node" in point.dims else "s"
+    if name not in point.dims or not (everywhere or name == "s_node"):
+        return result
+    nodes = point[name].values
+    same = nodes.shape == own["s_node"].shape and np.allclose(
+        nodes, own["s_node"], rtol=0.0, atol=10.0**-NODE_DIGITS
+    )
+    return result if same else laid_on(result, nodes)
+
+
 def _change(old: Any, new: Any) -> float:
     """Largest difference of two arrays over their largest magnitude."""
-    if old.shape != new.shape or not np.array_equal(np.isnan(old), np.isnan(new)):
+    if old.shape != new.shape:
+        return float("inf")
+    if old.dtype.kind not in "fiub":  # texts are the same or not
+        return 0.0 if np.array_equal(old, new) else float("inf")
+    if not np.array_equal(np.isnan(old), np.isnan(new)):
         return float("inf")
     there = np.isfinite(old) & np.isfinite(new)
     if not np.array_equal(old[~there], new[~there], equal_nan=True):

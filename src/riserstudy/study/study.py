@@ -7,7 +7,7 @@ import json
 import math
 from dataclasses import dataclass, field
 from functools import cache, cached_property
-from itertools import product
+from itertools import combinations, product
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +19,15 @@ from riserstudy.scene.origin import Origin
 from riserstudy.scene.tables import names_of_tables, texts_of_tables
 from riserstudy.simulation.kernel_groups import group_of
 from riserstudy.study.grid import Grid, Point
-from riserstudy.study.models import MOST_VALUES, Labels, Numbers, Samples, StudyModel, Tier
+from riserstudy.study.models import (
+    MOST_VALUES,
+    Labels,
+    Numbers,
+    Samples,
+    StudyModel,
+    Tier,
+    meets,
+)
 from riserstudy.study.store import canonical
 
 ALL_OF = 16  # values of an axis, up to which each is looked at for the kernels that it needs
@@ -160,12 +168,17 @@ class Study:
     def _behind_plan(self) -> str:
         """Digest of scene, axes, tables that they name, and the code that checks them."""
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
+        code = [engine_digest(), digest(sources_behind(Grid.__module__))]
+        about = [code, canonical(self.base.tree), canonical(axes), self._contents_of_tables]
+        return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:32]
+
+    @property
+    def _contents_of_tables(self) -> dict[str, str]:
+        """Digests of the tables that its scenes refer to, by name."""
+        axes = [[sets for _, sets in steps] for steps in self.axes.values()]
         folder = Path(self.base.source).parent
         names = sorted({*names_of_tables([self.base.tree, axes])})
-        tables = {name: _content(folder / name) for name in names}
-        code = [engine_digest(), digest(sources_behind(Grid.__module__))]
-        about = [code, canonical(self.base.tree), canonical(axes), tables]
-        return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:32]
+        return {name: _content(folder / name) for name in names}
 
     def shard(self, number: int, shards: int) -> list[Point]:
         """Points of one of several jobs, spread over the grid; a job does not plan those of others."""
@@ -177,13 +190,29 @@ class Study:
     def digest(self) -> str:
         """One string that changes when anything that the dataset depends on changes.
 
-        Titles, origins and captions change no number, but stand in the dataset.
+        Keys of points leave out limits, titles, notes and origins, which change no run. These stand in the
+        dataset all the same, and limits decide its verdicts. So what axes set counts as it is written.
         """
-        axes = {name: [value for value, _ in values] for name, values in self.axes.items()}
-        about = [canonical(axes), [point.key for point in self.plan], self.model.keep]
+        model = self.model
+        axes = [[name, self._about_axis(name)] for name in self.axes]
         origins = {path: (o.status, o.why) for path, o in self.base.origins.items()}
-        about += [self.tier, self.model.caption, canonical(self.base.tree), origins]
-        return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:16]
+        about = [axes, [point.key for point in self.plan], model.keep, model.error_because]
+        about += [self.tier, model.caption, self.base.source, canonical(self.base.tree), origins]
+        about += [self._contents_of_tables]
+        return hashlib.sha256(json.dumps(about, sort_keys=True).encode()).hexdigest()[:16]
+
+    def _about_axis(self, name: str) -> list[Any]:
+        """What a dataset says of an axis: its unit, and what each value sets, or each sample assumes."""
+        axis = self.model.axes[name]
+        if isinstance(axis, Samples):
+            return [canonical(self.axes[name]), canonical(self.assumed(axis))]
+        unit = axis.unit if isinstance(axis, Numbers) else ""
+        return [unit, canonical([[value, _in_order(sets)] for value, sets in self.axes[name]])]
+
+
+def _in_order(sets: dict[str, Any]) -> Any:
+    """What a value of an axis sets; its order counts where one path lies within another."""
+    return [*sets.items()] if any(meets(*two) for two in combinations(sets, 2)) else sets
 
 
 def _content(path: Path) -> str:

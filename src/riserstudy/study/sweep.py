@@ -9,6 +9,8 @@ from __future__ import annotations
 import os
 import re
 import sys
+import time
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -20,9 +22,12 @@ import numpy as np
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.check import check
+from riserstudy.scene.fields import in_si, value_at
 from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.units import factor
 from riserstudy.study import store
 from riserstudy.study.collect import SHARED, dataset_of
+from riserstudy.study.far_values import far_values
 from riserstudy.study.models import StudyModel
 from riserstudy.study.simulate_points import attempt
 from riserstudy.study.study import Study
@@ -35,7 +40,9 @@ if TYPE_CHECKING:
 Values = Sequence[float | int | str]
 Labelled = Mapping[str, Mapping[str, Any]]
 
-_QUANTITY = re.compile(r"\s*[-+]?[0-9][-+0-9.eE]*\s*([^\s].*)?")
+#: a number with its unit
+_QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\d].*?)\s*")
+EVERY = 5.0  # s between two lines of progress
 KEPT = frozenset(
     (*SHARED, "mesh_corner")
 )  # arrays that say where and when, of points without numbers too
@@ -75,7 +82,9 @@ def sweep(
         A scene from :func:`riserstudy.load_scene`, or the path of its file.
     axes : mapping
         By path in the scene the values that it takes, as ``{"platform.surge.period": [8, 10, 12]}``.
-        Numbers count in the unit that the scene has there. The dimension is the path with ``_`` for dots.
+        Numbers count in the unit that the scene has there, or have their own: ``["1600 kN", "2 MN"]`` is an
+        axis in kN. Values a hundred times the scene's are warned of. The dimension is the path with ``_`` for
+        dots.
         Or by name of a dimension, labels and what each sets: ``{"law": {"stiff": {"top.x": "held"}, ...}}``.
     keep : iterable of str, optional
         Variables to keep, such as ``bending_moment``; absent: all. Those of a whole run, such as
@@ -86,7 +95,7 @@ def sweep(
     cores : int, optional
         Processes at most; absent: as many as there are cores.
     progress : bool
-        Show how many points are done.
+        Show how many points are done, as a bar in a terminal or notebook, elsewhere as lines.
 
     Returns
     -------
@@ -106,6 +115,8 @@ def sweep(
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     study = _study(file, axes, None if keep is None else list(keep))
     points = study.plan
+    for said in far_values(study):
+        warnings.warn(said, stacklevel=2)
     with _shown(progress, len({point.key for point in points})) as done:
         failures = attempt(study, points, cores or _cores(), done)
     if failures and (on_error == "raise" or len(failures) == len({p.key for p in points})):
@@ -162,23 +173,36 @@ def _axis(file: SceneFile, path: str, values: Values | Labelled) -> tuple[str, A
     if not listed or len(set(listed)) < len(listed):
         raise InputError("sweep", f"axes.{path}", str(listed), "allowed are values, each once")
     name = re.sub(r"\W+", "_", path).strip("_")
-    if all(isinstance(v, int | float) and not isinstance(v, bool) for v in listed):
+    plain = [isinstance(v, int | float) and not isinstance(v, bool) for v in listed]
+    if all(plain):
         return name, {"path": path, "unit": _unit_at(file, path), "values": listed}
-    return name, {str(value): {path: value} for value in listed}
+    parts = [_QUANTITY.fullmatch(v) if isinstance(v, str) else None for v in listed]
+    if any(plain) and any(parts):
+        allowed = "give all of them a unit, or none: those without count in the scene's"
+        raise InputError("sweep", f"axes.{path}", str(listed), allowed)
+    quantities = [(float(part[1]), part[2]) for part in parts if part]
+    if len(quantities) < len(listed) or in_si(path, listed[0])[0] is None:
+        return name, {str(value): {path: value} for value in listed}
+    return name, {"path": path, "unit": quantities[0][1], "values": _in_one_unit(path, quantities)}
+
+
+def _in_one_unit(path: str, quantities: list[tuple[float, str]]) -> list[float]:
+    """Numbers of quantities in the unit of the first."""
+    unit = quantities[0][1]
+    try:
+        return [
+            x if own == unit else float(f"{x * factor(own, unit):.15g}") for x, own in quantities
+        ]
+    except ValueError as error:
+        units = ", ".join(dict.fromkeys(own for _, own in quantities))
+        raise InputError("sweep", f"axes.{path}", f"{units}: {error}", "use one unit") from None
 
 
 def _unit_at(file: SceneFile, path: str) -> str:
     """Unit of the scene's value at a path; "1" where it has none, or there is no value."""
-    value: Any = file.tree
-    for step in re.findall(r"[^.\[\]]+", path):
-        if isinstance(value, dict):
-            value = value.get(step)
-        elif isinstance(value, list) and step.isdigit() and int(step) < len(value):
-            value = value[int(step)]
-        else:
-            value = None
+    value = value_at(file.tree, path)
     quantity = _QUANTITY.fullmatch(value) if isinstance(value, str) else None
-    return (quantity and quantity[1]) or "1"
+    return quantity[2] if quantity else "1"
 
 
 def _without_numbers(result: Result) -> Result:
@@ -197,13 +221,40 @@ def _cores() -> int:
 
 @contextmanager
 def _shown(progress: bool, count: int) -> Iterator[Callable[[int], None]]:
-    """Something to tell how many more points are done, to a terminal or a notebook."""
+    """Something to tell how many more points are done: to a terminal or a notebook, or as lines elsewhere."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
     console = Console(file=sys.stderr)
-    seen = progress and (console.is_terminal or console.is_jupyter)
+    if progress and not (console.is_terminal or console.is_jupyter):
+        yield Lines(count)
+        return
     columns = ("points", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console, disable=not seen) as bar:
+    with Progress(*columns, console=console, disable=not progress) as bar:
         task = bar.add_task("points", total=count)
         yield lambda more: bar.advance(task, more)
+
+
+class Lines:
+    """Tells on the error stream how far a sweep is, a line when it begins and then one in a few seconds."""
+
+    def __init__(self, count: int):
+        self._count, self._done, self._stored = count, 0, -1
+        self._began = self._told = time.monotonic()
+
+    def __call__(self, more: int) -> None:
+        """So many more points are done; told first how many are stored."""
+        now, self._done = time.monotonic(), self._done + more
+        if self._stored < 0:
+            self._stored = self._done
+            if self._done < self._count:
+                self._tell(f"{self._count} points, {self._stored} of them stored")
+        elif now - self._told > EVERY or self._done == self._count:
+            self._told = now
+            share = (self._done - self._stored) / (self._count - self._stored)
+            left = (now - self._began) * (1.0 / share - 1.0)
+            to_go = f", about {left:.2g} s to go" if self._done < self._count else ""
+            self._tell(f"{self._done} of {self._count} points{to_go}")
+
+    def _tell(self, said: str) -> None:
+        print(f"sweep: {said}", file=sys.stderr, flush=True)

@@ -1,0 +1,132 @@
+"""Cases of a number or claim: what each found, the points that it rests on, and the verdict of them all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.dataset.points_behind import Axes, studies_behind
+from riserstudy.grading.verdict import Verdict, verdict_of_claim, verdict_of_number
+
+Place = dict[str, Any]  # value by axis
+
+
+@dataclass(frozen=True)
+class Case:
+    """One line of margins.csv: one case of a number or claim; the fields are its columns.
+
+    Attributes
+    ----------
+    place : its sample and its cell on the axes that are judged, by axis.
+    base, judged : whether it is the base case, and whether it counts in the share.
+    met : whether the number is met, or the claim true.
+    margin : how far it is from where that would turn, -1 to 1; None where that is not known.
+    calibrated : whether a value fitted to a printed number is behind it.
+    rests_on : simulated studies (paper/name) with the axes by whose values, those of ``place``, its points
+        are picked; all points of a study without axes.
+    """
+
+    paper: str
+    id: str
+    place: Place
+    base: bool
+    judged: bool
+    met: bool
+    margin: float | None
+    calibrated: bool
+    rests_on: dict[str, list[str]]
+
+
+class Behind:
+    """Simulated studies behind some datasets of a paper."""
+
+    def __init__(self, paper: str, datasets: Mapping[str, xr.Dataset]):
+        studies: dict[str, Axes] = {}
+        for name, dataset in datasets.items():
+            studies |= studies_behind(name, dataset)
+        self._values = {
+            f"{paper}/{study}": {axis: frozenset(values) for axis, values in axes.items()}
+            for study, axes in studies.items()
+        }
+
+    def rests_on(self, place: Place) -> dict[str, list[str]]:
+        """Studies, and the axes by which a place picks points: those that have its value."""
+        return {
+            study: [a for a, value in place.items() if a in axes and value in axes[a]]
+            for study, axes in self._values.items()
+        }
+
+
+def places_of(values: xr.DataArray) -> Iterator[tuple[tuple[int, ...], Place]]:
+    """Index and place of each cell."""
+    dims = [str(dim) for dim in values.dims]
+    along = {dim: values[dim].values.tolist() for dim in dims}
+    for index in np.ndindex(values.shape):
+        yield index, {dim: along[dim][k] for dim, k in zip(dims, index, strict=True)}
+
+
+class Dropped:
+    """Points to leave out, by study; a case rests on one where it is at its place on all axes that pick."""
+
+    def __init__(self, points: Mapping[str, Iterable[Place]]):
+        self._points = {study: [*places] for study, places in points.items()}
+        self._picked: dict[tuple[str, ...], set[tuple[Any, ...]]] = {}
+
+    def touches(self, case: Case) -> bool:
+        """Whether a case rests on one of the points."""
+        return any(
+            tuple(case.place[axis] for axis in axes) in self._at(study, axes)
+            for study, axes in case.rests_on.items()
+            if study in self._points
+        )
+
+    def _at(self, study: str, axes: Sequence[str]) -> set[tuple[Any, ...]]:
+        """Places of the points of a study on some axes, looked up once."""
+        key = (study, *axes)
+        if key not in self._picked:
+            self._picked[key] = {tuple(p[axis] for axis in axes) for p in self._points[study]}
+        return self._picked[key]
+
+
+def regrade(
+    kind: str, cases: Sequence[Case], drop: Mapping[str, Iterable[Place]] | Dropped | None = None
+) -> Verdict | None:
+    """Verdict of a number or claim without the cases that rest on some points.
+
+    Parameters
+    ----------
+    kind : "number" or "claim".
+    cases : all of it.
+    drop : places of the points to leave out, by study (paper/name). None: nothing is left out.
+
+    Returns
+    -------
+    None where no case is left to be judged, or where the base case is left out and decides.
+    """
+    dropped = drop if isinstance(drop, Dropped) else Dropped(drop or {})
+    left = [case for case in cases if not dropped.touches(case)]
+    judged = [case for case in left if case.judged]
+    if not judged:
+        return None
+    base = [case.met for case in left if case.base]
+    known = not all(base) or len(base) == sum(case.base for case in cases)
+    verdicts = {_verdict(kind, judged, hit) for hit in ([all(base)] if known else [True, False])}
+    return verdicts.pop() if len(verdicts) == 1 else None
+
+
+def _verdict(kind: str, judged: Sequence[Case], base: bool) -> Verdict:
+    share = sum(case.met for case in judged) / len(judged)
+    calibrated = any(case.calibrated for case in judged)
+    if kind == "number":
+        return verdict_of_number(base, share, calibrated)
+    return verdict_of_claim(share, calibrated, base, samples_of(judged))
+
+
+def samples_of(cases: Iterable[Case]) -> int | None:
+    """How many samples some cases are of; None where what is open is a grid, of which all is judged."""
+    samples = {case.place["sample"] for case in cases if "sample" in case.place}
+    return len(samples) or None

@@ -1,0 +1,42 @@
+"""What is held against each other before any job: scenes against what papers print, axes against scenes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache, partial
+from pathlib import Path
+
+from riserstudy.errors import InputError
+from riserstudy.grading.models import published_path
+from riserstudy.grading.printed import printed_inputs, unprinted
+from riserstudy.scene.load import SceneFile
+from riserstudy.study.far_values import far_values
+from riserstudy.study.study import Study
+
+
+def refuse_unprinted(config: Path, scenes: Iterable[SceneFile]) -> None:
+    """Refuse a plain value of a paper's scene, which says that the paper prints it, that is not on its list.
+
+    Papers whose file has no ``inputs`` are not yet listed.
+
+    Raises
+    ------
+    InputError
+        With the first such value.
+    """
+    inputs_of = cache(partial(printed_inputs, config))
+    for scene in scenes:
+        paper = scene.tree.get("paper")
+        inputs = inputs_of(paper) if isinstance(paper, str) else []
+        for path, value in unprinted(inputs, scene) if inputs else []:
+            listed = published_path(config, str(paper))
+            found = f"{value} is plain, as printed values are, and {listed} has no such input"
+            allowed = (
+                f"list it under `inputs`, or say its origin, as {{chosen: {value}, because: ...}}"
+            )
+            raise InputError(scene.source, path, found, allowed)
+
+
+def warnings(studies: Iterable[Study]) -> list[str]:
+    """What is unusual in studies, and may be a slip."""
+    return [said for study in studies for said in far_values(study)]

@@ -1,0 +1,87 @@
+"""What becomes of verdicts without the points whose error is above tolerance: they are graded anew."""
+
+from __future__ import annotations
+
+import json
+import sqlite3
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from riserstudy.database.names import quoted
+from riserstudy.grading.cases import Case, Dropped, Place, regrade
+
+Verdict = tuple[str, str]  # paper and id
+
+
+class WithoutPoints(NamedTuple):
+    """Verdicts by what becomes of them."""
+
+    turned: list[tuple[Verdict, str]]  # with what they are without such points
+    stand: list[Verdict]
+    bound: list[Verdict]  # their base case, or every case, rests on such a point, and that decides
+
+    @property
+    def turning(self) -> str:
+        """How many turn, in words."""
+        many, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
+        graded = len(self.turned) + len(self.stand)
+        return f"Without these points {many} of the {graded} verdicts that can be graded anew turn{ends}"
+
+    @property
+    def left(self) -> str:
+        """How many cannot be graded anew, in words; "" where all can."""
+        if not self.bound:
+            return ""
+        return f"{len(self.bound)} cannot, as the base case or every case rests on such a point"
+
+
+def without_points(
+    db: sqlite3.Connection, verdicts: Iterable[Verdict], off: Mapping[str, list[int]]
+) -> WithoutPoints:
+    """Grade verdicts anew without the cases that rest on points that are off.
+
+    Parameters
+    ----------
+    off : numbers of such points, by simulated study.
+    """
+    dropped = Dropped({study: places(db, study, points) for study, points in off.items()})
+    of = WithoutPoints([], [], [])
+    for verdict in verdicts:
+        asked = "select kind, verdict from numbers_and_claims where paper = ? and id = ?"
+        kind, graded = db.execute(asked, verdict).fetchone()
+        cases = [*cases_of(db, verdict)]
+        if not any(dropped.touches(case) for case in cases):
+            of.stand.append(verdict)
+            continue
+        anew = regrade(kind, cases, dropped)
+        if anew is None:
+            of.bound.append(verdict)
+        elif anew == graded:
+            of.stand.append(verdict)
+        else:
+            of.turned.append((verdict, anew))
+    return of
+
+
+def cases_of(db: sqlite3.Connection, verdict: Verdict) -> Iterable[Case]:
+    """Cases of a number or claim, as grading wrote them."""
+    asked = "select place, base, judged, met, margin, calibrated, rests_on from margins"
+    rows = db.execute(f"{asked} where paper = ? and id = ?", verdict)
+    for place, base, judged, met, margin, calibrated, rests_on in rows:
+        flags = bool(base), bool(judged), bool(met)
+        behind = json.loads(rests_on)
+        yield Case(*verdict, json.loads(place), *flags, margin, bool(calibrated), behind)
+
+
+def places(db: sqlite3.Connection, study: str, points: Iterable[int]) -> list[Place]:
+    """Where points of a study are on its axes."""
+    axes, table = db.execute(
+        "select axes, table_name from studies where study = ?", (study,)
+    ).fetchone()
+    asked = (
+        "select column_name from columns where table_name = ? and role = 'axis' order by position"
+    )
+    columns = [quoted(name) for (name,) in db.execute(asked, (table,))]
+    names, wanted = [*json.loads(axes)], {*points}
+    rows = db.execute(f"select {', '.join(['point', *columns])} from {quoted(table)}")
+    return [dict(zip(names, at, strict=True)) for point, *at in rows if point in wanted]

@@ -1,0 +1,90 @@
+"""What a scene holds at a dotted path: how its models read a value there, and in which SI unit."""
+
+from __future__ import annotations
+
+import re
+import types
+from collections.abc import Iterator
+from functools import cache, lru_cache
+from inspect import isclass
+from typing import Annotated, Any, Union, get_args, get_origin
+
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from riserstudy.scene.models import Scene
+from riserstudy.scene.units import Percent, Unit
+
+
+@lru_cache(100_000, typed=True)  # True is not 1; samples are those of many studies
+def in_si(path: str, value: Any) -> tuple[float | None, str | None]:
+    """The SI value of what stands at a path of a scene, and its unit; None for text."""
+    if isinstance(value, bool):
+        return None, None
+    if isinstance(value, int | float):
+        return float(value), "1"
+    for reader, unit in _readers(path):
+        try:
+            return reader(value), unit
+        except ValueError:
+            continue
+    return None, None
+
+
+@cache
+def _readers(path: str) -> list[tuple[Any, str]]:
+    """How a scene reads text at a path, as its models say; several where it may be one of several."""
+    kinds: list[tuple[Any, list[Any]]] = [(Scene, [])]
+    for step in _steps(path):
+        kinds = [inner for kind, _ in kinds for inner in _into(kind, step)]
+    marks = [mark for _, metadata in kinds for mark in metadata]
+    readers = [(mark.read, mark.name) for mark in marks if isinstance(mark, Unit)]
+    percent = get_args(Percent)[1]
+    return [*readers, *((mark.func, "1") for mark in marks if mark is percent)]
+
+
+def _steps(path: str) -> Iterator[str | int]:
+    """Names and indices of a dotted path."""
+    for part in path.split("."):
+        name, *indices = part.replace("]", "").split("[")
+        yield name
+        yield from map(int, indices)
+
+
+def _into(kind: Any, step: str | int) -> Iterator[tuple[Any, list[Any]]]:
+    """Types that stand one step below a type, with their metadata."""
+    if isclass(kind) and issubclass(kind, BaseModel) and step in kind.model_fields:
+        field = kind.model_fields[str(step)]
+        yield from _apart(field.annotation, field.metadata)
+    elif isinstance(step, int) and get_origin(kind) in (list, tuple):
+        for item in get_args(kind):
+            yield from _apart(item, [])
+    elif get_origin(kind) is dict:
+        yield from _apart(get_args(kind)[1], [])
+
+
+def _apart(kind: Any, marks: list[Any]) -> Iterator[tuple[Any, list[Any]]]:
+    """The types of a union, and of what is annotated, with the metadata of each."""
+    if get_origin(kind) is Annotated:
+        inner, *more = get_args(kind)
+        for extra in more:
+            marks = [*marks, *(extra.metadata if isinstance(extra, FieldInfo) else [extra])]
+        yield from _apart(inner, marks)
+    elif get_origin(kind) in (Union, types.UnionType):
+        for one in get_args(kind):
+            yield from _apart(one, marks)
+    else:
+        yield kind, marks
+
+
+def value_at(tree: Any, path: str) -> Any:
+    """What stands at a dotted path of a scene; None where nothing does."""
+    here = tree
+    for step in re.findall(r"[^.\[\]]+", path):
+        if isinstance(here, dict):
+            here = here.get(step)
+        elif isinstance(here, list) and step.isdigit() and int(step) < len(here):
+            here = here[int(step)]
+        else:
+            return None
+    return here

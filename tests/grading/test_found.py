@@ -1,0 +1,193 @@
+"""What a check finds is believed where it does not contradict itself, and where there is a number."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.errors import InputError
+from riserstudy.grading.grade import Found, graded
+from riserstudy.grading.models import Item, read_published
+from riserstudy.grading.verdict import met
+from riserstudy.study.read import read_studies
+
+CLAIM = {"id": "C1", "figure": "1", "kind": "claim", "statement": "s", "check": "said"}
+NUMBER = CLAIM | {"kind": "number", "published": 100.0, "rounding": 1.0}
+COUNT = 200
+
+
+def runs(values):
+    dims = ("sample",)[: np.ndim(values)]
+    return xr.Dataset({"quantity": (dims, values)}, {"sample": range(COUNT)} if dims else {})
+
+
+def row(check, values, about):
+    """A number or claim with a base case of 100 and samples of these values, by a check of a quantity."""
+    item = Item(**about, reads={"runs": "base"}, over={"runs": "space"})
+    datasets = {"base": runs(100.0), "space": runs(values)}
+    return graded("own", item, lambda _: lambda runs: check(runs["quantity"]), datasets)
+
+
+def said(found):
+    """How many of the samples are met, as the row tells it."""
+    return f"{found.depends_on} {found.note}".lower()
+
+
+def over_samples(truth, margins):
+    """A check that says this of samples, and is true of the base case."""
+
+    def check(value):
+        if not value.ndim:
+            return Found(value, value < 150.0, None, 150.0 - value)
+        return Found(value, value.copy(data=truth), None, value.copy(data=margins))
+
+    return check
+
+
+@pytest.mark.parametrize("about", [CLAIM, NUMBER], ids=["claim", "number"])
+@pytest.mark.parametrize("seed", range(5))
+def test_a_sample_without_a_number_is_no_hit(seed, about):
+    draw = np.random.default_rng(seed)
+    values = np.full(COUNT, 100.0)
+    values[draw.choice(COUNT, draw.integers(11, COUNT), replace=False)] = np.nan
+    found = row(lambda value: Found(value, ~(value >= 150.0)), values, about)
+    assert found.verdict == "depends"
+    assert f"in {np.isfinite(values).sum()} of {COUNT} samples" in said(found)
+
+
+@pytest.mark.parametrize("margin", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("seed", range(5))
+def test_a_margin_that_is_no_finite_number_makes_nothing_true(seed, margin):
+    off = np.random.default_rng(seed).random(COUNT) < 0.2
+    margins = np.where(off, margin, 0.5)
+    check = over_samples(~(margins < 0.0), margins)
+    found = row(check, np.full(COUNT, 100.0), CLAIM)
+    assert found.verdict == "depends"
+    assert f"true in {COUNT - off.sum()} of {COUNT} samples" in said(found)
+
+
+@pytest.mark.parametrize("says", [True, False])
+@pytest.mark.parametrize("seed", range(5))
+def test_a_check_that_contradicts_its_margin_is_refused(seed, says):
+    draw = np.random.default_rng(seed)
+    margins = draw.uniform(0.1, 1.0, COUNT) * (1.0 if says else -1.0)
+    margins[draw.integers(COUNT)] *= -1.0
+    check = over_samples(np.full(COUNT, says), margins)
+    with pytest.raises(InputError, match=f"own/claims.py: said: says {str(says).lower()} where"):
+        row(check, np.full(COUNT, 100.0), CLAIM)
+
+
+@pytest.mark.parametrize("says", [True, False])
+def test_a_margin_of_zero_may_be_true_or_false(says):
+    check = over_samples(np.full(COUNT, says), np.zeros(COUNT))
+    assert row(check, np.full(COUNT, 100.0), CLAIM).verdict == ("holds" if says else "fails")
+
+
+# what cannot be meant
+
+
+def test_a_rounding_is_no_coarser_than_its_number():
+    draw = np.random.default_rng(3)
+    for _ in range(200):
+        digits, power = int(draw.integers(1, 999)), int(draw.integers(-6, 7))
+        unit = 10.0**power
+        number = digits * unit * draw.choice([-1.0, 1.0])
+        Item(**NUMBER | {"published": number, "rounding": unit}, reads={"runs": "base"})
+        coarse = NUMBER | {"published": number, "rounding": 1000.0 * unit}
+        with pytest.raises(ValueError, match="is coarser than the number"):
+            Item(**coarse, reads={"runs": "base"})
+    Item(**NUMBER | {"published": 0.0, "rounding": 1.0}, reads={"runs": "base"})
+
+
+@pytest.mark.parametrize("percent", [0.05, 0.15, 0.5, 1.0])
+def test_a_number_may_be_held_to_less_than_one_percent(percent):
+    about = NUMBER | {"published": 24.417, "rounding": 0.001, "within": f"{percent} %"}
+    item = Item(**about, reads={"runs": "base"})
+    for off in (0.99, 1.01):
+        value = 24.417 * (1.0 + off * percent / 100.0)
+        found = graded(
+            "own", item, lambda _: lambda runs: Found(runs), {"base": xr.DataArray(value)}
+        )
+        assert (found.verdict == "reproduced") == (off < 1.0)
+        assert (found.margin > 0.0) == (off < 1.0)
+    assert f"within {percent:g} %" in found.note
+    assert met(24.4174, 24.417, 0.001, 1e-6)  # printed to no more digits
+
+
+@pytest.mark.parametrize(
+    "within, number", [("2 %", 5.0), ("0 %", 5.0), ("0.1 %", 0.0), ("1 m", 5.0)]
+)
+def test_a_share_is_no_larger_than_one_percent_and_of_a_number(within, number):
+    about = NUMBER | {"published": number, "within": within}
+    with pytest.raises(ValueError, match="within"):
+        Item(**about, reads={"runs": "base"})
+    with pytest.raises(ValueError, match="within"):
+        Item(**CLAIM, within="0.5 %", reads={"runs": "base"})
+
+
+@pytest.mark.parametrize(
+    "base, said",
+    [
+        ({"line": "tangent"}, "'tangent' is not on that axis; allowed are chord, least squares"),
+        ({"lines": "chord"}, "C1.base.lines: no axis of what the check finds; allowed are line"),
+    ],
+)
+def test_a_base_that_is_not_there_is_refused(base, said):
+    values = xr.DataArray([1.0, 2.0], {"line": ["chord", "least squares"]}, "line")
+    item = Item(**CLAIM, reads={"value": "base"}, base=base)
+    check = lambda value: Found(value, value > 0.0)  # noqa: E731
+    with pytest.raises(InputError, match=said):
+        graded("own", item, lambda _: check, {"base": values})
+
+
+CHAPTER = """\
+def least(runs, at_least, at_most=1.0): ...
+def swing(heave, factor=1.0): ...
+def fig01(swing): ...
+"""
+
+
+@pytest.mark.parametrize(
+    "file, old, new, said",
+    [
+        ("published", "with: {at_least: 1}", "with: {least: 1}", "least has no argument 'least'"),
+        ("published", "with: {at_least: 1}", "with: {at_most: 1}", "least needs 'at_least'"),
+        ("published", "reads: {runs", "reads: {run", "least has no argument 'run'"),
+        (
+            "studies",
+            "{factor: 2}",
+            "{share: 2}",
+            "swing has no argument 'share'; allowed are factor, heave",
+        ),
+        ("studies", "reads: [swing]", "reads: [heave]", "fig01 has no argument 'heave'"),
+    ],
+)
+def test_what_a_function_does_not_take_is_refused_before_any_job(
+    file, old, new, said, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    texts = {
+        "chapters/own/claims.py": CHAPTER,
+        "chapters/own/derived.py": CHAPTER,
+        "chapters/own/figures.py": CHAPTER,
+        "config/scenes/a.yaml": "title: a\n",
+        "config/studies/own.yaml": (
+            "paper: own\nstudies: {heave: {scene: scenes/a.yaml, caption: c, axes: {}}}\n"
+            "derived: {swing: {reads: [heave], with: {factor: 2}}}\n"
+            "figures: {fig01: {caption: c, reads: [swing]}}\n"
+        ),
+        "config/published/own.yaml": (
+            "paper: own\nitems: [{id: C1, figure: '1', kind: claim, statement: s, check: least,\n"
+            "  reads: {runs: swing}, with: {at_least: 1}}]\n"
+        ),
+    }
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    read_published(tmp_path / "config", "own", read_studies(tmp_path / "config", "own").datasets)
+    path = tmp_path / f"config/{file}/own.yaml"
+    assert old in path.read_text()
+    path.write_text(path.read_text().replace(old, new))
+    with pytest.raises(InputError, match=said):
+        read_published(
+            tmp_path / "config", "own", read_studies(tmp_path / "config", "own").datasets
+        )

@@ -1,0 +1,97 @@
+"""Every point of a study, run anew from its dataset as it is written, is what the dataset holds."""
+
+import json
+import random
+
+import numpy as np
+import pytest
+import xarray as xr
+from short_study import CURRENT, SCENE
+
+from riserstudy.study import store
+from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.models import StudyFile
+from riserstudy.study.rerun import rerun
+from riserstudy.study.study import Study
+
+AT_REST = {"platform": None, "top.x": "held", "analysis": {"mesh": {"elements": 12}}}
+LIMITS = [
+    {"output": "lfj_angle", "largest": "2 deg", "mode": "drilling"},
+    {"output": "effective_tension", "smallest": "0 N", "mode": "connected"},
+    {"output": "tensioner_stroke", "largest": "7 m", "mode": "connected"},  # not evaluated
+    {
+        "output": "bending_moment",
+        "largest": {"assumed": "1 MN*m", "because": "t"},
+        "mode": "drilling",
+    },
+]
+TENSION = {"path": "top.tension", "unit": "kN", "values": [1500, 1600.5, 1700]}
+#: what a study may have, each of which adds variables, axes or another way to store them
+PARTS = {
+    "axes": [
+        {"tension": TENSION},
+        {
+            "allow": {
+                "tight": {"limits[0].largest": "0.1 deg"},
+                "loose": {"limits[0].largest": "9 deg"},
+            }
+        },
+        {"allowed": {"path": "limits[1].smallest", "unit": "kN", "factor": 2, "values": [1, 0.05]}},
+        {"length": {"path": "riser[0].length", "unit": "m", "values": [290, 300]}},
+        {"mesh": {"path": "analysis.mesh.elements", "unit": "1", "values": [8, 12]}},
+        {"sample": {"count": dict.fromkeys(("preview", "standard", "reference"), 2), "seed": 1}},
+    ],
+    "keep": [None, ["x", "bending_moment"], ["effective_tension_max", "ufj_angle"]],
+}
+
+
+def drawn(seed):
+    """A study with limits and several of these parts."""
+    draw = random.Random(seed)
+    axes = {k: v for part in draw.sample(PARTS["axes"], 2) for k, v in part.items()}
+    top = {
+        "riser[0].mass": {"assumed": "700 kg/m", "range": ["600 kg/m", "800 kg/m"], "because": "t"}
+    }
+    moving = {"analysis.duration": "3 s", "analysis.mesh.elements": 12}
+    return {
+        "scene": "riser.yaml",
+        "caption": "drawn",
+        "set": top | (moving if seed % 3 == 0 else AT_REST),
+        "limits": LIMITS,
+        "axes": axes,
+        "keep": draw.choice(PARTS["keep"]),
+    }
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_an_exact_point_has_changed_in_nothing(seed, tmp_path, monkeypatch):
+    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+    (tmp_path / "riser.yaml").write_text(SCENE)
+    (tmp_path / "current.csv").write_text(CURRENT)
+    file = StudyFile.model_validate({"paper": "own", "studies": {"one": drawn(seed)}})
+    study = Study("own", "one", file.studies["one"], tmp_path, "standard")
+    write_dataset(dataset_of(study, results_of(study, 1, lambda _: None)[0]), tmp_path / "one.nc")
+    dataset = xr.load_dataset(tmp_path / "one.nc", decode_times=False)
+    names = {"use_of_limit", "demand_of_limit", "verdict_of_limit", "smallest_tension"}
+    points = [*np.ndindex(dataset["point_key"].shape)]
+    for index in random.Random(seed).sample(points, min(3, len(points))):
+        axes = dataset["point_key"].dims
+        at = {str(a): str(dataset[a].values[k]) for a, k in zip(axes, index, strict=True)}
+        found = rerun(dataset, at)
+        assert found.changes.keys() >= names
+        assert {n: c for n, c in found.changes.items() if not c <= 1e-9} == {}, at
+
+
+def test_another_limit_is_seen(tmp_path, monkeypatch):
+    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+    (tmp_path / "riser.yaml").write_text(SCENE)
+    (tmp_path / "current.csv").write_text(CURRENT)
+    model = {"scene": "riser.yaml", "caption": "c", "set": AT_REST, "limits": LIMITS, "axes": {}}
+    file = StudyFile.model_validate({"paper": "own", "studies": {"one": model}})
+    study = Study("own", "one", file.studies["one"], tmp_path, "standard")
+    dataset = dataset_of(study, results_of(study, 1, lambda _: None)[0])
+    scene = json.loads(dataset.attrs["scene"])
+    scene["limits"][0]["largest"] = "0.001 deg"
+    found = rerun(dataset.assign_attrs(scene=json.dumps(scene)), {})
+    changed = {name for name, change in found.changes.items() if change > 1e-9}
+    assert changed == {"use_of_limit", "verdict_of_limit"}
