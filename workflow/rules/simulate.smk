@@ -75,7 +75,8 @@ rule simulate:
 
 rule derive:
     input:
-        of(PLAN.derived_inputs),
+        data=of(PLAN.derived_inputs),
+        code=code(PLAN.derived_code),
     output:
         "results/{paper}/{study}.nc",
     log:
@@ -88,5 +89,5 @@ rule derive:
     message:
         "derive {wildcards.paper}/{wildcards.study}"
     shell:
-        "python -m riserstudy.jobs derive {wildcards.paper} {wildcards.study} {output:q} {input:q}"
+        "python -m riserstudy.jobs derive {wildcards.paper} {wildcards.study} {output:q} {input.data:q}"
         " --settings {params.settings:q} > {log:q} 2>&1"
