@@ -61,8 +61,8 @@ test-hostile: $(READY)  ## meet hostile input at full count
 test-faults: $(READY)  ## kill runs, fill disks, break caches; write docs/faults.md
 	@$(IN_ENVIRONMENT) python tests/faults/run.py --write docs/faults.md
 
-test-pythons: $(READY)  ## compare one core with two, and Python 3.11, 3.12 and 3.13
-	@$(IN_ENVIRONMENT) python tests/pythons/run.py python3.11 python3.12 python3.13
+test-pythons: $(READY)  ## compare one core with two, and the Pythons 3.11 to 3.14 that are here
+	@$(IN_ENVIRONMENT) python tests/pythons/run.py python3.11 python3.12 python3.13 python3.14
 
 test-strangers: $(READY)  ## run a short study as machines differ: user, locale, memory, no git; write docs/machines.md
 	@$(IN_ENVIRONMENT) python tests/strangers/run.py --write docs/machines.md
@@ -80,5 +80,5 @@ $(READY):
 	@sh workflow/scripts/with_python.sh workflow/scripts/make_environment.py .venv/.ready-$(ID)
 
 .venv/.bench-$(ID) .venv/.slurm-$(ID): .venv/.%-$(ID): %.lock $(READY)
-	@.venv/bin/python -m pip install -qq --no-input --require-hashes -r $<
+	@.venv/bin/python workflow/scripts/installer.py $<
 	@touch $@

@@ -1,6 +1,8 @@
 """Digests of sources: what changes when code that a result depends on changes.
 
-Dependence is read from the import statements, without running them.
+Dependence is read from the import statements, without running them. Of a Python file only what has a
+meaning when it runs counts (``syntax``): an edit of its prose changes no digest. Files that a module reads
+from beside itself count where it names them: ``DATA_FILES = ("table.yaml",)``.
 """
 
 from __future__ import annotations
@@ -10,26 +12,46 @@ import hashlib
 from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from riserstudy.folders import PACKAGE, remembered
+from riserstudy.errors import InputError
+from riserstudy.folders import PACKAGE, keep, recall
+from riserstudy.syntax import meaning
 
 #: folders of the packages whose sources count: ours, and the chapters of a study of one's own
 ROOTS = {"riserstudy": PACKAGE, "chapters": Path("chapters")}
 ENGINE = "riserstudy.simulation.refine"  # what simulates
+KEPT = "sources"  # in the cache: what was found out about sources, by hash of their content
+MOST_KEPT = 10_000
+
+
+class Facts(NamedTuple):
+    """What is known of a Python file by its content."""
+
+    #: hash of what has a meaning when it runs
+    meaning: str
+    #: what it imports: leading dots, module, names
+    imports: list[tuple[int, str, list[str]]]
+    #: functions that it defines
+    functions: list[str]
+    #: files beside it that it names in ``DATA_FILES``
+    data: list[str]
 
 
 def digest(files: Iterable[Path]) -> str:
-    """Hash of the names and contents of source files, 16 hexadecimal digits."""
-    total = hashlib.sha256()
-    for file in sorted(files):
-        total.update(f"{file.name} {_content(file)} ".encode())
-    return total.hexdigest()[:16]
+    """Hash of the names of files and of what counts of their content, 16 hexadecimal digits."""
+    return _digest(frozenset(files))
 
 
 @cache
-def _content(file: Path) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
+def _digest(files: frozenset[Path]) -> str:
+    parts = sorted(f"{file.name} {_counted(file)} " for file in files)  # wherever they lie
+    _keep_facts()
+    return _hash("".join(parts).encode())[:16]
+
+
+def _counted(file: Path) -> str:
+    return facts(file).meaning if file.suffix == ".py" else _hash(file.read_bytes())
 
 
 @cache
@@ -44,41 +66,16 @@ def engine_digest() -> str:
     return digest(sources_behind(ENGINE))
 
 
+# What a module depends on
+
+
 def sources_behind(module: str) -> frozenset[Path]:
     """Source files of a module, of all that it imports, and what they read from beside themselves."""
     return _sources_behind(module, tuple(root.absolute() for root in ROOTS.values()))
 
 
 @cache
-def _sources_behind(module: str, roots: tuple[Path, ...]) -> frozenset[Path]:
-    """To read the import statements takes longer than most runs, so what they said is remembered."""
-    places = dict(zip(ROOTS, roots, strict=True))
-
-    def found() -> list[list[str]]:
-        return sorted(_place(file, places) for file in _followed(module))
-
-    names = remembered(f"imports/{_state_of(roots)}-{module}", found)
-    return frozenset(places[root].joinpath(file) for root, file in names)
-
-
-def _place(file: Path, places: dict[str, Path]) -> list[str]:
-    """The root that a file lies below, and its path from there."""
-    root = next(name for name, place in places.items() if file.is_relative_to(place))
-    return [root, file.relative_to(places[root]).as_posix()]
-
-
-@cache
-def _state_of(roots: tuple[Path, ...]) -> str:
-    """Hash of all that import statements and names of files could say."""
-    files = [file for root in roots for file in root.rglob("*") if "__pycache__" not in file.parts]
-    total = hashlib.sha256()
-    for file in sorted(file for file in files if file.is_file()):
-        total.update(f"{file} {_content(file)} ".encode())
-    return total.hexdigest()[:32]
-
-
-def _followed(module: str) -> set[Path]:
-    """Source files of a module, of all that it imports, and their data, by reading them."""
+def _sources_behind(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
     seen: set[str] = set()
     files: set[Path] = set()
     left = [module]
@@ -90,28 +87,30 @@ def _followed(module: str) -> set[Path]:
         seen.add(name)
         files |= {file, *data_of(file)}
         left += [*imported_by(name, file), _above(name)]
-    return files
+    _keep_facts()
+    return frozenset(files)
 
 
 def source_of(module: str) -> Path | None:
     """File of a module, or None: a name that is imported may be no module, or another package's."""
     first, *steps = module.split(".")
-    if first not in ROOTS:
-        return None
-    place = ROOTS[first].joinpath(*steps)
+    return _source_of(ROOTS[first].absolute(), *steps) if first in ROOTS else None
+
+
+@cache
+def _source_of(root: Path, *steps: str) -> Path | None:
+    place = root.joinpath(*steps)
     file = place / "__init__.py" if place.is_dir() else place.with_suffix(".py")
-    return file.absolute() if file.exists() else None
+    return file if file.exists() else None
 
 
 def defining(modules: Iterable[str], function: str) -> str | None:
     """The one of some modules that defines a function of that name, if one does."""
-    return next((module for module in modules if function in _defined(module)), None)
-
-
-def _defined(module: str) -> dict[str, ast.FunctionDef]:
-    file = source_of(module)
-    nodes = _tree(file).body if file else []
-    return {node.name: node for node in nodes if isinstance(node, ast.FunctionDef)}
+    for module in modules:
+        file = source_of(module)
+        if file and function in facts(file).functions:
+            return module
+    return None
 
 
 class Arguments(NamedTuple):
@@ -130,9 +129,11 @@ def arguments_of(modules: Iterable[str], function: str) -> Arguments:
         When no module defines it.
     """
     module = defining(modules, function)
-    if module is None:
+    file = source_of(module) if module else None
+    if file is None:
         raise LookupError(function)
-    node = _defined(module)[function]
+    nodes = _parsed(file.read_bytes(), file).body
+    node = next(n for n in nodes if isinstance(n, ast.FunctionDef) and n.name == function)
     plain, named = [a.arg for a in node.args.args], [a.arg for a in node.args.kwonlyargs]
     filled = plain[len(plain) - len(node.args.defaults) :]
     filled += [n for n, value in zip(named, node.args.kw_defaults, strict=True) if value]
@@ -142,37 +143,109 @@ def arguments_of(modules: Iterable[str], function: str) -> Arguments:
     return Arguments({*plain, *named}.difference(filled), None if any_name else {*plain, *named})
 
 
-@cache
 def data_of(file: Path) -> tuple[Path, ...]:
-    """Files beside a source file that it names: what it reads."""
-    constants = (node for node in ast.walk(_tree(file)) if isinstance(node, ast.Constant))
-    names = {node.value for node in constants if isinstance(node.value, str)}
-    beside = [path for path in file.parent.iterdir() if path.suffix != ".py" and path.is_file()]
-    return tuple(path for path in beside if path.name in names)
+    """Files beside a source file that it names in ``DATA_FILES``: what it reads.
+
+    Raises
+    ------
+    InputError
+        When there is no such file.
+    """
+    found = tuple(file.with_name(name) for name in facts(file).data)
+    for path in found:
+        if not path.is_file():
+            found_none = f"no file {path.name} is beside it"
+            raise InputError(file, "DATA_FILES", found_none, "name the files that it reads")
+    return found
 
 
 @cache
 def imported_by(module: str, file: Path) -> tuple[str, ...]:
     """Names that a module imports: modules, and what may be modules."""
-    return tuple(_imported(_tree(file), module if file.stem == "__init__" else _above(module)))
+    package = module if file.stem == "__init__" else _above(module)
+    return tuple(_imported(facts(file).imports, package))
+
+
+def _imported(imports: Iterable[tuple[int, str, list[str]]], package: str) -> Iterator[str]:
+    for level, module, names in imports:
+        start = package
+        for _ in range(level - 1):
+            start = _above(start)
+        name = ".".join(part for part in (start if level else "", module) if part)
+        yield name
+        yield from (f"{name}.{one}" for one in names)
+
+
+def _above(module: str) -> str:
+    return module.rpartition(".")[0]
+
+
+# What is known of a file
 
 
 @cache
-def _tree(file: Path) -> ast.Module:
-    return ast.parse(file.read_bytes())
+def facts(file: Path) -> Facts:
+    """What is known of a Python file; to read its syntax takes long, so it is done once for each content."""
+    content = file.read_bytes()
+    name = _hash(content)
+    if name not in _kept():
+        _learnt[name] = [*_read(_parsed(content, file))]
+    return Facts(*(_kept().get(name) or _learnt[name]))
 
 
-def _imported(tree: ast.AST, package: str) -> Iterator[str]:
+_learnt: dict[str, list[Any]] = {}
+
+
+@cache
+def _kept() -> dict[str, list[Any]]:
+    return dict(recall(_name_kept()) or {})
+
+
+@cache
+def _name_kept() -> str:
+    """It says by which code the facts were found."""
+    code = b"".join(Path(file).read_bytes() for file in (__file__, PACKAGE / "syntax.py"))
+    return f"{KEPT}-{_hash(code)}"
+
+
+def _keep_facts() -> None:
+    """Keep what was learnt in this process, beside what others have kept meanwhile."""
+    if not _learnt:
+        return
+    kept = recall(_name_kept()) or {}
+    keep(_name_kept(), (kept if len(kept) < MOST_KEPT else {}) | _kept() | _learnt)
+    _kept().update(_learnt)
+    _learnt.clear()
+
+
+def _parsed(content: bytes, file: Path) -> ast.Module:
+    try:
+        return ast.parse(content)
+    except (SyntaxError, ValueError) as error:  # a null byte is a ValueError for older Pythons
+        line = f"line {error.lineno}" if isinstance(error, SyntaxError) else ""
+        raise InputError(file, line, "this is not Python", str(error)) from None
+
+
+def _read(tree: ast.Module) -> Facts:
+    imports: list[tuple[int, str, list[str]]] = []
     for node in _executed(tree):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            imports += [(0, alias.name, []) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
-            start = package
-            for _ in range(node.level - 1):
-                start = _above(start)
-            name = ".".join(part for part in (start if node.level else "", node.module) if part)
-            yield name
-            yield from (f"{name}.{alias.name}" for alias in node.names)
+            names = [alias.name for alias in node.names]
+            imports.append((node.level, node.module or "", names))
+    functions = [node.name for node in tree.body if isinstance(node, ast.FunctionDef)]
+    data = [name for node in tree.body for name in _data_named(node)]
+    return Facts(_hash(meaning(tree).encode()), imports, functions, data)
+
+
+def _data_named(node: ast.stmt) -> list[str]:
+    targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
+    named = any(isinstance(target, ast.Name) and target.id == "DATA_FILES" for target in targets)
+    value = getattr(node, "value", None)
+    if not named or not isinstance(value, ast.Tuple | ast.List):
+        return []
+    return [str(one.value) for one in value.elts if isinstance(one, ast.Constant)]
 
 
 def _executed(tree: ast.AST) -> Iterator[ast.AST]:
@@ -184,5 +257,5 @@ def _executed(tree: ast.AST) -> Iterator[ast.AST]:
             yield from _executed(node)
 
 
-def _above(module: str) -> str:
-    return module.rpartition(".")[0]
+def _hash(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:32]

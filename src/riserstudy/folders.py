@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -122,6 +122,17 @@ def chapter_modules(paper: str, part: str) -> list[str]:
     return []
 
 
+def chapter_files(paper: str, files: Iterable[Path]) -> list[str]:
+    """Those of some source files that belong to a paper's chapter, if it lies in the folder where one works.
+
+    Of an installed package they have another name on each machine.
+    """
+    here = Path.cwd()
+    chapters = [here / "chapters" / paper, PACKAGE.absolute() / "chapters" / paper]
+    found = [file for file in files if any(map(file.is_relative_to, chapters))]
+    return sorted(str(file.relative_to(here)) for file in found if file.is_relative_to(here))
+
+
 def write_whole(target: Path, content: bytes) -> None:
     """Write a file under another name in the same folder, then rename it."""
     handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
@@ -139,17 +150,29 @@ def remembered(name: str, make: Callable[[], Any]) -> Any:
 
     A seal stands before it: what is not as it was written is made anew.
     """
-    kept = cache_folder() / f"{name}.json"
+    if (kept := recall(name)) is not None:
+        return kept
+    made = make()
+    keep(name, made)
+    return made
+
+
+def recall(name: str) -> Any:
+    """Plain data as it was kept; None where there is none, or it is damaged."""
     with suppress(OSError, ValueError):
-        seal, _, content = kept.read_bytes().partition(b"\n")
+        seal, _, content = (cache_folder() / f"{name}.json").read_bytes().partition(b"\n")
         if seal == _seal(name, content):
             return json.loads(content)
-    made = make()
-    with suppress(OSError):  # where nothing can be kept, it is made each time
-        kept.parent.mkdir(parents=True, exist_ok=True)
+    return None
+
+
+def keep(name: str, made: Any) -> None:
+    """Keep plain data in the cache; where nothing can be kept, it is made each time."""
+    file = cache_folder() / f"{name}.json"
+    with suppress(OSError):
+        file.parent.mkdir(parents=True, exist_ok=True)
         content = json.dumps(made).encode()
-        write_whole(kept, _seal(name, content) + b"\n" + content)
-    return made
+        write_whole(file, _seal(name, content) + b"\n" + content)
 
 
 def _seal(name: str, content: bytes) -> bytes:

@@ -77,13 +77,14 @@ class Checkout:
         shutil.copytree(kernel_cache(), shared / kernel_cache().name)
         return shared / kernel_cache().name
 
-    def own_package(self):
-        """Copy the package, which otherwise is shared, and use the copy."""
+    def own_package(self, place=None):
+        """Copy the package, which otherwise is shared, and use the copy, which is returned."""
+        place = place or self.folder.parent / "src of my own"
+        copy = place / "riserstudy"
         source = ROOT / "src/riserstudy"
-        shutil.copytree(
-            source, self / "src/riserstudy", ignore=shutil.ignore_patterns("__pycache__")
-        )
-        self.environment["PYTHONPATH"] = str(self / "src")
+        shutil.copytree(source, copy, ignore=shutil.ignore_patterns("__pycache__"))
+        self.environment["PYTHONPATH"] = str(place)
+        return copy
 
 
 def in_small(folder):

@@ -1,7 +1,9 @@
 """What `make` installs from, and with which Python."""
 
+import json
 import re
 import subprocess
+import tomllib
 from collections import Counter
 from pathlib import Path
 
@@ -10,6 +12,10 @@ import pytest
 import make_locks
 
 ROOT = Path(__file__).parents[2]
+PLACES = (
+    *("README.md", "Makefile", ".github/workflows/ci.yml", "workflow/scripts/with_python.sh"),
+    *("docs/index.md", "docs/own_study.md"),
+)
 LOCKS = sorted(ROOT.glob("*.lock"))
 
 
@@ -27,6 +33,28 @@ def test_the_locks_agree_where_they_share_a_package():
     pins = {pin for lock in LOCKS for pin in re.findall(r"^(\S+==\S+)", lock.read_text(), re.M)}
     names = Counter(pin.partition("==")[0] for pin in pins)
     assert max(names.values()) == 1
+
+
+def test_all_that_names_the_supported_pythons_names_the_same():
+    """A new Python must enter package, workflow, make and pages at once."""
+    about = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    first, beyond = map(int, re.findall(r"3\.(\d+)", about["requires-python"]))
+    pythons = [f"3.{minor}" for minor in range(first, beyond)]
+    last = pythons[-1]
+    classified = " ".join(about["classifiers"])
+    assert re.findall(r"Python :: (3\.\d+)", classified) == pythons
+    texts = {name: (ROOT / name).read_text() for name in PLACES}
+    assert f"python: {json.dumps(pythons)}" in texts[".github/workflows/ci.yml"]
+    assert " ".join(f"python{one}" for one in pythons) in texts["Makefile"]
+    script = texts["workflow/scripts/with_python.sh"]
+    assert " ".join(f"python{one}" for one in reversed(pythons)) in script
+    assert f"(3, {first}) <= sys.version_info[:2] <= (3, {beyond - 1})" in script
+    assert set(re.findall(r"python find .*'(.*)'", script)) == {about["requires-python"]}
+    listed = f"{', '.join(pythons[:-1])} or {last}"
+    for name in ("README.md", "docs/index.md", "workflow/scripts/with_python.sh"):
+        assert f"Python {listed}" in texts[name], name
+    for name in ("README.md", "docs/own_study.md"):
+        assert f"Python {pythons[0]} to {last}" in texts[name], name
 
 
 def with_python(path, python=""):
@@ -49,7 +77,7 @@ def test_another_python_is_refused_in_one_line(tmp_path):
     for python in ("", old):
         done = with_python(tmp_path, python)
         assert done.returncode == 1
-        assert "needs Python 3.11, 3.12 or 3.13" in done.stderr
+        assert "needs Python 3.11, 3.12, 3.13 or 3.14" in done.stderr
         assert done.stderr.count("\n") == 1
 
 
@@ -104,9 +132,9 @@ def test_where_uv_brings_none_its_reason_and_the_other_remedy_are_told(tmp_path)
         ("echo no network >&2; exit 2", "not known: no network"),
     ],
 )
-def test_a_lock_says_whether_the_next_python_has_become_possible(tmp_path, answer, told):
+def test_a_lock_says_whether_the_last_package_has_a_wheel_now(tmp_path, answer, told):
     uv = program(tmp_path / "uv", f'read asked; [ "$asked" = immutables ] || exit 9; {answer}')
-    assert told in make_locks.about_next_python(uv)
+    assert told in make_locks.about_pure(uv, {})
 
 
 def test_where_there_is_no_uv_both_remedies_are_named(tmp_path):

@@ -3,11 +3,15 @@
 import contextlib
 import hashlib
 import os
+import random
+import re
 import time
 
 import psutil
 import pytest
 import xarray as xr
+from edits import edit, prose_edit
+from planning import dry_run
 
 SEAL = 32  # bytes at the end of compiled code
 SIMULATE = {f"simulate chang2020/{study}" for study in ("steady", "from_rest", "quasi_static")}
@@ -70,17 +74,48 @@ def test_a_comment_in_a_scene_reruns_nothing(checkout):
 
 
 def test_an_edited_package_reruns_what_the_edited_part_makes(checkout):
-    checkout.own_package()
+    package = checkout.own_package()
     assert checkout.planned() == set()
     for file, jobs in (
         ("chapters/chang2020/figures.py", {"draw chang2020/fig14"}),
         ("chapters/chang2020/derived.py", AFTER),
-        ("simulation/refine.py", SIMULATE | AFTER),
+        ("scene/weight.py", SIMULATE | AFTER),
         ("effects/weight.py", COMPILE | SIMULATE | AFTER),
     ):
-        with (checkout / "src/riserstudy" / file).open("a") as source:
-            source.write("\n# edited\n")
+        with (package / file).open("a") as source:
+            source.write("\nEDITED = 1\n")
         assert checkout.planned() == jobs
+
+
+def test_the_files_of_a_chapter_are_inputs_of_the_rules_that_run_them(checkout):
+    """Seen by what Snakemake tells when they come to lie below the folder, with a digest as before."""
+    checkout.own_package(checkout / "src")
+    _, said = dry_run(checkout.folder, checkout.environment, "chang2020")
+    changed = "Set of input files has changed since last execution"
+    jobs = re.findall(rf"^Job \d+: (.*)\nReason: .*{changed}", said, re.MULTILINE)
+    assert set(jobs) == {"derive chang2020/asymmetry"}
+    assert checkout.planned() == AFTER
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_an_edit_of_prose_reruns_nothing(checkout, seed):
+    """Comments, docstrings, annotations and layout, in several files of each folder."""
+    package, draw = checkout.own_package(), random.Random(seed)
+    for folder in ("solve", "effects", "scene", "simulation", "study", "chapters/chang2020"):
+        files = sorted((package / folder).glob("*.py"))
+        for file in draw.sample(files, min(4, len(files))):
+            file.write_text(prose_edit(file.read_text(), draw)[1])
+    assert checkout.planned() == set()
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_an_edit_of_what_kernels_do_compiles_and_simulates(checkout, seed):
+    draw, package = random.Random(seed), checkout.own_package()
+    file = package / draw.choice(["solve/newton.py", "solve/implicit.py", "effects/inertia.py"])
+    kind, text = edit(file.read_text(), draw)
+    assert kind
+    file.write_text(text)
+    assert checkout.planned() == COMPILE | SIMULATE | AFTER
 
 
 def test_a_figure_simulates_only_what_it_needs(fresh):

@@ -11,7 +11,7 @@ import pytest
 from riserstudy import digests
 from riserstudy.digests import digest, source_of, sources_behind
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE
+from riserstudy.folders import PACKAGE, chapter_files
 from riserstudy.jobs.workplan import Workplan
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -47,6 +47,24 @@ def test_an_edit_of_a_chapter_s_figures_redraws_those_it_defines():
     assert outputs_that_read("chapters/liu2020/figures/motion.py") == {
         f"liu2020/{n}" for n in drawn
     }
+
+
+def test_inputs_of_a_rule_are_the_files_of_its_chapter_and_only_where_one_works(
+    monkeypatch, tmp_path
+):
+    for paper, name in [
+        pair for pair in PLAN.figures() if not PLAN.files[pair[0]].figures.get(pair[1])
+    ]:
+        assert chapter_files(paper, PLAN.figure_code(paper, name)) == []  # a schematic
+    code = PLAN.figure_code("liu2020", "fig23") | PLAN.grade_code("fem_riser")
+    monkeypatch.chdir(CONFIG.parent)
+    folder = "src/riserstudy/chapters/liu2020"
+    files = chapter_files("liu2020", code)
+    assert f"{folder}/figures/__init__.py" in files
+    assert len(files) > 2
+    assert all(name.startswith(folder) for name in files)
+    monkeypatch.chdir(tmp_path)
+    assert chapter_files("liu2020", code) == []
 
 
 def test_an_edit_of_what_one_chapter_shares_stays_in_that_chapter():

@@ -7,6 +7,7 @@ from pathlib import Path
 from snakemake.exceptions import WorkflowError
 
 from riserstudy.errors import InputError
+from riserstudy.folders import chapter_files
 from riserstudy.jobs import start_server, use_this_python
 from riserstudy.jobs.begin import begin
 from riserstudy.jobs.workplan import Workplan
@@ -27,6 +28,14 @@ def of(question):
         return question(*wildcards)
 
     return asked
+
+
+def code(question):
+    """Files of a chapter that a rule runs. What counts in them is in its digest, so their age does not."""
+    asked = of(question)
+    return lambda wildcards: [
+        ancient(file) for file in chapter_files(wildcards.paper, asked(wildcards))
+    ]
 
 
 begun = []

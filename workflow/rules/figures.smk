@@ -3,7 +3,8 @@
 
 rule figure:
     input:
-        of(PLAN.figure_inputs),
+        data=of(PLAN.figure_inputs),
+        code=code(PLAN.figure_code),
     output:
         png="results/{paper}/{figure}.png",
         pdf="results/{paper}/{figure}.pdf",
@@ -19,7 +20,7 @@ rule figure:
         "draw {wildcards.paper}/{wildcards.figure}"
     shell:
         "python -m riserstudy.jobs draw {wildcards.paper} {wildcards.figure}"
-        " --targets {output:q} --sources {input:q} --units {params.units} > {log:q} 2>&1"
+        " --targets {output:q} --sources {input.data:q} --units {params.units} > {log:q} 2>&1"
 
 
 for paper, name in PLAN.figures():

@@ -3,7 +3,8 @@
 
 rule grade:
     input:
-        of(PLAN.grade_inputs),
+        data=of(PLAN.grade_inputs),
+        code=code(PLAN.grade_code),
     output:
         table="results/{paper}/reproduction.csv",
         errata="results/{paper}/errata.csv",
@@ -16,7 +17,7 @@ rule grade:
         "grade {wildcards.paper}"
     shell:
         "python -m riserstudy.jobs grade {wildcards.paper} {output.table:q} {output.errata:q}"
-        " {output.margins:q} {input:q} > {log:q} 2>&1"
+        " {output.margins:q} {input.data:q} > {log:q} 2>&1"
 
 
 rule reproduction:

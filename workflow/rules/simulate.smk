@@ -7,7 +7,7 @@ rule compile:
         PLAN.kernels_of("{group}"),
     log:
         "logs/compile-{group}.log",
-    priority: 1
+    priority: PLAN.compile_priority
     message:
         "compile kernels, once: {wildcards.group}"
     shell:
@@ -38,7 +38,7 @@ rule shard:
         study=PLAN.study_pattern,
         shard=r"\d+",
         shards=r"\d+",
-    priority: 1
+    priority: PLAN.simulate_priority
     threads: of(PLAN.shard_threads)
     params:
         digest=of(PLAN.shard_digest),
@@ -61,7 +61,7 @@ rule simulate:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
         study=PLAN.study_pattern,
-    priority: 1
+    priority: PLAN.simulate_priority
     threads: of(PLAN.threads)
     params:
         digest=of(PLAN.study_digest),
@@ -75,7 +75,8 @@ rule simulate:
 
 rule derive:
     input:
-        of(PLAN.derived_inputs),
+        data=of(PLAN.derived_inputs),
+        code=code(PLAN.derived_code),
     output:
         "results/{paper}/{study}.nc",
     log:
@@ -88,5 +89,5 @@ rule derive:
     message:
         "derive {wildcards.paper}/{wildcards.study}"
     shell:
-        "python -m riserstudy.jobs derive {wildcards.paper} {wildcards.study} {output:q} {input:q}"
+        "python -m riserstudy.jobs derive {wildcards.paper} {wildcards.study} {output:q} {input.data:q}"
         " --settings {params.settings:q} > {log:q} 2>&1"

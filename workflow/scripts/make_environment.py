@@ -1,4 +1,4 @@
-"""Make .venv from the hashed locks. Needs nothing but the standard library.
+"""Make .venv from the hashed locks, see ``installer.py``. Needs nothing but the standard library.
 
 The order is what makes the install closed: first the build backends, hashed; then everything else,
 hashed and built without isolation, since one dependency is published as source only and its build
@@ -16,10 +16,19 @@ import subprocess
 import sys
 from pathlib import Path
 
+from installer import install, install_lock, pip_of, run
+
 ROOT = Path(__file__).resolve().parents[2]
 VENV = ROOT / ".venv"
 PYTHON = VENV / "bin" / "python"
 LOCKS = (ROOT / "build.lock", ROOT / "requirements.lock")
+#: what most processes of a study import
+IMPORTED = (
+    "snakemake.cli, snakemake.workflow, numba, xarray, netCDF4, scipy.optimize, scipy.interpolate"
+)
+IMPORTED += (
+    ", matplotlib.figure, matplotlib.backends.backend_agg, pint, pydantic, ruamel.yaml, typer"
+)
 
 
 def main(marker: Path) -> int:
@@ -36,7 +45,7 @@ def main(marker: Path) -> int:
             fcntl.flock(lock, fcntl.LOCK_EX)
         if not marker.exists():
             try:
-                install(marker)
+                bring_up_to_date(marker)
             except subprocess.CalledProcessError as error:
                 print(
                     "riserstudy: the installation failed, see above; the next make begins anew. "
@@ -47,28 +56,39 @@ def main(marker: Path) -> int:
     return 0
 
 
-def install(marker: Path) -> None:
+def bring_up_to_date(marker: Path) -> None:
     """Install the locked packages unless they are there, then the project."""
     locked = VENV / f".locked-{locks_digest()}"
     if not locked.exists():
         python = f"Python {platform.python_version()}"
-        if is_complete():
+        if complete := is_complete():
             print(f"Bringing the environment ({python}) to the present locks ...", flush=True)
         else:
-            print(f"Installing the environment ({python}; once, a minute or two) ...", flush=True)
+            print(f"Installing the environment ({python}; once) ...", flush=True)
             shutil.rmtree(VENV, ignore_errors=True)
             run(sys.executable, "-m", "venv", VENV)
         for former in VENV.glob(".locked-*"):
             former.unlink()  # from here on it is not complete
         for lock in LOCKS:
-            pip_install("--require-hashes", "--no-build-isolation", "-r", lock)
-        if strangers := not_locked():
-            pip("uninstall", "--yes", *strangers)
+            install_lock(PYTHON, lock)
+        if complete and (strangers := not_locked()):
+            run(*pip_of(PYTHON), "-qq", "uninstall", "--yes", *strangers)
+        compile_modules()
         locked.touch()
     for stale in VENV.glob(".ready-*"):
         stale.unlink()
-    pip_install("--no-deps", "--no-build-isolation", "-e", ROOT)
+    install(PYTHON, "--no-deps", "--no-build-isolation", "-e", ROOT)
     marker.touch()
+
+
+def compile_modules() -> None:
+    """Compile the modules that matter where Python is told to write none: every job would do it again.
+
+    Elsewhere each is compiled when it is first imported; most never are.
+    """
+    if os.environ.get("PYTHONDONTWRITEBYTECODE"):
+        env = os.environ | {"PYTHONDONTWRITEBYTECODE": ""}
+        subprocess.run([PYTHON, "-c", f"import {IMPORTED}"], env=env, check=True)
 
 
 def is_complete() -> bool:
@@ -84,12 +104,8 @@ def is_complete() -> bool:
 def not_locked() -> list[str]:
     """Installed packages that no lock names, besides this project and the installer."""
     named = {name for lock in LOCKS for name in re.findall(r"^([\w.-]+)==", lock.read_text(), re.M)}
-    told = subprocess.run(
-        [PYTHON, "-m", "pip", "list", "--format=freeze", "--disable-pip-version-check"],
-        check=True,
-        capture_output=True,
-        text=True,
-    )
+    command = [*map(str, pip_of(PYTHON)), "list", "--format=freeze"]
+    told = subprocess.run(command, check=True, capture_output=True, text=True)
     names = [line.partition("==")[0] for line in told.stdout.splitlines()]
     kept = {plain(name) for name in (*named, "pip", "setuptools", "riserstudy")}
     return [name for name in names if plain(name) not in kept]
@@ -104,24 +120,6 @@ def locks_digest() -> str:
     """Digest of what the installed packages depend on: the locks and the place."""
     content = b"".join(lock.read_bytes() for lock in LOCKS) + os.fsencode(ROOT)
     return hashlib.sha256(content).hexdigest()[:12]
-
-
-def pip_install(*arguments: object) -> None:
-    """Install into the environment, silently unless it fails.
-
-    Modules are compiled here: where PYTHONDONTWRITEBYTECODE is set, every job would do it anew.
-    """
-    pip("install", "--no-input", *arguments)
-
-
-def pip(*arguments: object) -> None:
-    """Run the environment's pip, silently unless it fails."""
-    run(PYTHON, "-m", "pip", "-qq", "--disable-pip-version-check", *arguments)
-
-
-def run(*command: object) -> None:
-    """Run a command; its failure is an exception."""
-    subprocess.run([str(word) for word in command], check=True)
 
 
 if __name__ == "__main__":

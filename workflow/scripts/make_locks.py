@@ -5,17 +5,17 @@ so that results do not change with the interpreter. A lock holds neither an addr
 index that serves the same files will do.
 """
 
+import os
 import subprocess
 import sys
 import tempfile
+import tomllib
 import venv
 from pathlib import Path
 
+from installer import PURE, PURE_FROM, pip_of, pip_settings, with_settings
+
 ROOT = Path(__file__).resolve().parents[2]
-UV = "uv==0.13.8"
-#: the next Python, and the dependency of Snakemake that has no wheel for it
-NEXT = "3.14"
-WITHOUT_WHEEL = "immutables"
 OPTIONS = (
     "--quiet",
     "--universal",
@@ -35,42 +35,51 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         venv.create(folder, with_pip=True)
         tools = Path(folder) / "bin"
-        run(tools / "python", "-m", "pip", "install", "-qq", "--disable-pip-version-check", UV)
+        run(*pip_of(tools / "python"), "install", "-qq", *pinned("installer"))
+        env = with_settings(dict(os.environ), leading_to_the_index(tools / "python"))
         uv = (tools / "uv", "pip", "compile", *OPTIONS)
-        run(*uv, "pyproject.toml", "--group=dev", "--output-file=requirements.lock")
-        for group in ("build", "bench", "slurm"):
+        run(*uv, "pyproject.toml", "--group=dev", "--output-file=requirements.lock", env=env)
+        for group in ("build", "bench", "slurm", "installer"):
             agree = ("--constraints", "requirements.lock")
-            run(*uv, f"--group={group}", *agree, f"--output-file={group}.lock")
-        print(about_next_python(tools / "uv"))
+            run(*uv, f"--group={group}", *agree, f"--output-file={group}.lock", env=env)
+        print(about_pure(tools / "uv", env))
 
 
-def about_next_python(uv: Path) -> str:
-    """Whether the one dependency that keeps newer Pythons out still does."""
-    asked = (
-        uv,
-        "pip",
-        "compile",
-        "--quiet",
-        f"--python-version={NEXT}",
-        "--only-binary=:all:",
-        "-",
-    )
+def leading_to_the_index(python: Path) -> dict[str, str]:
+    """Settings of pip without further places: they may hold a few files of a release, a lock names all."""
+    settings = pip_settings(python)
+    return {name: settings[name] for name in settings.keys() - {"extra-index-url", "find-links"}}
+
+
+def pinned(group: str) -> list[str]:
+    """What a dependency group of the project names."""
+    about = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    return list(about["dependency-groups"][group])
+
+
+def about_pure(uv: Path, env: dict[str, str]) -> str:
+    """Whether the dependency that newer Pythons use without its compiled part has a wheel for them now."""
+    version = ".".join(map(str, PURE_FROM))
+    asked = (uv, "pip", "compile", "--quiet", f"--python-version={version}", "--only-binary=:all:")
     found = subprocess.run(
-        [str(word) for word in asked], input=WITHOUT_WHEEL, text=True, capture_output=True
+        [*map(str, asked), "-"], input=PURE, text=True, capture_output=True, env=env
     )
     if not found.returncode:
         return (
-            f"{WITHOUT_WHEEL} has a wheel for Python {NEXT} now: raise requires-python in pyproject.toml,"
-            " and the range in workflow/scripts/with_python.sh; try make test-pythons."
+            f"{PURE} has a wheel for Python {version} now: PURE and install_pure can leave "
+            "workflow/scripts/installer.py."
         )
-    if WITHOUT_WHEEL not in found.stderr:
-        return f"Whether Python {NEXT} has become possible is not known: {found.stderr.strip()}"
-    return f"{WITHOUT_WHEEL} has no wheel for Python {NEXT} yet."
+    if PURE not in found.stderr:
+        return (
+            f"Whether {PURE} has a wheel for Python {version} is not known: {found.stderr.strip()}"
+        )
+    return f"{PURE} has no wheel for Python {version} yet."
 
 
-def run(*command: object) -> None:
+def run(*command: object, env: dict[str, str] | None = None) -> None:
     """Run a command in the project's folder; its failure ends the program."""
-    status = subprocess.run([str(word) for word in command], cwd=ROOT, stdout=subprocess.DEVNULL)
+    words = [str(word) for word in command]
+    status = subprocess.run(words, cwd=ROOT, stdout=subprocess.DEVNULL, env=env)
     if status.returncode:
         sys.exit(status.returncode)
 

@@ -22,7 +22,8 @@ from riserstudy.database.write_study import marks, remove_study, remove_unused, 
 from riserstudy.digests import digest, sources_behind
 from riserstudy.errors import SimulationError
 
-SCHEMA = Path(__file__).with_name("schema.sql")
+DATA_FILES = ("schema.sql",)
+SCHEMA = Path(__file__).with_name(DATA_FILES[0])
 #: made when all rows are there: three times as fast
 INDEXES = """
 create index if not exists points_by_key on points (key);

@@ -53,6 +53,7 @@ OF_POINTS = frozenset(
     )
 )
 
+DATA_FILES = ("variables.yaml",)
 #: what else a study tells of each of its points, in words
 ABOUT_POINTS = frozenset(("point_key", "effects", "warnings"))
 
@@ -65,9 +66,7 @@ def of_runs(name: str) -> bool:
 @cache
 def variables() -> dict[str, dict[str, str]]:
     """Names, units and labels of all variables."""
-    table: dict[str, dict[str, str]] = read_yaml(
-        Path(__file__).with_name("variables.yaml"), keep=True
-    )
+    table: dict[str, dict[str, str]] = read_yaml(Path(__file__).with_name(DATA_FILES[0]), keep=True)
     return table
 
 

@@ -12,9 +12,12 @@ from riserstudy.report.libraries import libraries, packed
 from riserstudy.report.wording import WORDING
 
 FOLDER = Path(__file__).parent
-#: named here, as the digest of the report counts the files that its modules name
-PARTS = (
+PAGE, STYLE, MOVES = "page.html", "page.css", "page.js"
+#: what the digest of the report counts besides modules
+DATA_FILES = (
     "page.html",
+    "page.css",
+    "page.js",
     "macros.html",
     "overview.html",
     "verdicts.html",
@@ -44,6 +47,6 @@ def render(sources: Sources) -> str:
     environment.filters |= WORDING | {"packed": packed}
     page = contents(sources)
     moving = any(chapter.motion for chapter in page["chapters"])
-    style, moves = ((FOLDER / name).read_text("utf-8") for name in ("page.css", "page.js"))
+    style, moves = ((FOLDER / name).read_text("utf-8") for name in (STYLE, MOVES))
     page |= {"libraries": libraries(moving=moving), "style": style, "moves": moves}
-    return environment.get_template(PARTS[0]).render(page)
+    return environment.get_template(PAGE).render(page)

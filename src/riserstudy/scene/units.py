@@ -17,9 +17,10 @@ if TYPE_CHECKING:
     import pint
 
 ATMOSPHERE = 101325.0  # Pa, what a gauge pressure leaves out
+DATA_FILES = ("usual_units.json",)
 #: factors of usual units, by SI unit and name, as pint has them: pint takes 0.4 s to start, more than
 #: the rest of planning a study. Written by workflow/scripts/make_reference.py.
-USUAL = Path(__file__).with_name("usual_units.json")
+USUAL = Path(__file__).with_name(DATA_FILES[0])
 
 CYCLES = (["hertz"], ["millihertz"])
 

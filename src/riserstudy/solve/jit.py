@@ -7,14 +7,19 @@ the versions that shape machine code. Processes may compile into it side by side
 
 from __future__ import annotations
 
+import dis
+import hashlib
 from collections.abc import Callable
 from contextlib import suppress
 from functools import wraps
 from pathlib import Path
+from types import CodeType, FunctionType
+from typing import Any
 
 import numba
 from filelock import FileLock
-from numba.core.caching import IndexDataCacheFile, UserProvidedCacheLocator
+from numba.core.caching import Cache, CacheImpl, IndexDataCacheFile, UserProvidedCacheLocator
+from numba.core.serialize import dumps
 
 from riserstudy.folders import PACKAGE
 from riserstudy.solve.kernel_cache import kernel_cache, seal_files_of
@@ -43,40 +48,80 @@ def _one_at_a_time(save: Callable[..., None]) -> Callable[..., None]:
     return locked
 
 
-def _writable_or_not(ensure: Callable[[object], None]) -> Callable[[object], None]:
-    """Let numba read a cache that it cannot write to."""
+class KernelLocator(UserProvidedCacheLocator):
+    """Where numba keeps a compiled function, and by what it tells whether that is still the same.
 
-    @wraps(ensure)
-    def ensured(self: object) -> None:
-        with suppress(OSError):
-            ensure(self)
-
-    return ensured
-
-
-def _wherever_it_lies(subpath: Callable[[str], str]) -> Callable[[str], str]:
-    """Let a folder of the package have the same name wherever the package lies.
-
-    The cache folder tells the sources; named by their path, kernels would be lost to a checkout that was
-    moved and to other environments of the same user.
+    The cache folder tells the sources of kernels apart. So a kernel need not be compiled again because its
+    file is another (a comment), it stands elsewhere in it, or the package lies elsewhere.
     """
 
-    @wraps(subpath)
-    def named(py_file: str) -> str:
-        folder = Path(py_file).absolute().parent
-        if folder.is_relative_to(PACKAGE.absolute()):
+    def __init__(self, py_func: FunctionType, py_file: str):
+        super().__init__(py_func, py_file)
+        self._code = py_func.__code__
+
+    def ensure_cache_path(self) -> None:
+        """Let numba read a cache that it cannot write to."""
+        with suppress(OSError):
+            super().ensure_cache_path()
+
+    def get_source_stamp(self) -> object:
+        """What the file is; of no kernel, see above."""
+        return "" if _is_ours(self._py_file) else super().get_source_stamp()
+
+    def get_disambiguator(self) -> str:
+        """What tells functions of one name in a file apart."""
+        return (
+            _told_apart_by(self._code) if _is_ours(self._py_file) else super().get_disambiguator()
+        )
+
+    @classmethod
+    def get_suitable_cache_subpath(cls, py_file: str) -> str:
+        """A name for the folder of a file."""
+        if _is_ours(py_file):
+            folder = Path(py_file).absolute().parent
             return "-".join(folder.relative_to(PACKAGE.absolute()).parts)
-        return subpath(py_file)
-
-    return named
+        return str(super().get_suitable_cache_subpath(py_file))
 
 
-UserProvidedCacheLocator.ensure_cache_path = _writable_or_not(
-    UserProvidedCacheLocator.ensure_cache_path
-)
-UserProvidedCacheLocator.get_suitable_cache_subpath = staticmethod(
-    _wherever_it_lies(UserProvidedCacheLocator.get_suitable_cache_subpath)
-)
+_OF_CONSTANTS, _EXTENDED, _NOTHING = frozenset(dis.hasconst), dis.EXTENDED_ARG, dis.opmap["NOP"]
+
+
+def _is_ours(py_file: str) -> bool:
+    return Path(py_file).absolute().is_relative_to(PACKAGE.absolute())
+
+
+def _told_apart_by(code: CodeType) -> str:
+    """Hash of what a function does, not of where it stands nor of its docstring.
+
+    A docstring is a constant and moves others about, so constants count by value, in the order of use.
+    """
+    operations, arguments = code.co_code[::2], bytearray(code.co_code[1::2])
+    constants = []
+    for place, operation in enumerate(operations):
+        if operation in _OF_CONSTANTS:
+            number = arguments[place]
+            if place and operations[place - 1] == _EXTENDED:
+                number += 256 * arguments[place - 1]
+                arguments[place - 1] = 0
+            value = code.co_consts[number]
+            constants.append(_told_apart_by(value) if isinstance(value, CodeType) else repr(value))
+            arguments[place] = 0
+    names = (code.co_name, code.co_names, code.co_varnames, code.co_freevars)
+    pairs = zip(operations, arguments, strict=True)
+    does = bytes(byte for pair in pairs if pair[0] != _NOTHING for byte in pair)
+    about = repr((does, constants, names))
+    return hashlib.sha256(about.encode()).hexdigest()[:12]
+
+
+def _key(self: Cache, signature: object, codegen: Any) -> tuple[object, ...]:
+    """What tells the signatures of a function apart, and functions that differ by what they enclose."""
+    cells = tuple(cell.cell_contents for cell in self._py_func.__closure__ or ())
+    enclosed = hashlib.sha256(dumps(cells)).hexdigest() if cells else ""
+    return signature, codegen.magic_tuple(), enclosed
+
+
+Cache._index_key = _key
+CacheImpl._locator_classes = [KernelLocator]
 IndexDataCacheFile.save = _one_at_a_time(IndexDataCacheFile.save)
 seal_files_of(IndexDataCacheFile)
 

@@ -1,0 +1,260 @@
+"""An edit changes the digests of what depends on it, and of nothing else."""
+
+import ast
+import os
+import random
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from edits import edit, prose_edit
+
+from riserstudy import digests
+from riserstudy.digests import ENGINE, digest, sources_behind
+from riserstudy.errors import InputError
+from riserstudy.folders import PACKAGE
+from riserstudy.jobs.workplan import COLLECT, DATABASE, DERIVE, GRADE, REPORT, Workplan
+from riserstudy.syntax import ANNOTATION_READERS, DOCSTRING_READERS, _names
+
+ROOT = Path(__file__).parents[2]
+CHAPTERS = [
+    ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts)
+    for path in sorted((PACKAGE / "chapters").rglob("*.py"))
+    if path.name != "__init__.py"
+]
+PARTS = [ENGINE, COLLECT, DERIVE, GRADE, REPORT, DATABASE, "riserstudy.schematic", *CHAPTERS]
+
+
+def forget():
+    """What this process has found out about sources."""
+    for found in vars(digests).values():
+        if hasattr(found, "cache_clear"):
+            found.cache_clear()
+
+
+@pytest.fixture
+def package(tmp_path, monkeypatch):
+    """A copy of the package whose sources count."""
+    copy = tmp_path / "riserstudy"
+    shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.setitem(digests.ROOTS, "riserstudy", copy)
+    monkeypatch.setattr(digests, "PACKAGE", copy)
+    yield copy
+    monkeypatch.undo()
+    forget()
+
+
+def found():
+    """Digests of everything that a rule carries."""
+    forget()
+    kernels = digests.kernel_digest()
+    return {"kernels": kernels} | {part: digest(sources_behind(part)) for part in PARTS}
+
+
+def behind(file):
+    """Names of the digests that a file counts in."""
+    kernels = {"kernels"} if file.parent.name in ("solve", "effects") else set()
+    return kernels | {part for part in PARTS if file in sources_behind(part)}
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_edits_of_prose_change_no_digest(seed, package):
+    draw = random.Random(seed)
+    before = found()
+    for folder in ("solve", "effects", "scene", "simulation", "model", "study"):
+        for file in draw.sample(sorted((package / folder).glob("*.py")), 3):
+            file.write_text(prose_edit(file.read_text(), draw)[1])
+    assert found() == before
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_an_edit_of_code_changes_the_digests_of_what_imports_it_and_no_others(seed, package):
+    draw = random.Random(seed)
+    file = draw.choice(sorted(package.rglob("*.py")))
+    before, expected = found(), behind(file)
+    kind, text = edit(file.read_text(), draw)
+    file.write_text(text)
+    changed = {part for part, now in found().items() if now != before[part]}
+    assert changed == (expected if kind else set()), (file, kind)
+
+
+def test_every_file_beside_the_sources_is_named_by_one_that_reads_it():
+    template = PACKAGE / "study/template"
+    others = {
+        path
+        for path in PACKAGE.rglob("*")
+        if path.is_file() and path.suffix not in (".py", ".pyc") and template not in path.parents
+    }
+    named = {path for module in PACKAGE.rglob("*.py") for path in digests.data_of(module)}
+    assert others == named
+    assert len(others) > 5
+
+
+def test_what_runs_reads_no_file_of_the_package_that_does_not_count(tmp_path):
+    """Seen from outside: files that a run of a scene opens, against those behind its digests."""
+    program = (
+        "import sys; opened = []\n"
+        "sys.addaudithook(lambda e, a: e == 'open' and opened.append(str(a[0])))\n"
+        "from riserstudy import load_scene, simulate\n"
+        f"simulate(load_scene({str(ROOT / 'config/scenes/bench/s1.yaml')!r}))\n"
+        "import riserstudy\n"
+        "print(*(p for p in opened if p.startswith(riserstudy.__path__[0])), sep='\\n')"
+    )
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    opened = {Path(line) for line in ran.stdout.splitlines()}
+    data = {path for path in opened if path.suffix not in (".py", ".pyc") and path.is_file()}
+    assert {path.name for path in data} >= {"usual_units.json"}
+    assert data <= sources_behind(ENGINE) | sources_behind(COLLECT)
+
+
+@pytest.mark.parametrize("name", ["report/page.css", "dataset/variables.yaml"])
+def test_an_edit_of_a_file_that_a_module_names_changes_what_depends_on_the_module(name, package):
+    before = found()
+    with (package / name).open("a") as file:
+        file.write("\n")
+    changed = {part for part, now in found().items() if now != before[part]}
+    assert REPORT in changed
+    assert (ENGINE in changed) == (package / name in sources_behind(ENGINE))
+
+
+def test_nothing_behind_a_result_reads_docstrings_or_annotations():
+    """What is left out of digests, because nothing reads it, is read by nothing."""
+    plan = Workplan.read(ROOT / "config", {"tier": "preview"})
+    files = set().union(*map(sources_behind, PARTS), plan.figure_code("liu2020", "fig05"))
+    readers = DOCSTRING_READERS | (ANNOTATION_READERS - {"inspect"}) | {"model_json_schema"}
+    reading = {
+        file.relative_to(PACKAGE).as_posix(): words
+        for file in files
+        if file.suffix == ".py" and (words := set(_names(ast.parse(file.read_text()))) & readers)
+    }
+    assert reading == {}
+
+
+# Chapters of a study of one's own
+
+
+@pytest.fixture
+def chapter(tmp_path, monkeypatch):
+    folder = tmp_path / "chapters/mine"
+    folder.mkdir(parents=True)
+    monkeypatch.chdir(tmp_path)
+    yield folder
+    forget()
+
+
+def names_behind(module):
+    forget()
+    return {path.name for path in sources_behind(module)}
+
+
+def test_a_chapter_s_data_counts_where_the_module_names_it(chapter):
+    (chapter / "measured.csv").write_text("1\n")
+    (chapter / "figures.py").write_text("FILE = 'measured.csv'\n")
+    assert "measured.csv" not in names_behind("chapters.mine.figures")
+    (chapter / "figures.py").write_text("DATA_FILES = ['measured.csv']\n")
+    assert "measured.csv" in names_behind("chapters.mine.figures")
+
+
+@pytest.mark.parametrize(
+    "text, told",
+    [
+        ("DATA_FILES = ('absent.csv',)\n", "figures.py: DATA_FILES: no file absent.csv"),
+        ("x = 1\ny = (\n", "figures.py: line 2: this is not Python"),
+        ("x = '\0'\n", "figures.py"),
+    ],
+)
+def test_what_cannot_be_meant_in_a_chapter_is_told_in_one_line(chapter, text, told):
+    (chapter / "figures.py").write_text(text)
+    with pytest.raises(InputError, match=told):
+        names_behind("chapters.mine.figures")
+
+
+# What is known of a file is kept
+
+
+def test_what_was_found_out_is_kept_and_damage_of_it_changes_nothing(
+    tmp_path, monkeypatch, package
+):
+    monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "cache"))
+    first = found()
+    (kept,) = (tmp_path / "cache").glob("sources-*.json")
+    with monkeypatch.context() as context:
+        context.setattr(ast, "parse", None)
+        assert found() == first
+    draw = random.Random(4)
+    for _ in range(5):
+        content = bytearray(kept.read_bytes())
+        content[draw.randrange(len(content))] ^= 1 << draw.randrange(8)
+        kept.write_bytes(content)
+        assert found() == first
+
+
+def test_only_what_was_edited_is_read_again(tmp_path, monkeypatch, package):
+    monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "cache"))
+    found()
+    (package / "solve/newton.py").open("a").write("# edited\n")
+    read, parse = [], ast.parse
+    monkeypatch.setattr(ast, "parse", lambda text: read.append(text) or parse(text))
+    found()
+    assert len(read) == 1
+
+
+# The numbers of a package without prose
+
+
+class WithoutProse(ast.NodeTransformer):
+    """Takes away what digests are blind to, in files that postpone annotations and read none."""
+
+    def visit(self, node):
+        within_class = isinstance(node, ast.ClassDef)
+        fields = [n for n in node.body if isinstance(n, ast.AnnAssign)] if within_class else []
+        node = super().generic_visit(node) if not isinstance(node, ast.expr) else node
+        if isinstance(node, ast.FunctionDef) and not node.decorator_list:
+            node.returns = None
+            for one in [*node.args.args, *node.args.kwonlyargs]:
+                one.annotation = None
+        if hasattr(node, "body") and isinstance(node.body, list):
+            node.body = [
+                ast.Assign([n.target], n.value)
+                if isinstance(n, ast.AnnAssign) and n.value and n not in fields
+                else n
+                for n in node.body
+                if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))
+            ] or [ast.Pass()]
+        return node
+
+
+def test_without_prose_the_package_has_the_same_digests_and_gives_the_same_numbers(
+    tmp_path, package
+):
+    before, shortened = found(), 0
+    for file in package.rglob("*.py"):
+        text = file.read_text()
+        words = set(_names(ast.parse(text)))
+        if "annotations" in words and not words & (ANNOTATION_READERS | DOCSTRING_READERS):
+            new = ast.unparse(ast.fix_missing_locations(WithoutProse().visit(ast.parse(text))))
+            shortened += len(text) - len(new)
+            file.write_text(new)
+    assert shortened > 100_000
+    assert found() == before
+    scene = ROOT / "config/scenes/bench/s2.yaml"
+    program = (
+        "import riserstudy, hashlib\n"
+        f"out = riserstudy.simulate(riserstudy.load_scene({str(scene)!r}))\n"
+        "numbers = b''.join(out[n].values.tobytes() for n in sorted(out) if out[n].dtype == float)\n"
+        "print(riserstudy.__file__, hashlib.sha256(numbers).hexdigest(), len(numbers))"
+    )
+    said = []
+    # Twice the whole one: the process that compiles rounds otherwise than those that load.
+    for place in (PACKAGE.parent, PACKAGE.parent, tmp_path):
+        env = os.environ | {"PYTHONPATH": str(place)}
+        ran = subprocess.run(
+            [sys.executable, "-c", program], env=env, capture_output=True, text=True
+        )
+        assert ran.returncode == 0, ran.stderr
+        said.append(ran.stdout.split())
+    assert said[1][0] != said[2][0]
+    assert said[1][1:] == said[2][1:]
+    assert int(said[0][2]) > 1000

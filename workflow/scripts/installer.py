@@ -1,0 +1,198 @@
+"""Install locked packages with uv, else with pip. Needs nothing but the standard library.
+
+uv installs in seconds what takes pip a minute. It is a package of the index like any other:
+``installer.lock`` names it with its hashes, and pip puts it into the cache, not into an environment.
+It reads none of pip's settings, so those that lead to the index are handed over. Where it has no
+wheel, or fails, pip installs the same locks.
+
+``python installer.py LOCK ...`` installs locks into the environment of the Python that runs it.
+"""
+
+import ast
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+UV_LOCK = ROOT / "installer.lock"
+UV_CACHE = ROOT / ".cache" / "installer"
+LOCKED = ("--require-hashes", "--no-build-isolation")
+#: a dependency of Snakemake that has no wheel for Python 3.14 yet, and works without its compiled part
+PURE = "immutables"
+PURE_FROM = (3, 14)
+REASON = 500  # characters of what a program said that failed
+Command = tuple[object, ...]
+
+
+def install_lock(python: Path, lock: Path) -> None:
+    """Install what a lock file names, hashes checked, into the environment of a Python of this version."""
+    if sys.version_info >= PURE_FROM and (block := block_of(PURE, lock.read_text("utf-8"))):
+        install_pure(python, block)
+    install(python, *LOCKED, "-r", lock)
+
+
+def install_pure(python: Path, block: str) -> None:
+    """Install a package without its compiled part: what the compiler would make is left out.
+
+    Neither installer may keep that wheel for other environments of this user.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        lock = Path(folder) / "pure.lock"
+        lock.write_text(block, "utf-8")
+        words = (*LOCKED, "--no-deps", "--no-cache-dir", "-r", lock)
+        install(python, *words, env=os.environ | {"CC": "true"})
+
+
+def block_of(package: str, lock: str) -> str:
+    """The lines of a lock that pin a package; "" where there are none."""
+    found = re.search(rf"^{re.escape(package)}==.*(\n .*)*\n?", lock, re.MULTILINE)
+    return found[0] if found else ""
+
+
+def install(python: Path, *words: object, env: dict[str, str] | None = None) -> None:
+    """Install with options that both installers know, silently unless it fails.
+
+    Raises
+    ------
+    subprocess.CalledProcessError
+        When pip could not install it, either.
+    """
+    env = dict(env or os.environ)
+    if (uv := uv_for(python)) and uv_installs(uv, python, words, env):
+        return
+    run(*pip_of(python), "-qq", "install", "--no-input", *words, env=env)
+
+
+def uv_installs(uv: Path, python: Path, words: Command, env: dict[str, str]) -> bool:
+    """Whether uv could install it; tells why not."""
+    settings = pip_settings(python)
+    options = ["--no-index"] if said_yes(settings.get("no-index", "")) else []
+    command = (uv, "pip", "install", "--quiet", "--python", python, *options, *words)
+    return succeeds(command, with_settings(env, settings), "uv could not install")
+
+
+def uv_for(python: Path) -> Path | None:
+    """The locked uv, fetched by pip unless it is there; None, and why is told, where it cannot be had."""
+    folder = UV_CACHE / hashlib.sha256(UV_LOCK.read_bytes()).hexdigest()[:12]
+    uv = folder / "bin" / "uv"
+    if uv.exists():
+        return uv
+    shutil.rmtree(UV_CACHE, ignore_errors=True)
+    with suppress(OSError):
+        UV_CACHE.mkdir(mode=0o700, parents=True)
+    whole = ("--only-binary=:all:", "--no-deps", "--no-compile", "--require-hashes")
+    command = (*pip_of(python), "-qq", "install", "--no-input", *whole)
+    part = folder.with_name("part")
+    command = (*command, "--target", part, "-r", UV_LOCK)
+    if not succeeds(command, dict(os.environ), "uv was not found"):
+        return None
+    part.rename(folder)
+    return uv
+
+
+def succeeds(command: Command, env: dict[str, str], lacking: str) -> bool:
+    """Whether a command could be run and ended well; its reason is passed on where not."""
+    words = [str(word) for word in command]
+    try:
+        done = subprocess.run(words, env=env, capture_output=True, text=True, errors="replace")
+    except OSError as error:
+        said, failed = str(error), True
+    else:
+        said, failed = done.stderr, done.returncode != 0
+    if failed:
+        why = " ".join(said.split())[:REASON]
+        print(f"riserstudy: {lacking}, so pip installs (a minute longer): {why}", file=sys.stderr)
+    return not failed
+
+
+def pip_of(python: Path) -> Command:
+    """The environment's pip."""
+    return (python, "-m", "pip", "--disable-pip-version-check")
+
+
+def run(*command: object, env: dict[str, str] | None = None) -> None:
+    """Run a command; its failure is an exception."""
+    subprocess.run([str(word) for word in command], check=True, env=env)
+
+
+# What leads to the index
+
+
+@cache
+def pip_settings(python: Path) -> dict[str, str]:
+    """Options of ``pip install`` that this user has set, in files or in the environment."""
+    command = [*map(str, pip_of(python)), "config", "list"]
+    told = subprocess.run(command, capture_output=True, text=True, errors="replace").stdout
+    found = re.findall(r"^(global|install|:env:)\.([\w-]+)=(.*)$", told, re.MULTILINE)
+    settings: dict[str, str] = {}
+    for place in ("global", "install", ":env:"):  # the later wins
+        settings |= {name: literal(value) for where, name, value in found if where == place}
+    return settings
+
+
+def literal(text: str) -> str:
+    """A value as pip prints it: quoted."""
+    with suppress(ValueError, SyntaxError):
+        return str(ast.literal_eval(text))
+    return text
+
+
+def said_yes(text: str) -> bool:
+    """Whether an option is switched on."""
+    return text.lower() in ("1", "true", "yes", "on", "y", "t")
+
+
+def listed(separator: str) -> Callable[[str], str]:
+    """Several values, which pip parts by blanks, parted otherwise."""
+    return lambda value: separator.join(value.split())
+
+
+def same(value: str) -> str:
+    """One value."""
+    return value
+
+
+#: options of pip, and the variables by which uv is told the same
+HANDED_OVER: dict[str, tuple[tuple[str, ...], Callable[[str], str]]] = {
+    "index-url": (("UV_DEFAULT_INDEX",), same),
+    "extra-index-url": (("UV_INDEX",), listed(" ")),
+    "find-links": (("UV_FIND_LINKS",), listed(",")),
+    "trusted-host": (("UV_INSECURE_HOST",), listed(" ")),
+    "cert": (("SSL_CERT_FILE",), same),
+    "client-cert": (("SSL_CLIENT_CERT",), same),
+    "proxy": (("HTTP_PROXY", "HTTPS_PROXY", "ALL_PROXY"), same),
+    "timeout": (("UV_HTTP_TIMEOUT",), same),
+    "default-timeout": (("UV_HTTP_TIMEOUT",), same),
+    "retries": (("UV_HTTP_RETRIES",), same),
+    "no-cache-dir": (("UV_NO_CACHE",), same),
+}
+
+
+def with_settings(env: dict[str, str], settings: dict[str, str]) -> dict[str, str]:
+    """An environment in which uv reaches the index as pip does; what it tells uv itself wins."""
+    # Any index may have what is locked: the hashes decide.
+    found = {"UV_INDEX_STRATEGY": "unsafe-best-match"}
+    for option, (names, of) in HANDED_OVER.items():
+        if option in settings:
+            found |= dict.fromkeys(names, of(settings[option]))
+    for bundle in ("CURL_CA_BUNDLE", "REQUESTS_CA_BUNDLE"):  # in pip they win, uv knows neither
+        if env.get(bundle):
+            found["SSL_CERT_FILE"] = env[bundle]
+    if "SSL_CERT_FILE" not in found | env:
+        found["UV_SYSTEM_CERTS"] = "true"  # pip trusts what the system trusts
+    return env | {
+        name: value for name, value in found.items() if not (name.startswith("UV_") and name in env)
+    }
+
+
+if __name__ == "__main__":
+    for name in sys.argv[1:]:
+        install_lock(Path(sys.executable), Path(name))
