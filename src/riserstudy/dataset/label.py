@@ -37,7 +37,7 @@ def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> 
         "provenance": json.dumps(provenance(file)),
     }
     if "limits" in file.tree:
-        rows = checked(file, file.scene(), result.facts.get("extremes", []))
+        rows = checked(file, file.scene(), result.facts)
         dataset.attrs["limits"] = json.dumps([row._asdict() for row in rows])
     return dataset
 

@@ -36,18 +36,26 @@ class Checked(NamedTuple):
     takes: str = ""  # what it looks at, where its name does not tell
 
 
-def checked(file: SceneFile, scene: Scene, rows: list[dict[str, Any]]) -> list[Checked]:
+def checked(file: SceneFile, scene: Scene, facts: Mapping[str, Any]) -> list[Checked]:
     """Every limit of a scene against the extremes of its run.
+
+    Nothing is within a limit that is known no better than by an error larger than itself.
 
     Parameters
     ----------
-    rows : extremes of the run, a row an output and place.
+    facts : of the run: its extremes, a row an output and place, and its estimated errors.
     """
+    rows = facts.get("extremes", [])
+    errors = {k: v for k, v in facts.get("error_estimate", {}).items() if v > 1.0}
+    unknown = ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in errors.items())
     plain = "published" if scene.paper else "given"
     each = []
     for k, limit in enumerate(scene.limits or []):
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
         one = _one(scene, limit, rows, origin.status if origin else plain)
+        if unknown and one.verdict == WITHIN:
+            why = f"an estimated error below the result itself: {unknown}"
+            one = one._replace(verdict=UNKNOWN, missing=why)
         each.append(one._replace(takes=takes(scene, limit)))
     return each
 

@@ -68,25 +68,31 @@ def run(
         else as_asked(scene, estimated, watch)
     )
     result.facts["wall_seconds"] = watch.spent
-    _refuse_what_is_not_known(result)
+    _doubt(result, scene)
     return result
 
 
-def _refuse_what_is_not_known(result: Result) -> None:
+def _doubt(result: Result, scene: Scene) -> None:
     """An error above the largest value itself means that nothing is known of it.
+
+    A mesh and a step of the scene's own are kept, with a warning, and no limit is then met by the run.
 
     Raises
     ------
     SimulationError
-        With the quantity, its error and the remedy.
+        With the quantity, its error and the remedy, where mesh and step were to be found.
     """
     error = result.facts.get("error_estimate", {})
-    if any(value > 1.0 for value in error.values()):
-        raise SimulationError(
-            f"the estimated error is larger than the result: {_worst(error)}, on "
-            f"{size(result.facts['elements'], result.facts.get('step'))}; take a finer mesh and a shorter "
-            "step, or leave both out to have them found"
-        )
+    if not any(value > 1.0 for value in error.values()):
+        return
+    doubt = (
+        f"the estimated error is larger than the result: {_worst(error)}, on "
+        f"{size(result.facts['elements'], result.facts.get('step'))}; take a finer mesh and a shorter step, "
+        "or leave both out to have them found"
+    )
+    if scene.analysis.mesh is None:
+        raise SimulationError(doubt)
+    result.facts["warnings"].append(doubt)
 
 
 def allowed(accuracy: float | None) -> dict[str, float]:
