@@ -127,6 +127,8 @@ def arguments_of(modules: Iterable[str], function: str) -> Arguments:
     ------
     LookupError
         When no module defines it.
+    InputError
+        When the module is not Python.
     """
     module = defining(modules, function)
     file = source_of(module) if module else None
@@ -185,7 +187,13 @@ def _above(module: str) -> str:
 
 @cache
 def facts(file: Path) -> Facts:
-    """What is known of a Python file; to read its syntax takes long, so it is done once for each content."""
+    """What is known of a Python file; to read its syntax takes long, so it is done once for each content.
+
+    Raises
+    ------
+    InputError
+        When it is not Python.
+    """
     content = file.read_bytes()
     name = _hash(content)
     if name not in _kept():

@@ -65,7 +65,7 @@ class Curve(NamedTuple):
 
     @property
     def slope_weights(self) -> FloatArray:
-        """What slopes at the lower and upper ends of segments take of nodes e - 1 to e + 2, (2, n, 4)."""
+        """What slopes at both ends of segments take of nodes e - 1 to e + 2 (1/m), (2, n, 4)."""
         n = len(self.s) - 1
         out = np.zeros((2, n, 4))
         rows = np.arange(n)

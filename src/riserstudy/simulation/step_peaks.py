@@ -28,7 +28,7 @@ class Peak(NamedTuple):
 
 
 def room_for_steps(model: Model, duration: float, step: float) -> int:
-    """Steps of which ends and devices are recorded; none where they would not fit into memory."""
+    """Number of steps (s) over a duration (s) of which ends and devices are recorded; none where too many."""
     room = math.ceil(HALVED * duration / step) + 100
     state = model.s
     width = 2 * (len(state.dim) + 2 * len(state.moment) + 1) + len(state.dim) + 6 + len(state.probe)
@@ -50,7 +50,7 @@ def steps_of(record: Record) -> Record | None:
 
 
 def peaks_of(times: FloatArray, series: Arrays) -> dict[str, Peak]:
-    """Peaks of series over the steps, (steps,) or (steps, cylinders), by name."""
+    """Peaks of series over the times of the steps (s), (steps,) or (steps, cylinders), by name."""
     return {name: _peak(times, values.reshape(len(times), -1)) for name, values in series.items()}
 
 

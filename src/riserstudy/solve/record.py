@@ -35,18 +35,16 @@ class Record(NamedTuple):
     middle: np.ndarray  # (n, 4) what a moment at a middle takes of nodes e - 1 to e + 2
     shear: (
         np.ndarray
-    )  # (2, n, 4) what shear at a segment's lower, upper end takes of them (1/m), or no n
+    )  # (2, n, 4) the same of shear at a segment's lower and upper end (1/m), or no n
     wall: (
         np.ndarray
-    )  # (walls, 6) radii outer, inner (m), area, second moment, shares of tension and moment
-    wall_at: np.ndarray  # (walls, 2) node, column of the contents or -1
-    column: (
-        np.ndarray
-    )  # (columns, 2) contents from the top down: weight (N/m3), level above, or NaN
-    column_at: np.ndarray  # (columns, 2) nodes of their upper and lower ends
+    )  # (w, 6) radii outer, inner (m), area (m2), second moment (m4), two shares: `Section`
+    wall_at: np.ndarray  # (w, 2) node, column of the contents or -1
+    column: np.ndarray  # (c, 2) contents from the top down: weight (N/m3), level above (m) or NaN
+    column_at: np.ndarray  # (c, 2) nodes of their upper and lower ends
     sea: np.ndarray  # (2,) weight (N/m3), elevation of the surface (m)
-    largest: np.ndarray  # (q + shear and stress, n+1) envelopes from the first output on
-    smallest: np.ndarray  # the same
+    largest: np.ndarray  # (r, n+1) envelopes from the first output on: q, then shear and stress
+    smallest: np.ndarray  # (r, n+1) the same
     # end segment's tangent, moments of its end and inner node, length
     end: np.ndarray  # (k, 2, d + 2m + 1)
     top: np.ndarray  # (k, d) position of the top
@@ -56,29 +54,29 @@ class Record(NamedTuple):
     past: np.ndarray  # (2, v, n+1) scratch: the two steps before
     between: np.ndarray  # (v, n+1) scratch: an output between steps
     when: np.ndarray  # (3,) times of these three steps (s)
-    inside: np.ndarray  # (columns,) scratch: pressure at their upper ends (Pa)
-    seen: (
-        np.ndarray
-    )  # (1,) steps since the begin or the last event, after which forces may have jumped
+    inside: np.ndarray  # (c,) scratch: pressure at the upper ends of columns (Pa)
+    seen: np.ndarray  # (1,) steps since the begin or the last event, across which forces may jump
     written: np.ndarray  # (1,) outputs written down
     # each step: what outputs have of ends and devices; as many as there is room for
-    step_time: np.ndarray  # (room,) s
-    step_end: np.ndarray  # (room, 2, d + 2m + 1)
-    step_top: np.ndarray  # (room, d)
-    step_platform: np.ndarray  # (room, 6)
-    step_probe: np.ndarray  # (room, probes)
+    step_time: np.ndarray  # (t,) s
+    step_end: np.ndarray  # (t, 2, d + 2m + 1)
+    step_top: np.ndarray  # (t, d)
+    step_platform: np.ndarray  # (t, 6)
+    step_probe: np.ndarray  # (t, probes)
     steps: np.ndarray  # (1,) written down, more than there is room for where some are not
 
 
 class Section(NamedTuple):
     """What shear force and stress of the wall follow from, as `Record` holds it."""
 
-    shear: np.ndarray
-    wall: np.ndarray
-    wall_at: np.ndarray
-    column: np.ndarray
-    column_at: np.ndarray
-    sea: np.ndarray
+    shear: np.ndarray  # (2, n, 4) weights of moments (1/m)
+    wall: (
+        np.ndarray
+    )  # (w, 6) radii (m), area (m2), second moment (m4), its shares of tension and moment
+    wall_at: np.ndarray  # (w, 2) node, column
+    column: np.ndarray  # (c, 2) weight (N/m3), level (m)
+    column_at: np.ndarray  # (c, 2) nodes
+    sea: np.ndarray  # (2,) weight (N/m3), elevation (m)
 
 
 NO_SECTION = Section(
