@@ -97,6 +97,11 @@ class StructuralDamping(Strict):
     ratio: Annotated[float, NOT_NEGATIVE]
     at_period: Annotated[u.Time, POSITIVE]
 
+    @property
+    def time(self) -> float:
+        """Damping over stiffness (s)."""
+        return self.ratio * self.at_period / math.pi
+
 
 class InnerJoint(Strict):
     """Rotational spring between a section and the one below it."""
