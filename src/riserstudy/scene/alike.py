@@ -9,7 +9,7 @@ ROUNDING = 1e-9  # relative: of conversions between units, and far below what an
 
 
 def alike(values: Iterable[float | None]) -> bool:
-    """Whether all of some values are the same; None is like nothing but itself."""
+    """Whether all of some values (of one SI unit, or 1) are the same; None is like nothing but itself."""
     every = list(values)
     numbers = [value for value in every if value is not None]
     if not numbers:
