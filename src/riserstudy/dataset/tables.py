@@ -66,7 +66,7 @@ def stack_up(scene: Scene) -> Table:
             add([body.name, None, None, at, None, None, None], dry, wet, 0.0, [None] * 3)
 
     add_body(scene.top.body, upper)
-    for section in reversed(scene.riser):
+    for section in reversed(scene.sections):
         length, each = section.total_length, section.submerged_weight
         joints = section.joints.count if section.joints else None
         diameters = [section.outer_diameter, section.inner_diameter]
@@ -93,7 +93,7 @@ def _parts(section: Section, gravity: float | None) -> list[Cell]:
 def _upper_end(scene: Scene) -> float | None:
     """Elevation of the riser's upper end before it stretches (m)."""
     if scene.bottom.elevation is not None:
-        return scene.bottom.elevation + sum(s.total_length for s in scene.riser)
+        return scene.bottom.elevation + sum(s.total_length for s in scene.sections)
     return scene.top.elevation
 
 
