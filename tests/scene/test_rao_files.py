@@ -195,3 +195,29 @@ def test_a_dataset_without_operators_or_of_two_bodies_is_refused(tmp_path):
     (tmp_path / "text.nc").write_text("no netCDF")
     with pytest.raises(InputError, match="no netCDF"):
         from_capytaine(tmp_path / "text.nc")
+
+
+@pytest.mark.parametrize("pair", [(0.0, 360.0), (-180.0, 180.0)])
+@pytest.mark.parametrize("code", ["wamit", "capytaine"])
+def test_a_heading_that_is_another_one_a_turn_later_is_left_out_or_refused(
+    tmp_path, monkeypatch, capsys, code, pair
+):
+    first, last = pair
+    monkeypatch.setattr(sys.modules[__name__], "HEADINGS", (first, 90.0, last))
+    made = made_up
+    for same in (True, False):
+
+        def response(motion, period, heading, same=same):
+            return made(motion, period, first if same and heading == last else heading)
+
+        monkeypatch.setattr(sys.modules[__name__], "made_up", response)
+        source = wamit(tmp_path / "a.4") if code == "wamit" else capytaine(tmp_path / "a.nc")
+        words = ["--length", "1 m"] if code == "wamit" else []
+        if same:
+            table = imported(source, *words)
+            assert f"heading {last:g} deg: that of {first:g} deg" in capsys.readouterr().out
+            moved(table, "lead" if code == "wamit" else "lag", "heave", 12.0, last)
+        else:
+            with pytest.raises(SystemExit):
+                imported(source, *words)
+            assert "which is the same heading" in capsys.readouterr().err

@@ -23,7 +23,7 @@ def inner_joints(of: Layout, report: Report) -> Iterator[Effect]:
         joint = of.scene.riser[k].flex_joint_below
         flexibility = 1.0 / joint.stiffness if joint else 0.0
         record = InnerFlexJoint(of.mesh.foot(k), flexibility, report("lfj_angle"))
-        yield Effect("inner flex joint", record, f"riser[{k}].flex_joint_below")
+        yield Effect("inner flex joint", record, f"{of.scene.line(k)}.flex_joint_below")
 
 
 def guides(of: Layout) -> Iterator[Effect]:
@@ -31,7 +31,7 @@ def guides(of: Layout) -> Iterator[Effect]:
     for k, section in enumerate(of.scene.riser if of.d > 1 else []):
         if section.guide_below:
             record = Guide(of.mesh.foot(k), section.guide_below.stiffness)
-            yield Effect("guide", record, f"riser[{k}].guide_below")
+            yield Effect("guide", record, f"{of.scene.line(k)}.guide_below")
 
 
 def sliding_joint(of: Layout) -> Iterator[Effect]:

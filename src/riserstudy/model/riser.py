@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -20,9 +19,7 @@ def riser(of: Layout) -> Iterator[Effect]:
     """Effects of the string without water."""
     l0, sections = of.mesh.l0, of.scene.riser
     yield Effect("axial elasticity", Axial(of.axial / l0), "riser")
-    relaxation = [
-        d.ratio * d.at_period / math.pi if (d := s.structural_damping) else 0.0 for s in sections
-    ]
+    relaxation = [d.time if (d := s.structural_damping) else 0.0 for s in sections]
     if any(relaxation):
         damping = of.axial * of.per_segment(lambda k: relaxation[k]) / l0
         yield Effect("axial damping", AxialDamping(damping), "riser.structural_damping")

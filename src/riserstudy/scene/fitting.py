@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from riserstudy.scene.alike import alike
 from riserstudy.scene.analysis import MOST_PERIODS
 from riserstudy.scene.forcing import Shape
 from riserstudy.scene.geometry import closes, covered
@@ -53,7 +54,8 @@ def fit(scene: Parts) -> None:
     bending = [bool(s.young_modulus or s.bending_stiffness) for s in scene.riser]
     if any(bending) and not all(bending):
         raise ValueError("riser: give bending stiffness to all sections or to none")
-    if len({s.structural_damping for s in scene.riser}) > 1:
+    damping = [s.structural_damping for s in scene.riser]
+    if not alike(d.time if d else None for d in damping):
         raise ValueError("riser: structural_damping must be the same in all sections")
     if scene.top.z != "free" and scene.bottom.hold == "free" and scene.top.elevation is None:
         raise ValueError("a riser that hangs needs top.elevation")
@@ -238,10 +240,12 @@ def _throttled(scene: Parts, valve: RecoilValve) -> None:
 
 def _drains(scene: Parts) -> None:
     """Contents that run out are one column from the lower end upwards, under a sea of known level."""
-    filled = [(s.contents, s.inner_diameter) for s in scene.riser if s.contents]
+    filled = [s for s in scene.riser if s.contents]
     if not filled or any(s.contents for s in scene.riser[len(filled) :]):
         raise ValueError("disconnect.drain needs contents in sections from the lowest one upwards")
-    if len({(c.density, c.level, bore) for c, bore in filled}) > 1:
+    inside = [s.contents for s in filled if s.contents]
+    same = alike(c.density for c in inside) and alike(c.level for c in inside)
+    if not (same and alike(s.inner_diameter for s in filled)):
         raise ValueError(
             "disconnect.drain needs the same contents and bore in all sections with contents"
         )

@@ -10,6 +10,8 @@ import math
 from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
+from riserstudy.scene.alike import alike
+
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
@@ -58,7 +60,7 @@ def _filled(scene: Parts) -> None:
     levels = {k: section.contents.level for k, section in filled if section.contents}
     highest = max(levels, default=-1)
     for k, level in levels.items():
-        if level not in (None, levels[highest]):
+        if level is not None and not alike([level, levels[highest]]):
             raise ValueError(
                 f"riser[{k}].contents.level {level:g} m is another than that of the highest section with "
                 f"contents, {scene.riser[highest].name!r}; allowed is that one's: it counts alone"

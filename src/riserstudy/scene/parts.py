@@ -15,7 +15,7 @@ from riserstudy.scene.disconnect import Disconnect
 from riserstudy.scene.ends import Body, Bottom, Top
 from riserstudy.scene.forcing import Current, Platform, Water
 from riserstudy.scene.limits import Limit
-from riserstudy.scene.riser import Section
+from riserstudy.scene.riser import RigidBody, Section
 from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.soil import Soil
 from riserstudy.scene.vessel import Vessel
@@ -55,6 +55,15 @@ class Parts(Strict):
     def riser_sections(self) -> list[Section]:
         """Sections of the riser itself, without stack and conductor below its flex joint."""
         return self.riser[self.lowest_riser_section :]
+
+    @property
+    def sections(self) -> list[Section]:
+        """Sections as the scene's file has them, without what stands for a body below them."""
+        return [section for section in self.riser if not isinstance(section, RigidBody)]
+
+    def line(self, k: int) -> str:
+        """Path, in the scene's file, of section ``k`` of the riser (from 0, with a body below it)."""
+        return f"riser[{k - len(self.riser) + len(self.sections)}]"
 
     @property
     def bodies(self) -> list[Body]:

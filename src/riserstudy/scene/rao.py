@@ -84,8 +84,14 @@ ENDS = Mirror(math.pi, ("surge", "pitch", "yaw"))
 MIRRORS = {None: 0, "sides": 1, "sides and ends": 2}
 
 
-def _same(one: float, other: float) -> bool:
-    return abs(math.remainder(one - other, 2.0 * math.pi)) < 1e-9
+CLOSE = 1e-6  # rad, headings that are one; share of a frequency, by which two are one
+
+
+def _same(one: float | None, other: float | None) -> bool:
+    """Whether two headings (rad) are one: 0 and 360 deg are, and -180 and 180 deg."""
+    if one is None or other is None:
+        return one is other
+    return abs(math.remainder(one - other, 2.0 * math.pi)) < CLOSE
 
 
 class Response(Strict):
@@ -116,10 +122,14 @@ class Response(Strict):
         kinds = {row.period is None for row in self.operators}
         if len(kinds) > 1:
             raise ValueError("operators: period in every line, or frequency in every line")
-        if any(a.circular == b.circular for rows in tables for a, b in pairwise(rows)):
-            kind = "frequency" if kinds == {True} else "period"
-            raise ValueError(f"operators: a {kind} stands twice; allowed is once a heading")
-        if len(tables[0]) < 2 or any(_frequencies(t) != _frequencies(tables[0]) for t in tables):
+        kind = "frequency" if kinds == {True} else "period"
+        for heading, rows in self.by_heading.items():
+            if twice := [a for a, b in pairwise(rows) if _one_frequency(a, b)]:
+                raise ValueError(
+                    f"operators: a {kind} stands twice, {_said(twice[0])}{_at(heading, self.headings)}; "
+                    "allowed is once a heading, and headings a turn apart are one"
+                )
+        if len(tables[0]) < 2 or any(not _same_frequencies(t, tables[0]) for t in tables):
             raise ValueError("operators: every heading must have the same periods, at least two")
         if len(tables) > 1 and None in self.by_heading:
             raise ValueError("operators: heading must stand in every line or in none")
@@ -140,17 +150,21 @@ class Response(Strict):
 
     @property
     def by_heading(self) -> dict[float | None, list[Operator]]:
-        """Operators by where waves go (rad), None where they hold for all; frequencies rise."""
+        """Operators by where waves go (rad), None where they hold for all; frequencies rise.
+
+        Headings a turn apart are one.
+        """
         turn = math.pi if self.headings == "from" else 0.0
         tables: dict[float | None, list[Operator]] = {}
-        for row in sorted(self.operators, key=lambda row: row.circular):
+        for row in sorted(self.operators, key=lambda row: (row.circular, row.heading or 0.0)):
             towards = None if row.heading is None else row.heading + turn
-            tables.setdefault(towards, []).append(row)
+            known = next((known for known in tables if _same(known, towards)), towards)
+            tables.setdefault(known, []).append(row)
         for plane in (SIDES, ENDS)[: MIRRORS[self.symmetry]]:
             there = [heading for heading in tables if heading is not None]
             for heading in there:
                 image, rows = plane.image(heading), tables[heading]
-                if not any(known is not None and _same(known, image) for known in tables):
+                if not any(_same(known, image) for known in tables):
                     tables[image] = [plane.mirrored(row) for row in rows]
         return tables
 
@@ -161,5 +175,22 @@ class Response(Strict):
         return [name for name in MOTIONS if name in wanted]
 
 
-def _frequencies(rows: list[Operator]) -> list[float]:
-    return [row.circular for row in rows]
+def _one_frequency(one: Operator, other: Operator) -> bool:
+    return math.isclose(one.circular, other.circular, rel_tol=CLOSE)
+
+
+def _same_frequencies(some: list[Operator], others: list[Operator]) -> bool:
+    return len(some) == len(others) and all(map(_one_frequency, some, others))
+
+
+def _said(row: Operator) -> str:
+    """The wave of an operator in words."""
+    return f"{row.circular:g} rad/s" if row.period is None else f"{row.period:g} s"
+
+
+def _at(towards: float | None, headings: str | None) -> str:
+    """A heading in words, as the operators have it."""
+    if towards is None:
+        return ""
+    given = towards - (math.pi if headings == "from" else 0.0)
+    return f" at heading {math.degrees(given):g} deg"

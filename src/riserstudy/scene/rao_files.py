@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 ROUNDED = (
     2e-3  # share by which modulus and phase may differ from real and imaginary part, as printed
 )
+SAME = 1e-4  # deg, by which headings are one
+HEADING = "heading (deg)"
 FREQUENCIES = {
     "omega": ("frequency", "rad/s"),
     "freq": ("frequency", "Hz"),
@@ -92,7 +94,8 @@ def from_wamit(path: Path, length: float) -> Operators:
                 cells += [abs(value), math.degrees(cmath.phase(value))]
             table.append(cells)
     names = [MOTIONS[mode - 1] for mode in modes]
-    return Operators(["period (s)", "heading (deg)", *_columns(names)], table, "lead", left_out)
+    columns = ["period (s)", HEADING, *_columns(names)]
+    return _once_a_turn(path, Operators(columns, table, "lead", left_out))
 
 
 def _rows_of_wamit(path: Path) -> list[Row]:
@@ -168,8 +171,9 @@ def from_capytaine(path: Path) -> Operators:
             cells = [x for v in values[taken] for x in (abs(v), math.degrees(cmath.phase(v)))]
             table.append([float(wave)] + [float(heading)] * directed + [*map(float, cells)])
     name, unit = FREQUENCIES[by]
-    heads = [f"{name} ({unit})"] + ["heading (deg)"] * directed
-    return Operators([*heads, *_columns([m for m in dofs.values() if m])], table, "lag", left_out)
+    heads = [f"{name} ({unit})"] + [HEADING] * directed
+    columns = [*heads, *_columns([m for m in dofs.values() if m])]
+    return _once_a_turn(path, Operators(columns, table, "lag", left_out))
 
 
 def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
@@ -195,6 +199,44 @@ def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
     return {name: one if one in MOTIONS else None for name, one in short.items()}
 
 
+def _once_a_turn(path: Path, found: Operators) -> Operators:
+    """The operators without a heading that is another one a turn later, as files from 0 to 360 deg have it.
+
+    Raises
+    ------
+    InputError
+        When the response is another there.
+    """
+    if HEADING not in found.columns:
+        return found
+    tables: dict[float, list[list[float]]] = {}
+    for row in found.rows:
+        tables.setdefault(row[1], []).append(row)
+    kept: dict[float, list[list[float]]] = {}
+    for heading, rows in tables.items():
+        twin = next((k for k in kept if abs(math.remainder(k - heading, 360.0)) < SAME), None)
+        if twin is None:
+            kept[heading] = rows
+        elif _same(kept[twin], rows):
+            found.left_out.append(f"heading {heading:g} deg: that of {twin:g} deg")
+        else:
+            at = f"another response than at {twin:g} deg, which is the same heading"
+            raise InputError(path, f"heading {heading:g} deg", at, "allowed is one of both")
+    return found._replace(rows=[row for rows in kept.values() for row in rows])
+
+
+def _same(one: list[list[float]], other: list[list[float]]) -> bool:
+    """Whether responses at two headings are one, as printed; rows of period, heading, sizes and phases."""
+    if len(one) != len(other):
+        return False
+    values = []
+    for rows in (one, other):
+        table = np.array(rows)
+        values.append(table[:, 2::2] * np.exp(1j * np.radians(table[:, 3::2])))
+    same = np.allclose(values[0], values[1], rtol=0.0, atol=ROUNDED * np.abs(values[0]).max())
+    return bool(same) and [row[0] for row in one] == [row[0] for row in other]
+
+
 def _columns(motions: list[str]) -> list[str]:
     units = {name: "m/m" if name in MOTIONS[:3] else "rad/m" for name in motions}
     return [x for name in motions for x in (f"{name} ({units[name]})", f"{name}_phase (deg)")]
@@ -207,7 +249,7 @@ def write_table(found: Operators, target: Path) -> None:
 
 def lines_of_scene(found: Operators, target: Path) -> str:
     """What the scene says in addition to the table."""
-    headed = ", headings: towards" if "heading (deg)" in found.columns else ""
+    headed = ", headings: towards" if HEADING in found.columns else ""
     return (
         f"platform.response: {{operators: {{file: {target.name}}}, phases: {found.phases}{headed}}}"
     )

@@ -97,6 +97,11 @@ class StructuralDamping(Strict):
     ratio: Annotated[float, NOT_NEGATIVE]
     at_period: Annotated[u.Time, POSITIVE]
 
+    @property
+    def time(self) -> float:
+        """Damping over stiffness (s)."""
+        return self.ratio * self.at_period / math.pi
+
 
 class InnerJoint(Strict):
     """Rotational spring between a section and the one below it."""
@@ -235,10 +240,10 @@ class Section(Strict):
         second = math.pi / 64.0 * (outer**4 - inner**4)
         return self.young_modulus * self.wall_area, self.young_modulus * second
 
-    def rigid(self, name: str, length: float) -> Section:
+    def rigid(self, name: str, length: float) -> RigidBody:
         """A weightless section of a length (m) that does not bend, and stretches as this one does."""
         axial, bending = self.elasticity
-        return Section.model_construct(
+        return RigidBody.model_construct(
             name=name,
             length=length,
             axial_stiffness=axial,
@@ -263,3 +268,7 @@ class Section(Strict):
         if self.joints is not None:
             return self.joints.count * self.joints.length
         return self.length or 0.0
+
+
+class RigidBody(Section):
+    """What stands below the sections of a scene for a body that turns with the riser's end."""

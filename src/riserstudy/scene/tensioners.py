@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.scene import units as u
+from riserstudy.scene.alike import ROUNDING
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Strict
 from riserstudy.scene.carried import Carried, DampingRatio
 
@@ -214,12 +215,14 @@ class Tensioners(Strict):
                 )
         first, last = reach[0], reach[-1]
         if self.stroke:
-            first, last = max(first, self.stroke.shortest), min(last, self.stroke.longest)
-            if (first, last) != (self.stroke.shortest, self.stroke.longest):
+            close = ROUNDING * (last - first)
+            shortest, longest = self.stroke.shortest, self.stroke.longest
+            if first > shortest + close or last < longest - close:
                 raise ValueError(
                     f"table: from {reach[0]:g} m to {reach[-1]:g} m; must cover the stroke, "
-                    f"{self.stroke.shortest:g} m to {self.stroke.longest:g} m"
+                    f"{shortest:g} m to {longest:g} m"
                 )
+            first, last = shortest, longest
         if not first < 0 < last:
             raise ValueError(
                 f"table: from {first:g} m to {last:g} m; must have mid-stroke, 0 m, within it"

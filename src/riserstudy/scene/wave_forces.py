@@ -16,8 +16,9 @@ def without_inertia(scene: Scene) -> list[str]:
     if scene.wave is None:
         return []
     return [
-        f"riser[{k}].added_mass: {section.name!r} has drag in waves and no added mass: the acceleration of "
-        "the water does not act on it, by no Froude-Krylov force either; a coefficient of 0 gives that alone"
+        f"{scene.line(k)}.added_mass: {section.name!r} has drag in waves and no added mass: the acceleration "
+        "of the water does not act on it, by no Froude-Krylov force either; a coefficient of 0 gives that "
+        "alone"
         for k, section in enumerate(scene.riser)
         if section.drag is not None and section.added_mass is None
     ]

@@ -91,10 +91,11 @@ def doubts(scene: Parts) -> list[str]:
         dry = (scene.gravity or 0.0) * (section.mass or 0.0)
         most = dry - (scene.gravity or 0.0) * (0.0 if _dips(scene, k) else _displaced(scene, k))
         if (section.submerged_weight or 0.0) > most + DOUBTED * dry:
+            weight = f"{section.submerged_weight:.4g} N/m"
             sentences.append(
-                f"riser[{k}].submerged_weight: {section.submerged_weight:.4g} N/m of {section.name!r} is "
-                f"more than its mass less the water that its outer diameter displaces, {most:.4g} N/m; "
-                "contents are added to it: leave out what is inside"
+                f"{scene.line(k)}.submerged_weight: {weight} of {section.name!r} is more than its mass less "
+                f"the water that its outer diameter displaces, {most:.4g} N/m; contents are added to it: "
+                "leave out what is inside"
             )
     return sentences
 
