@@ -14,7 +14,7 @@ check ruff format --check
 check ruff check
 check mypy --no-error-summary
 check snakefmt --check Snakefile workflow/rules src/riserstudy/study/template/Snakefile
-check snakemake --lint
+check python workflow/scripts/lint_workflow.py
 check lint-imports
 check python workflow/scripts/check_docstrings.py
 check codespell
