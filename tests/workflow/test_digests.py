@@ -14,7 +14,7 @@ from edits import edit, prose_edit
 from riserstudy import digests
 from riserstudy.digests import ENGINE, digest, sources_behind
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE
+from riserstudy.folders import PACKAGE, cache_folder
 from riserstudy.jobs.workplan import COLLECT, DATABASE, DERIVE, GRADE, REPORT, Workplan
 from riserstudy.syntax import ANNOTATION_READERS, DOCSTRING_READERS, _names
 
@@ -244,17 +244,17 @@ def test_without_prose_the_package_has_the_same_digests_and_gives_the_same_numbe
         "import riserstudy, hashlib\n"
         f"out = riserstudy.simulate(riserstudy.load_scene({str(scene)!r}))\n"
         "numbers = b''.join(out[n].values.tobytes() for n in sorted(out) if out[n].dtype == float)\n"
-        "print(riserstudy.__file__, hashlib.sha256(numbers).hexdigest(), len(numbers))"
+        "print(riserstudy.__file__, hashlib.sha256(numbers).hexdigest(), len(numbers), sep='\\n')"
     )
     said = []
     # Twice the whole one: the process that compiles rounds otherwise than those that load.
     for place in (PACKAGE.parent, PACKAGE.parent, tmp_path):
-        env = os.environ | {"PYTHONPATH": str(place)}
+        env = os.environ | {"PYTHONPATH": str(place), "RISERSTUDY_CACHE": str(cache_folder())}
         ran = subprocess.run(
             [sys.executable, "-c", program], env=env, capture_output=True, text=True
         )
         assert ran.returncode == 0, ran.stderr
-        said.append(ran.stdout.split())
+        said.append(ran.stdout.splitlines())
     assert said[1][0] != said[2][0]
     assert said[1][1:] == said[2][1:]
     assert int(said[0][2]) > 1000
