@@ -9,7 +9,7 @@ from riserstudy.dataset.table import Cell, Table
 from riserstudy.scene.ends import Body
 from riserstudy.scene.geometry import levels
 from riserstudy.scene.models import Scene
-from riserstudy.scene.sections import Section
+from riserstudy.scene.riser import Section
 
 COLUMNS = {
     "section": "", "joints": "", "length": "m", "upper end": "m", "outer diameter": "m",
@@ -78,9 +78,9 @@ def _pieces(scene: Scene) -> list[Piece]:
     """Bodies and sections from the top down."""
     upper = _upper_end(scene)
     pieces = [_body(scene, scene.top.body, upper)] if scene.top.body else []
-    for k in range(len(scene.sections) - 1, -1, -1):
+    for k in range(len(scene.riser) - 1, len(scene.riser) - len(scene.sections) - 1, -1):
         pieces.append(_section(scene, k, upper))
-        upper = None if upper is None else round(upper - scene.sections[k].total_length, 9) + 0.0
+        upper = None if upper is None else round(upper - scene.riser[k].total_length, 9) + 0.0
     return pieces + ([_body(scene, scene.bottom.body, upper)] if scene.bottom.body else [])
 
 
@@ -93,7 +93,7 @@ def _body(scene: Scene, body: Body, at: float | None) -> Piece:
 
 
 def _section(scene: Scene, k: int, upper: float | None) -> Piece:
-    section, gravity = scene.sections[k], scene.gravity or 0.0
+    section, gravity = scene.riser[k], scene.gravity or 0.0
     length, each = section.total_length, section.submerged_weight
     joints = section.joints.count if section.joints else None
     total = gravity * length / 1e3
@@ -113,7 +113,7 @@ def _section(scene: Scene, k: int, upper: float | None) -> Piece:
 
 def _flooding(scene: Scene, k: int) -> float:
     """Mass of the sea water in the bore of a section (kg/m), where its weight leaves out what is inside."""
-    section, ends = scene.sections[k], levels(scene, k)
+    section, ends = scene.riser[k], levels(scene, k)
     surface = scene.water.surface if scene.water else None
     dry = ends is not None and surface is not None and ends[0] >= surface
     if scene.water is None or section.contents is None or dry:
