@@ -13,6 +13,7 @@ from riserstudy.cli.shared import (
     check_writable,
     compile_kernels,
     scene_of,
+    tell_of_kernels,
 )
 
 
@@ -108,7 +109,7 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     from riserstudy.simulation.show import shown
 
     file = scene_of(scene, settings)
-    compile_kernels()
+    compile_kernels(file.scene())
     with shown(True) as tell:
         given = advice(file, lambda what: tell(what, 0.0) if tell else None)
     console = Console(markup=False)
@@ -136,17 +137,17 @@ def modes(
     from rich.console import Console
     from rich.table import Table
 
-    from riserstudy.simulation.modes import modes_of
+    from riserstudy.simulation import modes as natural
 
     file = scene_of(scene, settings)
     if output is not None:
         check_writable(output, scene)
-    compile_kernels()
-    dataset = modes_of(file.scene(), count)
+    tell_of_kernels()
+    dataset = natural.modes(file, count)
     table = Table("mode", "period (s)", "frequency (Hz)", "motion")
     for k in range(dataset.sizes["mode"]):
         frequency = float(dataset["frequency"][k])
-        period = f"{1 / frequency:.4g}" if frequency > 0 else "unstable"
+        period = f"{float(dataset['natural_period'][k]):.4g}" if frequency > 0 else "unstable"
         table.add_row(str(k + 1), period, f"{frequency:.4g}", str(dataset["motion"].values[k]))
     Console(markup=False).print(table)
     if output is not None:

@@ -60,20 +60,29 @@ def compile_kernels(scene: Scene | None = None) -> None:
     The latter by a run that is broken off, so that compiling counts neither as time of the run nor against
     its patience.
     """
-    from riserstudy.simulation.compile import compile_once, tell_of_compiling
-
-    def tell(said: str) -> None:
-        print(f"riserstudy: {said}", file=sys.stderr)
+    from riserstudy.simulation.compile import compile_once
 
     if scene is None:
-        compile_once(tell)
-    else:
-        from riserstudy.simulation.refine import run
+        compile_once(_tell)
+        _plain_xarray()
+        return
+    from riserstudy.simulation.refine import run
 
-        tell_of_compiling(tell)
-        with suppress(RiserStudyError):  # which the run itself will report
-            run(scene, patience=0.0)
+    tell_of_kernels()
+    with suppress(RiserStudyError):  # which the run itself will report
+        run(scene, patience=0.0)
+
+
+def tell_of_kernels() -> None:
+    """Say so when a kernel is compiled, by what needs but those of one scene."""
+    from riserstudy.simulation.compile import tell_of_compiling
+
+    tell_of_compiling(_tell)
     _plain_xarray()
+
+
+def _tell(said: str) -> None:
+    print(f"riserstudy: {said}", file=sys.stderr)
 
 
 def _plain_xarray() -> None:

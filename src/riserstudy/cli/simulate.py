@@ -18,6 +18,7 @@ from riserstudy.cli.shared import (
     place_of,
     say_warnings,
     scene_of,
+    tell_of_kernels,
 )
 from riserstudy.errors import InputError
 
@@ -157,7 +158,7 @@ def rerun(
     old = opened(dataset)
     if output is not None:
         check_writable(output, dataset)
-    compile_kernels()
+    tell_of_kernels()
     from riserstudy.study.collect import write_dataset
     from riserstudy.study.rerun import rerun as run_anew
 
