@@ -8,6 +8,7 @@ __all__ = [
     "__version__",
     "dataset_of",
     "load_scene",
+    "modes",
     "open_point",
     "open_results",
     "query",
@@ -18,6 +19,7 @@ __all__ = [
 _HOMES = {
     "load_scene": "riserstudy.scene.load",
     "simulate": "riserstudy.simulation.simulate",
+    "modes": "riserstudy.simulation.modes",
     "open_results": "riserstudy.dataset.open",
     "query": "riserstudy.database.ask",
     "open_point": "riserstudy.database.open_points",
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     from riserstudy.database.open_points import dataset_of, open_point
     from riserstudy.dataset.open import open_results
     from riserstudy.scene.load import load_scene
+    from riserstudy.simulation.modes import modes
     from riserstudy.simulation.simulate import simulate
     from riserstudy.study.sweep import sweep
 

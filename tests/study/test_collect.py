@@ -86,7 +86,8 @@ def test_one_point_in_eight_tells_its_error_whatever_the_study_and_few_points_al
         keys = [hashlib.sha256(bytes([k])).hexdigest() for k in range(count)]
         return [Point((k,), key) for k, key in enumerate(keys)]
 
-    few, many = (SimpleNamespace(grid=range(count)) for count in (16, 200))
+    no_modes = SimpleNamespace(modes=None)
+    few, many = (SimpleNamespace(grid=range(n), model=no_modes) for n in (16, 200))
     assert all(tells_error(few, point) for point in points(16))
     told = [tells_error(many, point) for point in points(200)]
     assert 10 < sum(told) < 45

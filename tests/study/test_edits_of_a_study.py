@@ -18,7 +18,13 @@ from riserstudy.study.study import Study
 SCENE = {
     "title": "hung",
     "riser": [
-        {"name": "all", "length": "500 m", "axial_stiffness": "5e9 N", "submerged_weight": "1 kN/m"}
+        {
+            "name": "all",
+            "length": "500 m",
+            "axial_stiffness": "5e9 N",
+            "submerged_weight": "1 kN/m",
+            "mass": "200 kg/m",
+        }
     ],
     "bottom": {"hold": "wellhead", "elevation": "0 m"},
     "top": {"z": "free", "tension": "1 MN"},
@@ -63,6 +69,7 @@ STUDY = {
         },
     },
     "keep": ["effective_tension", "z"],
+    "modes": 1,
 }
 READINGS = {
     "rule": {"old": {"limits[2].largest": "3 MN"}, "new": {"limits[2].largest": "4 MN"}},
@@ -102,7 +109,7 @@ def edited(way, seed):
         other = f"{float(number[0]) * by}{old[number.end() :]}" if number else f"{old} {seed}"
         here[way[-1]] = OTHER.get(old, other)
     else:
-        here[way[-1]] = old + 1 if way[-1] in ("seed", "elements", 0) else old * by
+        here[way[-1]] = old + 1 if way[-1] in ("seed", "elements", "modes", 0) else old * by
     if way[-1] in ("preview", "standard", "reference"):
         here[way[-1]] = old + 1
     return file

@@ -151,17 +151,17 @@ def modes(
     from rich.console import Console
     from rich.table import Table
 
-    from riserstudy.simulation.modes import modes_of
+    from riserstudy.simulation import modes as natural
 
     file = scene_of(scene, settings)
     if output is not None:
         check_output(output, ("dataset",), file.files, force)
     compile_as_needed()
-    dataset = modes_of(file.scene(), count)
+    dataset = natural.modes(file, count)
     table = Table("mode", "period (s)", "frequency (Hz)", "motion")
     for k in range(dataset.sizes["mode"]):
         frequency = float(dataset["frequency"][k])
-        period = f"{1 / frequency:.4g}" if frequency > 0 else "unstable"
+        period = f"{float(dataset['natural_period'][k]):.4g}" if frequency > 0 else "unstable"
         table.add_row(str(k + 1), period, f"{frequency:.4g}", str(dataset["motion"].values[k]))
     Console(markup=False).print(table)
     if output is not None:

@@ -13,6 +13,7 @@ from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml
 from riserstudy.study import store
 from riserstudy.study.config import Config
+from riserstudy.study.modes import key_of_modes
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 
@@ -82,4 +83,6 @@ def planned(config: Path) -> Set[str]:
             for name, model in file.studies.items():
                 study = Study(paper, name, model, config, tier, accuracy, file.readings)
                 keys.update(point.key for point in study.plan)
+                if model.modes:
+                    keys.update(key_of_modes(point.key, model.modes) for point in study.plan)
     return keys

@@ -27,6 +27,9 @@ from riserstudy.dataset.extremes import (
 )
 from riserstudy.errors import InputError
 
+#: dimension of mode shapes, which stand in datasets alone: a row for each of their stations would be many
+SHAPED = "s_relative"
+
 
 @dataclass(frozen=True)
 class Axis:
@@ -101,7 +104,9 @@ def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
     wanted = [
         v
         for name, v in file.variables.items()
-        if name not in file.dimensions and not _is_told(name, dims_of)
+        if name not in file.dimensions
+        and not _is_told(name, dims_of)
+        and SHAPED not in v.dimensions
     ]
     every = [tuple(d for d in v.dimensions if d not in OF_A_RUN) for v in wanted]
     spans = [dims for dims in every if not any(set(dims) < set(other) for other in every)]

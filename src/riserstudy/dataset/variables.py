@@ -54,6 +54,14 @@ OF_POINTS = frozenset(
 )
 
 DATA_FILES = ("variables.yaml",)
+#: dimensions and variables of natural modes, where a study asks for them
+OF_MODES = frozenset(
+    (
+        *("mode", "s_relative", "natural_frequency", "natural_period", "mode_motion"),
+        *("mode_shape_x", "mode_shape_y", "mode_shape_z"),
+    )
+)
+
 #: what else a study tells of each of its points, in words
 ABOUT_POINTS = frozenset(("point_key", "effects", "warnings"))
 

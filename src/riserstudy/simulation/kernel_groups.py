@@ -9,6 +9,15 @@ from riserstudy.scene.models import Scene
 GROUPS = ("hermite", "line", "plane", "space", "string")
 
 
+def group_of_modes(scene: Scene) -> str:
+    """The group with most of the kernels that a scene's modes take: sideways without a load, too."""
+    bends = all(bending for _, bending in (section.elasticity for section in scene.riser))
+    if scene.spatial or scene.lateral or not bends or scene.top.x is None:
+        lumped = scene.analysis.model_copy(update={"solver": None})
+        return group_of(scene.model_copy(update={"analysis": lumped}))
+    return "plane"
+
+
 def group_of(scene: Scene) -> str:
     """The group with most of the kernels that a scene runs; others it compiles as it comes to them."""
     if scene.analysis.solver == "hermite":

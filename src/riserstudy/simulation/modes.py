@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.errors import SimulationError
+from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES, directions, stiffness
 from riserstudy.model.mesh import prescribed
+from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.starting_mesh import massless
@@ -20,19 +22,47 @@ if TYPE_CHECKING:
     import xarray as xr
 
 DEFAULT_ELEMENTS = 200
+EQUAL = 1e-6  # by which displacements of one mode may differ and count as the same
 
 
-def modes_of(scene: Scene, count: int) -> xr.Dataset:
-    """Frequencies and shapes of the lowest modes.
+def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
+    """Natural modes of a scene about its static equilibrium, the lowest ones.
 
-    A riser with bending stiffness or tension vibrates sideways too, whatever the scene moves; only a
-    bar without either is left to its axial modes.
+    Parameters
+    ----------
+    scene : SceneFile or str or Path
+        A scene from :func:`riserstudy.load_scene`, or the path of its file.
+    count : int
+        How many.
 
     Returns
     -------
-    Dataset with ``frequency`` (Hz, negative for an unstable direction) and ``motion`` over ``mode``
-    (yaw: that of a vessel, where the riser rests),
-    and shapes ``x``, ``z`` over (mode, s), largest displacement 1.
+    xarray.Dataset
+        Over ``mode``: ``frequency`` (Hz, negative for an unstable direction), ``natural_period`` (s, not a
+        number for one) and ``motion``, the direction that moves most: lateral, axial, or yaw, that of a
+        vessel. Shapes ``x``, ``y``, ``z``, those that exist, over ``mode`` and ``s`` (m, unstretched
+        arclength from the bottom): the largest displacement is 1.
+
+    Raises
+    ------
+    InputError
+        When the scene cannot be meant, or no mode is asked for.
+    SimulationError
+        When there is no equilibrium, or a node that moves has no mass.
+    """
+    if count < 1:
+        raise InputError("modes", "count", str(count), "allowed is 1 or more")
+    file = scene if isinstance(scene, SceneFile) else read_scene(scene)
+    dataset = modes_of(file.scene(), count)
+    dataset.attrs = {"title": file.tree.get("title", ""), "source": file.source}
+    return dataset
+
+
+def modes_of(scene: Scene, count: int) -> xr.Dataset:
+    """Frequencies, periods and shapes of the lowest modes, as ``modes`` has them.
+
+    A riser with bending stiffness or tension vibrates sideways too, whatever the scene moves; only a
+    bar without either is left to its axial modes.
 
     Raises
     ------
@@ -54,6 +84,7 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
             "modes need mass at every node that moves: give every section its mass, or a massless "
             "spring a single segment"
         ) from None
+    shape = _upright(shape)
     size = np.abs(shape).max(axis=2)
     motion = [_motion(row) for row in size]
     data = {
@@ -71,11 +102,25 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
                 frequency / (2.0 * math.pi),
                 {"units": "Hz", "long_name": "natural frequency"},
             ),
+            "natural_period": (
+                "mode",
+                np.where(frequency > 0.0, 2.0 * math.pi / np.abs(frequency), np.nan),
+                {"units": "s", "long_name": "natural period"},
+            ),
             "motion": ("mode", motion),
             **data,
         },
         {"mode": np.arange(1, len(frequency) + 1), "s": mesh.s},
     )
+
+
+def _upright(shape: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Shapes (k, d, n+1) of which the largest displacement is positive; of equal ones the lowest."""
+    flat = shape.reshape(len(shape), -1)
+    size = np.abs(flat)
+    largest = (size >= (1.0 - EQUAL) * size.max(axis=1, keepdims=True)).argmax(axis=1)
+    sign = np.sign(flat[np.arange(len(flat)), largest])
+    return shape * np.where(sign == 0.0, 1.0, sign)[:, None, None]
 
 
 def _without_lag(scene: Scene) -> Scene:

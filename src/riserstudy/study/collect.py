@@ -26,6 +26,7 @@ from riserstudy.study import store
 from riserstudy.study.grid import Point
 from riserstudy.study.limits import add_limits
 from riserstudy.study.models import Numbers, Samples
+from riserstudy.study.modes import add_modes
 from riserstudy.study.needed import with_envelopes
 from riserstudy.study.simulate_points import Count, fill, lacks
 from riserstudy.study.study import Study
@@ -124,6 +125,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     _add_sampled(dataset, study)
     dataset.attrs = _about(study, results)
     add_limits(dataset, study, results)
+    add_modes(dataset, study)
     return dataset
 
 

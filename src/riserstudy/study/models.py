@@ -13,6 +13,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from riserstudy.dataset.variables import (
     ABOUT_POINTS,
     DIMENSIONS,
+    OF_MODES,
     OF_POINTS,
     OF_RUNS,
     of_runs,
@@ -23,6 +24,7 @@ from riserstudy.scene.origin import unwrap
 from riserstudy.study.figures import NEEDS, FigureModel
 from riserstudy.study.measured import Measured
 
+MOST_MODES = 1000
 MOST_VALUES = 1_000_000  # of an axis, and points of a study
 #: of papers, datasets and figures, which name files
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,99}$")]
@@ -164,6 +166,7 @@ class StudyModel(Strict):
     """One study. Absent set: nothing set on top of the scene; absent keep: all histories are kept.
 
     ``limits``: those that every point is held against, as scenes have them; absent: those of the scene.
+    ``modes``: how many natural modes each point has, about its static equilibrium; absent: none.
     ``error_because``: why points whose mesh and step are prescribed may err by more than 1 %.
     ``tuned``: where `riserstudy tune` wrote mesh, step and method. Absent: nowhere.
     """
@@ -174,6 +177,7 @@ class StudyModel(Strict):
     limits: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = None
     axes: dict[AxisName, Numbers | Samples | Labels | Reading]
     keep: list[str] | None = None
+    modes: Annotated[int, Field(ge=1, le=MOST_MODES)] | None = None
     error_because: str | None = None
     tuned: TunedModel | None = None
 
@@ -205,6 +209,8 @@ class StudyModel(Strict):
             ours = name in (*DIMENSIONS, *OF_POINTS, *ABOUT_POINTS)
             if ours or of_runs(name) or name.endswith(("_of_limit", "_of_statistic")):
                 raise ValueError(f"axes.{name}: the name of a variable of runs; take another")
+            if self.modes and name in OF_MODES:
+                raise ValueError(f"axes.{name}: the name of a variable of modes; take another")
             if name.startswith("assumed_"):
                 raise ValueError(f"axes.{name}: samples have variables of such names; take another")
         for (one, first), (other, second) in combinations(self._numbers.items(), 2):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.dataset.behind import file_behind, provenance
 from riserstudy.dataset.extremes import OVER
@@ -14,11 +15,13 @@ from riserstudy.dataset.place import place
 from riserstudy.digests import engine_digest
 from riserstudy.study.collect import FACTS, NODE_DIGITS, laid_on, statistics
 from riserstudy.study.limits import uses
+from riserstudy.study.modes import modes_result, variables_of
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from riserstudy.dataset.result import Result
+    from riserstudy.scene.load import SceneFile
 
 #: that change from run to run, or tell what was run
 LEFT_OUT = ("wall_seconds", "solve_seconds", "point_key", "warnings", "effects", "failure")
@@ -68,13 +71,14 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     file = file_behind(dataset, index)
     result = run(file.scene(), estimated=estimated)
     limits = uses(file, result) if "limit" in point.dims else {}
+    modes = _modes(file, point)
     whole = to_dataset(result, file, absent(set(result.facts["effects"])))
     whole.attrs["source"] = dataset.attrs.get("scene_file") or dataset.attrs.get("source", "")
     told = xr.Dataset(statistics([result], [str(name) for name in point.data_vars])).squeeze()
     result = _on_nodes_of(point, result)
     new = labelled(result).merge(told.reindex_like(point[[OVER]]) if OVER in point else {})
     facts = {name: tell(result.facts) for name, tell in FACTS.items() if name not in LEFT_OUT}
-    facts |= limits
+    facts |= limits | modes
     return Rerun(
         {axis: point[axis].item() for axis in index},
         (engine, engine_digest()),
@@ -85,6 +89,15 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
         },
         whole,
     )
+
+
+def _modes(file: SceneFile, point: xr.Dataset) -> dict[str, NDArray[Any]]:
+    """Modes of a scene, as many as a point has, by their names in its dataset."""
+    if "natural_period" not in point:
+        return {}
+    count = point.sizes["mode"]
+    made = variables_of([modes_result(file, count).arrays], count)
+    return {name: values[0] for name, values in made.items()}
 
 
 def _on_nodes_of(point: xr.Dataset, result: Result) -> Result:

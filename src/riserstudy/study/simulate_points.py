@@ -12,6 +12,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.study import store
 from riserstudy.study.grid import Point
+from riserstudy.study.modes import lacks_modes, make_modes
 from riserstudy.study.processes import each
 from riserstudy.study.study import Study
 
@@ -29,7 +30,11 @@ def tells_error(study: Study, point: Point) -> bool:
 
 
 def lacks(study: Study, point: Point, stored: Result | None) -> bool:
-    """Whether a point is missing, or does not tell an error that it should."""
+    """Whether a point is missing, does not tell an error that it should, or lacks its modes."""
+    return _lacks_run(study, point, stored) or lacks_modes(study, point)
+
+
+def _lacks_run(study: Study, point: Point, stored: Result | None) -> bool:
     return stored is None or (tells_error(study, point) and "error_estimate" not in stored.facts)
 
 
@@ -96,10 +101,13 @@ def _simulate(study: Study, point: Point) -> SimulationError | None:
     """Simulate a point and store it, or say why it cannot be completed."""
     from riserstudy.simulation.refine import run
 
-    file = study.grid.file(point.index)
+    file, keep = study.grid.file(point.index), study.model.keep
     try:
-        result = run(file.scene(), estimated=tells_error(study, point))
+        if study.model.modes is None or _lacks_run(study, point, store.get(point.key, keep)):
+            result = run(file.scene(), estimated=tells_error(study, point))
+            store.put(point.key, result, file, keep)
+        if lacks_modes(study, point):
+            make_modes(study, point, file)
     except SimulationError as error:
         return error
-    store.put(point.key, result, file, study.model.keep)
     return None

@@ -17,7 +17,7 @@ from riserstudy.folders import remembered
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import Origin
 from riserstudy.scene.tables import names_of_tables, texts_of_tables
-from riserstudy.simulation.kernel_groups import group_of
+from riserstudy.simulation.kernel_groups import group_of, group_of_modes
 from riserstudy.study.grid import Grid, Point
 from riserstudy.study.models import (
     MOST_VALUES,
@@ -153,10 +153,12 @@ class Study:
             ends = [{0, *(range(n) if n <= ALL_OF else (n - 1,))} for n in lengths]
             first = (0,) * len(lengths)
             places = {(*first[:a], k, *first[a + 1 :]) for a, end in enumerate(ends) for k in end}
-            groups = {group_of(self.grid.file(place).scene()) for place in places or {first}}
-            return sorted(groups)
+            scenes = [self.grid.file(place).scene() for place in places or {first}]
+            kinds = [group_of, *([group_of_modes] if self.model.modes else [])]
+            return sorted({group(scene) for group in kinds for scene in scenes})
 
-        return list(remembered(f"groups/{self._behind_plan}", asked))
+        modes = "-modes" if self.model.modes else ""
+        return list(remembered(f"groups{modes}/{self._behind_plan}", asked))
 
     @property
     def tables(self) -> dict[str, str]:
@@ -198,7 +200,7 @@ class Study:
         origins = {path: (o.status, o.why) for path, o in self.base.origins.items()}
         about = [axes, [point.key for point in self.plan], model.keep, model.error_because]
         about += [self.tier, model.caption, self.base.source, canonical(self.base.tree), origins]
-        about += [self._contents_of_tables]
+        about += [self._contents_of_tables, model.modes]
         return hashlib.sha256(json.dumps(about, sort_keys=True).encode()).hexdigest()[:16]
 
     def _about_axis(self, name: str) -> list[Any]:

@@ -70,6 +70,7 @@ def sweep(
     axes: Mapping[str, Values | Labelled],
     keep: Iterable[str] | None = None,
     *,
+    modes: int | None = None,
     on_error: Literal["nan", "raise"] = "nan",
     cores: int | None = None,
     progress: bool = True,
@@ -89,6 +90,9 @@ def sweep(
     keep : iterable of str, optional
         Variables to keep, such as ``bending_moment``; absent: all. Those of a whole run, such as
         ``largest_bending_moment`` (N m) and ``smallest_tension`` (N), are always there.
+    modes : int, optional
+        Natural modes of each point, so many, as ``natural_period`` (s) over ``mode`` and ``mode_shape_x``,
+        ``mode_shape_z`` over ``s_relative``; absent: none.
     on_error : {"nan", "raise"}
         With ``"nan"`` a point that cannot be completed has no numbers, and its reason in ``failure``;
         with ``"raise"`` the first such point is an error.
@@ -113,7 +117,7 @@ def sweep(
     if on_error not in ("nan", "raise"):
         raise InputError("sweep", "on_error", repr(on_error), "allowed are 'nan' and 'raise'")
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
-    study = _study(file, axes, None if keep is None else list(keep))
+    study = _study(file, axes, None if keep is None else list(keep), modes)
     points = study.plan
     for said in far_values(study):
         warnings.warn(said, stacklevel=2)
@@ -146,7 +150,12 @@ def sweep(
     return dataset
 
 
-def _study(file: SceneFile, axes: Mapping[str, Values | Labelled], keep: list[str] | None) -> Sweep:
+def _study(
+    file: SceneFile,
+    axes: Mapping[str, Values | Labelled],
+    keep: list[str] | None,
+    modes: int | None = None,
+) -> Sweep:
     """The grid as a study."""
     if not axes:
         raise InputError("sweep", "axes", "none", "name at least one path with its values")
@@ -160,6 +169,7 @@ def _study(file: SceneFile, axes: Mapping[str, Values | Labelled], keep: list[st
         "caption": file.tree.get("title", ""),
         "axes": made,
         "keep": keep,
+        "modes": modes,
     }
     model = check(StudyModel, fields, "sweep")
     return Sweep("sweep", "sweep", model, Path(), "standard", file=file)

@@ -1,0 +1,136 @@
+"""Natural modes of the points of a study, stored as points are: beside the run of the same scene."""
+
+from __future__ import annotations
+
+import hashlib
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.digests import digest, sources_behind
+from riserstudy.study import store
+from riserstudy.study.grid import Point
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from numpy.typing import NDArray
+
+    from riserstudy.dataset.result import Result
+    from riserstudy.scene.load import SceneFile
+    from riserstudy.study.study import Study
+
+MODES = "riserstudy.simulation.modes"
+STATIONS = 201  # along the riser, that shapes are laid on: as many as nodes of the usual mesh
+#: variables over ``mode``, and with a shape over ``s_relative``
+NAMES = ("natural_frequency", "natural_period", "mode_motion")
+SHAPES = ("mode_shape_x", "mode_shape_y", "mode_shape_z")
+
+
+def key_of_modes(key: str, count: int) -> str:
+    """Key of so many modes of the scene of a point."""
+    about = f"{key} {count} modes {_code()}"
+    return hashlib.sha256(about.encode()).hexdigest()[:32]
+
+
+@cache
+def _code() -> str:
+    """Digest of what computes modes, which the engine's need not cover."""
+    return digest(sources_behind(MODES))
+
+
+def lacks_modes(study: Study, point: Point) -> bool:
+    """Whether a study asks for modes of a point that are not stored."""
+    count = study.model.modes
+    return count is not None and store.get(key_of_modes(point.key, count)) is None
+
+
+def make_modes(study: Study, point: Point, file: SceneFile) -> None:
+    """Compute the modes of a point and store them.
+
+    Raises
+    ------
+    SimulationError
+        When the scene has no equilibrium, or a node that moves has no mass.
+    """
+    count = study.model.modes or 0
+    store.put(key_of_modes(point.key, count), modes_result(file, count), file)
+
+
+def modes_result(file: SceneFile, count: int) -> Result:
+    """So many modes of a scene as arrays, by the names of ``variables_of``."""
+    import numpy as np
+
+    from riserstudy.dataset.result import Result
+    from riserstudy.simulation.modes import modes
+
+    found = modes(file, count)
+    share = found["s"].values / found["s"].values[-1]
+    at = np.linspace(0.0, 1.0, STATIONS)
+    arrays = {
+        "natural_frequency": found["frequency"].values,
+        "natural_period": found["natural_period"].values,
+        "mode_motion": found["motion"].values.astype("U8"),
+    }
+    for name in "xyz":
+        if name in found:
+            shape = [np.interp(at, share, row) for row in found[name].values]
+            arrays[f"mode_shape_{name}"] = np.array(shape)
+    return Result(arrays, {})
+
+
+def add_modes(dataset: xr.Dataset, study: Study) -> None:
+    """Add modes over the axes, ``mode`` and, of shapes, ``s_relative``, where the study asks for them.
+
+    A point with fewer modes, as one of an axial spring, has no numbers in the others; nor has one that could
+    not be completed.
+    """
+    import numpy as np
+
+    count = study.model.modes
+    if count is None:
+        return
+    stored = [store.get(key_of_modes(point.key, count)) for point in study.plan]
+    variables = variables_of([None if one is None else one.arrays for one in stored], count)
+    shape = tuple(len(steps) for steps in study.axes.values())
+    _lay(dataset, variables, (*study.axes,), shape)
+    dataset.coords["mode"] = ("mode", np.arange(1, count + 1))
+    dataset.coords["s_relative"] = ("s_relative", np.linspace(0.0, 1.0, STATIONS))
+    _describe(dataset)
+
+
+def variables_of(
+    stored: list[dict[str, NDArray[Any]] | None], count: int
+) -> dict[str, NDArray[Any]]:
+    """Arrays of several points, (points, count) or with shapes (points, count, STATIONS); None: none."""
+    import numpy as np
+
+    names = dict.fromkeys(name for arrays in stored for name in arrays or ())
+    found: dict[str, NDArray[Any]] = {}
+    for name in names:
+        inner = (count, STATIONS) if name in SHAPES else (count,)
+        text = name == "mode_motion"
+        found[name] = np.full(
+            (len(stored), *inner), "" if text else np.nan, object if text else float
+        )
+        for k, arrays in enumerate(stored):
+            if arrays is not None and name in arrays:
+                found[name][k, : len(arrays[name])] = arrays[name]
+    return found
+
+
+def _lay(
+    dataset: xr.Dataset,
+    variables: dict[str, NDArray[Any]],
+    axes: tuple[str, ...],
+    shape: tuple[int, ...],
+) -> None:
+    for name, values in variables.items():
+        dims = (*axes, "mode", "s_relative")[: len(axes) + values.ndim - 1]
+        dataset[name] = (dims, values.reshape((*shape, *values.shape[1:])))
+
+
+def _describe(dataset: xr.Dataset) -> None:
+    from riserstudy.dataset.variables import attributes
+
+    for name in ("mode", "s_relative", *NAMES, *SHAPES):
+        if name in dataset.variables:
+            dataset[name].attrs = attributes(name)
