@@ -89,10 +89,6 @@ def compile_as_needed() -> None:
     _plain_xarray()
 
 
-def _tell(said: str) -> None:
-    print(f"riserstudy: {said}", file=sys.stderr)
-
-
 def _plain_xarray() -> None:
     """Let xarray, which looks for kinds of arrays once, find no others than numpy's: no command has any."""
     from riserstudy.dataset.without import without
