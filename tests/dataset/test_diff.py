@@ -1,5 +1,6 @@
 """What changed between two sets of results."""
 
+import random
 import time
 
 import numpy as np
@@ -53,6 +54,22 @@ def test_what_cannot_be_compared_counts_as_changed_without_bound(tmp_path, other
     found = changes(results(tmp_path / "a"), results(tmp_path / "b", **other))
     assert found.largest == np.inf
     assert why in found.varied[0].why
+
+
+SPECIAL = (np.nan, np.inf, -np.inf, 0.0, 1.0, -2.5)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_only_what_is_the_same_bit_by_bit_has_not_changed(tmp_path, seed):
+    """Infinite, which stands for never, is neither no number nor minus infinite."""
+    rng = random.Random(seed)
+    before = [rng.choice(SPECIAL) for _ in range(6)]
+    after = [rng.choice(SPECIAL) if rng.random() < 0.15 else value for value in before]
+    same = all(a == b or (a != a and b != b) for a, b in zip(before, after, strict=True))
+    found = changes(*(results(tmp_path / n, moment=m) for n, m in (("a", before), ("b", after))))
+    assert (found.varied == []) == same
+    if not same:
+        assert found.largest > 0.0
 
 
 def grid(folder, amplitudes, swapped=False):

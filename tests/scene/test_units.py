@@ -1,8 +1,10 @@
 """Units at the door."""
 
+import math
 import re
 from pathlib import Path
 
+import pint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -70,3 +72,44 @@ def test_units_make_the_round_trip(number, pair):
     assert to_si(f"{to_si(f'{number!r} {name}', unit)!r} {unit}", unit) == to_si(
         f"{number!r} {name}", unit
     )
+
+
+def registry_names():
+    """All units that pint has, by the name that a scene would write."""
+    registry = pint.UnitRegistry()
+    return registry, sorted({d.name for d in registry._units.values() if hasattr(d, "name")})
+
+
+@pytest.mark.parametrize(
+    "unit", ["m/m", "rad", "m", "N", "kg", "s", "rad/s", "rad/m", "N/m^2", "kg/m"]
+)
+def test_a_unit_that_is_taken_is_proportional_to_the_quantity(unit):
+    """Of the quantities nothing, one and two of it, by pint; logarithms and offsets are not."""
+    registry, names = registry_names()
+    taken = []
+    for name in [*names, "dB", "Np", "mdB", "kNp"]:
+        try:
+            found = to_si(f"1 {name}", unit)
+        except ValueError:
+            continue
+        none, one, two = (registry.Quantity(x, name).to(unit).magnitude for x in (0.0, 1.0, 2.0))
+        assert none == 0.0, name
+        assert two == pytest.approx(2.0 * one), name
+        cycles = 2.0 * math.pi if "hertz" in name else 1.0  # to pint a cycle is no angle
+        assert found == pytest.approx(cycles * one), name
+        taken.append(name)
+    if unit == "m/m":
+        assert {*taken} <= {"percent", "permille", "ppm"}
+    if unit == "m":
+        assert {"meter", "foot", "inch", "yard", "nautical_mile"} <= {*taken}
+
+
+@pytest.mark.parametrize(
+    "text", ["10 dB", "1 Np", "-3 dB", "0.5 turn", "2 pi", "1 octave", "3 bit"]
+)
+@pytest.mark.parametrize("unit", ["m/m", "rad", "rad/m", "m", "kg"])
+def test_logarithms_and_numbers_with_names_are_no_units(text, unit):
+    with pytest.raises(ValueError, match="allowed is a number with a unit"):
+        to_si(text, unit)
+    with pytest.raises(ValueError, match="allowed is a number with a unit"):
+        to_si(f"{text}*{unit.partition('/')[0]}", unit)

@@ -1,5 +1,6 @@
 """Grids: points planned from parts are the scenes that the whole of their values makes."""
 
+import random
 import re
 import resource
 import subprocess
@@ -172,6 +173,17 @@ def test_labels_may_set_what_numbers_are_within_before_them_and_what_is_beside(a
 def test_steps_never_pass_their_stop():
     assert Steps(start=0.0, stop=1.0, step=0.6).values == [0.0, 0.6]
     assert Steps(start=0.0, stop=0.3, step=0.1).values == [0.0, 0.1, 0.2, 0.3]
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_steps_are_counted_in_the_digits_that_they_are_written_in(seed):
+    """Of any size: a whole number of steps of whole numbers, all shifted by the same power of ten."""
+    rng = random.Random(seed)
+    first, step = rng.randint(-99_999, 99_999), rng.randint(1, 99_999)
+    count, power = rng.randint(0, 200), rng.randint(-40, 25)
+    start, stop, by = (float(f"{whole}e{power}") for whole in (first, first + count * step, step))
+    found = Steps(start=start, stop=stop, step=by).values
+    assert found == [float(f"{first + k * step}e{power}") for k in range(count + 1)]
 
 
 def test_all_that_runs_return_can_be_kept():

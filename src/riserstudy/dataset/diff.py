@@ -176,8 +176,11 @@ def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Vari
         same = np.array_equal(a, b)
         return Varied(name, variable, 0.0) if same else Varied(name, variable, 0.0, "other text")
     a, b = a.astype(float), b.astype(float)
-    if not np.array_equal(np.isfinite(a), np.isfinite(b)):
+    a_there, b_there = np.isfinite(a), np.isfinite(b)
+    if not np.array_equal(a_there, b_there):
         return Varied(name, variable, float("inf"), "defined elsewhere")
-    a, b = a[np.isfinite(a)], b[np.isfinite(b)]
+    if not np.array_equal(a[~a_there], b[~b_there], equal_nan=True):
+        return Varied(name, variable, float("inf"), "infinite, or no number, where it was another")
+    a, b = a[a_there], b[b_there]
     scale = max(np.abs(a).max(initial=0.0), np.abs(b).max(initial=0.0))
     return Varied(name, variable, float(np.abs(a - b).max() / scale) if scale else 0.0)

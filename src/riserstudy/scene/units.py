@@ -110,6 +110,8 @@ def factor(name: str, unit: str) -> float:
         raise ValueError(f"has another dimension{HINTS.get((name, unit), '')}") from None
     except Exception:
         raise ValueError("has a unit that is not known") from None
+    if odd := [name for name in given._units if _is_no_quantity(name)]:
+        raise ValueError(f"has {odd[0]!r}; without dimension only deg, rad and % are taken")
     if not same:
         raise ValueError("must say '/deg' or '/rad', deg or rad")
     return float(value)
@@ -123,6 +125,8 @@ HINTS = {
 }
 #: of drilling and soils, which pint has not
 OILFIELD = ("ppg = pound / US_liquid_gallon", "psf = force_pound / foot ** 2")
+#: units without dimension that a scene may have
+PLAIN = ("degree", "radian", "percent", "permille", "ppm")
 _MILLITONNE = re.compile(r"\bmt\b")  # meant for metric tonnes
 
 
@@ -134,6 +138,11 @@ def _registry() -> pint.UnitRegistry[float]:
     for definition in OILFIELD:
         registry.define(definition)
     return registry
+
+
+def _is_no_quantity(name: str) -> bool:
+    """Whether a unit without dimension is neither an angle nor a share: pint has turns, pi and decibels."""
+    return name not in PLAIN and not _registry().get_dimensionality(name)
 
 
 def _angle_power(units: Any) -> int:

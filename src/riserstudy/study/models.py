@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from decimal import Decimal
 from itertools import combinations
 from pathlib import Path, PureWindowsPath
 from typing import Annotated, Any, Literal, Self
@@ -49,9 +50,10 @@ class Steps(Strict):
 
     @property
     def values(self) -> list[float]:
-        """The values in the axis's unit, free of rounding drift."""
+        """The values in the axis's unit, added up as they are written: in decimals, without rounding."""
         count = math.floor((self.stop - self.start) / self.step + 1e-9)
-        return [round(self.start + k * self.step, 12) for k in range(count + 1)]
+        start, step = Decimal(repr(self.start)), Decimal(repr(self.step))
+        return [float(start + k * step) for k in range(count + 1)]
 
 
 class Numbers(Strict):
