@@ -66,7 +66,6 @@ def march_through(
                 return model, outcome, taken
         before = energies(model.programs, model.state)[0]
         model = event.change(model)
-        record.value.seen[0] = 0
         taken += float(before - energies(model.programs, model.state)[0])
         since = event.at
     return model, march_on(scene, model, mesh, step, record, sums, since), taken

@@ -23,7 +23,7 @@ STIFF = "ESDIRK4"  # default with events: the waves that they send die out in it
 NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
 ITERATIONS, HALVINGS = 12, 6  # of a step, at most
 GRADED = 4  # steps that a graded start replaces
-MOMENT = 1e-9  # share of a time, between before and after a jolt: more than ENDED leaves
+MOMENT = 1e-12  # share of a time, between before and after a jolt: more than ENDED leaves
 
 
 def steps_in(time: float, step: float) -> int:

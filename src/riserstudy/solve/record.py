@@ -19,6 +19,7 @@ from riserstudy.solve.program import Frozen, every
 from riserstudy.solve.vec import at, dot
 
 ROUNDING = 1e-10  # of a time (s)
+UNEVEN = 2.5  # times as long as the step before, from which on it is not continued
 
 
 class Record(NamedTuple):
@@ -291,8 +292,10 @@ def widen(record, places):
     rows = largest.shape[0]
     more = (1 if record.shear.shape[1] > 0 else 0) + (1 if record.wall.shape[0] > 0 else 0)
     q = rows - more
-    over_left, over_right, over_both = 0.0, 0.0, 0.0
+    over_left, over_right, over_both, even = 0.0, 0.0, 0.0, False
     if turning:
+        # after a much shorter step its slope is too uncertain to go on by
+        even = when[2] - when[1] < UNEVEN * (when[1] - when[0])
         over_left, over_right = 1.0 / (when[1] - when[0]), 1.0 / (when[2] - when[1])
         over_both = 1.0 / (when[2] - when[0])
     sized = values.shape[0] > rows  # the last two of q are sizes, their components follow
@@ -315,7 +318,8 @@ def widen(record, places):
             bend = (right - left) * over_both
             rate = left + bend * (when[1] - when[0])  # at the middle step
             # a peak at the middle step, or of the parabola that outputs after it are taken from
-            if left * right < 0.0 or rate * (2.0 * right - rate) < 0.0:
+            peaked = left * right < 0.0
+            if peaked or (even and rate * (2.0 * right - rate) < 0.0):
                 time, peak = when[1] - 0.5 * rate / bend, middle - 0.25 * rate * rate / bend
                 if time >= record.time[0]:
                     smallest[c, i] = min(smallest[c, i], max(peak, 0.0) if is_size else peak)
@@ -526,7 +530,7 @@ def forces_of_steps(s, record, time):
     d, values, past, when = len(s.dim), record.values, record.past, record.when
     x = (time - when[1]) / (when[2] - when[1])
     bend = 0.0
-    if record.seen[0] >= 2:
+    if record.seen[0] >= 2 and when[2] - when[1] < UNEVEN * (when[1] - when[0]):
         bend = (time - when[1]) * (time - when[2]) / (when[2] - when[0])
     for c in range(d, values.shape[0]):
         for i in range(values.shape[1]):
@@ -554,8 +558,14 @@ def first_output(record):
 
 @inner
 def note_start(p, s, record, t):
-    """Write down the state that a march begins with; nothing where it goes on from steps that were seen."""
+    """Write down the state that a march begins with.
+
+    Where it goes on from steps that were seen, at a jolt or an event, only the last of them is kept: forces
+    have a kink or jump there. The state just after it is left out: a mesh's answer to an acceleration that
+    jumps is no riser's.
+    """
     if record.seen[0] > 0:
+        record.seen[0] = 1
         return
     record.when[2] = t
     tabulate(s, record, record.values)

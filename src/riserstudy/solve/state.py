@@ -34,7 +34,7 @@ OWN, OTHER = 5.0 / 12.0, 1.0 / 12.0
 VELOCITY, ACCELERATION = 0, 1  # entries of `rate`
 DISSIPATED, SUPPLIED = 0, 1  # entries of `flow`
 #: share of a ramp after which it has ended, so that rounding of times decides nothing
-ENDED = 1.0 - 5e-10
+ENDED = 1.0 - 5e-13
 
 
 class State(NamedTuple):
