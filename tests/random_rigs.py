@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 LAWS = ("linear", "gas", "table")
-FOOT, STACK = 40.0, 12.0  # m, of a conductor below the mudline and of what stands on it
+FOOT = 40.0  # m, of a conductor below the mudline
 
 
 def rig(seed: int, *, spatial: bool | None = None, conductor: bool | None = None) -> dict[str, Any]:
@@ -142,6 +142,16 @@ def stand_on_a_conductor(tree: dict[str, Any], draw: np.random.Generator) -> Non
     tree["soil"] = {"mudline": seabed, "resistance": {"stiffness": float(draw.uniform(2e6, 2e7))}}
 
 
+def timed(duration: float, step: float, elements: int, interval: float) -> dict[str, Any]:
+    """How a rig is simulated in time (s), on a mesh and by a step of its own."""
+    return {
+        "duration": duration,
+        "step": step,
+        "mesh": {"elements": elements},
+        "output": {"interval": interval},
+    }
+
+
 UNITS = {
     "gravity": "m/s^2",
     "density": "kg/m^3",
@@ -177,28 +187,24 @@ UNITS = {
     "duration": "s",
     "interval": "s",
     "step": "s",
-    "speed": "m/s",
 }
 STIFFNESS = {"rotation": "N*m/rad", "flex_joint_below": "N*m/rad", "resistance": "Pa"}
 
 
-def written(tree: Any, inside: str = "", unit_of: dict[str, str] | None = None) -> Any:
+def written(tree: Any, inside: str = "") -> Any:
     """A tree of SI numbers as a scene file has it: each number with its unit."""
-    units = UNITS | (unit_of or {})
     if isinstance(tree, list):
-        return [written(one, inside, unit_of) for one in tree]
+        return [written(one, inside) for one in tree]
     if not isinstance(tree, dict):
         return tree
     made = {}
     for name, value in tree.items():
         if isinstance(value, dict | list):
-            made[name] = written(value, name, unit_of)
+            made[name] = written(value, name)
         elif isinstance(value, float) and name == "stiffness":
             made[name] = f"{value!r} {STIFFNESS.get(inside, 'N/m')}"
-        elif isinstance(value, float) and name == "mass" and inside in ("vessel", "body"):
-            made[name] = f"{value!r} kg"
-        elif isinstance(value, float) and name in units:
-            made[name] = f"{value!r} {units[name]}"
+        elif isinstance(value, float) and name in UNITS:
+            made[name] = f"{value!r} {UNITS[name]}"
         else:
             made[name] = value
     return made
