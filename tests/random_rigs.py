@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 LAWS = ("linear", "gas", "table")
-FOOT, STACK = 40.0, 12.0  # m, of a conductor below the mudline and of what stands on it
+FOOT = 40.0  # m, of a conductor below the mudline
 
 
 def rig(seed: int, *, spatial: bool | None = None, conductor: bool | None = None) -> dict[str, Any]:
@@ -149,6 +149,16 @@ def stand_on_a_conductor(tree: dict[str, Any], draw: np.random.Generator) -> Non
     tree["riser"] = low + tree["riser"]
     tree["bottom"] = {"hold": "foot", "elevation": seabed - FOOT, "rotation": "free"}
     tree["soil"] = {"mudline": seabed, "resistance": {"stiffness": float(draw.uniform(2e6, 2e7))}}
+
+
+def timed(duration: float, step: float, elements: int, interval: float) -> dict[str, Any]:
+    """How a rig is simulated in time (s), on a mesh and by a step of its own."""
+    return {
+        "duration": duration,
+        "step": step,
+        "mesh": {"elements": elements},
+        "output": {"interval": interval},
+    }
 
 
 UNITS = {

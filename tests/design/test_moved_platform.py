@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from random_rigs import at_mid_stroke, rig, written
+from random_rigs import at_mid_stroke, rig, timed, written
 
 from riserstudy import load_scene, simulate
 from riserstudy.design.operability import offsets
@@ -88,12 +88,7 @@ def test_an_offset_of_the_top_and_a_surge_of_the_platform_are_the_same_move(seed
     by_offset["top"]["offset"] = 14.0
     for tree in (by_surge, by_offset):
         tree["platform"]["surge"] = {"amplitude": 2.0, "period": 12.0, "ramp": 12.0}
-        tree["analysis"] = {
-            "duration": 24.0,
-            "step": 0.2,
-            "mesh": {"elements": 40},
-            "output": {"interval": 1.0},
-        }
+        tree["analysis"] = timed(24.0, 0.2, 40, 1.0)
     one, other = (simulate(file_of(tree), progress=False) for tree in (by_surge, by_offset))
     for name in ("x", "effective_tension", "tensioner_force", "ufj_angle"):
         size = float(abs(one[name]).max())
@@ -124,18 +119,13 @@ def adrift(seed, constant=False):
         pull = rig_of["count"] * at_mid_stroke(rig_of) * upright
         tree["top"]["telescopic_joint"]["tension"] = pull
     tree["vessel"] = {
-        "mass": 4.5e7,
-        "added_mass": 9e6,
+        "mass": "4.5e7 kg",
+        "added_mass": "9e6 kg",
         "hull_drag": "400000 N*s^2/m^2",
         "wave_drift": {"force": "0.8 MN"},
     }
-    tree["analysis"] = {
-        "duration": 60.0,
-        "step": 0.25,
-        "mesh": {"elements": 60},
-        "output": {"interval": 0.5},
-    }
-    return file_of(tree).with_values({"vessel.added_mass": "9e6 kg"}, "test")
+    tree["analysis"] = timed(60.0, 0.25, 60, 0.5)
+    return file_of(tree)
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -5,7 +5,7 @@ import json
 import math
 
 import pytest
-from random_rigs import FOOT, rig, written
+from random_rigs import FOOT, rig, timed, written
 
 from riserstudy import simulate
 from riserstudy.design import engine_tension, tension
@@ -72,12 +72,7 @@ def test_a_limit_without_a_place_is_that_of_all_sections_of_the_riser_and_names_
 def test_a_joint_has_one_zero_in_limits_statistics_and_series():
     tree = rig(3, spatial=False, conductor=False)
     tree["platform"]["heave"] = {"amplitude": 2.0, "period": 12.0, "ramp": 12.0}
-    tree["analysis"] = {
-        "duration": 60.0,
-        "step": 0.2,
-        "mesh": {"elements": 30},
-        "output": {"interval": 0.2},
-    }
+    tree["analysis"] = timed(60.0, 0.2, 30, 0.2)
     limits = [{"output": "joint_stroke", "largest": "5 m", "mode": "connected"}]
     run = simulate(SceneFile("rig.yaml", written(tree) | {"limits": limits}), progress=False)
     (checked,) = json.loads(run.attrs["limits"])
@@ -108,12 +103,7 @@ def test_a_tilt_moves_the_top_alike_below_constant_tension_and_cylinders_without
         "centre_of_rotation": {"elevation": high - 20.0},
         "pitch": {"amplitude": "0.03 rad", "period": 20.0, "ramp": 20.0},
     }
-    tree["analysis"] = {
-        "duration": 40.0,
-        "step": 0.25,
-        "mesh": {"elements": 40},
-        "output": {"interval": 0.5},
-    }
+    tree["analysis"] = timed(40.0, 0.25, 40, 0.5)
     cylinders = {"count": 3, "linear": {"tension": pull / 3.0, "stiffness": 0.0}}
     ways = [{"tension": pull}]
     for mid_stroke in ("riser unstretched", "riser in equilibrium"):

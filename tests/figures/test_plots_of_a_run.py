@@ -51,7 +51,7 @@ def test_tension_is_that_of_the_riser_without_its_telescopic_joint():
         pulled[f"effective_tension_{end}"] = ("s_node", np.append(np.full(10, 1e6), 0.0))
     (ax,) = draw("range", pulled, ["effective_tension"]).axes
     assert lines(ax)["at rest"].get_xdata()[-1] == 0.0
-    pulled["stroke_static"] = 0.1
+    pulled["joint_stroke_static"] = 0.1
     (ax,) = draw("range", pulled, ["effective_tension"]).axes
     np.testing.assert_array_equal(lines(ax)["at rest"].get_xdata(), np.full(10, 1e3))
 

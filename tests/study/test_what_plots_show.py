@@ -50,6 +50,7 @@ def read(folder, figure=None, keep=None, axis=None, analysis=MOVING, scene=SCENE
         ("lines", "x_static", ["x"], "'x_static' is not kept"),
         ("lines", "von_mises_stress", None, "no section whose wall is given"),
         ("lines", "thrust_y_static", None, "has no value at rest"),
+        ("lines", "stroke_static", None, "has no value at rest"),
         ("envelope", "effective_tension_absmax", None, "its sign means something"),
     ],
 )

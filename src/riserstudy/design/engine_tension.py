@@ -54,7 +54,7 @@ def needed(scene: Scene, tolerances: Tolerances) -> Slack:
         When no equilibrium is found.
     """
     heavy = _with_tolerances(scene, tolerances)
-    tension = PLENTY * float(formula.governing(scene, tolerances).tension)
+    tension = PLENTY * formula.governing(scene, tolerances).tension
     for _ in range(MOST):
         s, left = along(with_tension(heavy, tension))
         slackest = int(left.argmin())

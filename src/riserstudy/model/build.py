@@ -12,7 +12,7 @@ from riserstudy.model.hydrodynamics import current, hydrodynamics, wave
 from riserstudy.model.initial_shape import above_ground, between_ends, under_a_joint
 from riserstudy.model.joints import guides, inner_joints, sliding_joint, stress_gauge
 from riserstudy.model.layout import AXES, Layout, directions, layout_of
-from riserstudy.model.mesh import Mesh, blend_by_weight
+from riserstudy.model.mesh import Mesh, blend_by_weight, lowest_leaning
 from riserstudy.model.model import Effect, Model, Report, Unknowns
 from riserstudy.model.platform_motion import motions
 from riserstudy.model.release import lift_gauge
@@ -94,8 +94,7 @@ def first_shape(of: Layout) -> NDArray[np.float64]:
     total = float(mesh.l0.sum())
     offset = (scene.top.offset or 0.0) if of.d > 1 else 0.0
     rise = total if of.top is None else of.top - of.bottom
-    k = max(of.jointed, default=int(scene.soil is not None))
-    foot = min(mesh.foot(k), of.last - 1)
+    foot = lowest_leaning(scene, mesh)
     if joint := scene.top.telescopic_joint:
         strain = (joint.tension or 0.0) / of.axial[:-1]
         shape = under_a_joint(mesh, foot, strain, offset, rise)

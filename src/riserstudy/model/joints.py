@@ -19,9 +19,11 @@ from riserstudy.scene.riser import Section
 
 def inner_joints(of: Layout, report: Report) -> Iterator[Effect]:
     """Flex joints below sections."""
-    for k in of.jointed if of.m else []:
-        joint = of.scene.riser[k].flex_joint_below
-        flexibility = 1.0 / joint.stiffness if joint else 0.0
+    for k, section in enumerate(of.scene.riser if of.m else []):
+        joint = section.flex_joint_below
+        if joint is None:
+            continue
+        flexibility = 1.0 / joint.stiffness
         record = InnerFlexJoint(of.mesh.foot(k), flexibility, report("lfj_angle"))
         yield Effect("inner flex joint", record, f"{of.scene.line(k)}.flex_joint_below")
 

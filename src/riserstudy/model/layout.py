@@ -96,11 +96,6 @@ class Layout(NamedTuple):
         first = [1] if body and body.reach else []
         return [*first, *(k for k, s in enumerate(self.scene.riser) if s.corner_below)]
 
-    @property
-    def jointed(self) -> list[int]:
-        """Sections with a flex joint below them."""
-        return [k for k, section in enumerate(self.scene.riser) if section.flex_joint_below]
-
 
 def layout_of(scene: Scene, mesh: Mesh, ring_elevation: float | None, d: int) -> Layout:
     """Layout of a scene on a mesh in ``d`` directions.

@@ -90,6 +90,12 @@ def _laid(
     return np.concatenate(pieces), np.repeat(np.arange(len(counts)), counts)
 
 
+def lowest_leaning(scene: Scene, mesh: Mesh) -> int:
+    """The lowest node above which a riser leans: at its inner flex joint, on the ground, or at its end."""
+    lowest = scene.lowest_riser_section or int(scene.soil is not None)
+    return min(mesh.foot(lowest), len(mesh.l0) - 1)
+
+
 def prescribed(scene: Scene, elements: int) -> Mesh:
     """Segments as the scene's own mesh has them, equal or finer towards ends, but so many."""
     layers = scene.analysis.mesh and scene.analysis.mesh.layers

@@ -9,7 +9,7 @@ import numpy as np
 from riserstudy.effects.current import Current
 from riserstudy.errors import SimulationError
 from riserstudy.model.build import build
-from riserstudy.model.mesh import Mesh
+from riserstudy.model.mesh import Mesh, lowest_leaning
 from riserstudy.model.model import Model
 from riserstudy.scene.models import Scene
 from riserstudy.solve.statics import Equilibrium, NoEquilibrium, find_equilibrium
@@ -131,8 +131,7 @@ def _continue(
 ) -> None:
     """Begin with the last shape, leaning further (m) above the lowest place that it leans from."""
     state = model.s
-    joints = (k for k, section in enumerate(scene.riser) if section.flex_joint_below)
-    foot = min(mesh.foot(max(joints, default=int(scene.soil is not None))), len(mesh.s) - 2)
+    foot = lowest_leaning(scene, mesh)
     lean = np.clip((mesh.s - mesh.s[foot]) / (mesh.s[-1] - mesh.s[foot]), 0.0, 1.0)
     state.r[:], state.moment[:] = last.s.r, last.s.moment
     for axis, way in zip(range(len(state.dim) - 1), further, strict=False):

@@ -20,8 +20,7 @@ Arrays = dict[str, FloatArray]
 
 def riser_foot(scene: Scene, mesh: Mesh) -> int:
     """The riser's lowest node: that of its inner flex joint, or its lower end."""
-    lowest = scene.lowest_riser_section
-    return mesh.foot(lowest) if lowest else 0
+    return mesh.foot(scene.lowest_riser_section)
 
 
 def section_of(scene: Scene, mesh: Mesh, arrays: Arrays) -> Section:

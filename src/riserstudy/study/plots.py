@@ -37,7 +37,7 @@ USUAL: dict[Plot, tuple[str, ...]] = {
 SIDES = ("_max", "_min", "_absmax")
 _AHEAD = ("platform_speed", "riser_reaction", "environment_force")
 #: what is given over time alone, not at rest
-_MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift")
+_MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift", "stroke")
 
 #: outputs that only some scenes call for, with what these have, and whether a scene has it
 CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
