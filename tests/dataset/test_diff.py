@@ -51,8 +51,21 @@ def test_a_change_is_told_with_its_size_by_the_largest_magnitude(tmp_path):
 )
 def test_what_cannot_be_compared_counts_as_changed_without_bound(tmp_path, other, why):
     found = changes(results(tmp_path / "a"), results(tmp_path / "b", **other))
-    assert found.largest == np.inf
+    assert (found.varied[0].change, found.apart, found.largest) == (np.inf, 1, 0.0)
     assert why in found.varied[0].why
+
+
+@pytest.mark.parametrize("old", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("new", [np.nan, np.inf, -np.inf])
+def test_never_is_not_the_same_as_no_number(tmp_path, old, new):
+    one, other = (
+        results(tmp_path / "a", moment=(1.0, old)),
+        results(tmp_path / "b", moment=(1.0, new)),
+    )
+    same = repr(old) == repr(new)
+    assert [one.why for one in changes(one, other).varied] == (
+        [] if same else ["defined elsewhere"]
+    )
 
 
 def grid(folder, amplitudes, swapped=False):

@@ -17,7 +17,9 @@ from typing import TYPE_CHECKING, NamedTuple
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
+    from numpy.typing import NDArray
 
 TABLE = "reproduction.csv"
 COLUMNS = ("simulated", "error", "verdict", "depends_on")
@@ -52,8 +54,13 @@ class Changes(NamedTuple):
 
     @property
     def largest(self) -> float:
-        """Largest relative change of a variable; infinite where one cannot be compared."""
-        return max((one.change for one in self.varied), default=0.0)
+        """Largest relative change of the variables that can be compared."""
+        return max((one.change for one in self.varied if not one.why), default=0.0)
+
+    @property
+    def apart(self) -> int:
+        """How many variables cannot be compared."""
+        return sum(bool(one.why) for one in self.varied)
 
 
 def changes(old: Path, new: Path) -> Changes:
@@ -166,6 +173,13 @@ def opened(path: Path) -> xr.Dataset:
         raise InputError(path, "", "no dataset", how) from None
 
 
+def _without_size(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The values with zero for all that are finite numbers, (same shape)."""
+    import numpy as np
+
+    return np.where(np.isfinite(values), 0.0, values)
+
+
 def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Varied:
     import numpy as np
 
@@ -176,7 +190,7 @@ def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Vari
         same = np.array_equal(a, b)
         return Varied(name, variable, 0.0) if same else Varied(name, variable, 0.0, "other text")
     a, b = a.astype(float), b.astype(float)
-    if not np.array_equal(np.isfinite(a), np.isfinite(b)):
+    if not np.array_equal(_without_size(a), _without_size(b), equal_nan=True):
         return Varied(name, variable, float("inf"), "defined elsewhere")
     a, b = a[np.isfinite(a)], b[np.isfinite(b)]
     scale = max(np.abs(a).max(initial=0.0), np.abs(b).max(initial=0.0))

@@ -100,7 +100,7 @@ def add_modes(dataset: xr.Dataset, study: Study) -> None:
 def variables_of(
     stored: list[dict[str, NDArray[Any]] | None], count: int
 ) -> dict[str, NDArray[Any]]:
-    """Arrays of several points, (points, count) or with shapes (points, count, STATIONS); None: none."""
+    """Arrays of several points, (n, count), and of shapes (n, count, k); None: a point without."""
     import numpy as np
 
     names = dict.fromkeys(name for arrays in stored for name in arrays or ())
