@@ -84,7 +84,11 @@ def test_an_edited_package_reruns_what_the_edited_part_makes(checkout):
 
 
 def test_a_figure_simulates_only_what_it_needs(fresh):
-    fresh.edit(STUDY, "figures:", "figures:\n  fig13:\n    caption: other\n    reads: [steady]")
+    fresh.edit(
+        STUDY,
+        "figures:",
+        "figures:\n  fig13:\n    caption: other\n    reads: [steady]\n    plot: lines",
+    )
     assert fresh.planned("chang2020_fig14") - COMPILE == SIMULATE | AFTER
     only = {"simulate chang2020/steady", "draw chang2020/fig13"}
     assert fresh.planned("chang2020_fig13") - COMPILE == only
