@@ -119,7 +119,11 @@ def test_an_edit_of_what_kernels_do_compiles_and_simulates(checkout, seed):
 
 
 def test_a_figure_simulates_only_what_it_needs(fresh):
-    fresh.edit(STUDY, "figures:", "figures:\n  fig13:\n    caption: other\n    reads: [steady]")
+    fresh.edit(
+        STUDY,
+        "figures:",
+        "figures:\n  fig13:\n    caption: other\n    reads: [steady]\n    plot: lines",
+    )
     assert fresh.planned("chang2020_fig14") - COMPILE == SIMULATE | AFTER
     only = {"simulate chang2020/steady", "draw chang2020/fig13"}
     assert fresh.planned("chang2020_fig13") - COMPILE == only

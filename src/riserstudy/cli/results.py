@@ -209,8 +209,10 @@ def diff(
     print(
         f"{len({one.item for one in changed.graded})} of {changed.rows} numbers and claims changed"
     )
+    apart = f"; {changed.apart} of them cannot be compared" if changed.apart else ""
     print(
-        f"{len(changed.varied)} of {changed.variables} variables changed, by {changed.largest:.2g} at most"
+        f"{len(changed.varied)} of {changed.variables} variables changed, "
+        f"by {changed.largest:.2g} at most{apart}"
     )
     if changed.graded or changed.varied:
         raise typer.Exit(1)

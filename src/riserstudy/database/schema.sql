@@ -222,9 +222,12 @@ create view effects as
     select point, effect, is_on, because from points join effect_sets using (effect_set);
 
 create view simulated_behind as   -- simulated studies behind every dataset, itself where it is simulated
-    select study, study as source from studies where kind = 'simulated'
-    union
-    select reads.study, source from reads join studies on studies.study = source where kind = 'simulated';
+    with recursive behind (study, source) as (
+        select study, study from studies
+        union
+        select behind.study, reads.source from behind join reads on reads.study = behind.source
+    )
+    select behind.study, source from behind join studies on studies.study = source where kind = 'simulated';
 
 create view points_of_claims as   -- points that a number, a claim or an erratum rests on
     select distinct rests_on.paper, id, points.study, point

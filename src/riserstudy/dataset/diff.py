@@ -17,7 +17,9 @@ from typing import TYPE_CHECKING, NamedTuple
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
+    from numpy.typing import NDArray
 
 TABLE = "reproduction.csv"
 COLUMNS = ("simulated", "error", "verdict", "depends_on")
@@ -52,8 +54,13 @@ class Changes(NamedTuple):
 
     @property
     def largest(self) -> float:
-        """Largest relative change of a variable; infinite where one cannot be compared."""
-        return max((one.change for one in self.varied), default=0.0)
+        """Largest relative change of the variables that can be compared."""
+        return max((one.change for one in self.varied if not one.why), default=0.0)
+
+    @property
+    def apart(self) -> int:
+        """How many variables cannot be compared."""
+        return sum(bool(one.why) for one in self.varied)
 
 
 def changes(old: Path, new: Path) -> Changes:

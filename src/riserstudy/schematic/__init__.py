@@ -18,6 +18,7 @@ from riserstudy.schematic.above import above, has_plan, radius
 from riserstudy.schematic.facts import freedom_text
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import KEY, SIZE
+from riserstudy.schematic.not_shown import parts_left_out
 from riserstudy.schematic.riser import ends, riser
 from riserstudy.schematic.sea import sea
 from riserstudy.schematic.topside import topside
@@ -66,6 +67,7 @@ def _schematic(geometry: Geometry, scene: Scene) -> Figure:
         view.ax.set_title(f"({letter}) {title}", loc="left", fontsize="small")
         views.append(view)
         top -= height + BETWEEN
+    whole.ends.extend(views[1:3])
     for view in views[:3]:
         sea(view, geometry)
         riser(view, geometry)
@@ -163,5 +165,7 @@ def _texts(figure: Figure, scene: Scene) -> None:
         handles=handles, loc="upper right", bbox_to_anchor=(0.985, 0.962), ncols=4, fontsize=SIZE,
         frameon=False, handlelength=1.2, columnspacing=1.2,
     )  # fmt: skip
-    note = "\n".join(textwrap.wrap(NOTE, 170))
+    left = parts_left_out(scene)
+    missing = f" Not shown: {', '.join(left)}." if left else ""
+    note = "\n".join(textwrap.wrap(NOTE + missing, 170))
     figure.text(0.03, 0.012, note, fontsize=SIZE, va="bottom", color="0.35")

@@ -175,7 +175,9 @@ def vessel_texts(scene: Scene) -> list[str]:
         return []
     wind, drift, thrusters = vessel.wind, vessel.wave_drift, vessel.thrusters
     added = f" and {mass(vessel.added_mass)} of water" if vessel.added_mass else ""
-    texts = [f"platform: free to surge, {mass(vessel.mass)}{added}"]
+    also = [way for way in ("sway", "yaw") if getattr(vessel, way)]
+    ways = " and ".join(["surge", *also]) if len(also) < 2 else "surge, sway and yaw"
+    texts = [f"platform: free to {ways}, {mass(vessel.mass)}{added}"]
     if wind:
         texts.append(f"wind {wind.speed:.3g} m/s towards {degrees(wind.heading or 0.0)}")
     if drift:

@@ -40,11 +40,11 @@ def riser(view: View, geometry: Geometry) -> None:
             place = geometry.at(low)
             turning_joint(view, place, section.flex_joint_below.stiffness > 0.0)
             text = f"{_joint_name(geometry)}, {joint_text(section.flex_joint_below.stiffness)}"
-            view.name(text, place)
+            view.name_anywhere(text, place)
         if section.guide_below:
             x, z = geometry.at(low)
             view.spring((x, z), (x + 0.8 * view.inch, z), 0.12 * view.inch)
-            view.name(f"guide, {amount(section.guide_below.stiffness, 'N')}/m", (x, z))
+            view.name_anywhere(f"guide, {amount(section.guide_below.stiffness, 'N')}/m", (x, z))
 
 
 def _from_the_middle(low: float, high: float) -> list[float]:

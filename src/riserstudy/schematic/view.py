@@ -25,12 +25,14 @@ class View:
     ----------
     whole : whether this is the view of everything, which labels the long parts; others label their end.
     inch : metres that an inch of the figure shows.
+    ends : of the view of everything, those that show its ends magnified.
     """
 
     ax: Axes
     whole: bool
     inch: float
     labels: Labels = field(default_factory=Labels)
+    ends: list[View] = field(default_factory=list)
 
     @property
     def symbol(self) -> float:
@@ -51,6 +53,10 @@ class View:
         """Label a point in the view that it belongs to, if it shows it."""
         if whole == self.whole and self.shows(point):
             self.labels.add(text, point, colour)
+
+    def name_anywhere(self, text: str, point: Point) -> None:
+        """Label a point in the view of an end that shows it, or in that of everything where none does."""
+        self.name(text, point, whole=self.whole and not any(end.shows(point) for end in self.ends))
 
     def line(self, x: Sequence[float], z: Sequence[float], **style: Any) -> None:
         """A line through points."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from decimal import Decimal
+from graphlib import CycleError, TopologicalSorter
 from itertools import combinations
 from pathlib import Path, PureWindowsPath
 from typing import Annotated, Any, Literal, Self
@@ -116,7 +117,7 @@ class Samples(Strict):
 
 
 class Derived(Strict):
-    """A dataset derived from studies: those that it reads, and further arguments of its function.
+    """A dataset derived from others: the studies and derived datasets that it reads, and further arguments.
 
     These may say where they come from, as values of scenes do: ``assumed`` with a range and why, or
     ``{printed: N1}`` for a printed number of the paper.
@@ -323,9 +324,15 @@ class StudyFile(Strict):
             yield f"in_motion.study: {found}; {_among(self.studies)}"
         for name in sorted(set(self.schematics) & set(self.figures)):
             yield f"schematics.{name}: a figure of that name; name it anew"
+        known = [*self.studies, *self.derived]
         for name, derived in self.derived.items():
-            for study in set(derived.reads).difference(self.studies):
-                yield f"derived.{name}: no study {study!r}; {_among(self.studies)}"
+            for source in sorted(set(derived.reads).difference(known)):
+                yield f"derived.{name}: no study or derived dataset {source!r}; {_among(known)}"
+        try:
+            [*TopologicalSorter({n: d.reads for n, d in self.derived.items()}).static_order()]
+        except CycleError as error:
+            ring = " reads ".join(reversed(error.args[1]))
+            yield f"derived: {ring}; allowed are datasets that are made before"
         for name, figure in self.figures.items():
             for dataset in set(figure.reads).difference(self.datasets):
                 yield f"figures.{name}.reads: no dataset {dataset!r}; {_among(self.datasets)}"

@@ -1,0 +1,137 @@
+"""What a schematic does not show is named in it, and what it says it shows is there."""
+
+import hashlib
+import random
+from functools import cache
+from pathlib import Path
+
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Annotation
+
+from riserstudy.errors import InputError
+from riserstudy.scene.load import load_scene
+from riserstudy.scene.models import Scene
+from riserstudy.schematic import not_shown as module
+from riserstudy.schematic import schematic
+from riserstudy.schematic.not_shown import NO_PART, SHOWN, parts_left_out
+
+CONFIG = Path(__file__).parents[2] / "config"
+SCENES = sorted((CONFIG / "scenes").glob("*/*.yaml"))
+GUIDED = {
+    "title": "guided",
+    "water": {"density": "1025 kg/m^3", "surface": "980 m"},
+    "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": "free"},
+    "top": {"x": "held", "z": "free", "tension": "3 MN", "rotation": "free"},
+    "analysis": {},
+}
+
+
+#: drawn in scenes that move sideways, or turn, none of which can do without
+ONLY_WHERE_SOMETHING_MOVES = {"top.x", "platform.centre_of_rotation"}
+
+
+def section(name, length, **more):
+    about = {"axial_stiffness": "5e9 N", "bending_stiffness": "1e8 N*m^2", "mass": "500 kg/m"}
+    load = {"submerged_weight": "1 kN/m", "lateral_load": "10 N/m"}
+    return {"name": name, "length": f"{length} m"} | about | load | more
+
+
+def words(figure):
+    """All that a schematic says."""
+    texts = [t for ax in figure.axes for t in ax.texts if isinstance(t, Annotation)]
+    said = [*(t.get_text() for t in figure.texts), *(t.get_text() for t in texts)]
+    return " ".join(" ".join(said).replace("\u00a0", " ").split())
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_guide_or_joint_is_named_once_wherever_it_is_along_the_riser(seed):
+    below = random.Random(seed).uniform(20.0, 960.0)
+    parts = {
+        "guide_below": {"stiffness": "7 kN/m"},
+        "flex_joint_below": {"stiffness": "8 kN*m/deg"},
+    }
+    for part, text in zip(parts, ("guide, 7 kN/m", "flex joint, 8 kN m/deg"), strict=True):
+        upper = section("upper", 980.0 - below, **{part: parts[part]})
+        scene = Scene.model_validate(GUIDED | {"riser": [section("lower", below), upper]})
+        said = words(schematic(scene))
+        assert said.count(text) == 1, (below, said)
+        assert "Not shown" not in said
+
+
+@pytest.mark.parametrize("path", ["riser.guide_below", "water.surface", "top.tension"])
+def test_a_part_that_the_schematic_knows_nothing_of_is_named(path, monkeypatch):
+    upper = section("upper", 480.0, guide_below={"stiffness": "7 kN/m"})
+    scene = Scene.model_validate(GUIDED | {"riser": [section("lower", 500.0), upper]})
+    monkeypatch.setattr(module, "SHOWN", SHOWN - {path})
+    assert parts_left_out(scene) == [path]
+    assert f"Not shown: {path}." in words(schematic(scene))
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_every_schematic_says_what_it_leaves_out(path):
+    scene = load_scene(path).scene()
+    left = parts_left_out(scene)
+    assert (f"Not shown: {', '.join(left)}." in words(schematic(scene))) == bool(left)
+
+
+def test_what_is_said_to_be_shown_or_nothing_to_show_is_a_part_of_scenes():
+    schema = Scene.model_json_schema()
+    every = set()
+    for name, about in schema["properties"].items():
+        every |= {name, *(f"{name}.{inner}" for inner in inner_names(about, schema))}
+    assert every >= SHOWN | NO_PART
+    assert not SHOWN & NO_PART
+
+
+def inner_names(about, schema):
+    """Names of the fields of all models that a part of the schema may be."""
+    if "$ref" in about:
+        return inner_names(schema["$defs"][about["$ref"].rpartition("/")[2]], schema)
+    found = set(about.get("properties", {}))
+    for inner in [*about.get("anyOf", []), *([about["items"]] if "items" in about else [])]:
+        found |= inner_names(inner, schema)
+    return found
+
+
+@cache
+def picture(path, taken):
+    """A digest of the pixels of a scene's schematic, with something taken out; None where it cannot be."""
+    try:
+        figure = schematic(load_scene(path, **dict.fromkeys(taken)).scene())
+    except InputError:
+        return None
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return hashlib.sha256(bytes(canvas.buffer_rgba())).hexdigest()
+
+
+def test_what_is_said_to_be_shown_changes_the_drawing():
+    """Each part that scenes of the project can do without: without it some drawing is another one."""
+    tried, changed = set(), set()
+    for path in SCENES:
+        tree = load_scene(path).tree
+        for shown in sorted(SHOWN - changed):
+            name, _, inner = shown.partition(".")
+            parts = (
+                [f"riser[{k}]" for k in range(len(tree["riser"]))] if name == "riser" else [name]
+            )
+            where = tuple(f"{part}.{inner}" if inner else part for part in parts)
+            if not any(stands(tree, place) for place in where):
+                continue
+            without = picture(path, where)
+            if without is None:
+                continue
+            tried.add(shown)
+            changed |= {shown} if without != picture(path, ()) else set()
+    assert len(changed) > 25, changed
+    assert tried - changed <= ONLY_WHERE_SOMETHING_MOVES
+
+
+def stands(tree, path):
+    """Whether something stands at a path."""
+    name, _, inner = path.partition(".")
+    first, _, index = name.partition("[")
+    here = tree.get(first)
+    here = here[int(index[:-1])] if index else here
+    return isinstance(here, dict) and inner in here if inner else here is not None
