@@ -155,7 +155,13 @@ def _above(module: str) -> str:
 
 @cache
 def facts(file: Path) -> Facts:
-    """What is known of a Python file; to read its syntax takes long, so it is done once for each content."""
+    """What is known of a Python file; to read its syntax takes long, so it is done once for each content.
+
+    Raises
+    ------
+    InputError
+        When it is not Python.
+    """
     content = file.read_bytes()
     name = _hash(content)
     if name not in _kept():
