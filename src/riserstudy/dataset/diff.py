@@ -17,9 +17,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
-    import numpy as np
     import xarray as xr
-    from numpy.typing import NDArray
 
 TABLE = "reproduction.csv"
 COLUMNS = ("simulated", "error", "verdict", "depends_on")
