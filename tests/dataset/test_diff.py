@@ -68,8 +68,8 @@ def test_only_what_is_the_same_bit_by_bit_has_not_changed(tmp_path, seed):
     same = all(a == b or (a != a and b != b) for a, b in zip(before, after, strict=True))
     found = changes(*(results(tmp_path / n, moment=m) for n, m in (("a", before), ("b", after))))
     assert (found.varied == []) == same
-    if not same:
-        assert found.largest > 0.0
+    assert found.apart == any(one.why for one in found.varied)
+    assert same or found.apart or found.largest > 0.0
 
 
 def grid(folder, amplitudes, swapped=False):

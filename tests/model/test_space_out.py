@@ -91,8 +91,8 @@ def test_the_joint_rests_at_mid_stroke(seed):
     plain = simulate(
         file.with_values({"top.telescopic_joint.mid_stroke": None}, "test"), progress=False
     )
-    assert abs(float(spaced["stroke_static"])) < 1e-6
-    assert abs(float(plain["stroke_static"])) > 0.01  # what the riser stretches by
+    assert abs(float(spaced["joint_stroke_static"])) < 1e-6
+    assert abs(float(plain["joint_stroke_static"])) > 0.01  # what the riser stretches by
     tension = [run["effective_tension"].to_numpy()[:-1] for run in (spaced, plain)]
     assert tension[0] == pytest.approx(tension[1], rel=1e-9)  # a length of a joint pulls nothing
 
@@ -101,7 +101,7 @@ def test_the_joint_rests_at_mid_stroke(seed):
 def test_stops_count_from_mid_stroke(seed):
     """The platform a metre up: a stop nearer than that stroke is touched, one further is not."""
     file = drawn(seed, **{"platform.position.heave": "1 m"})
-    stroke = float(simulate(file, progress=False)["stroke_static"])
+    stroke = float(simulate(file, progress=False)["joint_stroke_static"])
     assert stroke > 0.1
     for share, touched in ((0.9, True), (1.1, False)):
         stop = {"stroke": f"{share * stroke} m", "stiffness": "1e8 N/m"}

@@ -23,7 +23,7 @@ SETS = {"analysis.mesh": None, "analysis.step": None, "analysis.method": None}
 def refined(monkeypatch, error):
     """Segments, step and estimate that a run ends with where its moment errs by ``error(n, h)``."""
 
-    def march(scene, mesh, step, watch, rest=None):
+    def march(scene, mesh, step, watch, rest=None, extremes=True):
         facts = {"elements": len(mesh.l0), "step": step, "solve_seconds": 0.0, "warnings": []}
         return SimpleNamespace(facts=facts, arrays={"bending_moment": None})
 
@@ -67,7 +67,7 @@ def patient(monkeypatch, patience):
     """The result of runs that each take twice the time of the one before, the first a second."""
     spent = [0.0]
 
-    def march(scene, mesh, step, watch, rest=None):
+    def march(scene, mesh, step, watch, rest=None, extremes=True):
         seconds = 1.0 + spent[0]
         spent[0] += seconds
         if spent[0] > watch.patience:

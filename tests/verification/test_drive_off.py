@@ -19,6 +19,11 @@ QUICK = {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": "1 %
 CALM = {"wave": None, "top.telescopic_joint.stop": None, "vessel.thrusters.gain": "65.1 kN/m"}
 
 
+#: between steps angles are those of positions, moments those of the parabola through steps
+ON_STEPS = {"analysis.mesh": {"elements": 200}, "analysis.step": "0.1 s"}
+ON_STEPS |= {"analysis.output.interval": "0.5 s"}
+
+
 def calm(path, **overrides):
     return load_scene(path, **(CALM | overrides))
 
@@ -178,7 +183,7 @@ def test_the_riser_pulls_with_tension_and_the_shear_of_the_joint():
 
 
 def test_the_lower_joint_takes_the_moment_over_its_stiffness():
-    run = drive_off()
+    run = simulate(calm(REF, **ON_STEPS))
     moment = run["bending_moment"].sel(s=87.0, method="nearest")
     np.testing.assert_allclose(run["lfj_angle"], moment / (90e3 * 180.0 / np.pi), rtol=1e-9)
 
@@ -205,7 +210,7 @@ def test_a_platform_lighter_than_the_riser_is_no_harder():
 
 
 def test_a_tension_that_does_not_carry_the_riser_is_refused():
-    with pytest.raises(SimulationError, match="buckles under its own weight"):
+    with pytest.raises(SimulationError, match="raise the top tension"):
         drive_off(**{"top.telescopic_joint.tension": "0.5 MN"})
 
 

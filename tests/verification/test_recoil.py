@@ -95,6 +95,8 @@ def test_energy_passes_through_events_while_the_platform_is_away_from_its_middle
     if event == "lines":
         text = text.replace("count: 5", "count: 5\n    failing: {at: 2.5 s, cylinders: [1]}")
         text = text.replace("disconnect: {at: 2.5 s, over: 20 ms, MORE}\n", "")
+        # a pull that jumps has no limit in a string without damping: its energy is that of the steps
+        text = text.replace("accuracy: 0.5 %", "mesh: {elements: 128}, step: 0.01 s")
     isolated = VALVE[:-1] + ", isolation: {after: 0.1 s, volume: 2 m^3}}"
     found = run(tmp_path, text.replace("MORE", isolated if event == "bottles" else VALVE))
     audit = json.loads(found.attrs["audit"])

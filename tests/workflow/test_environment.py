@@ -84,7 +84,7 @@ def test_another_python_is_refused_in_one_line(tmp_path):
 def test_a_python_that_is_not_there_is_said_not_to_be(tmp_path):
     said = with_python(tmp_path, tmp_path / "absent").stderr.splitlines()
     assert said[0] == "no such program"
-    assert "needs Python 3.11, 3.12 or 3.13" in said[-1]
+    assert "needs Python 3.11, 3.12, 3.13 or 3.14" in said[-1]
 
 
 def test_a_python_without_venv_is_named_with_what_to_install(tmp_path):

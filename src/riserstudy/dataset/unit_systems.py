@@ -12,6 +12,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 
+DATA_FILES = ("unit_systems.yaml",)
+
+
 class UnitSystem(StrEnum):
     """Systems of units."""
 
@@ -66,7 +69,7 @@ def systems() -> dict[str, dict[str, tuple[str, float]]]:
     """For each system the units that it reads in, and how many stored units one is, by the stored unit."""
     from riserstudy.scene.load import read_yaml  # takes long to load
 
-    tables = read_yaml(Path(__file__).with_name("unit_systems.yaml"), keep=True)
+    tables = read_yaml(Path(__file__).with_name(DATA_FILES[0]), keep=True)
     return {
         name: {unit: (entry["unit"], float(entry["is"])) for unit, entry in table.items()}
         for name, table in tables.items()

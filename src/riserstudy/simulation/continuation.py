@@ -153,8 +153,8 @@ def _failed(scene: Scene, mesh: Mesh, failure: NoEquilibrium, reached: float) ->
     causes = "".join(f" {part}" for part in under)
     if isinstance(failure, Folded):
         return SimulationError(
-            f"no static equilibrium but one that is folded over a segment at {where}{causes}; {remedy}, or "
-            "take a finer mesh"
+            f"no static equilibrium but one that is folded over a segment at {where}{causes}; what buckles "
+            f"lacks tension: raise the top tension, or take a finer mesh; {remedy}"
         )
     return SimulationError(
         f"no static equilibrium: {failure.residual:.3g} N are left at {where}{causes}; {remedy}"
