@@ -15,6 +15,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march
 from riserstudy.solve.program import Frozen
+from riserstudy.solve.record import forget
 from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 from riserstudy.solve.sums import DONE
 
@@ -58,6 +59,7 @@ def march_on(
         begin, stop = begin * (1.0 + MOMENT), stop * (1.0 - MOMENT) if stop < end else end
         count = max(GRADED if sudden else 1, steps_in(stop - begin, step))
         move_to(model.programs, model.state, begin)
+        forget(record)
         length, graded = (stop - begin) / count, GRADED if sudden else 0
         method, stepped = method_of(scene, mesh, length, count, graded)
         outcome = stepped(

@@ -558,14 +558,12 @@ def first_output(record):
 
 @inner
 def note_start(p, s, record, t):
-    """Write down the state that a march begins with.
+    """Write down the state that a march begins with, unless it goes on from steps that were seen.
 
-    Where it goes on from steps that were seen, at a jolt or an event, only the last of them is kept: forces
-    have a kink or jump there. The state just after it is left out: a mesh's answer to an acceleration that
-    jumps is no riser's.
+    At a jolt or an event the state just after it is left out: a mesh's answer to an acceleration that jumps
+    is no riser's.
     """
     if record.seen[0] > 0:
-        record.seen[0] = 1
         return
     record.when[2] = t
     tabulate(s, record, record.values)
@@ -575,6 +573,11 @@ def note_start(p, s, record, t):
     if due(record, t + ROUNDING):
         note(p, s, record, record.values)
     remember(record)
+
+
+def forget(record: Frozen) -> None:
+    """Keep the last step alone: forces have a kink or a jump there, at a jolt or an event."""
+    record.value.seen[0] = min(record.value.seen[0], 1)
 
 
 @inner
