@@ -52,7 +52,11 @@ INPUTS = {
 READ_BY_OPTION = {"--results", "--config"}  # folders
 #: options that a command needs, and what its scene lacks of what it is about
 NEEDED = {
-    "tension": "--units 6 --failed 1 --tension-ratio 0.95 --weight 1.05 --buoyancy 0.96".split(),
+    "tension": [
+        *"--units 6 --failed 1 --tension-ratio 0.95 --weight 1.05 --buoyancy 0.96".split(),
+        *("--set", "riser[0].buoyancy_lift=0 N/m"),
+        *("--set", "riser[0].contents={density: 1200 kg/m^3}"),
+    ],
     "envelope": ["--reach", "1 m", "--current", "0.2 m/s", "--set", "limits=ANGLES"],
     "watch-circles": [
         *("--disconnect", "1 s", "--prepare", "1 s", "--set", "limits=ANGLES"),
@@ -76,7 +80,9 @@ def parameters(command):
 def called(name, info):
     """How an option is given: Typer takes the first of its names for a default until it is asked."""
     given = [info.default, *(info.param_decls or ())]
-    return [n for n in given if isinstance(n, str) and n.startswith("-")] or [f"--{name.replace('_', '-')}"]
+    return [n for n in given if isinstance(n, str) and n.startswith("-")] or [
+        f"--{name.replace('_', '-')}"
+    ]
 
 
 def commands_of_the_line():
