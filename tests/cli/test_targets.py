@@ -53,7 +53,8 @@ READ_BY_OPTION = {"--results", "--config"}  # folders
 #: options that a command needs, and what its scene lacks of what it is about
 NEEDED = {
     "tension": [
-        *"--units 6 --failed 1 --tension-ratio 0.95 --weight 1.05 --buoyancy 0.96".split(),
+        *("--units", "6", "--failed", "1", "--tension-ratio", "0.95"),
+        *("--weight", "1.05", "--buoyancy", "0.96"),
         *("--set", "riser[0].buoyancy_lift=0 N/m"),
         *("--set", "riser[0].contents={density: 1200 kg/m^3}"),
     ],

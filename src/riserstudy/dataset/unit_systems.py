@@ -11,7 +11,6 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-
 DATA_FILES = ("unit_systems.yaml",)
 
 
