@@ -30,7 +30,9 @@ def surge():
         update={"set": ladder.set | SHORT, "elements": [16, 32], "steps": [0.4, 0.2, 0.1]}
     )
     few = {"scenes": {"S2c": ladder}, "repeats": {"standard": 1}, "asked": {"standard": [0.05]}}
-    return accuracy(STUDY.model_copy(update=few), Setting(CONFIG, "standard"))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("riserstudy.numerics.outside.PATIENCE", 60.0)  # as long as it takes
+        return accuracy(STUDY.model_copy(update=few), Setting(CONFIG, "standard"))
 
 
 def test_every_method_has_a_row_with_an_error_or_a_message(surge):
