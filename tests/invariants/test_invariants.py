@@ -19,6 +19,7 @@ IN_A_TEST = 10  # scenes
 INTO_SPACE = (rotated, swayed_by_nothing)
 #: an angle between steps is within the peaks of the steps: of its sign in a plane, of its size in space
 SIGNED_OR_SIZE = 5e-3
+SMALL = 1e-3  # rad: smaller angles are compared as this one
 
 
 def outputs_of(tree):
@@ -49,6 +50,8 @@ def faults_of(seed):
             size = float(np.nanmax(abs(expected))) or 1.0
             if name in ("x", "y", "z"):
                 size = max(size, 1.0)
+            elif name.endswith("_angle"):
+                size = max(size, SMALL)
             off = float(np.nanmax(abs(values - expected)))
             within = max(other.within, 1e-13)
             if name.endswith("_angle") and way in INTO_SPACE:

@@ -142,11 +142,8 @@ def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Array
     for k, name in enumerate(names):
         most, least = record.largest[k], record.smallest[k]
         envelopes[name + "_max"], envelopes[name + "_min"] = most, least
-        # what is interpolated between steps may pass the peaks of their parabolas by a third-order error;
-        # a size may come nearer to zero between steps than at any of them
-        size = name == "bending_moment" and len(names) < record.history.shape[1]
-        lowest = np.zeros(len(of.nodes)) if size else least[of.nodes]
-        full[name] = np.clip(record.history[:, k, :], lowest, most[of.nodes])
+        # what is interpolated between steps may pass the peaks of their parabolas by a third-order error
+        full[name] = np.clip(record.history[:, k, :], least[of.nodes], most[of.nodes])
     if "mesh_corner" in arrays:
         envelopes["mesh_moment_max"], envelopes["mesh_moment_min"] = (
             side[len(names), :-1] for side in (record.largest, record.smallest)

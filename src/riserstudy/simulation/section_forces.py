@@ -69,16 +69,20 @@ def section_of(scene: Scene, mesh: Mesh, arrays: Arrays) -> Section:
 def envelopes_of(record: Record) -> Arrays:
     """Envelopes of shear (N) and von Mises stress (Pa) that a record has, over the nodes, (n + 1,).
 
-    Stress is zero where no wall is known.
+    Shear is that of either side of a node. Stress is zero where no wall is known.
     """
-    names = ["shear_force"] if record.shear.shape[1] else []
-    names += ["von_mises_stress"] if len(record.wall) else []
     found: Arrays = {}
-    for k, name in enumerate(names, len(record.largest) - len(names)):
-        most, least = record.largest[k], record.smallest[k]
-        if name == "shear_force":
-            found[name + "_absmax"] = np.maximum(abs(most), abs(least))
-        found |= {name + "_max": most, name + "_min": least}
+    if record.shear.shape[1]:
+        end = len(record.largest) - bool(len(record.wall))
+        sides = slice(end - 2, end)
+        most, least = record.largest[sides].max(axis=0), record.smallest[sides].min(axis=0)
+        found["shear_force_absmax"] = np.maximum(abs(most), abs(least))
+        found |= {"shear_force_max": most, "shear_force_min": least}
+    if len(record.wall):
+        found |= {
+            "von_mises_stress_max": record.largest[-1],
+            "von_mises_stress_min": record.smallest[-1],
+        }
     return found
 
 

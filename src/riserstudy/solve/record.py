@@ -25,9 +25,10 @@ UNEVEN = 2.5  # times as long as the step before, from which on it is not contin
 class Record(NamedTuple):
     """Outputs; q quantities a node: position, effective tension, bending moment (in space its size).
 
-    Where risers bend the last of them stands for the middle of the segment above each node. Histories in
-    space have the moment's components, too, and so has the scratch, in v rows: q, then six components. Where
-    they are asked for, shear force and stress of the wall follow as the last rows of scratch and envelopes.
+    Where risers bend the last of them stands for the middle of the segment above each node. Where they are
+    asked for, shear force above and below each node (it jumps at joints) and stress of the wall follow as
+    the last of r rows. In space moments and shear are sizes; histories have the moment's components, too, and
+    so has the scratch, in v rows: r, then three components of each size.
     """
 
     time: np.ndarray  # (k,) output times (s)
@@ -100,8 +101,9 @@ def new_record(time, station, s, middle=None, section=NO_SECTION, room=0) -> Fro
     """
     d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
     q, k = d + 1 + 2 * min(m, 1), len(time)
-    more = int(section.shear.shape[1] > 0) + int(len(section.wall) > 0)
-    v = q + 6 * (m == 3) + more
+    sheared = int(section.shear.shape[1] > 0)
+    rows = q + 2 * sheared + int(len(section.wall) > 0)
+    v = rows + (6 + 6 * sheared) * (m == 3)
     width = d + 2 * m + 1
     record = Record(
         time=np.array(time, float),
@@ -109,8 +111,8 @@ def new_record(time, station, s, middle=None, section=NO_SECTION, room=0) -> Fro
         history=np.zeros((k, d + (1, 2, 0, 5)[m], len(station))),
         middle=np.zeros((n, 4)) if middle is None else np.array(middle, float),
         **section._asdict(),
-        largest=np.full((q + more, n + 1), -np.inf),
-        smallest=np.full((q + more, n + 1), np.inf),
+        largest=np.full((rows, n + 1), -np.inf),
+        smallest=np.full((rows, n + 1), np.inf),
         end=np.zeros((k, 2, width)),
         top=np.zeros((k, d)),
         platform=np.zeros((k, 6)),
@@ -161,51 +163,47 @@ def tabulate(s, record, values):
         values[d, 0] += (s.ends[0, 0, c] + s.ends[1, 0, c]) * s.tangent[c, 0]
         values[d, n] -= (s.ends[0, 1, c] + s.ends[1, 1, c]) * s.tangent[c, n - 1]
     m = len(s.dof) - d
-    if m > 0:
-        for u in range(m):
-            row = d + 1 if m == 1 else d + 3 + u
-            for i in range(n + 1):
-                values[row, i] = s.moment[u, i]
-            row += m
-            for e in range(n):
-                values[row, e] = weighted(s, record.middle, u, e)
-            values[row, n] = values[row, n - 1]
+    sheared = record.shear.shape[1] > 0
+    rows = record.largest.shape[0]
+    for u in range(m):
+        row = components(rows, 0, u) if m == 3 else d + 1
+        for i in range(n + 1):
+            values[row, i] = s.moment[u, i]
+        row = components(rows, 1, u) if m == 3 else d + 2
+        for e in range(n):
+            values[row, e] = weighted(s, record.middle, u, e)
+        values[row, n] = values[row, n - 1]
+        if sheared:
+            for side in range(2):
+                row = components(rows, 2 + side, u) if m == 3 else d + 3 + side
+                shear_forces(s, record.shear, side, u, values, row)
     if m == 3:
-        sizes(values, d)
-    more = d + 1 + (2 if m > 0 else 0) + (6 if m == 3 else 0)
-    if record.shear.shape[1] > 0:
-        shear_forces(s, record.shear, values, more)
-        more += 1
+        sizes(values, d, rows)
     if record.wall.shape[0] > 0:
-        wall_stresses(record, values, d, m, more)
+        wall_stresses(record, values, d, m, rows - 1)
 
 
 @inner
-def sizes(values, d):
-    """Sizes of moments in space, at nodes and middles, from their components."""
-    for c in range(2):
+def components(rows, k, u):
+    """Row of component u of the k-th size: moments at nodes and middles, shear above and below nodes."""
+    return rows + 3 * k + u
+
+
+@inner
+def sizes(values, d, rows):
+    """Sizes in space from their components."""
+    for k in range((values.shape[0] - rows) // 3):
         for i in range(values.shape[1]):
-            values[d + 1 + c, i] = sqrt(product(values, values, d + 3 + 3 * c, i))
+            values[d + 1 + k, i] = sqrt(product(values, values, components(rows, k, 0), i))
 
 
 @inner
-def shear_forces(s, weights, values, row):
-    """Shear at the nodes: of the two sides of a node the larger one, signed in a plane, in space its size."""
-    m, n = len(s.dof) - len(s.dim), s.l0.shape[0]
+def shear_forces(s, weights, side, u, values, row):
+    """A component of shear above (side 0) or below each node; ends have one side."""
+    n = s.l0.shape[0]
     for i in range(n + 1):
-        largest = 0.0
-        for side in range(2):
-            e = i - side  # the segment above, then the one below
-            if e < 0 or e == n:
-                continue
-            square, signed = 0.0, 0.0
-            for u in range(m):
-                force = weighted(s, weights[side], u, e)
-                square += force * force
-                signed = force
-            if square >= largest * largest:
-                largest = signed if m == 1 else sqrt(square)
-        values[row, i] = largest
+        above = i < n and (side == 0 or i == 0)
+        values[row, i] = weighted(s, weights[0 if above else 1], u, i if above else i - 1)
 
 
 @inner
@@ -289,27 +287,24 @@ def widen(record, places):
     values, largest, smallest = record.values, record.largest, record.smallest
     two_ago, last, when = record.past[0], record.past[1], record.when
     turning = record.seen[0] >= 2
-    rows = largest.shape[0]
-    more = (1 if record.shear.shape[1] > 0 else 0) + (1 if record.wall.shape[0] > 0 else 0)
-    q = rows - more
+    rows, first = largest.shape[0], places + 1  # the first that in space is a size
     over_left, over_right, over_both, even = 0.0, 0.0, 0.0, False
     if turning:
         # after a much shorter step its slope is too uncertain to go on by
         even = when[2] - when[1] < UNEVEN * (when[1] - when[0])
         over_left, over_right = 1.0 / (when[1] - when[0]), 1.0 / (when[2] - when[1])
         over_both = 1.0 / (when[2] - when[0])
-    sized = values.shape[0] > rows  # the last two of q are sizes, their components follow
+    sized = (values.shape[0] - rows) // 3
     for c in range(rows):
-        from_row = c if c < q else values.shape[0] - rows + c
-        is_size = sized and q - 2 <= c < q
+        is_size = first <= c < first + sized
         for i in range(values.shape[1]):
-            here, middle, before = values[from_row, i], last[from_row, i], two_ago[from_row, i]
+            here, middle, before = values[c, i], last[c, i], two_ago[c, i]
             largest[c, i] = max(largest[c, i], here)
             smallest[c, i] = min(smallest[c, i], here)
             if not turning or c < places:
                 continue
             if is_size:
-                row = q + 3 * (c - q + 2)
+                row = components(rows, c - first, 0)
                 smallest[c, i] = min(smallest[c, i], least_between(last, values, row, i))
                 before = -before if product(two_ago, last, row, i) < 0.0 else before
                 here = -here if product(values, last, row, i) < 0.0 else here
@@ -392,7 +387,8 @@ def note(p, s, record, values):
             record.history[k, c, j] = values[c, i]
         if m == 3:
             for u in range(3):
-                record.history[k, d + 2 + u, j] = values[d + 3 + u, i]
+                row = components(record.largest.shape[0], 0, u)
+                record.history[k, d + 2 + u, j] = values[row, i]
     ends(s, k, record.end, record.top, record.platform, record.probe)
 
 
@@ -510,11 +506,13 @@ def between(p, s, so, r0, v0, a0, moment0, t, h, record):
     while due(record, t + h * (1.0 - 1e-9)):
         time = record.time[record.written[0]]
         x = (time - t) / h
-        interpolate(so, r0, v0, a0, t, s.r, s.v, s.a, t + h, time)
+        move(p, so, time)
+        interpolate(
+            so, r0, v0, a0, t, s.r, s.v, s.a, t + h, time
+        )  # held nodes, too, as `widen_places`
         for u in range(len(s.dof) - len(s.dim)):
             for i in range(s.l0.shape[0] + 1):
                 so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
-        move(p, so, time)
         evaluate(p, so, record, record.between)
         forces_of_steps(s, record, time)
         note(p, so, record, record.between)
@@ -541,19 +539,16 @@ def forces_of_steps(s, record, time):
                 value += bend * (slope - before / (when[1] - when[0]))
             record.between[c, i] = value
     if len(s.dof) - d == 3:
-        sizes(record.between, d)
+        sizes(record.between, d, record.largest.shape[0])
 
 
 @inner
 def first_output(record):
     """Begin the envelopes with an output between steps."""
-    rows, all_rows = record.largest.shape[0], record.between.shape[0]
-    more = (1 if record.shear.shape[1] > 0 else 0) + (1 if record.wall.shape[0] > 0 else 0)
-    for c in range(rows):
-        from_row = c if c < rows - more else all_rows - rows + c
+    for c in range(record.largest.shape[0]):
         for i in range(record.between.shape[1]):
-            record.largest[c, i] = record.between[from_row, i]
-            record.smallest[c, i] = record.between[from_row, i]
+            record.largest[c, i] = record.between[c, i]
+            record.smallest[c, i] = record.between[c, i]
 
 
 @inner
