@@ -83,8 +83,9 @@ def test_the_kernel_agrees_with_the_plain_version(pair):
             )
         rig.s.force[:, : N + 1] += nodes(rig.s.segment)
         for target, value in expected.items():
-            # a few roundings of the largest term; rates of deck points are differences here
-            limit = 1e-10 if target == "reach_rate" else SAMPLED.get(kind, 1e-12)
+            # a few roundings of the largest term; rates of what turns are differences here
+            by_differences = target in ("reach_rate", "carried")
+            limit = 1e-10 if by_differences else SAMPLED.get(kind, 1e-12)
             assert relative(getattr(rig.s, target), value) < limit, (roles, target)
 
 

@@ -162,7 +162,7 @@ REFUSED = {
     ),
     # a platform that floats, and the ground
     "a top on no vessel": (DRIVE_OFF, "vessel", None, "", "go together"),
-    "a vessel that moves as told": (DRIVE_OFF, "platform", {}, "", "not both"),
+    "a vessel that turns in its first-order motions": (DRIVE_OFF, "platform", {}, "", "vessel.yaw"),
     "a conductor's foot in no soil": (DRIVE_OFF, "soil", None, "", "go together"),
     "a joint below the lowest section": (
         DRIVE_OFF, "riser[0].flex_joint_below", {"stiffness": "1 kN*m/deg"}, "", "flex_joint_below: one",

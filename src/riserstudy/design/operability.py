@@ -129,7 +129,13 @@ def moved(scene: Scene, offset: float) -> Scene:
         platform = scene.platform.model_copy(update={"position": position})
         return scene.model_copy(update={"platform": platform})
     if top.x in ("held", "vessel"):
-        return scene.model_copy(update={"top": top.model_copy(update={"offset": offset})})
+        moved: dict[str, Any] = {"top": top.model_copy(update={"offset": offset})}
+        about = scene.platform and scene.platform.centre_of_rotation
+        if top.x == "vessel" and scene.platform and about:  # which the vessel takes with it
+            x = (about.x or 0.0) + offset - (top.offset or 0.0)
+            about = about.model_copy(update={"x": x})
+            moved["platform"] = scene.platform.model_copy(update={"centre_of_rotation": about})
+        return scene.model_copy(update=moved)
     allowed = "Give `held`, `platform` or `vessel`"
     raise InputError(
         "top.x", f"{top.x or 'absent'}", "nothing holds the riser at an offset", allowed

@@ -57,8 +57,9 @@ def offset_of(scene: Scene, dataset: xr.Dataset) -> xr.DataArray:
     """Distance of the platform from the well over ``time`` (m), first-order motions left out."""
     time = dataset["time"]
     if scene.vessel:
-        x = (scene.top.offset or 0.0) + dataset["platform_surge"]
-        y = dataset["platform_sway"] if "platform_sway" in dataset else 0.0 * x
+        kind = "low_frequency" if scene.platform else "platform"
+        x = (scene.top.offset or 0.0) + dataset[f"{kind}_surge"]
+        y = dataset[f"{kind}_sway"] if f"{kind}_sway" in dataset else 0.0 * x
         return _distance(x, y)
     platform = scene.platform
     if platform is None or platform.cruise is None:

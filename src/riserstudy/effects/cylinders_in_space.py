@@ -6,7 +6,8 @@ line. The ring turns with the top of the riser below it. Unequal pulls leave a m
 :math:`M - m` where the riser below ends with M.
 
 The deck moves with a platform whose motion is prescribed, or horizontally with a vessel that floats freely:
-the vessel is then the riser's top node, and bears the horizontal part of the pulls.
+the vessel is then the riser's top node, and bears the horizontal part of the pulls. Prescribed motion of
+a platform adds to that of the vessel.
 
 The derivative of that moment is left out of the stiffness: it is small compared with the riser's own.
 
@@ -34,8 +35,8 @@ class CylindersInSpace(NamedTuple):
 
     node: int  # tension ring
     vessel: int  # node of a vessel that the deck moves with, 0 where its motion is prescribed
-    centre: np.ndarray  # (3,) the platform's centre of rotation, at rest (m); zero with a vessel
-    deck: np.ndarray  # (3, c) deck points from that centre, or from the vessel's node at z = 0 (m)
+    centre: np.ndarray  # (3,) centre of rotation at rest (m), x and y from a vessel if there is one
+    deck: np.ndarray  # (3, c) deck points from that centre (m)
     ring: np.ndarray  # (3, c) ring points from the ring's centre, riser upright (m)
     length: np.ndarray  # (c,) at mid-stroke (m)
     below: (
@@ -43,11 +44,12 @@ class CylindersInSpace(NamedTuple):
     )  # (2,) flexibility of the segment below: upper end by its own, by the far moment
     above: np.ndarray  # (2,) of the segment above: lower end by its own, by the far moment
     work: np.ndarray  # (3, 3) scratch
+    base: np.ndarray  # (2, 3) scratch: place and velocity of the vessel
 
 
 @inner
 def place(cylinders, s):
-    """Deck points at this time."""
+    """Deck points at this time, from where a vessel is."""
     point, w = s.deck, cylinders.work
     for c in range(cylinders.length.shape[0]):
         for k in range(3):
@@ -92,21 +94,23 @@ def _tilt(cylinders, s, w):
 
 
 @inner
-def _move_with_vessel(cylinders, s):
-    """Deck points and their velocities where the vessel's node is."""
-    for c in range(cylinders.length.shape[0]):
-        for k in range(len(s.dim) - 1):
-            s.deck[0, k, c] = cylinders.deck[k, c] + s.r[k, cylinders.vessel]
-            s.deck[1, k, c] = s.v[k, cylinders.vessel]
+def _base(cylinders, s, into):
+    """Place of a vessel without its first-order motion, and velocity, each of x, y, z; else nothing."""
+    i = cylinders.vessel
+    for row in range(2):
+        for k in range(3):
+            into[row, k] = 0.0
+    for k in range(len(s.dim) - 1 if i > 0 else 0):
+        into[0, k] = s.r[k, i] - s.carried[0, k]
+        into[1, k] = s.v[k, i] - s.carried[1, k]
 
 
 @inner
 def drive(cylinders, s):
     """Reach, its rate, and lines of the cylinders."""
     i, w, arm, line = cylinders.node, cylinders.work, s.arm, s.line
-    d = len(s.dim)
-    if cylinders.vessel > 0:
-        _move_with_vessel(cylinders, s)
+    d, base = len(s.dim), cylinders.base
+    _base(cylinders, s, base)
     _tilt(cylinders, s, w)
     tx, ty, tz = w[0, 0], w[0, 1], w[0, 2]
     for c in range(
@@ -133,7 +137,7 @@ def drive(cylinders, s):
     for c in range(cylinders.length.shape[0]):
         square = 0.0
         for k in range(3):
-            line[k, c] = s.deck[0, k, c] - w[2, k] - arm[k, c]
+            line[k, c] = s.deck[0, k, c] + base[0, k] - w[2, k] - arm[k, c]
             square += line[k, c] ** 2
         s.distance[c] = sqrt(square)
         s.reach[c] = s.distance[c] - cylinders.length[c]
@@ -142,7 +146,8 @@ def drive(cylinders, s):
         s.reach_rate[c] = 0.0
         for k in range(3):
             line[k, c] /= s.distance[c]
-            s.reach_rate[c] += line[k, c] * (s.deck[1, k, c] - w[1, k] - w[0, k])
+            rate = s.deck[1, k, c] + base[1, k] - w[1, k] - w[0, k]
+            s.reach_rate[c] += line[k, c] * rate
     return 0.0
 
 
@@ -231,12 +236,16 @@ def energy(cylinders, s):
 
 @inner
 def power(cylinders, s):
-    """Power that a platform of prescribed motion supplies through the cylinders (W)."""
-    if cylinders.vessel > 0:
-        return 0.0
+    """Power that prescribed motion of the platform supplies through the cylinders (W).
+
+    A vessel passes the pull on its deck on to the riser, whose top it carries.
+    """
     for c in range(cylinders.length.shape[0]):
         for k in range(3):
-            s.flow[SUPPLIED] += s.pull[c] * s.line[k, c] * s.deck[1, k, c]
+            speed = s.deck[1, k, c]
+            if cylinders.vessel > 0 and k < len(s.dim) - 1:
+                speed -= s.carried[1, k]
+            s.flow[SUPPLIED] += s.pull[c] * s.line[k, c] * speed
     return 0.0
 
 

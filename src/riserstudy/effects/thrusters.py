@@ -10,7 +10,8 @@ q of a kilogram that the thrust a kilogram of platform, F_c / m, drives against 
 
 .. math:: \ddot q + \dot q / \tau = F_c / m,\qquad F = m\,\dot q / \tau ,
 
-which has next to no part in the energy.
+which has next to no part in the energy. Where the platform has first-order motion, x is its place without it:
+the control knows the slow motion alone.
 
 References
 ----------
@@ -54,11 +55,12 @@ def _wanted(thrusters, s):
     if thrusters.rise > 0.0:
         grown -= exp(-max(s.clock[0], 0.0) / thrusters.rise)
     i, k = thrusters.node, thrusters.first
-    away = grown * thrusters.command[0] - s.r[k, i]
-    v = s.v[k, i]
+    away = grown * thrusters.command[0] - (s.r[k, i] - s.carried[0, k])
+    v = s.v[k, i] - s.carried[1, k]
     if thrusters.count == 1:
         return thrusters.gain[0, 0] * away - thrusters.damping[0, 0] * v, 0.0
-    aside, w = grown * thrusters.command[1] - s.r[k + 1, i], s.v[k + 1, i]
+    aside = grown * thrusters.command[1] - (s.r[k + 1, i] - s.carried[0, k + 1])
+    w = s.v[k + 1, i] - s.carried[1, k + 1]
     gain, damping = thrusters.gain, thrusters.damping
     return (
         gain[0, 0] * away + gain[0, 1] * aside - damping[0, 0] * v - damping[0, 1] * w,

@@ -11,6 +11,9 @@ velocities of the surface current and of the wind relative to the platform, F_d 
 derivatives of T by time hold the pair of forces and moment by which a hull, whose added mass is greater
 sideways, turns broadside while it moves. Yaw resists with :math:`C_r |\dot\psi|\,\dot\psi`.
 
+Where a platform has first-order motion (`first_order_motion`), r is the place without it: forces and inertia
+are those of the slow motion.
+
 Yaw is an unknown as an arc, :math:`\psi` times the radius of gyration, so that it is a length like all
 others. Without sway the node is held across x; without yaw the hull keeps its heading.
 
@@ -65,8 +68,9 @@ def attitude(vessel, s):
 
 @inner
 def velocity(vessel, s):
-    """Velocity in x and y."""
-    return s.v[0, vessel.node], (s.v[1, vessel.node] if len(s.dim) == 3 else 0.0)
+    """Velocity in x and y, without first-order motion."""
+    i, carried = vessel.node, s.carried[1]
+    return s.v[0, i] - carried[0], (s.v[1, i] - carried[1] if len(s.dim) == 3 else 0.0)
 
 
 @inner
@@ -173,10 +177,12 @@ def inertia(vessel, s):
     xx, xy, yy = _tensor(vessel, angle)
     v = velocity(vessel, s)
     twist = twisted(vessel.mass[0] - vessel.mass[1], angle, v)
-    a = s.a[0, i], (s.a[1, i] if up == 2 else 0.0)
+    carried = s.carried[2]
+    a = s.a[0, i] - carried[0], (s.a[1, i] - carried[1] if up == 2 else 0.0)
     ahead = xx * a[0] + xy * a[1] + rate * twist[0], xy * a[0] + yy * a[1] + rate * twist[1]
     for k in range(up):
         s.force[k, i] -= ahead[k]
+        s.carried[3, k] = -ahead[k]
     if vessel.yaw > 0:
         s.force[up, vessel.yaw] -= vessel.turning * s.a[up, vessel.yaw]
         s.force[up, vessel.yaw] += 0.5 * (v[0] * twist[0] + v[1] * twist[1]) / vessel.radius
@@ -228,13 +234,18 @@ def kinetic(vessel, s):
 
 @inner
 def power(vessel, s):
-    """Power dissipated into water and air; supplied by their motion and by wave drift (W)."""
+    """Power dissipated into water and air; supplied by their motion and by wave drift (W).
+
+    What makes the first-order motion supplies the power of all that the vessel passes on to the riser.
+    """
     water, air, past, blown = _flows(vessel, s)
     v = velocity(vessel, s)
     for k in range(len(s.dim) - 1):
         s.flow[DISSIPATED] += water[k] * past[k] + air[k] * blown[k]
         s.flow[SUPPLIED] += water[k] * (past[k] + v[k]) + air[k] * (blown[k] + v[k])
         s.flow[SUPPLIED] += vessel.drift[k] * v[k]
+        passed_on = water[k] + air[k] + vessel.drift[k] + s.carried[3, k]
+        s.flow[SUPPLIED] += passed_on * s.carried[1, k]
     if vessel.yaw > 0:
         arc = s.v[len(s.dim) - 1, vessel.yaw]
         s.flow[DISSIPATED] += vessel.spin * abs(arc) * arc * arc
@@ -247,7 +258,7 @@ def probe(vessel, s):
     water, air, _, _ = _flows(vessel, s)
     k = vessel.probe
     for c in range(len(s.dim) - 1):
-        s.probe[k] = s.v[c, vessel.node]
+        s.probe[k] = s.v[c, vessel.node] - s.carried[1, c] + s.platform[1, c]
         s.probe[k + 1] = s.ends[0, 1, c] + s.ends[1, 1, c]
         for j in range(vessel.cylinders):
             s.probe[k + 1] -= s.pull[j] * s.line[c, j]

@@ -64,7 +64,7 @@ def _end_joints(of: Layout) -> Iterator[Effect]:
         soft = flexibility_of(end.rotation)
         if soft is None:
             continue
-        follows = end is top and top.x == "platform"
+        follows = end is top and of.scene.platform is not None and top.x in ("platform", "vessel")
         upwards = np.array([0.0, 0.0, 1.0])
         held = np.stack([upwards, *np.zeros((2, 3))])
         record = FlexJoint(node, soft, upwards, int(follows), held)

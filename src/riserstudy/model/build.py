@@ -18,7 +18,7 @@ from riserstudy.model.platform_motion import motions
 from riserstudy.model.release import lift_gauge
 from riserstudy.model.riser import riser
 from riserstudy.model.soil import soil
-from riserstudy.model.supports import afloat, fixed, supports
+from riserstudy.model.supports import afloat, first_order, fixed, supports
 from riserstudy.model.tensioners import tensioners
 from riserstudy.model.vessel import floating
 from riserstudy.scene.models import Scene
@@ -73,6 +73,7 @@ def effects_of(of: Layout, report: Report) -> Iterator[Effect]:
     if of.scene.platform:
         yield from motions(of.scene.platform, of.scene.wave)
     yield from supports(of)
+    yield from first_order(of, report)
     yield from current(of)
     yield from wave(of)
     yield from riser(of)

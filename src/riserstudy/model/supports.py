@@ -7,11 +7,20 @@ from typing import NamedTuple
 
 import numpy as np
 
+from riserstudy.effects.first_order_motion import FirstOrderMotion
 from riserstudy.effects.support import Support
 from riserstudy.model.layout import AXES, Layout, flexibility_of
-from riserstudy.model.model import Effect
+from riserstudy.model.model import Effect, Report
 from riserstudy.model.platform_motion import centre
 from riserstudy.model.vessel import unknowns
+
+#: place and speed of a vessel without its first-order motion, direction by direction
+LOW_FREQUENCY = (
+    "low_frequency_surge",
+    "low_frequency_speed_x",
+    "low_frequency_sway",
+    "low_frequency_speed_y",
+)
 
 Pairs = list[tuple[int, int]]  # (node, unknown); moments count before positions
 
@@ -34,13 +43,33 @@ def holds(of: Layout) -> Iterator[Hold]:
         place = [0.0, 0.0, of.bottom]
         yield Hold(0, place, [sideways, sideways, True], [False] * 3, "bottom.hold")
     held = [top.x not in (None, "free")] * 2 + [top.z != "free"]
+    follow = [top.x == "platform"] * 2 + [top.z == "platform"]
     if top.x == "vessel":
         held[0], held[1] = False, (of.last, 1) not in unknowns(of.scene, of.d, of.last)
+        follow[1] = of.scene.platform is not None
     if any(held[k] for k in AXES[of.d]):
-        follow = [top.x == "platform"] * 2 + [top.z == "platform"]
-        # free in z, it turns with the platform from where the riser ends before it stretches
-        high = of.bottom + float(of.mesh.l0.sum()) if of.top is None else of.top
-        yield Hold(of.last, [top.offset or 0.0, 0.0, high], held, follow, "top.x, top.z")
+        yield Hold(of.last, top_at_rest(of), held, follow, "top.x, top.z")
+
+
+def top_at_rest(of: Layout) -> list[float]:
+    """Where the upper end is at rest with the platform in its place (m).
+
+    Free in z, it turns with the platform from where the riser ends before it stretches.
+    """
+    high = of.bottom + float(of.mesh.l0.sum()) if of.top is None else of.top
+    return [of.scene.top.offset or 0.0, 0.0, high]
+
+
+def first_order(of: Layout, report: Report) -> Iterator[Effect]:
+    """First-order motion of the platform beside that of a vessel; ``report`` as `model.vessel` takes it."""
+    if of.scene.vessel is None or of.scene.platform is None:
+        return
+    rest = np.array(top_at_rest(of))
+    free = sum(node == of.last for node, _ in unknowns(of.scene, of.d, of.last))
+    probe = report(*LOW_FREQUENCY[: 2 * free])
+    arm, scratch = rest - centre(of.scene.platform), np.zeros((3, 3))
+    record = FirstOrderMotion(of.last, free, rest[:2], arm, scratch, probe)
+    yield Effect("first-order motion", record, "vessel, platform")
 
 
 def supports(of: Layout) -> Iterator[Effect]:

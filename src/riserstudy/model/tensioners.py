@@ -142,11 +142,12 @@ def upright(rig: Tensioners, ring: int, elevation: float) -> Effect:
 def in_space(of: Layout, rig: Tensioners, place: Arrangement, elevation: float) -> CylindersInSpace:
     """Cylinders in space, at mid-stroke with the ring at an elevation (m) below the middle of the deck.
 
-    That middle is straight above the riser's top: an offset of the top is one of what it hangs from.
+    That middle is straight above the riser's top: an offset of the top is one of what it hangs from, and
+    places count from a vessel if there is one.
     """
     top, vessel = of.scene.top, of.last if of.scene.vessel else 0
     middle = np.zeros((3, 1))
-    if not vessel and top.x != "free":
+    if top.x != "free":
         middle[0] = top.offset or 0.0
     bearing = np.array(place.bearings(rig.count))
     round_about = np.stack([np.cos(bearing), np.sin(bearing), np.zeros(rig.count)])
@@ -156,15 +157,17 @@ def in_space(of: Layout, rig: Tensioners, place: Arrangement, elevation: float) 
     apart = deck - points
     apart[2] -= elevation
     about = centre(of.scene.platform)
+    from_vessel = np.array([middle[0, 0], 0.0, 0.0]) if vessel else np.zeros(3)
     bend = shared_flexibility(of)[[-2, -1]] if of.m and of.mesh.joint else np.zeros((2, 2))
     return CylindersInSpace(
         node=of.mesh.ring,
         vessel=vessel,
-        centre=about,
+        centre=about - from_vessel,
         deck=deck + middle - about[:, None],
         ring=points,
         length=np.sqrt((apart**2).sum(axis=0)),
         below=bend[0].copy(),
         above=bend[1].copy(),
         work=np.zeros((3, 3)),
+        base=np.zeros((2, 3)),
     )

@@ -178,7 +178,8 @@ class Top(Strict):
     """Upper end. ``x`` (with y) and ``z`` follow the platform, are held at rest, or are free.
 
     ``x: vessel``: the top moves with a vessel that is free to, as far as its freedoms go. An offset is one
-    of what the top hangs from, too: the deck of tensioners lies straight above the top.
+    of what the top hangs from, too: the deck of tensioners lies straight above the top. With a platform
+    beside the vessel the top has its first-order motions as well, in z where ``z: platform``.
 
     Absent offset, elevation: straight above the bottom, where statics puts it. Absent tension, its loss,
     force, tensioners, body: none. ``held_at_tension``: z is held where the riser has this top tension at

@@ -12,6 +12,7 @@ from riserstudy.scene.limit_inputs import limits_fit
 
 if TYPE_CHECKING:
     from riserstudy.scene.disconnect import RecoilValve
+    from riserstudy.scene.forcing import Platform
     from riserstudy.scene.parts import Parts
 
 
@@ -112,9 +113,7 @@ def _vessel_and_soil(scene: Parts, bends: bool) -> None:
     if (scene.vessel is None) != (scene.top.x != "vessel"):
         raise ValueError("vessel and 'top.x: vessel' go together")
     if scene.vessel and scene.platform:
-        raise ValueError(
-            "give platform, whose motion is prescribed, or vessel, which is free; not both"
-        )
+        _first_order(scene, scene.platform)
     turning = scene.vessel and scene.vessel.yaw and scene.spatial
     if turning and scene.analysis.method == "explicit":
         raise ValueError(
@@ -151,6 +150,31 @@ def _vessel_and_soil(scene: Parts, bends: bool) -> None:
         )
 
 
+def _first_order(scene: Parts, platform: Platform) -> None:
+    """Beside a vessel, which keeps its heading, a platform has first-order motion alone."""
+    remedies: dict[str, tuple[object, str]] = {
+        "platform.cruise": (platform.cruise, "the vessel finds its own way; leave the cruise out"),
+        "vessel.yaw": (
+            scene.vessel and scene.vessel.yaw,
+            "first-order motions are those of the heading at rest; leave out vessel.yaw or the platform",
+        ),
+        "vessel.coupling": (
+            scene.vessel and scene.vessel.coupling,
+            "first-order motions are not exchanged in turns; leave out vessel.coupling or the platform",
+        ),
+        "analysis.method: explicit": (
+            scene.analysis.method == "explicit",
+            "explicit steps have no first-order motions; take an implicit method",
+        ),
+    }
+    for way, remedy in (("surge", "give top.offset"), ("sway", "leave it out")):
+        there = platform.position and getattr(platform.position, way)
+        remedies[f"platform.position.{way}"] = (there, f"the vessel rests at top.offset; {remedy}")
+    for line, (there, remedy) in remedies.items():
+        if there:
+            raise ValueError(f"{line}: does not go with a vessel and a platform: {remedy}")
+
+
 def _ends(scene: Parts) -> None:
     """A step that is chosen is a share of the shortest period: more of these than any run could end with."""
     duration, shortest = scene.analysis.duration, scene.shortest_period
@@ -182,7 +206,7 @@ def _starts_gently(scene: Parts) -> None:
     if scene.platform is None or not chosen or (damped and later):
         return
     for line, motion in scene.platform.sudden:
-        if (scene.top.z if motion == "heave" else scene.top.x) == "platform":
+        if (scene.top.z if motion == "heave" else scene.top.x) in ("platform", "vessel"):
             raise ValueError(
                 f"platform.{line} starts from rest with a speed: moments and tensions then have no "
                 "peaks that a finer mesh and step would settle; give it a ramp, or "

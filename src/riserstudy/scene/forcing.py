@@ -150,6 +150,10 @@ class Platform(Strict):
     """Prescribed motion: harmonic, a sum of harmonics, or a time series. An absent motion is none.
 
     Roll about x, pitch about y (the platform's vertical leans towards +x), yaw about z.
+
+    Beside a ``vessel`` these are its first-order motions, and the centre of rotation drifts with it.
+    Operators are those of the heading at rest, phases those of the wave above the well, however far it
+    drifts. There is no cruise, nor a position in surge or sway: ``top.offset`` is where a vessel rests.
     """
 
     position: Position | None = None

@@ -158,6 +158,11 @@ class Vessel(Strict):
     thrusters: none. Absent sway: it moves along x alone; yaw: it keeps its heading; heading: its hull lies
     along x. Where everything acts along x it does not sway or turn, and is not given the freedom to.
     Absent coupling: platform and riser are solved as one system.
+
+    ``platform`` beside it gives first-order motions in waves, which are superposed: the riser's top, deck and
+    tension ring move with the sum. Hull drag, inertia and thrusters belong to the slow motion alone, as does
+    the mean wave drift that is given here. Outputs ``low_frequency_surge`` and ``low_frequency_sway`` are the
+    slow motion, ``platform_surge`` and ``platform_sway`` the sum.
     """
 
     mass: Annotated[u.Mass, POSITIVE]

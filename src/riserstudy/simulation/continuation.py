@@ -133,7 +133,7 @@ def _continue(
     state = model.s
     foot = lowest_leaning(scene, mesh)
     lean = np.clip((mesh.s - mesh.s[foot]) / (mesh.s[-1] - mesh.s[foot]), 0.0, 1.0)
-    state.r[:], state.moment[:] = last.s.r, last.s.moment
+    state.r[:], state.moment[:], state.carried[:] = last.s.r, last.s.moment, last.s.carried
     for axis, way in zip(range(len(state.dim) - 1), further, strict=False):
         state.r[axis, : len(mesh.s)] += way * lean
 

@@ -52,7 +52,7 @@ def settle(scene: Scene, mesh: Mesh, d: int | None = None) -> tuple[Model, Equil
 def _turns_about_a_rising_end(scene: Scene) -> bool:
     """Whether a tilt of the platform moves the top by an arm whose end only statics tell."""
     turning = scene.platform is not None and scene.platform.centre_of_rotation is not None
-    return turning and scene.top.x == "platform" and scene.top.z == "free"
+    return turning and scene.top.x in ("platform", "vessel") and scene.top.z == "free"
 
 
 def _equilibrium(

@@ -77,7 +77,7 @@ def _tabulated(model: Model) -> Record:
     """What is written down of a model at rest: quantities at the nodes, ends, what devices report."""
     state, own = model.spare.value, model.s
     state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
-    state.platform[:], state.deck[:] = own.platform, own.deck
+    state.platform[:], state.deck[:], state.carried[:] = own.platform, own.deck, own.carried
     state.v[:] = 0.0
     state.a[:] = 0.0
     record = new_record([state.clock[0]], [0], state)
@@ -191,12 +191,23 @@ def over_time(scene: Scene, model: Model, mesh: Mesh, record: Record, rest: AtRe
     for name, k in model.probes.items():
         series[name] = record.probe[:, k]
     if scene.vessel:
-        series["platform_surge"] = record.top[:, 0] - (scene.top.offset or 0.0)
-        turns_aside = len(model.s.dim) == 3
-        if scene.vessel.sway:
-            series["platform_sway"] = record.top[:, int(turns_aside)] * turns_aside
-        if scene.vessel.yaw and not turns_aside:
-            series["platform_yaw"] = np.zeros(len(record.time))
+        series |= _of_vessel(scene, len(model.s.dim) == 3, record, series)
+    return series
+
+
+def _of_vessel(scene: Scene, turns_aside: bool, record: Record, reported: Arrays) -> Arrays:
+    """Surge of a vessel, and sway and yaw that it may have: low-frequency and first-order motion together."""
+    still = np.zeros(len(record.time))
+    series: Arrays = {"platform_surge": record.top[:, 0] - (scene.top.offset or 0.0)}
+    if scene.platform:
+        series["platform_surge"] = reported["low_frequency_surge"] + record.platform[:, 0]
+    if scene.vessel and scene.vessel.sway:
+        series["platform_sway"] = record.top[:, int(turns_aside)] * turns_aside
+        if scene.platform:
+            low = series["low_frequency_sway"] = reported.get("low_frequency_sway", still)
+            series["platform_sway"] = low + record.platform[:, 1]
+    if scene.vessel and scene.vessel.yaw and not turns_aside:
+        series["platform_yaw"] = still
     return series
 
 
@@ -251,13 +262,11 @@ def _angles(scene: Scene, model: Model, mesh: Mesh, record: Record) -> Arrays:
     upwards = np.array([0.0, 0.0, 1.0])
     if scene.bottom.hold == "wellhead":
         arrays["lfj_angle"] = _lean(_end_direction(scene, model, mesh, record, 0), upwards, d)
-    if scene.vessel and len(model.s.dof) > d:
-        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upwards, d)
-    if scene.top.x == "held":
-        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upwards, d)
-    if scene.platform and scene.top.x == "platform":
+    on_vessel = scene.vessel and len(model.s.dof) > d
+    on_platform = scene.platform and scene.top.x == "platform"
+    if on_vessel or on_platform or scene.top.x == "held":
         turned, upright = record.platform[:, 3:], upwards
-        if turned.any():  # rotations take longer than a short run
+        if scene.top.x != "held" and turned.any():  # rotations take longer than a short run
             from scipy.spatial.transform import Rotation
 
             upright = Rotation.from_euler("xyz", turned).apply(upwards)

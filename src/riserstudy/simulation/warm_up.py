@@ -169,6 +169,10 @@ def scenes() -> dict[str, list[Scene]]:
         "soil": {"mudline": "0 m", "resistance": _CLAY},
         "analysis": _ANALYSIS | {"output": {"interval": "0.15 s", "stress_in": "above"}},
     }
+    superposed: Tree = {
+        "vessel": {"mass": "1e7 kg", "thrusters": _THRUST},
+        "platform": {"surge": _HEAVE},
+    }
     linear_soil = afloat | {"soil": {"mudline": "0 m", "resistance": {"stiffness": "1 MPa"}}}
     across = {"current": planar["current"] | {"heading": "90 deg"}}
     twisted = [section | {"shear_modulus": "80 GPa"} for section in afloat["riser"]]
@@ -202,12 +206,13 @@ def scenes() -> dict[str, list[Scene]]:
         "vessel": {"mass": "1e7 kg", "thrusters": _THRUST, "coupling": _COUPLED},
     }
     groups = {
-        "space": [_with_examples(spatial), turning],
+        "space": [_with_examples(spatial), turning, afloat | across | superposed],
         "plane": [
             _with_examples(planar),
             gas_in_plane,
             pitching,
             afloat,
+            afloat | superposed,
             linear_soil,
             planar | {"analysis": short},
         ],
@@ -219,7 +224,7 @@ def scenes() -> dict[str, list[Scene]]:
             axial | {"analysis": short},
             axial | {"analysis": _ANALYSIS | {"method": "ESDIRK4"}},
         ],
-        "string": [slack, adrift],
+        "string": [slack, adrift, adrift | superposed],
         "hermite": [wavy],
     }
     return {name: [Scene.model_validate(s) for s in group] for name, group in groups.items()}

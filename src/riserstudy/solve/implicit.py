@@ -9,6 +9,8 @@ Newmark's formulas run on an auxiliary one that follows it (Arnold and Brüls 20
 
 Where mass is constant this is the method of Chung and Hulbert (1993); where it turns with the pipe, as
 added mass does, this form stays second order. alpha_m = alpha_f = 0 is Newmark's method.
+
+A top that is carried by first-order motion is stepped without it: what is prescribed is not integrated.
 """
 
 from __future__ import annotations
@@ -23,7 +25,16 @@ from riserstudy.solve.newton import account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
-from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, copy, keep, restore
+from riserstudy.solve.state import (
+    ACCELERATION,
+    DISSIPATED,
+    SUPPLIED,
+    VELOCITY,
+    copy,
+    keep,
+    release,
+    restore,
+)
 from riserstudy.solve.sums import DONE, NOT_CONVERGED, STOPPED, enter
 
 
@@ -61,17 +72,20 @@ def march(p, s, so, method, fixed, record, sums):
     nb = len(s.dof)
     m = nb - d
     n = s.r.shape[1] - 1  # the last node, loose ones included
+    top = s.l0.shape[0]
     am, af, beta, gamma = method.alpha_m, method.alpha_f, method.beta, method.gamma
 
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
     r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
-    moment0 = np.zeros((m, n + 1))
+    moment0, carried0 = np.zeros((m, n + 1)), np.zeros((4, d))
     force = np.zeros((d, n + 1))
     inert0, inert1 = np.zeros((d, n + 1)), np.zeros((d, n + 1))
 
     memory, pace = new_memory(), new_pace(method)
     balance(p, s, out, work, fixed)
     follower = s.a.copy()  # the auxiliary acceleration
+    for c in range(d):
+        follower[c, top] -= s.carried[2, c]
     held0 = account(p, s, force, fixed)
     copy(inert1, s.force)
     lost0, given0 = s.flow[DISSIPATED], s.flow[SUPPLIED]
@@ -83,19 +97,20 @@ def march(p, s, so, method, fixed, record, sums):
         if sums.stop[0] != 0:
             return STOPPED
         t, h = s.clock[0], pace[LENGTH]
-        keep(s, r0, v0, a0, moment0)
+        keep(s, r0, v0, a0, moment0, carried0)
         copy(inert0, inert1)
         s.rate[VELOCITY] = gamma / (beta * h)
         s.rate[ACCELERATION] = (1.0 - am) / ((1.0 - af) * beta * h * h)
+        release(s)
         for c in range(d):
             for i in range(n + 1):
-                s.r[c, i] += h * v0[c, i] + 0.5 * h * h * follower[c, i]
+                s.r[c, i] += h * s.v[c, i] + 0.5 * h * h * follower[c, i]
                 s.v[c, i] += h * follower[c, i]
-                s.a[c, i] = (follower[c, i] - af * a0[c, i]) / (1.0 - af)
+                s.a[c, i] = (follower[c, i] - af * s.a[c, i]) / (1.0 - af)
         move(p, s, t + h)
 
         if not correct(p, s, method.tolerance, method.iterations, memory, out, work, fixed, sums):
-            restore(s, r0, v0, a0, moment0)
+            restore(s, r0, v0, a0, moment0, carried0)
             if not halve(p, s, t, pace, method, memory, sums):
                 return NOT_CONVERGED
             continue
@@ -112,6 +127,10 @@ def march(p, s, so, method, fixed, record, sums):
                     1.0 - am
                 )
                 numerical -= 0.5 * (inert0[c, i] + inert1[c, i]) * (s.r[c, i] - r0[c, i])
+            # the top's own part, without first-order motion
+            follower[c, top] -= ((1.0 - af) * s.carried[2, c] + af * carried0[2, c]) / (1.0 - am)
+            way = s.carried[0, c] - carried0[0, c]
+            numerical += 0.5 * (s.carried[3, c] + carried0[3, c]) * way
         lost, given = s.flow[DISSIPATED], s.flow[SUPPLIED]
         half = 0.5 * h
         enter(
@@ -122,6 +141,6 @@ def march(p, s, so, method, fixed, record, sums):
             numerical,
         )
         kinetic0, held0, lost0, given0 = kinetic1, held, lost, given
-        note_step(p, s, so, r0, v0, a0, moment0, t, h, record)
+        note_step(p, s, so, r0, v0, a0, moment0, carried0, t, h, record)
         advance(s, pace, method, begin)
     return DONE

@@ -490,6 +490,20 @@ def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
             s.a[k, i] = (1.0 - x) * a0[k, i] + x * a1[k, i]
 
 
+@inner
+def interpolate_carried(s, carried0, t0, carried1, t1, time):
+    """The same of first-order motion, so that the top without it is on the cubic of the steps, too."""
+    h = t1 - t0
+    x = (time - t0) / h
+    for k in range(len(s.dim)):
+        d = carried1[0, k] - carried0[0, k]
+        slope, twist = h * carried0[1, k] - d, d - h * carried1[1, k]
+        bump = slope * (1.0 - x) + twist * x
+        s.carried[0, k] = carried0[0, k] + x * d + x * (1.0 - x) * bump
+        s.carried[1, k] = (d + (1.0 - 2.0 * x) * bump + x * (1.0 - x) * (twist - slope)) / h
+        s.carried[2, k] = (1.0 - x) * carried0[2, k] + x * carried1[2, k]
+
+
 @kernel
 def evaluate_once(p, s, record):
     """Tabulate and note a state as it stands, for callers in Python."""
@@ -498,7 +512,7 @@ def evaluate_once(p, s, record):
 
 
 @inner
-def between(p, s, so, r0, v0, a0, moment0, t, h, record):
+def between(p, s, so, r0, v0, a0, moment0, carried0, t, h, record):
     """Write down the outputs due within a step from t to t + h, where ``s`` is, and is tabulated.
 
     ``so`` is a second state of the same model, which takes the interpolated positions.
@@ -510,6 +524,7 @@ def between(p, s, so, r0, v0, a0, moment0, t, h, record):
         interpolate(
             so, r0, v0, a0, t, s.r, s.v, s.a, t + h, time
         )  # held nodes, too, as `widen_places`
+        interpolate_carried(so, carried0, t, s.carried, t + h, time)
         for u in range(len(s.dof) - len(s.dim)):
             for i in range(s.l0.shape[0] + 1):
                 so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
@@ -576,11 +591,11 @@ def forget(record: Frozen) -> None:
 
 
 @inner
-def note_step(p, s, so, r0, v0, a0, moment0, t, h, record):
+def note_step(p, s, so, r0, v0, a0, moment0, carried0, t, h, record):
     """Write down a step from t to t + h, where ``s`` is evaluated."""
     record.when[2] = t + h
     tabulate(s, record, record.values)
-    between(p, s, so, r0, v0, a0, moment0, t, h, record)
+    between(p, s, so, r0, v0, a0, moment0, carried0, t, h, record)
     if t + h >= record.time[0] - ROUNDING:  # envelopes begin with the outputs
         widen(record, len(s.dim))
         widen_places(s, r0, v0, t, h, record)

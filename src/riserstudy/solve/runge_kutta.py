@@ -71,7 +71,23 @@ def _inertial_power(s):
     for c in range(len(s.dim)):
         for i in range(s.r.shape[1]):
             power += s.force[c, i] * s.v[c, i]
+        power -= s.carried[3, c] * s.carried[1, c]  # of what moves without first-order motion
     return power
+
+
+@inner
+def _foresee(now, carried, weights, i, h, ahead):
+    """First-order motion by the sums of stage i, so that `move` leaves nothing of them at the top."""
+    step = h * weights[i, i]
+    for k in range(now.shape[1]):
+        place, speed = carried[0, 0, k], carried[0, 1, k]
+        for j in range(i):
+            place += h * weights[i, j] * carried[j, 1, k]
+            speed += h * weights[i, j] * carried[j, 2, k]
+        last, before = carried[i - 1, 2, k], carried[max(i - 2, 0), 2, k]
+        now[2, k] = last + ahead * (last - before)
+        now[1, k] = speed + step * now[2, k]
+        now[0, k] = place + step * now[1, k]
 
 
 @kernel
@@ -92,6 +108,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
 
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
     r0, moment0 = np.zeros((d, n + 1)), np.zeros((m, n + 1))
+    carried = np.zeros((stages, 4, d))
     v, a = np.zeros((stages, d, n + 1)), np.zeros((stages, d, n + 1))
     force = np.zeros((d, n + 1))
     power = np.zeros((stages, 4))
@@ -109,7 +126,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
         if sums.stop[0] != 0:
             return STOPPED
         t, h = s.clock[0], pace[LENGTH]
-        keep(s, r0, v[0], a[0], moment0)
+        keep(s, r0, v[0], a[0], moment0, carried[0])
         for k in range(4):
             power[0, k] = power[last, k]
         s.rate[VELOCITY] = 1.0 / (diagonal * h)
@@ -129,6 +146,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
                     s.a[c, k] = guess
                     s.v[c, k] = speed + h * diagonal * guess
                     s.r[c, k] = place + h * diagonal * s.v[c, k]
+            _foresee(s.carried, carried, weights, i, h, ahead)
             move(p, s, t + reached[i] * h)
             if not correct(
                 p, s, method.tolerance, method.iterations, memory, out, work, fixed, sums
@@ -137,11 +155,12 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
                 break
             copy(v[i], s.v)
             copy(a[i], s.a)
+            copy(carried[i], s.carried)
             power[i, SUPPORTS] = account(p, s, force, fixed)
             power[i, DISSIPATED], power[i, SUPPLIED] = s.flow[DISSIPATED], s.flow[SUPPLIED]
             power[i, INERTIA] = _inertial_power(s)
         if failed:
-            restore(s, r0, v[0], a[0], moment0)
+            restore(s, r0, v[0], a[0], moment0, carried[0])
             for k in range(4):
                 power[last, k] = power[0, k]
             if not halve(p, s, t, pace, method, memory, sums):
@@ -159,6 +178,6 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
             numerical -= weight * power[i, INERTIA]
         enter(sums, held, given, lost, numerical)
         kinetic0 = kinetic1
-        note_step(p, s, so, r0, v[0], a[0], moment0, t, h, record)
+        note_step(p, s, so, r0, v[0], a[0], moment0, carried[0], t, h, record)
         advance(s, pace, method, begin)
     return DONE

@@ -91,7 +91,7 @@ class State(NamedTuple):
 
     reach: np.ndarray  # (cylinders,) extension from mid-stroke (m)
     reach_rate: np.ndarray  # (cylinders,) its rate (m/s)
-    deck: np.ndarray  # (3, 3, cylinders) deck points, their velocities and accelerations
+    deck: np.ndarray  # (3, 3, cylinders) deck points from a vessel, velocities, accelerations
     arm: np.ndarray  # (3, cylinders) ring points from the ring's centre (m)
     line: np.ndarray  # (3, cylinders) unit vectors from ring to deck
     distance: np.ndarray  # (cylinders,) length of the cylinders (m)
@@ -100,6 +100,10 @@ class State(NamedTuple):
     k_pull: np.ndarray  # (cylinders,) d pull / d reach, the rate's part included (N/m)
 
     lump: np.ndarray  # (d*d, N) lumped mass of a node (kg), row by row, upper triangle
+
+    # first-order motion that the top has beside its own: place (m), velocity (m/s), acceleration (m/s2); the
+    # inertial force of what moves there without it (N)
+    carried: np.ndarray  # (4, d)
 
     # Arrays that are cleared together lie together; these are all of their memory.
     loads: np.ndarray  # (its parts,) force, segment, turn, pull, k_pull
@@ -179,6 +183,7 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         pull=pull,
         k_pull=k_pull,
         lump=lump,
+        carried=zeros(4, d),
         loads=loads,
         seas=seas,
         lumps=lumps,
@@ -246,21 +251,35 @@ def copy(into, array):
 
 
 @inner
-def keep(s, r0, v0, a0, moment0):
-    """Keep positions, velocities, accelerations and moments as they are."""
+def keep(s, r0, v0, a0, moment0, carried0):
+    """Keep positions, velocities, accelerations, moments and how the top is carried as they are."""
     copy(r0, s.r)
     copy(v0, s.v)
     copy(a0, s.a)
     copy(moment0, s.moment)
+    copy(carried0, s.carried)
 
 
 @inner
-def restore(s, r0, v0, a0, moment0):
+def restore(s, r0, v0, a0, moment0, carried0):
     """Go back to what was kept."""
     copy(s.r, r0)
     copy(s.v, v0)
     copy(s.a, a0)
     copy(s.moment, moment0)
+    copy(s.carried, carried0)
+
+
+@inner
+def release(s):
+    """Put the top where it would be without first-order motion, until `move` carries it again."""
+    top = s.l0.shape[0]
+    for k in range(len(s.dim)):
+        s.r[k, top] -= s.carried[0, k]
+        s.v[k, top] -= s.carried[1, k]
+        s.a[k, top] -= s.carried[2, k]
+        for row in range(3):
+            s.carried[row, k] = 0.0
 
 
 @inner

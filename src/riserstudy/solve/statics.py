@@ -94,6 +94,7 @@ def find_equilibrium(
     s = state.value
     move_to(programs, state, s.clock[0])
     s.platform[1:] = 0.0  # at rest, wherever it is
+    s.carried[1:] = 0.0
     s.v[:] = 0.0
     s.a[:] = 0.0
     total = 0

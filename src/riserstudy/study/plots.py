@@ -82,6 +82,21 @@ CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
         lambda s: bool(s.vessel and s.spatial),
     ),
     (("platform_sway",), "vessel.sway", lambda s: bool(s.vessel and s.vessel.sway)),
+    (
+        ("low_frequency_surge", "low_frequency_speed_x"),
+        "vessel with a platform",
+        lambda s: bool(s.vessel and s.platform),
+    ),
+    (
+        ("low_frequency_sway",),
+        "vessel.sway with a platform",
+        lambda s: bool(s.vessel and s.vessel.sway and s.platform),
+    ),
+    (
+        ("low_frequency_speed_y",),
+        "vessel.sway with a platform, and load or motion out of the plane",
+        lambda s: bool(s.vessel and s.vessel.sway and s.platform and s.spatial),
+    ),
     (("platform_yaw",), "vessel.yaw", lambda s: bool(s.vessel and s.vessel.yaw)),
     (("thrust_x",), "vessel.thrusters", lambda s: bool(s.vessel and s.vessel.thrusters)),
     (

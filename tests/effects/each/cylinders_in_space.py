@@ -39,6 +39,7 @@ CASES = {
             below=np.zeros(2),
             above=np.zeros(2),
             work=np.zeros((3, 3)),
+            base=np.zeros((2, 3)),
         ),
         lambda d: [LinearSpring(pair(8e5, 7e5), pair(3e4, 2e4))],
     ),

@@ -1,0 +1,74 @@
+r"""First-order motion of a platform that floats freely: superposed on what its own equation of motion gives.
+
+.. math:: x = X(t) + \xi(t),\qquad \xi = \eta + R(\varphi)\,a - a
+
+at the riser's top: X is the low-frequency place of the vessel, an unknown; :math:`\eta` and
+:math:`\varphi` are the prescribed motions and a the arm from the centre of rotation, which drifts with X.
+What acts on the vessel (`vessel`, `thrusters`) knows X alone: neither the hull's inertia nor its drag nor its
+control answers to the motions, which the operators or the scene give as they are.
+
+The top's position holds both. This effect keeps ``State.carried``, :math:`\xi` with its derivatives, and
+changes the position by what it has changed; solvers integrate X.
+
+References
+----------
+Elementary: superposition of the first-order motion and of the slow drift of a moored or drifting vessel.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.attitude import turned
+from riserstudy.effects.registry import Called, register
+from riserstudy.solve.jit import inner
+
+
+class FirstOrderMotion(NamedTuple):
+    """Motion of the riser's top beside that of the vessel that bears it."""
+
+    node: int  # the riser's top
+    free: int  # horizontal directions in which the vessel is free to move, 1 or 2
+    rest: np.ndarray  # (2,) the vessel at rest, in x and y (m)
+    arm: np.ndarray  # (3,) from the platform's centre of rotation (m)
+    point: np.ndarray  # (3, 3) scratch: arm turned, its velocity and acceleration
+    probe: int  # first of its probes
+
+
+@inner
+def place(motion, s):
+    """Take the top from where it was carried to where it is carried now."""
+    i, point = motion.node, motion.point
+    for c in range(3):
+        point[0, c] = motion.arm[c]
+    turned(s.platform, point[0], point[1], point[2])
+    for k in range(len(s.dim) - 1):
+        point[0, k] -= motion.arm[k]
+        for row in range(3):
+            point[row, k] += s.platform[row, k]
+        if k < motion.free:
+            s.r[k, i] += point[0, k] - s.carried[0, k]
+            s.v[k, i] += point[1, k] - s.carried[1, k]
+            s.a[k, i] += point[2, k] - s.carried[2, k]
+        for row in range(3):
+            s.carried[row, k] = point[row, k]
+    return 0.0
+
+
+@inner
+def probe(motion, s):
+    """Report the vessel's own place and speed, from where it rests, by direction."""
+    for k in range(motion.free):
+        s.probe[motion.probe + 2 * k] = s.r[k, motion.node] - s.carried[0, k] - motion.rest[k]
+        s.probe[motion.probe + 2 * k + 1] = s.v[k, motion.node] - s.carried[1, k]
+    return 0.0
+
+
+register(
+    FirstOrderMotion,
+    Called("first-order motion", "vessel, and a platform"),
+    place=place,
+    probe=probe,
+)
