@@ -133,12 +133,20 @@ def chapter_files(paper: str, files: Iterable[Path]) -> list[str]:
     return sorted(str(file.relative_to(here)) for file in found if file.is_relative_to(here))
 
 
-def write_whole(target: Path, content: bytes) -> None:
-    """Write a file under another name in the same folder, then rename it."""
+def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
+    """Write a file under another name in the same folder, then rename it.
+
+    Parameters
+    ----------
+    synced : whether it lies on the disk before it has its name.
+    """
     handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(content)
+            if synced:
+                stream.flush()
+                os.fsync(stream.fileno())
         Path(name).replace(target)
     except BaseException:
         Path(name).unlink(missing_ok=True)

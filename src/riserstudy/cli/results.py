@@ -174,8 +174,7 @@ def prune(
         return
     if not yes and not typer.confirm(f"remove {len(going)} files?"):
         raise typer.Exit(1)
-    for held in going:
-        store.remove(held)
+    store.remove(going)
     print(f"{len(going)} files removed, {sum(held.bytes for held in going) / 1e6:.1f} MB")
 
 

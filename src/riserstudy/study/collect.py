@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 HISTORIES = frozenset(("x", "y", "z", "effective_tension", "bending_moment"))  # over s
 DIGITS = 10  # that large arrays are stored with
 ATTEMPTS = 3  # to simulate a point: a study beside this one may store it, without what is kept here
+SMALL = 4096  # bytes of an array that other points may have, too
 NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
 
 
@@ -54,11 +55,12 @@ def results_of(
         When points cannot be completed.
     """
     kept: dict[str, Result] = {}
-    absent, made = _take(study, study.plan, kept), 0
+    shared: dict[Any, Any] = {}
+    absent, made = _take(study, study.plan, kept, shared), 0
     for attempt in range(ATTEMPTS if absent else 0):
         now = fill(study, absent, processes, count)
         made = now if attempt == 0 else made
-        absent = _take(study, absent, kept)
+        absent = _take(study, absent, kept, shared)
         if not absent:
             break
     tell(
@@ -70,13 +72,38 @@ def results_of(
     return [kept[point.key] for point in study.plan], made
 
 
-def _take(study: Study, points: list[Point], kept: dict[str, Result]) -> list[Point]:
-    """Take what a study keeps of points from the store; the points that are not there with all of it."""
+def _take(
+    study: Study, points: list[Point], kept: dict[str, Result], shared: dict[Any, Any]
+) -> list[Point]:
+    """Take what a study keeps of points from the store; the points that are not there with all of it.
+
+    What many points have alike, by ``shared``, takes memory once.
+    """
+    limited = "limits" in study.base.tree
     for point in points:
         stored = store.get(point.key, study.model.keep)
         if stored is not None and not lacks(study, point, stored):
-            kept[point.key] = stored
+            facts = {
+                name: value if isinstance(value, float) else _once(shared, value)
+                for name, value in stored.facts.items()
+                if name in NEEDED or (limited and name == "extremes")
+            }
+            arrays = {name: _once(shared, values) for name, values in stored.arrays.items()}
+            kept[point.key] = Result(arrays, facts)
     return [point for point in points if point.key not in kept]
+
+
+def _once(shared: dict[Any, Any], value: Any) -> Any:
+    """The first value that was equal to this one, where values are small and likely to be."""
+    if isinstance(value, np.ndarray):
+        if value.nbytes > SMALL:
+            return value
+        key: Any = (value.dtype.str, value.shape, value.tobytes())
+    elif isinstance(value, dict | list):
+        key = json.dumps(value)
+    else:
+        return value
+    return shared.setdefault(key, value)
 
 
 SHARED = ("time", "s", "s_node", "cylinder")  # dimensions of runs
@@ -224,6 +251,8 @@ FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
     "warnings": lambda f: "\n".join(f["warnings"]),
     "effects": lambda f: "\n".join(f["effects"]),
 }
+#: facts that joining takes; those of a point are many more
+NEEDED = frozenset((*FACTS, "error_estimate", "audit"))
 FACT_ATTRIBUTES = {
     "wall_seconds": {"units": "s", "long_name": "wall time of the simulation"},
     "solve_seconds": {"units": "s", "long_name": "time of the run alone, or of all refinements"},

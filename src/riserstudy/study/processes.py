@@ -22,6 +22,8 @@ from riserstudy.errors import SimulationError
 T = TypeVar("T")
 R = TypeVar("R")
 
+AT_ONCE = 20_000  # items that are waited for: each takes memory
+
 _work: tuple[Callable[[Any], Any], Sequence[Any]]
 
 
@@ -49,7 +51,8 @@ def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator
     method = get_context("fork" if forks() else "spawn")
     with ProcessPoolExecutor(count, method, _begin, (task, items)) as pool:
         try:
-            yield from pool.map(_do, range(len(items)))
+            for first in range(0, len(items), AT_ONCE):
+                yield from pool.map(_do, range(first, min(first + AT_ONCE, len(items))))
         except BrokenProcessPool:
             raise SimulationError(
                 "a process was killed, by the system for want of memory perhaps; "

@@ -12,7 +12,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.study import store
 from riserstudy.study.grid import Point
-from riserstudy.study.modes import lacks_modes, make_modes
+from riserstudy.study.modes import key_of_modes, lacks_modes, make_modes
 from riserstudy.study.processes import each
 from riserstudy.study.study import Study
 
@@ -90,11 +90,23 @@ def attempt(
     tell(len(each_once) - len(missing))
     failures = {}
     outcomes = each(partial(_simulate, study), missing, processes)
+    done: list[str] = []
     for point, why in zip(missing, outcomes, strict=True):
         tell(1)
         if why:
             failures[point.key] = why
+        done += _keys(study, point)
+        if len(done) >= store.A_PACK:  # so that never many points have files of their own
+            store.pack(done)
+            done.clear()
+    store.pack(key for point in each_once.values() for key in _keys(study, point))
     return failures
+
+
+def _keys(study: Study, point: Point) -> list[str]:
+    """What a point is stored under, and its modes."""
+    count = study.model.modes
+    return [point.key] if count is None else [point.key, key_of_modes(point.key, count)]
 
 
 def _simulate(study: Study, point: Point) -> SimulationError | None:

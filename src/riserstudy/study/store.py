@@ -3,7 +3,8 @@
 A point is one file, written under another name and renamed when complete: what it says of itself as JSON,
 the arrays that its studies need one after the other, both compressed, and a seal, the hash of all this and
 of the point's key. What is not as it was written, stands under another's name, or holds less than is asked
-for, counts as missing. Planning needs no numpy: keys come from plain text.
+for, counts as missing. Where there are many, `pack` brings them together in few files. Planning needs no
+numpy: keys come from plain text.
 """
 
 from __future__ import annotations
@@ -13,7 +14,10 @@ import json
 import math
 import struct
 import zlib
-from collections.abc import Collection, Iterator
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator
+from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -24,6 +28,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.folders import cache_folder, write_whole
 from riserstudy.scene.models import Scene
 from riserstudy.study.needed import needed
+from riserstudy.study.packs import Packs, write_pack
 
 if TYPE_CHECKING:
     import numpy as np
@@ -37,6 +42,8 @@ SEAL = hashlib.sha256().digest_size  # bytes
 ENDING = ".point2"  # of the second format; files of former ones are let lie until they are pruned
 LENGTH = struct.Struct("<Q")  # of the compressed JSON
 LEVEL = 6  # of compression: 2.4 % less than level 1, for 0.13 ms a point
+A_PACK = 1000  # points at most
+LEAST = 256  # points that are worth a pack
 
 
 def canonical(value: Any) -> Any:
@@ -91,7 +98,7 @@ def put(key: str, result: Result, file: SceneFile, keep: Collection[str] | None 
     """
     import numpy as np
 
-    before = _read(_file(key))
+    before = _read(key)
     shapes = {name: np.shape(values) for name, values in result.arrays.items()}
     names = needed(shapes, keep).union(before.about["arrays"] if before else ())
     target = _file(key)
@@ -168,12 +175,51 @@ class Stored(NamedTuple):
         return Result(arrays, self.about["facts"])
 
 
-def _read(path: Path) -> Stored | None:
-    """A stored point; None when it is missing or not as it was written."""
+def _read(key: str) -> Stored | None:
+    """A stored point, from its file or else from a pack; None when it is missing or not as it was written."""
     try:
-        return unpacked(path.stem, path.read_bytes())
+        alone = unpacked(key, _file(key).read_bytes())
     except OSError:
-        return None
+        alone = None
+    if alone is None and (packed_bytes := _packs().read(key)) is not None:
+        return unpacked(key, packed_bytes)
+    return alone
+
+
+def _packs() -> Packs:
+    return _packs_of(cache_folder() / "points/packs")
+
+
+@cache
+def _packs_of(folder: Path) -> Packs:
+    return Packs(folder)
+
+
+def pack(keys: Iterable[str]) -> None:
+    """Bring those of some points that have a file of their own together in packs, unless they are few.
+
+    Files go when their pack is written; where none can be written, they stay.
+    """
+    alone = [key for key in keys if _file(key).exists()]
+    for first in range(0, len(alone), A_PACK):
+        some = alone[first : first + A_PACK]
+        if len(some) < LEAST:
+            return
+        contents, same = {}, {}
+        for key in some:
+            with suppress(OSError):
+                same[key] = _file(key).stat().st_ino
+                whole = _file(key).read_bytes()
+                if whole[-SEAL:] == _seal(key, memoryview(whole)[:-SEAL]):
+                    contents[key] = whole
+        try:
+            write_pack(_packs().folder, contents)
+        except OSError:
+            return
+        for key in contents:
+            with suppress(OSError):
+                if _file(key).stat().st_ino == same[key]:  # else another process stored more of it
+                    _file(key).unlink()
 
 
 def unpacked(key: str, whole: bytes) -> Stored | None:
@@ -192,7 +238,7 @@ def get(key: str, keep: Collection[str] | None = None) -> Result | None:
 
     None when the point is missing, is not whole, or was stored without something that they need.
     """
-    stored = _read(_file(key))
+    stored = _read(key)
     if stored is None:
         return None
     held = stored.about["arrays"]
@@ -210,26 +256,27 @@ class Part(NamedTuple):
 
 def all_of(key: str) -> Part | None:
     """All that is held of a stored point, which need not be all of its run; None when not whole."""
-    stored = _read(_file(key))
+    stored = _read(key)
     return stored and Part(stored.about, stored.result(stored.about["arrays"]))
 
 
 def has(key: str) -> bool:
-    """Whether a file of that name is there; `get` tells whether it is whole."""
-    return _file(key).exists()
+    """Whether something is stored under that key; `get` tells whether it is whole."""
+    return _file(key).exists() or key in _packs()
 
 
 def about(key: str) -> dict[str, Any] | None:
     """What a stored point says of itself: facts, scene, source, engine, origins; None when not whole."""
-    stored = _read(_file(key))
+    stored = _read(key)
     return None if stored is None else stored.about
 
 
 def about_points() -> Iterator[dict[str, Any]]:
     """What each stored point says of itself, with its key."""
-    for path in sorted((cache_folder() / "points").glob(f"*/*{ENDING}")):
-        if (stored := _read(path)) is not None:
-            yield {"key": path.stem, **stored.about}
+    alone = {path.stem for path in (cache_folder() / "points").glob(f"*/*{ENDING}")}
+    for key in sorted(alone.union(_packs().keys())):
+        if (stored := _read(key)) is not None:
+            yield {"key": key, **stored.about}
 
 
 class Held(NamedTuple):
@@ -237,15 +284,38 @@ class Held(NamedTuple):
 
     key: str | None
     bytes: int
-    path: Path
+    path: Path  # of the point, or of the pack that it is in
 
 
 def everything() -> Iterator[Held]:
     """All that lies in the store, whole or not."""
+    packs = dict(_packs().all())
     for path in sorted((cache_folder() / "points").glob("*/*")):
-        yield Held(path.stem if path.suffix == ENDING else None, path.stat().st_size, path)
+        if one := packs.get(path):
+            for row in one.rows:
+                yield Held(row["key"].decode(), int(row["length"]), path)
+        else:
+            yield Held(path.stem if path.suffix == ENDING else None, path.stat().st_size, path)
 
 
-def remove(held: Held) -> None:
-    """Take something out of the store."""
-    held.path.unlink(missing_ok=True)
+def remove(going: Iterable[Held]) -> None:
+    """Take things out of the store; a pack is written anew without them.
+
+    Raises
+    ------
+    OSError
+        When a pack cannot be written anew; it stays as it is.
+    """
+    packs, out_of = dict(_packs().all()), defaultdict(set)
+    for held in going:
+        if packs.get(held.path):
+            out_of[held.path].add(held.key)
+        else:
+            held.path.unlink(missing_ok=True)
+    for path, keys in out_of.items():
+        one = packs[path]
+        stay = [row for row in one.rows if row["key"].decode() not in keys] if one else []
+        contents = {row["key"].decode(): one.read(row) for row in stay} if one else {}
+        if whole := {key: content for key, content in contents.items() if content is not None}:
+            write_pack(path.parent, whole, born=path.name.partition("-")[0])
+        path.unlink(missing_ok=True)
