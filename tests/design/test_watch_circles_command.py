@@ -96,6 +96,36 @@ def test_a_hull_from_its_circle_on_reaches_the_limit_when_the_disconnect_is_over
             assert f"{column}: an alarm at the start is too late" in row["note"]
 
 
+@pytest.mark.parametrize("force, current, limit, seconds", drawn())
+def test_first_order_motion_reaches_the_limit_and_circles_are_those_of_the_drift(
+    commands, tmp_path, force, current, limit, seconds
+):
+    wave = {"amplitude": "3 m", "period": "12 s", "phase": "50 deg", "ramp": "24 s"}
+    analysis = {
+        "duration": "400 s",
+        "mesh": {"elements": 10},
+        "step": "0.25 s",
+        "output": {"interval": "0.25 s"},
+    }
+    scene = scene_file(
+        tmp_path, force, current, [away(limit)], platform={"surge": wave}, analysis=analysis
+    )
+    table = tmp_path / "out.csv"
+    times = ["--disconnect", f"{seconds} s", "--prepare", "15 s"]
+    assert commands("watch-circles", scene, *times, "--csv", table)[0] == 0
+    row = rows_of(table)["disconnect: first of all"]
+
+    time = np.arange(24.0, 400.0, 0.01)
+    way = drift(HULL, force, current, time).way
+    first = time[np.argmax(way + 3.0 * np.sin(math.tau * time / 12.0 + math.radians(50.0)) > limit)]
+    assert number(row, "reached (s)") == pytest.approx(first, abs=0.05)
+    there, *circles = np.interp([first, first - seconds, first - seconds - 15.0], time, way)
+    assert number(row, "offset (m)") == pytest.approx(there, rel=2e-3)
+    for column, before, radius in zip(("red", "yellow"), (0.0, 15.0), circles, strict=True):
+        if first > seconds + before:
+            assert number(row, f"{column} circle (m)") == pytest.approx(radius, rel=2e-3, abs=0.05)
+
+
 @pytest.mark.parametrize("ramp, heading", [(None, 0.0), (30.0, 0.0), (30.0, 60.0)])
 def test_a_cruising_platform_has_the_circles_of_its_speed(commands, tmp_path, ramp, heading):
     cruise = {"speed": "1.5 m/s", "heading": f"{heading} deg"} | (

@@ -97,8 +97,8 @@ def watch_circles(
 ) -> None:
     """Simulate a drift-off or a drive-off: when each limit is reached, the red and the yellow circle.
 
-    The scene has a `vessel`, or a platform with `cruise`. Exit status 4 where a limit could not be
-    evaluated.
+    The scene has a `vessel`, with first-order motions in waves where it has a platform, too; or a platform
+    with `cruise`. Exit status 4 where a limit could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     _check_outputs(output, csv, file.files, force)

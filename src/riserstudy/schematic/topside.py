@@ -112,12 +112,16 @@ def platform(view: View, geometry: Geometry) -> None:
     view.box((x, z), width, height, facecolor="#dfe5ea")
     middle = z + 0.5 * height
     edge = x + 0.5 * width
+    afloat = vessel_texts(scene)
     if scene.platform:
-        texts = platform_texts(scene.platform)
-        view.name("platform (outline is a symbol)", (edge, z + 0.2 * height))
-        view.name("platform motion: " + "; ".join(texts or ["none"]), (edge, middle), FREEDOM)
+        motion = "; ".join(platform_texts(scene.platform) or ["none"])
         _motions(view, geometry, (x, middle), (width, height))
-    for k, text in enumerate(vessel_texts(scene)):
+        if afloat:  # one label, for want of room
+            afloat[0] += f"; first-order motion: {motion}"
+        else:
+            view.name("platform (outline is a symbol)", (edge, z + 0.2 * height))
+            view.name(f"platform motion: {motion}", (edge, middle), FREEDOM)
+    for k, text in enumerate(afloat):
         colour = LOAD if k else FREEDOM
         view.name(text, (edge, z + (0.9 - 0.25 * k) * height), colour)
     if scene.vessel and not view.whole:
