@@ -12,7 +12,10 @@ from random_rigs import at_mid_stroke, rig, timed, written
 from riserstudy import load_scene, simulate
 from riserstudy.design.operability import offsets
 from riserstudy.errors import InputError
+from riserstudy.model.mesh import even
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.equilibrium import settle
+from riserstudy.solve.evaluate import forces_and_tangent, one_call
 
 ROOT = Path(__file__).parents[2]
 LIMITS = [
@@ -176,6 +179,33 @@ def test_the_vessel_feels_what_joint_and_cylinders_pull(seed):
     impulse = np.concatenate([[0.0], np.cumsum(0.5 * (forces[1:] + forces[:-1]) * np.diff(time))])
     np.testing.assert_allclose(5.4e7 * speed, impulse, atol=2e-3 * float(abs(5.4e7 * speed).max()))
     assert float(abs(run["riser_reaction_x"]).max()) > 1e4  # N: the riser does pull
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_reaction_is_all_that_the_riser_does_to_the_vessel(seed):
+    """With a wide ring at an offset, whose unequal cylinders bend the joint: all forces but the water's."""
+    scene = (
+        adrift(seed)
+        .with_values(
+            {
+                "top.offset": "40 m",
+                "top.tensioners.arrangement.ring_radius": "2.5 m",
+                "top.tensioners.arrangement.deck_radius": "5 m",
+            },
+            "test",
+        )
+        .scene()
+    )
+    model, _ = settle(scene, even(scene, 60))
+    forces_and_tangent(model.programs, model.state)
+    on_vessel = float(model.s.force[0, len(model.s.l0)])
+    one_call(model.programs.value.probe, model.state)
+    reaction, water = (
+        float(model.s.probe[model.probes[f"{name}_x"]])
+        for name in ("riser_reaction", "environment_force")
+    )
+    assert abs(model.s.ring_moment[1]) > 1e3  # N m: it does turn the ring
+    assert reaction == pytest.approx(on_vessel - water, rel=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -172,6 +172,18 @@ def turn(cylinders, s):
 
 
 @inner
+def shear(s, e):
+    """Shear that the moment of the pulls adds at the upper end of the joint, segment e, in x, y, z."""
+    d, m, inverse = len(s.dim), s.ring_moment, s.inverse_length[e]
+    tx, ty, tz = s.tangent[0, e], s.tangent[1, e] if d > 2 else 0.0, s.tangent[d - 1, e]
+    return (
+        inverse * (m[1] * tz - m[2] * ty),
+        inverse * (m[2] * tx - m[0] * tz),
+        inverse * (m[0] * ty - m[1] * tx),
+    )
+
+
+@inner
 def force(cylinders, s):
     """The pulls on the ring, and the shear that their moment adds in the joint above."""
     d, i = len(s.dim), cylinders.node
@@ -182,12 +194,9 @@ def force(cylinders, s):
             if cylinders.vessel > 0 and k < d - 1:
                 s.force[k, cylinders.vessel] -= s.pull[c] * s.line[axis, c]
     if len(s.dof) > d and i < s.length.shape[0]:
-        m = s.ring_moment
-        inverse = s.inverse_length[i]
-        tx, ty, tz = s.tangent[0, i], s.tangent[1, i] if d > 2 else 0.0, s.tangent[d - 1, i]
-        fx, fy, fz = m[1] * tz - m[2] * ty, m[2] * tx - m[0] * tz, m[0] * ty - m[1] * tx
+        fx, fy, fz = shear(s, i)
         for k in range(d):
-            f = inverse * (fz if k == d - 1 else (fx if k == 0 else fy))
+            f = fz if k == d - 1 else (fx if k == 0 else fy)
             s.force[k, i] -= f
             s.force[k, i + 1] += f
     return 0.0

@@ -30,6 +30,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from riserstudy.effects.cylinders_in_space import shear
 from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY
@@ -257,9 +258,10 @@ def probe(vessel, s):
     """Report speed, the riser's force on the platform and the environment's, by direction; then yaw."""
     water, air, _, _ = _flows(vessel, s)
     k = vessel.probe
+    by_ring = shear(s, s.length.shape[0] - 1)  # none where no ring is turned
     for c in range(len(s.dim) - 1):
         s.probe[k] = s.v[c, vessel.node] - s.carried[1, c] + s.platform[1, c]
-        s.probe[k + 1] = s.ends[0, 1, c] + s.ends[1, 1, c]
+        s.probe[k + 1] = s.ends[0, 1, c] + s.ends[1, 1, c] + by_ring[c]
         for j in range(vessel.cylinders):
             s.probe[k + 1] -= s.pull[j] * s.line[c, j]
         s.probe[k + 2] = water[c] + air[c] + vessel.drift[c]
