@@ -33,6 +33,7 @@ COMMANDS = (
     design.tension,
     design.operability,
     design.envelope,
+    design.viv,
     leave.watch_circles,
     leave.recoil,
     files.draw,

@@ -1,9 +1,10 @@
-"""What is signed before a riser is run: tension, operability, envelope."""
+"""What is signed before a riser is run: tension, operability, envelope, vortex-induced vibration."""
 
 from __future__ import annotations
 
 import math
 import sys
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -18,7 +19,7 @@ from riserstudy.cli.shared import (
     scene_of,
     show,
 )
-from riserstudy.cli.targets import ForceOption
+from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
 
@@ -181,6 +182,64 @@ def envelope(
         print(f"{name}: not evaluated: {why}; the envelope leaves it out")
     if found.missing:
         raise typer.Exit(4)
+
+
+def viv(
+    scene: SceneArgument,
+    strouhal: Annotated[
+        float, typer.Option(help="shedding frequency over U / D; 0.17 to 0.25")
+    ] = 0.2,
+    slowest: Annotated[
+        float, typer.Option(help="reduced velocity U / (f D) from which a mode may lock in; 3 to 5")
+    ] = 4.0,
+    fastest: Annotated[float, typer.Option(help="and up to which; 7 to 10")] = 8.0,
+    lift: Annotated[
+        float, typer.Option(help="coefficient of lift in phase with velocity; 0.6 to 1.3")
+    ] = 1.2,
+    drag: Annotated[
+        float | None, typer.Option(help="drag coefficient; absent: the scene's own")
+    ] = None,
+    drag_gain: Annotated[
+        float, typer.Option(help="growth of drag by amplitude over diameter; 1.1 to 2.1")
+    ] = 2.1,
+    settings: SetOption = None,
+    csv: CsvOption = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(help="also draw it (PNG, PDF or SVG)", metavar="FILE.png"),
+        Writes("figure"),
+    ] = None,
+    force: ForceOption = False,
+) -> None:
+    """Screen a riser in a current for vortex-induced vibration: modes, where, how large, what drag becomes.
+
+    By the modes about the static equilibrium and reduced velocities alone: nothing is simulated over time.
+    The amplitude of a mode is that at which drag takes what lift gives, each mode by itself.
+    """
+    from riserstudy.dataset.table import Cell, Table
+
+    file = scene_of(scene, settings)
+    check_tables(csv, file.files, force)
+    if plot is not None:
+        check_output(plot, ("figure",), file.files, force, "--plot")
+    compile_as_needed()
+    from riserstudy.design.vortex_screening import ABOUT, Coefficients, screening
+
+    found = screening(file, Coefficients(strouhal, slowest, fastest, lift, drag, drag_gain))
+    units = [unit.replace("m s-1", "m/s").replace("1", "") for unit, _ in ABOUT.values()]
+    rows: list[list[Cell]] = [
+        [str(mode), *(float(f"{float(found[name][k]):.4g}") for name in ABOUT)]
+        for k, mode in enumerate(found["mode"].values)
+    ]
+    if rows:
+        show(Table(["mode", *ABOUT], ["", *units], rows), csv)
+    else:
+        print("no mode may lock in")
+    if plot is not None:
+        from riserstudy.figures import save
+        from riserstudy.figures.vortex_frequencies import vortex_frequencies
+
+        save(vortex_frequencies(found, str(file.tree["title"])), plot)
 
 
 def _tell(said: str) -> None:

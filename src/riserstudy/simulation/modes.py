@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES, directions, stiffness
-from riserstudy.model.mesh import prescribed
+from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 DEFAULT_ELEMENTS = 200
+MOST_MODES = 1000
 EQUAL = 1e-6  # by which displacements of one mode may differ and count as the same
 
 
@@ -72,10 +73,7 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
     import xarray as xr
 
     scene = _without_lag(scene)
-    most = len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS
-    mesh = prescribed(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
-    bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
-    d = max(directions(scene), 2 if bends and scene.top.x is not None else 1)
+    mesh, d = mesh_of_modes(scene)
     model, _ = settle(scene, mesh, d)
     try:
         frequency, shape = natural_modes(model.programs, model.state, model.fixed, count)
@@ -112,6 +110,14 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
         },
         {"mode": np.arange(1, len(frequency) + 1), "s": mesh.s},
     )
+
+
+def mesh_of_modes(scene: Scene) -> tuple[Mesh, int]:
+    """The mesh and the number of directions that modes are computed with."""
+    most = len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS
+    mesh = prescribed(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
+    bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
+    return mesh, max(directions(scene), 2 if bends and scene.top.x is not None else 1)
 
 
 def _upright(shape: NDArray[np.float64]) -> NDArray[np.float64]:

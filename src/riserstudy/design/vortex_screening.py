@@ -1,0 +1,273 @@
+"""Screening for vortex-induced vibration: which modes may lock in, where, how far they swing, what drag becomes.
+
+A mode of frequency f may lock in where the current's reduced velocity U / (f D) lies within bounds, and takes
+power there as the synchronisation model has it: lift of coefficient C_v in phase with the velocity of the
+riser across the flow. It gives power away by drag all along the riser. Its amplitude is that at which both
+are equal over a cycle. Waves, other modes and damping of the structure are left out.
+
+References
+----------
+Thorsen, Saevik and Larsen, 2014, J. Fluids Struct. 51, for lift and drag; added drag C_d (1 + 2.1 A/D) as
+Vandiver, 1983, has it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.model.layout import AXES
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.models import Scene
+from riserstudy.scene.riser import Section
+from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.modes import MOST_MODES, mesh_of_modes, modes_of
+from riserstudy.solve.evaluate import shape_of
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+FloatArray = NDArray[np.float64]
+
+PHASES = 64  # of a cycle over which power is averaged
+LARGEST = 10.0  # amplitude over diameter beyond which no balance is looked for
+FIRST = 20  # modes computed at first; as many more as currents can excite
+
+
+class Coefficients(NamedTuple):
+    """What screening assumes; each has a range in the literature."""
+
+    strouhal: float = 0.2  # shedding frequency over U / D: 0.17 to 0.25 at a cylinder at rest
+    slowest: float = 4.0  # reduced velocity from which on a mode may lock in
+    fastest: float = 8.0  # and up to which
+    lift: float = 1.2  # of the force in phase with velocity
+    drag: float | None = None  # absent: the scene's own
+    drag_gain: float = 2.1  # by which drag grows with amplitude over diameter
+
+
+class Flow(NamedTuple):
+    """The current at the segments' middles of a riser at rest, bottom up; (n,) each."""
+
+    z: FloatArray  # elevation (m)
+    length: FloatArray  # m
+    speed: FloatArray  # of the water across the riser (m/s)
+    diameter: FloatArray  # m
+    drag: FloatArray  # coefficient
+
+
+def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.Dataset:
+    """Which lateral modes a scene's current may excite.
+
+    Parameters
+    ----------
+    file : SceneFile
+        A scene with a current; its modes are those about its static equilibrium, in still water.
+    coefficients : Coefficients
+        What is assumed; absent: the defaults of that class.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``z``, the elevations (m) of the middles of the segments: ``current_speed`` across the riser
+        (m/s), ``shedding_frequency`` (Hz). Over ``mode``, those that may lock in, by their numbers among
+        all modes: ``natural_frequency`` (Hz), ``excited_length`` (m), ``excited_from`` and ``excited_to``
+        (m, elevations between which it lies, not everywhere perhaps), ``slowest_current`` and
+        ``fastest_current`` (m/s, speeds across the riser between which the mode may lock in anywhere),
+        ``amplitude`` (over diameter, the largest along the riser), ``amplitude_limit`` (the same were the
+        whole riser excited in its own flow's phase, the largest of excited places) and ``drag_factor``
+        (mean over the excited length). Over both, ``excited`` and ``relative_amplitude``.
+
+    Raises
+    ------
+    InputError
+        When the scene has no current, or coefficients cannot be meant.
+    SimulationError
+        When there is no equilibrium.
+    """
+    given = _checked(coefficients or Coefficients())
+    scene = file.scene()
+    if scene.current is None:
+        allowed = "allowed is a scene with a current: without one no vortices are shed"
+        raise InputError(file.source, "current", "missing", allowed)
+    flow = flow_along(scene, given)
+    found = modes_of(scene, FIRST)
+    highest = float((flow.speed / flow.diameter).max()) / given.slowest
+    while (count := found.sizes["mode"]) < MOST_MODES and found["frequency"].max() < highest:
+        found = modes_of(scene, min(2 * count, MOST_MODES))
+        if found.sizes["mode"] <= count:
+            break  # there are no more
+    if not highest > 0.0:
+        raise SimulationError("the current does not flow across the riser: no vortices are shed")
+    return _dataset(file, flow, found, given)
+
+
+def flow_along(scene: Scene, given: Coefficients) -> Flow:
+    """The whole current, its ramp aside, across a riser at rest.
+
+    Raises
+    ------
+    SimulationError
+        When there is no equilibrium.
+    """
+    at_full = scene.model_copy(
+        update={"current": scene.current.model_copy(update={"ramp": None})}  # type: ignore[union-attr]
+    )
+    mesh, d = mesh_of_modes(at_full)
+    model, _ = settle(at_full, mesh, d)
+    shape_of(model.programs, model.state)
+    n = len(mesh.l0)
+    water, tangent = np.zeros((3, n)), np.zeros((3, n))
+    axes = list(AXES[d])
+    water[axes] = 0.5 * (model.s.water[:, :n] + model.s.water[:, 1 : n + 1])
+    tangent[axes] = model.s.tangent
+    across = water - (water * tangent).sum(axis=0) * tangent
+    z = 0.5 * (model.s.r[-1, :n] + model.s.r[-1, 1 : n + 1])
+    speed = np.linalg.norm(across, axis=0)
+    if scene.water and scene.water.surface is not None:
+        speed = np.where(z > scene.water.surface, 0.0, speed)
+    diameter, drag = np.full(n, math.nan), np.zeros(n)
+    for e, k in enumerate(mesh.section):
+        if k < len(scene.riser):  # else it is the telescopic joint's
+            section = scene.riser[k]
+            size = section.drag.diameter if section.drag else section.outer_diameter
+            diameter[e] = size or math.nan
+            drag[e] = given.drag or _coefficient(section, float(z[e]))
+    bare = np.isnan(diameter)  # nothing to shed from
+    return Flow(z, mesh.l0, np.where(bare, 0.0, speed), np.where(bare, 1.0, diameter), drag)
+
+
+def _coefficient(section: Section, z: float) -> float:
+    """The scene's own drag coefficient at an elevation (m); 0 without drag."""
+    if section.drag is None:
+        return 0.0
+    if not section.drag.table:
+        return section.drag.constant
+    elevations, coefficients = np.array(section.drag.table).T
+    return float(np.interp(z, elevations, coefficients))
+
+
+def _checked(given: Coefficients) -> Coefficients:
+    for name, value in given._asdict().items():
+        if value is not None and not (math.isfinite(value) and value > 0.0):
+            raise InputError("screening", name, str(value), "allowed is a finite number above 0")
+    if given.slowest >= given.fastest:
+        raise InputError(
+            "screening", "fastest", str(given.fastest), f"allowed is above {given.slowest:g}"
+        )
+    return given
+
+
+def amplitude_of(
+    flow: Flow, shape: FloatArray, excited: NDArray[np.bool_], frequency: float, lift: float
+) -> float:
+    """Amplitude (m) at which a mode takes as much power from the flow as drag takes from it.
+
+    Per length, with v the riser's velocity across the flow of speed U and V both together: it takes
+    rho/2 D C_v V U cos(t) v where it is excited, and loses rho/2 D C_d V v^2 everywhere.
+
+    Parameters
+    ----------
+    shape : (n,) size of the mode across the flow at the segments' middles, of which the largest is 1.
+    excited : (n,) where lift acts.
+    frequency : Hz.
+
+    Returns
+    -------
+    0 where nothing is excited, infinite where there is no drag.
+    """
+    from scipy.optimize import brentq
+
+    if not (excited & (shape > 0.0)).any():
+        return 0.0
+    cosine = np.cos(2.0 * math.pi * (np.arange(PHASES) + 0.5) / PHASES)[:, np.newaxis]
+    push = np.where(excited, lift, 0.0) * flow.speed
+
+    def gained(amplitude: float) -> float:
+        v = 2.0 * math.pi * frequency * amplitude * shape * cosine
+        both = np.hypot(v, flow.speed)
+        power = flow.diameter * both * (push * cosine - flow.drag * v) * v
+        return float((power.mean(axis=0) * flow.length).sum()) / amplitude
+
+    largest = LARGEST * float(flow.diameter.max())
+    if gained(largest) > 0.0:
+        return math.inf
+    return float(brentq(gained, 1e-9 * largest, largest, xtol=1e-12 * largest))
+
+
+def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients) -> xr.Dataset:
+    """Modes that lie within the bounds anywhere."""
+    import xarray as xr
+
+    across = [found[name].values for name in "xy" if name in found]
+    size = np.sqrt(sum(np.square(0.5 * (one[:, :-1] + one[:, 1:])) for one in across))
+    wet = flow.diameter[flow.speed > 0.0]
+    rows = []
+    for k, frequency in enumerate(found["frequency"].values):
+        if str(found["motion"].values[k]) != "lateral" or not frequency > 0.0:
+            continue
+        reduced = flow.speed / (frequency * flow.diameter)
+        excited = (reduced >= given.slowest) & (reduced <= given.fastest)
+        if not excited.any():
+            continue
+        shape = size[k] / size[k].max()
+        amplitude = amplitude_of(flow, shape, excited, frequency, given.lift)
+        relative = amplitude * shape / flow.diameter
+        with np.errstate(divide="ignore"):  # without drag there is no limit
+            limit = given.lift * reduced[excited] / (2.0 * math.pi * flow.drag[excited])
+        length = flow.length[excited]
+        rows.append(
+            {
+                "mode": int(found["mode"].values[k]),
+                "natural_frequency": frequency,
+                "excited_length": length.sum(),
+                "excited_from": flow.z[excited].min(),
+                "excited_to": flow.z[excited].max(),
+                "slowest_current": given.slowest * frequency * wet.min(),
+                "fastest_current": given.fastest * frequency * wet.max(),
+                "amplitude": relative.max(),
+                "amplitude_limit": limit.max(),
+                "drag_factor": 1.0
+                + given.drag_gain * float((relative[excited] * length).sum() / length.sum()),
+                "excited": excited,
+                "relative_amplitude": relative,
+            }
+        )
+    names = [*ABOUT]
+    data = {name: ("mode", np.array([row[name] for row in rows], float)) for name in names}
+    over = {
+        name: (("mode", "z"), np.array([row[name] for row in rows]).reshape(len(rows), len(flow.z)))
+        for name in ("excited", "relative_amplitude")
+    }
+    shed = given.strouhal * flow.speed / flow.diameter
+    dataset = xr.Dataset(
+        data | over | {"current_speed": ("z", flow.speed), "shedding_frequency": ("z", shed)},
+        {"mode": [row["mode"] for row in rows], "z": flow.z},
+    )
+    for name, (unit, words) in (ABOUT | ALONG).items():
+        dataset[name].attrs = {"units": unit, "long_name": words}
+    dataset.attrs = {"title": file.tree.get("title", ""), "source": file.source}
+    dataset.attrs |= {f"assumed_{k}": v for k, v in given._asdict().items() if v is not None}
+    return dataset
+
+
+ABOUT = {
+    "natural_frequency": ("Hz", "natural frequency in still water"),
+    "excited_length": ("m", "length of the riser on which the mode may lock in"),
+    "excited_from": ("m", "lowest elevation at which the mode may lock in"),
+    "excited_to": ("m", "highest elevation at which the mode may lock in"),
+    "slowest_current": ("m s-1", "speed across the riser from which on the mode may lock in"),
+    "fastest_current": ("m s-1", "speed across the riser up to which the mode may lock in"),
+    "amplitude": ("1", "largest amplitude over diameter"),
+    "amplitude_limit": ("1", "amplitude over diameter at which lift equals drag at one place"),
+    "drag_factor": ("1", "drag coefficient over that of a riser that does not vibrate"),
+}
+ALONG = {
+    "current_speed": ("m s-1", "speed of the current across the riser"),
+    "shedding_frequency": ("Hz", "frequency at which vortices are shed"),
+    "excited": ("1", "whether the mode may lock in"),
+    "relative_amplitude": ("1", "amplitude over diameter"),
+}
