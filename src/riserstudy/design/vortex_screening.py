@@ -1,4 +1,4 @@
-"""Screening for vortex-induced vibration: which modes may lock in, where, how far they swing, what drag becomes.
+"""Screening for vortex-induced vibration: which modes may lock in where, their amplitude, what drag becomes.
 
 A mode of frequency f may lock in where the current's reduced velocity U / (f D) lies within bounds, and takes
 power there as the synchronisation model has it: lift of coefficient C_v in phase with the velocity of the
