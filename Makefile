@@ -15,7 +15,7 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
-.PHONY: help study test test-slow test-page test-cluster test-wheel check docs wheel lock figures bench clean
+.PHONY: help study test test-slow test-page test-cluster test-wheel check docs wheel lock figures bench references clean
 .PHONY: test-hostile test-faults test-pythons test-strangers
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
@@ -69,6 +69,9 @@ test-strangers: $(READY)  ## run a short study as machines differ: user, locale,
 
 figures: $(READY)  ## draw the figures, simulating only what they miss
 	@exec $(STUDY) figures
+
+references: $(READY)  ## compute reference solutions that are missing or solve another scene
+	@$(IN_ENVIRONMENT) python -m riserstudy.jobs.references $(CASES)
 
 bench: .venv/.bench-$(ID)  ## time the engine and other simulators in turns
 	@$(IN_ENVIRONMENT) python benchmarks/run.py

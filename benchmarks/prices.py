@@ -21,9 +21,9 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import mesh_of
+from riserstudy.numerics.fixed_step import stepped
 from riserstudy.numerics.random_scenes import reference_of
 from riserstudy.numerics.references import by_run
-from riserstudy.numerics.stability import stepped
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import DISPLACEMENT, MOMENT, run

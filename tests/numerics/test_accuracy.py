@@ -11,9 +11,9 @@ from riserstudy.chapters.numerics.figures.cost import answer
 from riserstudy.numerics import accuracy as module
 from riserstudy.numerics.accuracy import Request, accuracy, judged, requests
 from riserstudy.numerics.attempt import Attempt, Outcome
+from riserstudy.numerics.fixed_step import FREE
 from riserstudy.numerics.references import reference, stored
 from riserstudy.numerics.scenes import Setting, case_file
-from riserstudy.numerics.stability import FREE
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 
@@ -12,7 +14,7 @@ from riserstudy.chapters.draw import draw
 from riserstudy.chapters.numerics.figures.stability import ENDS, ended
 from riserstudy.numerics.attempt import Outcome
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
-from riserstudy.numerics.stability import run_case, stability
+from riserstudy.numerics.stability import Rung, climbed, run_case, stability, standard_of
 from riserstudy.numerics.stable_step import stable_step
 from riserstudy.report.engine import engine
 from riserstudy.study.measured import StabilityStudy
@@ -60,8 +62,34 @@ def test_longer_steps_have_larger_errors_and_take_fewer_iterations(few):
 def test_a_run_of_more_node_steps_than_the_budget_is_a_row_too():
     tight = STUDY.model_copy(update={"explicit_budget": 10.0})
     case = STUDY.cases["surge"]
-    told = run_case(tight, case, case_file(CONFIG, "surge", case), "preview")
+    file = case_file(CONFIG, "surge", case)
+    told = run_case(tight, case, file, "preview", standard_of(CONFIG, "surge", file.scene()))
     assert {rung.outcome for rung in told.rungs["explicit"]} == {Outcome.TOO_LONG}
+
+
+@given(
+    st.integers(1, 12), st.integers(0, 12), st.integers(0, 12), st.integers(0, 3)
+)  # fmt: skip
+def test_bisection_finds_the_rungs_that_climbing_all_finds(count, accurate, survive, late):
+    """Runs of the first few steps take too long, later ones are accurate, then survive, then fail."""
+    tried = []
+
+    def one(step):
+        tried.append(step)
+        if step <= late:
+            return Rung(step, Outcome.TOO_LONG, np.nan, None)
+        if step <= late + accurate:
+            return Rung(step, Outcome.ACCURATE, 0.0, None)
+        ends = Outcome.INACCURATE if step <= late + accurate + survive else Outcome.REFUSED
+        return Rung(step, ends, np.nan, None)
+
+    steps = list(range(1, count + 1))
+    found, every = climbed(one, steps), [one(step) for step in steps]
+    for good in (lambda r: r.outcome == Outcome.ACCURATE, lambda r: r.survived):
+        largest = [max((r.step for r in of if good(r)), default=0) for of in (found, every)]
+        assert largest[0] == largest[1]
+    assert [r.step for r in found] == sorted({r.step for r in found})
+    assert len(tried) - count <= 2 * np.ceil(np.log2(count + 1))
 
 
 def test_every_case_of_every_tier_is_a_scene():

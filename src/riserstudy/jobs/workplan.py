@@ -24,6 +24,7 @@ from riserstudy.grading.models import PublishedFile, published_path, read_publis
 from riserstudy.grading.printed import with_printed
 from riserstudy.jobs.plan_checks import refuse_unprinted, warnings
 from riserstudy.numerics.measure import module_of
+from riserstudy.numerics.reference.folder import references
 from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
 from riserstudy.scene.check import check
 from riserstudy.scene.load import SceneFile, read_yaml
@@ -235,10 +236,11 @@ class Workplan:
         return Setting(self.config, self.tier, threads, self.studies, Path(self.compiled))
 
     def measured_digest(self, paper: str, name: str) -> str:
-        """Scenes and settings of a measured dataset, the engine, and the code that measures."""
+        """Scenes, settings and references of a measured dataset, the engine, and the code that measures."""
         model = self.measured(paper, name)
         scenes = scenes_of(model, self.setting(1))
         about = [self.tier, model.model_dump_json(), {n: key_of(f.scene()) for n, f in scenes}]
+        about += [{p.name: _hash(p.read_bytes().hex()) for p in references(self.config, name)}]
         return f"{_hash(json.dumps(about))}-{digest(sources_behind(module_of(model)))}"
 
     def measured_threads(self, paper: str, name: str) -> int:

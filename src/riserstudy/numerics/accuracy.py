@@ -16,10 +16,11 @@ import psutil
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, in_time, too_long
+from riserstudy.numerics.fixed_step import FREE, stepped, whole
 from riserstudy.numerics.outside import RADAU, outside
 from riserstudy.numerics.references import OPINIONS, QUANTITIES, Reference, reference
 from riserstudy.numerics.scenes import Setting, in_tier
-from riserstudy.numerics.stability import FREE, attempt_limit, stepped, whole
+from riserstudy.numerics.stability import attempt_limit
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import run

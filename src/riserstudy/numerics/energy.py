@@ -12,8 +12,8 @@ import numpy as np
 
 from riserstudy.model.mesh import even
 from riserstudy.numerics.attempt import attempt_on
+from riserstudy.numerics.fixed_step import FREE, stepped
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
-from riserstudy.numerics.stability import FREE, stepped
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.measured import EnergyCase, EnergyStudy, Method
 

@@ -20,9 +20,9 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.accuracy import timed
 from riserstudy.numerics.attempt import Attempt, attempt_on, largest
+from riserstudy.numerics.fixed_step import FREE, stepped, whole
 from riserstudy.numerics.references import by_run
 from riserstudy.numerics.scenes import Setting, in_tier
-from riserstudy.numerics.stability import FREE, stepped, whole
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.starting_mesh import coarsest_mesh

@@ -45,7 +45,13 @@ def module_of(study: MeasuredStudy) -> str:
 def measure(title: str, study: MeasuredStudy, setting: Setting) -> xr.Dataset:
     """One measured dataset of a chapter, labelled with the engine it is about."""
     module = import_module(module_of(study))
-    dataset: xr.Dataset = getattr(module, MODULES[type(study)])(study, setting)
+    name = MODULES[type(study)]
+    dataset: xr.Dataset = getattr(module, name)(study, setting)
+    if setting.tier == "reference" and hasattr(module, "wanted"):
+        from riserstudy.numerics.reference.check import recomputed
+
+        wanted = list(module.wanted(study, setting.config))
+        dataset = dataset.merge(recomputed(setting.config, name, wanted))
     dataset.attrs |= {
         "Conventions": "CF-1.11",
         "title": f"{title}: {study.caption}",

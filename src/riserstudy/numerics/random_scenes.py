@@ -22,9 +22,9 @@ import psutil
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, in_time, mesh_of
+from riserstudy.numerics.fixed_step import FREE, stepped, whole
 from riserstudy.numerics.references import QUANTITIES, Reference, by_run
 from riserstudy.numerics.scenes import Setting, in_tier
-from riserstudy.numerics.stability import FREE, stepped, whole
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin

@@ -21,8 +21,8 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors, mesh_of
+from riserstudy.numerics.fixed_step import stepped, whole
 from riserstudy.numerics.outside import RADAU, outside
-from riserstudy.numerics.stability import stepped, whole
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.curve import at_stations
 from riserstudy.simulation.starting_mesh import massless

@@ -1,17 +1,18 @@
 """Hard cases by every method over a ladder of steps: what survives, what is accurate, what is said.
 
 The step and the mesh that the default accuracy chooses are the middle of the ladder; methods run on that
-mesh. The reference has every segment halved, a quarter of the step and another spectral radius; how far a
-run with half the step is from it says what the reference is worth.
+mesh. A ladder is climbed by bisection, in the reference tier rung by rung. The reference of a case is kept;
+it was computed with another spectral radius, from that mesh and step by halving both until little changed,
+and what the last halving changed says what it is worth.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -25,18 +26,20 @@ from riserstudy.numerics.attempt import (
     attempt,
     attempt_on,
     deciding,
-    errors,
     judged,
     mesh_of,
 )
+from riserstudy.numerics.fixed_step import FREE, stepped, whole
+from riserstudy.numerics.reference.converge import HARD, converged, none
+from riserstudy.numerics.reference.kept import Kept
+from riserstudy.numerics.reference.store import NotUsed, Wanted, read
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.stable_step import explicit_limit
-from riserstudy.simulation.starting_mesh import massless
-from riserstudy.study.measured import Case, StabilityStudy
+from riserstudy.study.measured import Case, Method, StabilityStudy
 from riserstudy.study.processes import each
 
 if TYPE_CHECKING:
@@ -46,10 +49,8 @@ if TYPE_CHECKING:
 
     from riserstudy.study.models import Tier
 
-REFERENCE = {"analysis.method": {"rho_inf": 0.6}}
-FREE = {f"analysis.{name}": None for name in ("mesh", "step", "method", "solver")}
+STUDY = "stability"  # folder of references
 EXPLICIT = "explicit"
-MOST_ELEMENTS = 20_000  # that a scene may name; meshes made by refining may have more
 WRITTEN = "as written"  # the scene's own method and accuracy
 
 
@@ -72,11 +73,8 @@ class Rung:
 class Standard:
     """What the runs of a case are measured by."""
 
-    first: Attempt
-    mesh: Mesh | None = None
-    step: float | None = None
     reference: Result | None = None
-    doubt: float = math.nan  # difference of the finest two runs
+    doubt: float = math.nan  # what the last refinement of the reference changed
     why_not: str = ""
 
 
@@ -92,12 +90,12 @@ class CaseResult:
     rungs: dict[str, list[Rung]] = field(default_factory=dict)
 
 
-def run_case(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> CaseResult:
+def run_case(
+    study: StabilityStudy, case: Case, file: SceneFile, tier: Tier, standard: Standard
+) -> CaseResult:
     """Run one case by every method."""
     scene = file.scene()
-    prescribed = scene.analysis.mesh is not None
-    standard = standard_of(file.with_values(FREE, "reference") if prescribed else file, study, case)
-    tried = attempt(lambda: run(whole(scene))) if prescribed else standard.first
+    tried = attempt(lambda: run(whole(scene)))
     outcome, error = judged(tried, standard.reference)
     if tried.result and case.expect == "unstable":
         outcome, error = Outcome.MISSED, math.nan
@@ -105,52 +103,78 @@ def run_case(study: StabilityStudy, case: Case, file: SceneFile, tier: Tier) -> 
     estimate = deciding(facts.get("error_estimate", {}))
     written = Rung(facts.get("step", math.nan), outcome, error, tried)
     result = CaseResult(written, estimate, "\n".join(facts.get("warnings", [])), standard)
-    if (
-        standard.mesh is None
-        or standard.step is None
-        or outcome in (Outcome.UNSTABLE, Outcome.MISSED)
-    ):
+    on = chosen(scene, tried)
+    if on is None or outcome in (Outcome.UNSTABLE, Outcome.MISSED):
         return result
     for name, method in in_tier(study.methods, tier).items():
-        explicit = method.set.get("analysis.method") == EXPLICIT
-        if prescribed:
-            elements = scene.analysis.mesh.elements if scene.analysis.mesh else 1
-            mesh, steps = even(scene, elements), [scene.analysis.step or standard.step]
-        else:
-            mesh = standard.mesh
-            steps = [standard.step * factor for factor in study.ladder[tier]]
-        budget = study.explicit_budget if explicit else study.budget
-        try:
-            own = stepped(file, method.set, mesh, steps[0])
-        except InputError as error:  # a method that such scenes do not have
-            none = Attempt(None, Outcome.REFUSED, str(error), 0.0)
-            result.rungs[name] = [Rung(math.nan, Outcome.REFUSED, math.nan, none)]
-            continue
-        if explicit and not prescribed:
-            limit = attempt_limit(own, mesh)
-            result.explicit_limit = limit or math.nan
-            steps = [limit * factor for factor in study.explicit_ladder] if limit else []
-        result.rungs[name] = [rung(own, mesh, h, budget, standard.reference) for h in steps]
+        result.rungs[name] = rungs(study, method, file, on, tier, result)
     return result
 
 
-def whole(scene: Scene) -> Scene:
-    """The scene with histories at all nodes."""
-    output = scene.analysis.output
-    if output is None:
-        return scene
-    everywhere = output.model_copy(update={"stations": None})
-    analysis = scene.analysis.model_copy(update={"output": everywhere})
-    return scene.model_copy(update={"analysis": analysis})
+class Chosen(NamedTuple):
+    """Mesh and step (s) that methods are tried on; ``alone`` where the scene prescribes them."""
+
+    mesh: Mesh
+    step: float
+    alone: bool
 
 
-def stepped(file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float | None) -> Scene:
-    """The scene with a method; mesh and step stand in it because some methods ask for them."""
-    fixed: dict[str, Any] = {"analysis.accuracy": None}
-    fixed["analysis.mesh"] = {"elements": min(len(mesh.l0), MOST_ELEMENTS)}
-    if step:
-        fixed["analysis.step"] = f"{step!r} s"
-    return file.with_values(fixed | values, "method").scene()
+def chosen(scene: Scene, written: Attempt) -> Chosen | None:
+    """Mesh and step of a scene, its own or those of its accuracy; None where there are none."""
+    own, result = scene.analysis, written.result
+    if own.mesh and own.step:
+        return Chosen(even(scene, own.mesh.elements), own.step, True)
+    if result is None or "step" not in result.facts:
+        return None
+    return Chosen(mesh_of(scene, result), result.facts["step"], own.mesh is not None)
+
+
+def rungs(
+    study: StabilityStudy,
+    method: Method,
+    file: SceneFile,
+    on: Chosen,
+    tier: Tier,
+    result: CaseResult,
+) -> list[Rung]:
+    """What a method makes of a case; notes the predicted limit of explicit stepping."""
+    explicit = method.set.get("analysis.method") == EXPLICIT
+    steps = [on.step] if on.alone else [on.step * factor for factor in study.ladder[tier]]
+    try:
+        own = stepped(file, method.set, on.mesh, steps[0])
+    except InputError as error:  # a method that such scenes do not have
+        none = Attempt(None, Outcome.REFUSED, str(error), 0.0)
+        return [Rung(math.nan, Outcome.REFUSED, math.nan, none)]
+    if explicit and not on.alone:
+        limit = attempt_limit(own, on.mesh)
+        result.explicit_limit = limit or math.nan
+        steps = [limit * factor for factor in study.explicit_ladder] if limit else []
+    budget = study.explicit_budget if explicit else study.budget
+    known = result.standard.reference
+    one = partial(rung, own, on.mesh, budget=budget, reference=known)
+    return [one(h) for h in steps] if tier == "reference" else climbed(one, steps)
+
+
+def climbed(one: Callable[[float], Rung], steps: Sequence[float]) -> list[Rung]:
+    """The rungs beside the largest accurate and the largest surviving step, found by bisection.
+
+    Parameters
+    ----------
+    one : runs a step (s).
+    steps : rising (s). A run that would take too long is one whose step is too short to be of interest.
+    """
+    tried: dict[int, Rung] = {}
+    for good in (lambda r: r.outcome == Outcome.ACCURATE, lambda r: r.survived):
+        low, high = -1, len(steps)
+        while high - low > 1:
+            k = (low + high + 1) // 2
+            if k not in tried:
+                tried[k] = one(steps[k])
+            if good(tried[k]) or tried[k].outcome == Outcome.TOO_LONG:
+                low = k
+            else:
+                high = k
+    return [tried[k] for k in sorted(tried)]
 
 
 def attempt_limit(scene: Scene, mesh: Mesh) -> float | None:
@@ -159,63 +183,40 @@ def attempt_limit(scene: Scene, mesh: Mesh) -> float | None:
     return limit if 0.0 < limit < math.inf else None
 
 
-def rung(scene: Scene, mesh: Mesh, step: float, budget: float, reference: Result | None) -> Rung:
+def rung(scene: Scene, mesh: Mesh, step: float, *, budget: float, reference: Result | None) -> Rung:
     """One run of a ladder, judged."""
     tried = attempt_on(scene, mesh, step, budget)
     return Rung(step, *judged(tried, reference), tried)
 
 
-def standard_of(file: SceneFile, study: StabilityStudy, case: Case) -> Standard:
-    """Mesh and step of the default accuracy, and the reference made finer from there."""
-    first = attempt(lambda: run(whole(file.scene())))
-    standard = Standard(first)
+def standard_of(config: Path, name: str, scene: Scene) -> Standard:
+    """The reference of a case, as it is kept; why there is none where none can be used."""
+    try:
+        kept = read(config, STUDY, name, scene)
+    except NotUsed as error:
+        return Standard(why_not=str(error))
+    if kept.result is None:
+        return Standard(why_not=kept.missing)
+    doubt = deciding(kept.error)
+    if not doubt <= ACCURATE_TO:
+        return Standard(doubt=doubt, why_not=f"two fine runs differ by {100 * doubt:.2g} %")
+    return Standard(kept.result, doubt)
+
+
+def wanted(study: StabilityStudy, config: Path) -> Iterator[Wanted]:
+    """The reference of every case."""
+    for name, case in study.cases.items():
+        file = case_file(config, name, case)
+        yield Wanted(name, file, partial(solved, name, file))
+
+
+def solved(name: str, file: SceneFile) -> Kept:
+    """The reference of a case, from the mesh and step that the default accuracy chooses."""
+    free = file.with_values(FREE, "reference") if file.scene().analysis.mesh is not None else file
+    first = attempt(lambda: run(whole(free.scene())))
     if first.result is None:
-        standard.why_not = first.message
-        return standard
-    scene = whole(file.scene())
-    standard.mesh = mesh_of(scene, first.result)
-    standard.step = first.result.facts.get("step")
-    best = reference_on(scene, file, standard, case.budget or study.budget)
-    if best.result is None:
-        standard.why_not = best.message
-        return standard
-    standard.doubt = deciding(errors(first.result, best.result))
-    if not standard.doubt <= ACCURATE_TO:  # is it the run or the reference that is off?
-        nearer = halfway(scene, standard)
-        if nearer.result is None:
-            standard.why_not = f"half the step: {nearer.message}"
-            return standard
-        standard.doubt = deciding(errors(nearer.result, best.result))
-        if not standard.doubt <= ACCURATE_TO:
-            standard.why_not = f"two fine runs differ by {100 * standard.doubt:.2g} %"
-            return standard
-    standard.reference = best.result
-    return standard
-
-
-def reference_on(scene: Scene, file: SceneFile, standard: Standard, budget: float) -> Attempt:
-    """The reference: as fine as the budget allows, but at least twice."""
-    mesh = standard.mesh
-    if mesh is None:
-        raise ValueError("a reference needs the mesh to refine")
-    finer = mesh if massless(scene) else mesh.halved()
-    if standard.step is None:
-        return attempt_on(scene, finer if massless(scene) else finer.halved(), None, math.inf)
-    other = stepped(file, REFERENCE, finer, standard.step)
-    quarter = attempt_on(other, finer, 0.25 * standard.step, 2.0 * budget)
-    if quarter.refused != Outcome.TOO_LONG:
-        return quarter
-    return attempt_on(other, finer, 0.5 * standard.step, 10.0 * budget)
-
-
-def halfway(scene: Scene, standard: Standard) -> Attempt:
-    """Between the default's run and the reference."""
-    mesh = standard.mesh
-    if mesh is None:
-        raise ValueError("no mesh to refine")
-    finer = mesh if massless(scene) else mesh.halved()
-    step = 0.5 * standard.step if standard.step else None
-    return attempt_on(scene, finer, step, math.inf)
+        return none(name, file, first.message)
+    return converged(name, free, first.result, HARD)[0]
 
 
 def as_expected(case: Case, result: CaseResult) -> tuple[bool, str]:
@@ -246,7 +247,8 @@ def stability(study: StabilityStudy, setting: Setting) -> xr.Dataset:
 def _case_result(
     study: StabilityStudy, config: Path, tier: Tier, item: tuple[str, Case]
 ) -> CaseResult:
-    return run_case(study, item[1], case_file(config, *item), tier)
+    file = case_file(config, *item)
+    return run_case(study, item[1], file, tier, standard_of(config, item[0], file.scene()))
 
 
 def tabulated(

@@ -52,7 +52,29 @@ def engine(datasets: dict[str, xr.Dataset]) -> Engine | None:
         said += random_scenes(drawn)
     if (long := datasets.get("long_runs")) is not None:
         said += long_runs(long)
+    said += references(datasets)
     return Engine(said, findings, [*tables(datasets)]) if said else None
+
+
+def references(datasets: dict[str, xr.Dataset]) -> list[str]:
+    """How many reference solutions a rerun finds, and which it does not; nothing where none was rerun."""
+    deviations = {
+        f"{study}, {case}": float(deviation)
+        for study, of in datasets.items()
+        if "recomputed" in of.coords
+        for case, deviation in zip(
+            of["recomputed"].values, of["recomputed_deviation"].values, strict=True
+        )
+    }
+    if not deviations:
+        return []
+    bad = [case for case, deviation in deviations.items() if deviation > 1.0]
+    met = len(deviations) - len(bad)
+    but = f"; not: {listed(bad)}" if bad else ""
+    return [
+        "Reference solutions that a rerun finds within the estimated errors: "
+        f"{met} of {len(deviations)}{but}."
+    ]
 
 
 def hard_cases(stability: xr.Dataset) -> list[str]:

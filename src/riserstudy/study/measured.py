@@ -25,14 +25,12 @@ class Case(Strict):
 
     ``expect``: ``accurate`` to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
     prescribe a bad step, mesh or scheme: refused, or with an estimate above 1 % where the error is.
-    Absent set: the scene as it is. Absent preview: not part of that tier. ``budget``: of its
-    reference. Absent: that of the study. ``family``: what it is hard by.
+    Absent set: the scene as it is. Absent preview: not part of that tier. ``family``: what it is hard by.
     """
 
     scene: str
     about: str
     family: str
-    budget: Positive | None = None
     expect: Literal["accurate", "unstable", "told"]
     because: str | None = None
     set: dict[str, Any] = Field(default_factory=dict)
@@ -59,6 +57,7 @@ class StabilityStudy(EngineStudy):
     take; more count as refused, so that nothing hangs. Explicit methods get ``explicit_budget``.
     """
 
+    timed = False
     methods: dict[str, Method]
     ladder: dict[Tiers, Factors]
     explicit_ladder: Factors

@@ -1,0 +1,1 @@
+"""Reference solutions as data: computed once, kept with the scene's digest, read by the studies."""

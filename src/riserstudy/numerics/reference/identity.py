@@ -1,0 +1,37 @@
+"""What a reference solution belongs to: a scene, whatever it is solved with, and the engine's physics."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from typing import Any
+
+from riserstudy.scene.models import Scene
+from riserstudy.study.store import COUNTS, canonical
+
+#: Version of the physics. Raise it when the exact solution of a scene changes (a law, a load, a meaning of a
+#: field), not when the way to it does: then no kept solution is used until it is computed anew.
+PHYSICS = 1
+
+#: fields of ``analysis`` that tell how a scene is solved, and not what
+HOW = frozenset({"mesh", "step", "method", "solver", "accuracy"})
+
+
+def scene_digest(scene: Scene) -> str:
+    """Hash of a scene without mesh, step, method and requested accuracy, 32 hexadecimal digits.
+
+    Fields that are absent do not count: a field that scenes may have from now on changes nothing.
+    """
+    parts = {name: canonical(getattr(scene, name)) for name in COUNTS}
+    analysis = {name: part for name, part in parts["analysis"].items() if name not in HOW}
+    output = {**(analysis.get("output") or {}), "stations": None}
+    text = json.dumps(_present(parts | {"analysis": analysis | {"output": output}}), sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:32]
+
+
+def _present(part: Any) -> Any:
+    """Plain data without what is absent."""
+    if isinstance(part, dict):
+        kept = {name: _present(value) for name, value in part.items()}
+        return {name: value for name, value in kept.items() if value not in (None, {})}
+    return [_present(value) for value in part] if isinstance(part, list) else part

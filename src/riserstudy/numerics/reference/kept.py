@@ -1,0 +1,186 @@
+"""One reference solution as it is kept: envelopes, a few instants of its histories, and where it comes from.
+
+A compressed netCDF file. The nodes are about those of the run that it was refined from, so that coarse runs
+are compared at their own nodes. Positions count from the unstretched straight riser; values are whole
+multiples of a 262 144th of the largest, far below the error of any run that is compared.
+"""
+
+from __future__ import annotations
+
+import gzip
+import io
+import json
+import zlib
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.dataset.result import Result
+from riserstudy.simulation.error_estimate import HISTORIES
+
+Array = NDArray[np.float64]
+Arrays = dict[str, Array]
+
+ENDS = ("_static", "_min", "_max")
+MANY = 200  # nodes of a coarser run, beyond which no middles of its segments are kept
+MOST_VALUES = 2000  # of a history, over nodes and outputs
+LEAST_OUTPUTS = 8
+RESOLUTION = 2.0**-18  # of the largest value
+COMPONENTS = "mesh_moment"  # in space: components of the moment over time
+MIDDLE = ("mesh_moment_min", "mesh_moment_max")  # at the middle of a segment
+OF_SEGMENTS = ("mesh_flexibility", *MIDDLE)
+OF_NODES = {"s_node", "mesh_corner", "zero_z", *(name + end for name in HISTORIES for end in ENDS)}
+EXACT = {"s_node", "time", "mesh_flexibility", "mesh_corner", "zero_z"}
+UNITS = {"x": "m", "y": "m", "z": "m", "s_node": "m", "time": "s", "effective_tension": "N"}
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A reference solution, or why there is none.
+
+    ``error``: what the last refinement changed, by quantity, over the largest value: no less than the error
+    that is left where refining converges. ``more``: what else a study keeps with it, plain data.
+    """
+
+    case: str
+    scene: str
+    physics: int
+    engine: str
+    how: str
+    error: dict[str, float] = field(default_factory=dict)
+    result: Result | None = None
+    missing: str = ""
+    more: dict[str, Any] = field(default_factory=dict)
+
+
+class Damaged(Exception):
+    """Bytes that are no kept reference solution."""
+
+
+def reduced(result: Result, nodes: Array | None = None) -> Result:
+    """What is compared of a run with histories at all nodes, at fewer nodes and outputs.
+
+    Parameters
+    ----------
+    nodes : those (m) of a coarser run; None: all of the run itself.
+    """
+    arrays = result.arrays
+    keep = np.arange(len(arrays["s_node"])) if nodes is None else next_to(nodes, arrays["s_node"])
+    less = {name: values[keep] for name, values in arrays.items() if name in OF_NODES}
+    less |= _of_segments(arrays, keep)
+    less["l0"] = np.diff(less["s_node"])
+    if "time" in arrays:
+        outputs = len(arrays["time"])
+        nth = max(1, outputs // max(LEAST_OUTPUTS, MOST_VALUES // len(keep)))
+        less |= {"s": less["s_node"], "time": arrays["time"][::nth]}
+        for name in (*HISTORIES, COMPONENTS):
+            if name in arrays:
+                less[name] = np.ascontiguousarray(arrays[name][::nth, ..., keep])
+    return Result(less, result.facts)
+
+
+def next_to(nodes: Array, s: Array) -> NDArray[np.int64]:
+    """Which nodes of a mesh (m) are next to those of a coarser one, or to the middles of its segments."""
+    middles = 0.5 * (nodes[1:] + nodes[:-1]) if len(nodes) <= MANY else nodes
+    near = np.union1d(nodes, middles)
+    up = np.clip(np.searchsorted(s, near), 1, len(s) - 1)
+    nearest = np.where(near - s[up - 1] < s[up] - near, up - 1, up)
+    return np.asarray(np.union1d(nearest, [0, len(s) - 1]))
+
+
+def _of_segments(arrays: Arrays, keep: NDArray[np.int64]) -> Arrays:
+    """Values of the segments between nodes that are kept; their sections are those of the coarser mesh."""
+    low, up = keep[:-1], keep[1:]
+    less = {name: arrays[name][low] for name in OF_SEGMENTS if name in arrays}
+    for name in MIDDLE:
+        if name in less:  # where segments were joined, their middle is a node
+            at_node = arrays[name.replace(COMPONENTS, "bending_moment")][(low + up) // 2]
+            less[name] = np.where(up - low > 1, at_node, less[name])
+    return less
+
+
+def packed(kept: Kept) -> bytes:
+    """A reference solution as the bytes of a file; equal ones have equal bytes."""
+    import xarray as xr
+
+    dataset = xr.Dataset(attrs={"Conventions": "CF-1.11", "about": json.dumps(_about(kept))})
+    arrays = kept.result.arrays if kept.result else {}
+    follow = {"l0", "s"} | ({"bending_moment"} if COMPONENTS in arrays else set())
+    for name in sorted(set(arrays) - follow):
+        values = arrays[name]
+        attributes: dict[str, Any] = {"units": _unit(name)}
+        if name not in EXACT:
+            values = values - _zero(arrays, name)
+            attributes["scale_factor"] = RESOLUTION * float(np.abs(values).max()) or 1.0
+            values = np.rint(values / attributes["scale_factor"]).astype(np.int32)
+        dataset[name] = (_dims(name), values, attributes)
+        dataset[name].encoding["_FillValue"] = None
+    content: bytes = bytes(dataset.to_netcdf(engine="scipy"))
+    return gzip.compress(content, 9, mtime=0)
+
+
+def unpacked(content: bytes) -> Kept:
+    """A reference solution out of the bytes of its file.
+
+    Raises
+    ------
+    Damaged
+        When they are not as they were written.
+    """
+    import xarray as xr
+
+    try:
+        file = io.BytesIO(gzip.decompress(content))
+        with xr.open_dataset(file, engine="scipy", decode_times=False) as dataset:
+            about = json.loads(dataset.attrs["about"])
+            arrays = {
+                str(name): np.array(of.values, float) for name, of in dataset.variables.items()
+            }
+    except (OSError, EOFError, zlib.error, ValueError, KeyError, TypeError) as error:
+        raise Damaged(str(error)) from None
+    facts = about.pop("facts")
+    for name in arrays:
+        if name not in EXACT:
+            arrays[name] += _zero(arrays, name)
+    if COMPONENTS in arrays:
+        arrays["bending_moment"] = np.linalg.norm(arrays[COMPONENTS], axis=1)
+    if arrays:
+        arrays |= {"s": arrays["s_node"], "l0": np.diff(arrays["s_node"])}
+    return Kept(**about, result=Result(arrays, facts) if arrays else None)
+
+
+def _zero(arrays: Arrays, name: str) -> Array | float:
+    """Elevations that those of a quantity count from."""
+    of_z = name == "z" or (name[0] == "z" and name[1:] in ENDS)
+    return arrays["zero_z"] if of_z else 0.0
+
+
+def _about(kept: Kept) -> dict[str, Any]:
+    """All but the arrays, as plain data."""
+    names = ("case", "scene", "physics", "engine", "how", "error", "missing", "more")
+    facts = kept.result.facts if kept.result else {}
+    told = {name: facts[name] for name in ("elements", "step") if name in facts}
+    return {name: getattr(kept, name) for name in names} | {"facts": told}
+
+
+def _dims(name: str) -> tuple[str, ...]:
+    if name in HISTORIES:
+        return ("time", "s_node")
+    if name == COMPONENTS:
+        return ("time", "axis", "s_node")
+    if name == "time":
+        return (name,)
+    return ("segment",) if name in OF_SEGMENTS else ("s_node",)
+
+
+def _unit(name: str) -> str:
+    if name == "mesh_corner":
+        return "1"
+    if name == "mesh_flexibility":
+        return "m-2 N-1"
+    named = name.replace("zero_", "")
+    for end in ENDS:
+        named = named.removesuffix(end)
+    return UNITS.get(named, "N m")
