@@ -38,6 +38,7 @@ TABLES = {
 }
 #: a table that each place of a scene could read
 HEADINGS = [",".join(f"{names[0]} (m)" for names in place.columns) for place in PLACES]
+RECORD = "time,hs (m)\n2001-01-01 00:00,1\n2001-01-01 01:00,3\n"
 OPERATORS = "8 0 1 0.5 0 0.5 0\n12 0 1 0.7 0 0.7 0\n"  # of WAMIT: surge at two periods
 #: parameters that are read, by what the help calls them
 INPUTS = {
@@ -47,6 +48,7 @@ INPUTS = {
     "OLD": "run.nc",
     "NEW": "run.nc",
     "STUDY.yaml": "study.yaml",
+    "RECORD.csv": "record.csv",
     "STATEMENT": "select path from files",
 }
 READ_BY_OPTION = {"--results", "--config"}  # folders
@@ -64,6 +66,8 @@ NEEDED = {
         *("--set", "platform={cruise: {speed: 1 m/s, ramp: 2 s}}"),
     ],
     "recoil": ["--set", "disconnect={at: 2 s}"],
+    "seas": ["record.csv"],  # or a synthetic one
+    "downtime": ["--limit", "hs <= 2 m"],
 }
 WRITTEN = (0, 4)  # exit status; 4: not all of what the command is about could be evaluated
 ANGLES = "[{output: lfj_angle, largest: 9 deg, mode: disconnect}]"
@@ -136,6 +140,7 @@ def inputs(tmp_path_factory):
         (folder / name).write_text(text)
     shutil.copy(DECKS / "riser.yml", folder / "deck.yml")
     (folder / "body.4").write_text(OPERATORS)
+    (folder / "record.csv").write_text(RECORD)
     (folder / "results").mkdir()
     (folder / "results/reproduction.csv").write_text("paper,id\n")
     with sqlite3.connect(folder / "results/results.sqlite") as db:
@@ -217,7 +222,8 @@ def inputs_with(command, ending):
     for k, word in enumerate(words[1:], 1):
         if not Path(word).is_file():
             continue
-        if Path(word).suffix in (".yaml", ".nc") and ending not in (".csv",):
+        named = Path(word).suffix in (".yaml", ".nc") or word == "record.csv"
+        if named and ending != ".csv":
             other = Path(f"input{ending}")
             shutil.copy(word, other)
             yield [*words[:k], str(other), *words[k + 1 :]], other

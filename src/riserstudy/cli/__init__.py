@@ -13,7 +13,7 @@ from typing import Annotated, Any
 import typer
 
 import riserstudy
-from riserstudy.cli import analyse, design, files, leave, outputs, results, simulate, tune
+from riserstudy.cli import analyse, design, files, leave, outputs, results, seas, simulate, tune
 from riserstudy.errors import RiserStudyError, shown
 
 OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothing refers to
@@ -36,6 +36,8 @@ COMMANDS = (
     design.viv,
     leave.watch_circles,
     leave.recoil,
+    seas.seas,
+    seas.downtime,
     files.draw,
     files.import_deck,
     files.export_deck,

@@ -1,0 +1,174 @@
+"""Hours of a record that limits on the sea leave for work: by month and year, windows, waits, bands."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.dataset.table import Cell, Table
+from riserstudy.errors import InputError
+from riserstudy.scene.units import to_si
+from riserstudy.seas.columns import NAMES, Column, plain
+from riserstudy.seas.windows import Wait, Windows, statistics_of, waits, windows
+from riserstudy.seas.years import WHOLE, Band, Year, band, band_of_next, by_year
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
+_LIMIT = re.compile(r"\s*(?P<name>[\w ]+?)\s*(?P<sign><=|>=)\s*(?P<value>.+?)\s*")
+
+
+class SeaLimit(NamedTuple):
+    """A bound on a quantity of the sea, such as ``hs <= 2.5 m``."""
+
+    quantity: Column
+    largest: bool  # whether the bound is above
+    value: float  # SI
+
+    def met(self, record: xr.Dataset) -> NDArray[np.bool_]:
+        """Whether each row meets it; a row without a value does not."""
+        values = record[self.quantity.name].values
+        return np.asarray(values <= self.value if self.largest else values >= self.value)
+
+
+class Hours(NamedTuple):
+    """What is left for work of a record."""
+
+    rows: int  # of which all quantities that limits need are there
+    lacking: int  # rows without one: counted as neither
+    interval: float  # h
+    workable: NDArray[np.bool_]  # of those rows
+    time: NDArray[np.datetime64]
+    years: list[Year]
+    band: Band  # of years that are recorded nearly whole
+    joined: NDArray[np.bool_]  # (rows - 1,) whether a row and the next are one interval apart
+
+    @property
+    def share(self) -> float:
+        """Workable rows over all."""
+        return float(self.workable.mean())
+
+    @property
+    def partial_years(self) -> list[Year]:
+        """Years that are left out of bands."""
+        return [year for year in self.years if year not in whole(self.years)]
+
+    def of_windows(self, hours: float) -> Windows:
+        """Windows of so many hours.
+
+        Raises
+        ------
+        InputError
+            When that is no whole number of the record's intervals.
+        """
+        return windows(self.workable, self.joined, self._rows(hours))
+
+    def of_waits(self, hours: float) -> list[tuple[str, Wait]]:
+        """Waits for a window of so many hours, of all starts and by the month of start.
+
+        Raises
+        ------
+        InputError
+            When that is no whole number of the record's intervals.
+        """
+        every = waits(self.workable, self.joined, self._rows(hours), self.interval)
+        month = self.time.astype("datetime64[M]").astype(int) % 12
+        of = [("all", np.ones(len(month), bool))]
+        of += [(MONTHS[k], month == k) for k in range(12) if (month == k).any()]
+        return [
+            (name, statistics_of(type(every)(every.hours[at], every.known[at]))) for name, at in of
+        ]
+
+    def _rows(self, hours: float) -> int:
+        rows = hours / self.interval
+        if rows < 1.0 or abs(rows - round(rows)) > 1e-6:
+            raise InputError(
+                "--window",
+                f"{hours:g} h",
+                f"no whole number of the record's {self.interval:g} h",
+                "allowed is a multiple",
+            )
+        return round(rows)
+
+    def next_years(self, count: int) -> Band:
+        """The band of so many years to come, from years that are nearly whole."""
+        return band_of_next(whole(self.years), count)
+
+    def by_month(self) -> Table:
+        """Share of workable hours by month and year, in per cent; empty where none is recorded."""
+        year = self.time.astype("datetime64[Y]").astype(int) + 1970
+        month = self.time.astype("datetime64[M]").astype(int) % 12
+        rows: list[list[Cell]] = []
+        for one in self.years:
+            cells: list[Cell] = [str(one.year)]
+            for k in range(12):
+                of = self.workable[(year == one.year) & (month == k)]
+                cells.append(round(100.0 * float(of.mean()), 1) if len(of) else "")
+            rows.append([*cells, round(100.0 * one.share, 1), round(100.0 * one.recorded, 1)])
+        units = ["", *["%"] * 14]
+        return Table(["year", *MONTHS, "workable", "recorded"], units, rows)
+
+
+def sea_limit(text: str) -> SeaLimit:
+    """A limit out of ``hs <= 2.5 m``.
+
+    Raises
+    ------
+    InputError
+        When it names no quantity of the sea, or has no unit.
+    """
+    allowed = "allowed is such as 'significant_wave_height <= 2.5 m'"
+    match = _LIMIT.fullmatch(text)
+    quantity = NAMES.get(plain(match["name"])) if match else None
+    if match is None or quantity is None or quantity.unit == "deg":
+        raise InputError("--limit", text, "no limit on the sea", allowed)
+    try:
+        value = to_si(match["value"], quantity.unit)
+    except ValueError as error:
+        raise InputError("--limit", text, str(error), allowed) from None
+    return SeaLimit(quantity, match["sign"] == "<=", value)
+
+
+def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
+    """What limits leave of a record.
+
+    Raises
+    ------
+    InputError
+        When the record lacks a quantity that a limit names, or all of its values.
+    """
+    for one in limits:
+        if one.quantity.name not in record:
+            there = ", ".join(sorted(map(str, record.data_vars)))
+            raise InputError(
+                "--limit", one.quantity.name, "not in the record", f"there are {there}"
+            )
+    needed = [np.isfinite(record[one.quantity.name].values) for one in limits]
+    known = np.all(needed, axis=0)
+    if not known.any():
+        raise InputError("--limit", limits[0].quantity.name, "no values in the record", "")
+    workable = np.all([one.met(record) for one in limits], axis=0)[known]
+    time = record["time"].values[known]
+    interval = float(record.attrs["interval_hours"])
+    apart = np.diff(time) / np.timedelta64(1, "s") / 3600.0
+    years = by_year(time, workable, interval)
+    return Hours(
+        len(time),
+        int((~known).sum()),
+        interval,
+        workable,
+        time,
+        years,
+        band(whole(years)),
+        apart < 1.001 * interval,
+    )
+
+
+def whole(years: list[Year]) -> list[Year]:
+    """Years that are recorded nearly whole; all where none is: a part of a year says little of others."""
+    return [year for year in years if year.recorded >= WHOLE] or years

@@ -1,0 +1,257 @@
+"""A record of sea states: read from CSV or netCDF, checked row by row, gaps named and never filled."""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.scene.text import read_text
+from riserstudy.seas.columns import COLUMNS, NAMES, Head, head, labels_of, plain
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+LARGEST_FILE = 500 * 10**6  # bytes
+MISSING = ("", "nan", "na", "n/a", "null", "-999", "-999.0", "999", "9999", "99.0", "99.00")
+#: of a JONSWAP spectrum, gamma to the powers 0 to 3: zero-upcrossing period over peak period
+PERIODS = (0.6673, 0.05037, -0.006230, 0.0003341)
+PATTERNS = (("YYYY", "%Y"), ("MM", "%m"), ("DD", "%d"), ("hh", "%H"), ("HH", "%H"), ("mm", "%M"))
+
+
+class Gap(NamedTuple):
+    """Hours without a record: the last before, and the first after."""
+
+    before: np.datetime64
+    after: np.datetime64
+
+
+def read_record(path: Path) -> xr.Dataset:
+    """A record of sea states.
+
+    Parameters
+    ----------
+    path : Path
+        CSV with a header such as ``time,hs (m),tp (s)``, times in UTC; or netCDF by CF or of the sources that
+        wavespectra reads.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``time``: the quantities of `riserstudy.seas.columns` that the file has, SI units, NaN where rows
+        lack one. ``interval_hours``, an attribute, is the most frequent time between rows.
+
+    Raises
+    ------
+    InputError
+        With the file, the row and the column of the first fault.
+    """
+    import xarray as xr
+
+    frame, said = _from_netcdf(path) if path.suffix == ".nc" else _from_csv(path)
+    if "significant_wave_height" not in frame:
+        allowed = "allowed is a column such as 'significant_wave_height (m)'"
+        raise InputError(path, "significant_wave_height", "no such column", allowed)
+    _check(path, frame)
+    record = xr.Dataset.from_dataframe(frame)
+    for one in COLUMNS:
+        if one.name in record:
+            record[one.name].attrs = labels_of(one)
+    record["time"].attrs = {"long_name": "time, UTC", "standard_name": "time"}
+    record.attrs = {
+        "Conventions": "CF-1.11",
+        "title": f"sea states of {path.name}",
+        "interval_hours": interval_hours(record["time"].values),
+        "conversions": said,
+    }
+    return record
+
+
+def write_record(record: xr.Dataset, target: Path) -> None:
+    """Write a record as CF netCDF, whole or not at all.
+
+    Raises
+    ------
+    SimulationError
+        When it cannot be written, as on a full disk.
+    """
+    partial = target.with_name(f".{target.name}.{os.getpid()}")
+    encoding: dict[str, dict[str, Any]] = {
+        str(name): {"zlib": True, "complevel": 3} for name in record.data_vars
+    }
+    encoding["time"] = {"units": "hours since 1970-01-01", "dtype": "float64"}
+    try:
+        record.to_netcdf(partial, engine="netcdf4", encoding=encoding)
+        partial.replace(target)
+    except (OSError, RuntimeError) as error:
+        raise SimulationError(f"{target} cannot be written: {error}") from None
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def interval_hours(time: NDArray[np.datetime64]) -> float:
+    """The most frequent time between rows (h)."""
+    steps, counts = np.unique(np.diff(time), return_counts=True)
+    return float(steps[counts.argmax()] / np.timedelta64(1, "s")) / 3600.0
+
+
+def gaps(record: xr.Dataset) -> list[Gap]:
+    """Where rows are further apart than they are most often."""
+    time = record["time"].values
+    hours = np.diff(time) / np.timedelta64(1, "s") / 3600.0
+    wide = np.flatnonzero(hours > 1.001 * record.attrs["interval_hours"])
+    return [Gap(time[k], time[k + 1]) for k in wide]
+
+
+def with_peak_period(record: xr.Dataset, gamma: float) -> xr.Dataset:
+    """The record with a peak period, from the zero-upcrossing period where it has no other.
+
+    References
+    ----------
+    DNV-RP-C205, 3.5.5: T_z / T_p of a JONSWAP spectrum as a polynomial of its peakedness gamma.
+    """
+    if "peak_period" in record or "zero_crossing_period" not in record:
+        return record
+    ratio = sum(factor * gamma**power for power, factor in enumerate(PERIODS))
+    period = record["zero_crossing_period"] / ratio
+    period.attrs = {
+        "units": "s",
+        "long_name": "peak period",
+        "comment": f"zero-upcrossing period over {ratio:.4f}, JONSWAP with gamma {gamma:g}",
+    }
+    return record.assign(peak_period=period)
+
+
+def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
+    """Columns that are known, by time, with what was converted."""
+    import pandas as pd
+
+    text = read_text(path, LARGEST_FILE)
+    first = text.partition("\n")[0]
+    separator = max(";,\t", key=first.count)
+    cells = pd.read_csv(
+        io.StringIO(text), sep=separator, dtype=str, keep_default_na=False, skipinitialspace=True
+    )
+    heads = [head(str(path), str(name)) for name in cells.columns]
+    at = next((k for k, one in enumerate(heads) if one.said == "time"), None)
+    if at is None:
+        raise InputError(path, "time", "no such column", "allowed is a column 'time', in UTC")
+    columns = {"time": _times(path, cells.iloc[:, at], heads[at].unit)}
+    for k, one in enumerate(heads):
+        if one.quantity is None:
+            continue
+        if one.quantity.name in columns:
+            raise InputError(path, one.quantity.name, "two columns", "allowed is one")
+        columns[one.quantity.name] = _numbers(path, cells.iloc[:, k], one)
+    left = [
+        str(cells.columns[k]) for k, one in enumerate(heads) if one.quantity is None and k != at
+    ]
+    said = [
+        f"{one.quantity.name} from {one.unit}"
+        for one in heads
+        if one.quantity and one.factor != 1.0
+    ]
+    said += [f"left out: {', '.join(left)}"] if left else []
+    return pd.DataFrame(columns).set_index("time"), "; ".join(said)
+
+
+def _times(path: Path, cells: pd.Series, pattern: str) -> pd.Series:
+    import pandas as pd
+
+    form = pattern
+    for word, code in PATTERNS:
+        form = form.replace(word, code, 1)
+    known = "%Y" in form
+    times = pd.to_datetime(
+        cells.str.strip(), format=form if known else "ISO8601", errors="coerce", utc=True
+    ).dt.tz_localize(None)
+    if times.isna().any():
+        row = int(times.isna().to_numpy().argmax())
+        allowed = "allowed is as 2005-12-31 23:00, or a header such as 'time (YYYY-MM-DD-HH)'"
+        raise InputError(f"{path}, row {row + 2}", "time", repr(cells.iloc[row]), allowed)
+    return times
+
+
+def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
+    import pandas as pd
+
+    texts = cells.str.strip()
+    absent = texts.str.lower().isin(MISSING)
+    values = pd.to_numeric(texts.where(~absent), errors="coerce")
+    bad = values.isna() & ~absent
+    if bad.any():
+        row = int(bad.to_numpy().argmax())
+        raise InputError(
+            f"{path}, row {row + 2}", one.said, repr(cells.iloc[row]), "allowed is a number"
+        )
+    return values.astype(float) * one.factor
+
+
+def _from_netcdf(path: Path) -> tuple[pd.DataFrame, str]:
+    """Variables over time alone whose names are known, here or as CF's standard names."""
+    import xarray as xr
+
+    try:
+        data = xr.load_dataset(path, engine="netcdf4")
+    except (OSError, ValueError, RuntimeError) as error:
+        raise InputError(path, "", str(error), "allowed is a netCDF file with times") from None
+    clock = next((n for n in ("time", "valid_time") if n in data.variables), None)
+    if clock is None or not np.issubdtype(data[clock].dtype, np.datetime64):
+        raise InputError(path, "time", "no times", "allowed is a coordinate 'time' by CF")
+    standard = {one.standard_name: one for one in COLUMNS}
+    data, columns, said = data.squeeze(drop=True), {}, []
+    for name, values in data.data_vars.items():
+        by_name = NAMES.get(plain(str(name)))
+        one = standard.get(str(values.attrs.get("standard_name", "")), by_name)
+        if one is None or values.dims != (clock,):
+            continue
+        unit = str(values.attrs.get("units", ""))
+        wanted = head(str(path), f"{one.name} ({_written(unit)})")
+        columns[one.name] = values.values.astype(float) * wanted.factor
+        said += [f"{one.name} from {unit}"] if wanted.factor != 1.0 else []
+    import pandas as pd
+
+    return pd.DataFrame(columns, pd.DatetimeIndex(data[clock].values, name="time")), "; ".join(said)
+
+
+def _written(unit: str) -> str:
+    """A unit of CF, ``m s-1``, as units are written here."""
+    return re.sub(r"\s+([a-z]+)-1\b", r"/\1", unit.replace("**", "")).strip()
+
+
+def _check(path: Path, frame: pd.DataFrame) -> None:
+    """Times rise, and every number is one that the sea may have.
+
+    Raises
+    ------
+    InputError
+        At the first row where that is not so.
+    """
+    if len(frame) < 2:
+        raise InputError(path, "time", f"{len(frame)} rows", "allowed are two and more")
+    steps = np.diff(frame.index.to_numpy()).astype("timedelta64[s]").astype(float)
+    if (steps <= 0.0).any():
+        row = int((steps <= 0.0).argmax()) + 3
+        raise InputError(
+            f"{path}, row {row}", "time", "not after the row before", "allowed are rising times"
+        )
+    for one in COLUMNS:
+        if one.name not in frame:
+            continue
+        values = frame[one.name].to_numpy()
+        wrong = (values < one.least) | (values > one.most)
+        if wrong.any():
+            row = int(wrong.argmax())
+            raise InputError(
+                f"{path}, row {row + 2}",
+                one.name,
+                f"{values[row]:g} {one.unit}",
+                f"allowed is {one.least:g} to {one.most:g} {one.unit}, or an empty cell",
+            )
