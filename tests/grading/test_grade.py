@@ -15,7 +15,7 @@ import xarray as xr
 from riserstudy.chapters.chang2020 import claims as checks
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.grading.grade import ErratumRow, Found, Row, graded, table
+from riserstudy.grading.grade import ErratumRow, Found, Row, _hits, graded, table
 from riserstudy.grading.models import Item, PublishedFile, read_published
 from riserstudy.grading.names import input_name, option_name
 from riserstudy.grading.sensitivity import (
@@ -517,3 +517,9 @@ def test_a_row_tells_when_its_verdict_was_certain(values, told):
     note = row(datasets, **about).note
     assert told in note
     assert bool(told) == ("confidence" in note)
+
+
+def test_a_claim_whose_check_judges_nothing_is_refused_by_name():
+    item = Item.model_construct(id="Q1", check="angle", published=None, rounding=None)
+    with pytest.raises(InputError, match="Q1: angle judges no claim"):
+        _hits(item, Found(xr.DataArray(1.0)))

@@ -32,10 +32,10 @@ def tension(
         typer.Option(min=0.01, max=1.0, help="R_f: vertical tension over setting, such as 0.95"),
     ],
     weight: Annotated[
-        float, typer.Option(min=0.1, help="tolerance on steel: 1.05, or 1 if weighed")
+        float, typer.Option(min=0.1, max=10.0, help="tolerance on steel: 1.05, or 1 if weighed")
     ],
     buoyancy: Annotated[
-        float, typer.Option(min=0.0, help="tolerance on modules: 0.96, or 1 if weighed")
+        float, typer.Option(min=0.0, max=10.0, help="tolerance on modules: 0.96, or 1 if weighed")
     ],
     fleet_angle: Annotated[
         str, typer.Option(help="of lines to the vertical, where R_f leaves it out", metavar="ANGLE")

@@ -13,7 +13,7 @@ import xarray as xr
 
 from riserstudy.csv_files import csv_text
 from riserstudy.dataset.origins import origins_of
-from riserstudy.errors import SimulationError
+from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.cases import Behind, Case, places_of, regrade
 from riserstudy.grading.found import Found, at_cell, judged, sound
 from riserstudy.grading.margin import below
@@ -248,7 +248,8 @@ def _hits(item: Item, found: Found) -> xr.DataArray:
     """Where a number is met, or a claim true."""
     if item.published is None or item.rounding is None:
         if found.true is None:
-            raise TypeError(f"{item.id}: {item.check} judges no claim")
+            allowed = "allowed is `judged(value, margin)`, as of a claim; of a number, published and rounding"
+            raise InputError("config/published", item.id, f"{item.check} judges no claim", allowed)
         return found.true
     hits: xr.DataArray = met(found.value, item.published, item.rounding, item.within)
     return hits

@@ -83,7 +83,7 @@ def method_of(
 def _method(method: Any) -> tuple[Callable[..., Any], Callable[..., int]]:
     """What describes a run by a method from its step on, and what marches."""
     if isinstance(method, str):
-        return partial(Stages, TABLEAUS[method]), march_in_stages
+        return partial(Stages, TABLEAUS[method].weights), march_in_stages
     if isinstance(method, Newmark):
         return partial(Method, 0.0, 0.0, method.beta, method.gamma), march
     rho = method.rho_inf if isinstance(method, GeneralisedAlpha) else RHO_INF

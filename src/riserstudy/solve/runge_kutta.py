@@ -28,10 +28,24 @@ from riserstudy.solve.record import note_start, note_step
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, copy, keep, restore
 from riserstudy.solve.sums import DONE, NOT_CONVERGED, STOPPED, enter
 
+
+class Tableau(NamedTuple):
+    """Weights of a method's stages, (stages, stages): A of the header, its last row the step; and its order."""
+
+    weights: np.ndarray
+    order: int
+
+
+def _tableau(order: int, rows: list[list[float]]) -> Tableau:
+    return Tableau(np.array(rows), order)
+
+
 _G = 1.0 - sqrt(0.5)
+#: methods by their names in scenes; one that is added here is held to its order by tests
 TABLEAUS = {
-    "TR-BDF2": np.array([[0.0, 0.0, 0.0], [_G, _G, 0.0], [sqrt(0.125), sqrt(0.125), _G]]),
-    "ESDIRK4": np.array(
+    "TR-BDF2": _tableau(2, [[0.0, 0.0, 0.0], [_G, _G, 0.0], [sqrt(0.125), sqrt(0.125), _G]]),
+    "ESDIRK4": _tableau(
+        4,
         [
             [0.0] * 6,
             [1 / 4, 1 / 4, 0.0, 0.0, 0.0, 0.0],
@@ -46,7 +60,7 @@ TABLEAUS = {
                 0.0,
             ],
             [82889 / 524892, 0.0, 15625 / 83664, 69875 / 102672, -2260 / 8211, 1 / 4],
-        ]
+        ],
     ),
 }
 SUPPORTS, INERTIA = 2, 3  # entries of power of a stage, after those of `flow`
