@@ -30,7 +30,7 @@ from riserstudy.solve.sums import DONE, NOT_CONVERGED, STOPPED, enter
 
 
 class Tableau(NamedTuple):
-    """Weights of a method's stages, (stages, stages): A of the header, its last row the step; and its order."""
+    """Weights of the stages, (stages, stages): A of the header, its last row the step; and the order."""
 
     weights: np.ndarray
     order: int
