@@ -13,7 +13,7 @@ check() {
 check ruff format --check
 check ruff check
 check mypy --no-error-summary
-check snakefmt --check Snakefile workflow/rules src/riserstudy/study/template/Snakefile
+check snakefmt --check Snakefile workflow/Snakefile workflow/rules src/riserstudy/study/template/Snakefile
 check python workflow/scripts/lint_workflow.py
 check lint-imports
 check python workflow/scripts/check_docstrings.py
