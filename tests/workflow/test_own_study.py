@@ -156,7 +156,11 @@ def test_targets_of_two_chapters_cannot_have_one_name(folder):
 
 
 def test_the_names_of_all_rules_are_taken():
-    rules = (ROOT / "workflow/Snakefile", *(ROOT / "workflow/rules").glob("*.smk"), TEMPLATE / "Snakefile")
+    rules = (
+        ROOT / "workflow/Snakefile",
+        *(ROOT / "workflow/rules").glob("*.smk"),
+        TEMPLATE / "Snakefile",
+    )
     found = {name for path in rules for name in re.findall(r"^rule (\w+):", path.read_text(), re.M)}
     assert found == RULES
 
