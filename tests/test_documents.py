@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -194,3 +195,15 @@ def test_a_link_that_leads_nowhere_stops_the_build(docs, tmp_path):
     bad = build(docs, tmp_path / "bad", "dummy")
     assert bad.returncode != 0
     assert "absent" in bad.stderr
+
+
+def test_the_version_is_one():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    cited = YAML(typ="safe", pure=True).load(ROOT / "CITATION.cff")
+    described = [
+        json.loads((ROOT / name).read_text("utf-8")) for name in ("codemeta.json", ".zenodo.json")
+    ]
+    assert {project["version"], cited["version"], *(one["version"] for one in described)} == {
+        project["version"]
+    }
+    assert project["license"] == cited["license"]

@@ -1,6 +1,7 @@
 """Write what is made from models and libraries.
 
-Reference page and JSON schemas, tables of platforms, factors of usual units, parts of pages. With a dataset
+Reference page and JSON schemas, tables of platforms, factors of usual units, parts of pages, what describes
+the software to archives. With a dataset
 of the validation study (results/numerics/validation.nc) also what the engine is compared with.
 """
 
@@ -15,6 +16,7 @@ from riserstudy.scene.reference import scene_reference
 from riserstudy.scene.units import USUAL, factor
 from riserstudy.study.schemas import schema_files
 from semisubmersible import read_units, table
+from software_metadata import software_metadata
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -30,6 +32,7 @@ def made() -> dict[Path, str]:
         **{platforms / f"{name}.csv": table(unit) for name, unit in units.items()},
         ROOT / "docs/scene.md": scene_reference(),
         **kept_pages(),
+        **software_metadata(),
         **{ROOT / "workflow/schemas" / name: text for name, text in schema_files().items()},
     }
 
