@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def software_metadata() -> dict[Path, str]:
     """Content of both files."""
-    citation: dict[str, Any] = dict(read_yaml(ROOT / "CITATION.cff"))  # type: ignore[arg-type]
+    citation: dict[str, Any] = dict(read_yaml(ROOT / "CITATION.cff"))
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     return {
         ROOT / "codemeta.json": _text(codemeta(citation, project)),
