@@ -8,28 +8,31 @@ import xarray as xr
 
 from riserstudy.chapters.draw import draw
 from riserstudy.chapters.numerics.figures.cost import answer
+from riserstudy.dataset.result import Result
 from riserstudy.numerics import accuracy as module
-from riserstudy.numerics.accuracy import Request, accuracy, judged, requests
+from riserstudy.numerics.accuracy import Request, accuracy, judged, requests, scene_of
 from riserstudy.numerics.attempt import Attempt, Outcome
-from riserstudy.numerics.fixed_step import FREE
-from riserstudy.numerics.references import reference, stored
-from riserstudy.numerics.scenes import Setting, case_file
+from riserstudy.numerics.references import Reference, by_run, differences, solved, stored
+from riserstudy.numerics.scenes import Setting
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
 STUDY = read_studies(CONFIG, "numerics").measured.accuracy
 HISTORY = CONFIG.parent / "tests/verification/data/S2c.npz"
 SHORT = {"analysis.duration": "20 s"}
+LADDER = STUDY.scenes["S2c"].model_copy(
+    update={
+        "set": STUDY.scenes["S2c"].set | SHORT,
+        "elements": [16, 32],
+        "steps": [0.4, 0.2, 0.1],
+    }
+)
 
 
 @pytest.fixture(scope="module")
 def surge():
     """Scene S2c, short, on two meshes by every method."""
-    ladder = STUDY.scenes["S2c"]
-    ladder = ladder.model_copy(
-        update={"set": ladder.set | SHORT, "elements": [16, 32], "steps": [0.4, 0.2, 0.1]}
-    )
-    few = {"scenes": {"S2c": ladder}, "repeats": {"standard": 1}, "asked": {"standard": [0.05]}}
+    few = {"scenes": {"S2c": LADDER}, "repeats": {"standard": 1}, "asked": {"standard": [0.05]}}
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("riserstudy.numerics.outside.PATIENCE", 60.0)  # as long as it takes
         return accuracy(STUDY.model_copy(update=few), Setting(CONFIG, "standard"))
@@ -43,22 +46,23 @@ def test_every_method_has_a_row_with_an_error_or_a_message(surge):
         assert bool(ran.any())
 
 
-def test_the_stored_reference_and_a_fine_run_of_ours_agree(surge):
-    own = surge["opinion_difference"].sel(scene="S2c", opinion="lumped masses, ESDIRK4")
-    assert str(surge["reference"].values[0]).startswith("stored: S2c: 80 quintic Hermite elements")
-    assert (own.sel(quantity=["displacement", "tension"]) < 1e-3).all()
-    assert float(own.sel(quantity="moment")) < 5e-3  # 64 even segments
+def test_the_stored_reference_and_a_fine_run_of_ours_agree():
+    ladder, best = LADDER, stored(HISTORY)
+    own = differences(best, scene_of(CONFIG, "S2c", ladder), ladder)["lumped masses, ESDIRK4"]
+    assert best.about.startswith("stored: S2c: 80 quintic Hermite elements")
+    assert max(own["displacement"], own["tension"]) < 1e-3
+    assert own["moment"] < 5e-3  # 64 even segments
 
 
 def test_our_own_reference_has_converged_where_another_code_says_the_same():
-    ladder = STUDY.scenes["S2c"].model_copy(update={"stored": None})
-    file = case_file(CONFIG, "S2c", ladder).with_values(FREE | SHORT, "short")
+    file = scene_of(CONFIG, "S2c", LADDER)
     met = requests(file, "S2c", [0.01], 60.0)
     assert met[0].result is not None
-    own, _ = reference(file, ladder, CONFIG, met[0].result)
-    other = stored(CONFIG / STUDY.scenes["S2c"].stored)
+    kept = solved("S2c", file, LADDER)
+    own = Reference("own", by_run(kept.result).errors, kept.error)
+    other = stored(HISTORY)
     assert max(own.change.values()) < 2e-3
-    # the second halving changed three times what is left of an error of second order
+    # the last halving changed three times what is left of an error of second order
     reached, true = judged(met[0], own), other.errors(met[0].result)
     for name in ("displacement", "moment", "tension"):
         assert abs(reached[f"reached_{name}"] - true[name]) < own.change[name] + 5e-4
@@ -150,7 +154,7 @@ def test_the_title_of_cost_is_the_ratio_of_times():
 def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
     tried = []
 
-    def rung(file, method, ladder, at, budget, repeats):
+    def rung(file, method, ladder, at, budget, repeats, warm):
         tried.append(at)
         late = at == (0, 1)
         return Attempt(
@@ -160,11 +164,30 @@ def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
     ladder = STUDY.scenes["S2c"].model_copy(update={"elements": [8, 16], "steps": [0.8, 0.4]})
     few = {"scenes": {"S2c": ladder}, "methods": {"only": STUDY.methods["ESDIRK4"]}}
     monkeypatch.setattr(module, "rung", rung)
-    monkeypatch.setattr(module, "reference", lambda *_: (stored(HISTORY), {}))
+    monkeypatch.setattr(module, "reference", lambda *_: stored(HISTORY))
     monkeypatch.setattr(module, "requests", lambda *_: [])
     found = accuracy(STUDY.model_copy(update=few), Setting(CONFIG, "standard"))
     assert tried == [(0, 0), (0, 1), (1, 0)]
     assert str(found["message"].squeeze().values[1, 1]) == "on a coarser mesh: late"
+
+
+def test_on_a_mesh_that_shorter_steps_do_not_help_they_are_not_tried(monkeypatch):
+    def rung(file, method, ladder, at, budget, repeats, warm):
+        tried.append(at)
+        return Attempt(Result({}, {"error": ERRORS[at[1]]}), None, "", 0.0)
+
+    ERRORS = (0.3, 0.1, 0.098, 0.097)
+    best = Reference("known", lambda run: {"moment": run.facts["error"]})
+    ladder = STUDY.scenes["S2c"].model_copy(update={"elements": [8], "steps": [0.8, 0.4, 0.2, 0.1]})
+    few = {"scenes": {"S2c": ladder}, "methods": {"only": STUDY.methods["ESDIRK4"]}}
+    monkeypatch.setattr(module, "rung", rung)
+    monkeypatch.setattr(module, "reference", lambda *_: best)
+    monkeypatch.setattr(module, "requests", lambda *_: [])
+    monkeypatch.setattr(module, "differences", lambda *_: {})
+    for tier, count in (("standard", 3), ("reference", 4)):
+        tried = []
+        accuracy(STUDY.model_copy(update=few), Setting(CONFIG, tier))
+        assert len(tried) == count
 
 
 def test_a_finer_accuracy_is_not_asked_for_after_one_that_took_too_long(monkeypatch):

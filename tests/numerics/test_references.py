@@ -7,6 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from riserstudy.jobs import workplan
+from riserstudy.jobs.workplan import Workplan
 from riserstudy.model.mesh import even
 from riserstudy.numerics.attempt import errors
 from riserstudy.numerics.fixed_step import stepped, whole
@@ -69,9 +71,9 @@ def test_errors_by_what_is_kept_are_those_by_the_whole_run(name):
         by_kept = errors(coarse, unpacked(packed(kept)).result)
         assert by_kept.keys() == by_all.keys()
         for quantity, error in by_all.items():
-            # few instants see no more than all do, and envelopes tell the extremes of all
+            # not all instants see no more than all do, and envelopes tell the extremes of all
             assert by_kept[quantity] <= 1.02 * error + 2.0 * RESOLUTION
-            assert by_kept[quantity] >= 0.5 * error
+            assert by_kept[quantity] >= 0.8 * error
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -161,6 +163,20 @@ def test_no_solution_is_kept_that_no_case_needs():
 @cache
 def wanted():
     return all_wanted(read_studies(CONFIG, "numerics").measured, CONFIG)
+
+
+def test_a_study_is_measured_anew_when_one_of_its_solutions_changes(folder, monkeypatch):
+    plan = Workplan.read(CONFIG, {"tier": "preview"}, only=[])
+    names = ("stability", "energy")
+    before = [plan.measured_digest("numerics", name) for name in names]
+    (path,) = (folder / FOLDER).glob("*/*")
+    lists = {"stability": [path], "energy": []}
+    monkeypatch.setattr(workplan, "references", lambda _, study: lists[study])
+    given = [plan.measured_digest("numerics", name) for name in names]
+    path.write_bytes(path.read_bytes()[:-1])
+    after = [plan.measured_digest("numerics", name) for name in names]
+    assert len({before[0], given[0], after[0]}) == 3
+    assert before[1] == given[1] == after[1]
 
 
 def test_a_solution_found_anew_deviates_when_physics_do():

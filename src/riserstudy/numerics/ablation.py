@@ -1,7 +1,7 @@
 """What each effect changes and costs: a scene with and without it, on one mesh, with one step.
 
 Times are of runs in turn, the whole round repeated, and the median of each is taken: what else the
-machine does falls on all of them alike. A first run, which loads kernels, is not timed.
+machine does falls on all of them alike. The first steps are run before, which loads kernels.
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless, period
 
 Array = NDArray[np.float64]
+FEW = 4  # steps of a run that loads kernels
 SEGMENTS = 100  # where a scene has no mesh of its own
 STEPS_A_PERIOD = 48  # where it has no step
 ROUNDING = 1e-9  # share of the riser's length below which nothing has moved
@@ -133,25 +134,42 @@ def ablate(file: SceneFile, repeats: int, budget: float, tell: Tell = lambda _: 
         changed = Changed(change, change.because or "")
         base.changed.append(changed)
         try:
-            runs.append((changed, other.scene()))
-            measure(*runs[-1], mesh, step, timed=False)
+            of_change = other.scene()
+            single(brief(of_change, step), mesh, step)
+            runs.append((changed, of_change))
         except RiserStudyError as error:
             changed.message = str(error)
-            runs = [pair for pair in runs if pair[0] is not changed]
-    measure(base, scene, mesh, step, timed=False)
+    single(brief(scene, step), mesh, step)
     for k in range(repeats):
         tell(f"timing {len(runs)} runs, round {k + 1} of {repeats}")
-        for of, which in runs:
-            measure(of, which, mesh, step)
+        for of, which in list(runs):
+            try:
+                measure(of, which, mesh, step)
+            except RiserStudyError as error:
+                if not isinstance(of, Changed):
+                    raise
+                of.message = str(error)
+                runs.remove((of, which))
     return base
 
 
-def measure(of: Measured, scene: Scene, mesh: Mesh, step: float | None, timed: bool = True) -> None:
+def brief(scene: Scene, step: float | None) -> Scene:
+    """The first steps of a scene, which load its kernels; all of it where others are run later on."""
+    if step is None or scene.analysis.output is None or scene.disconnect or scene.vessel:
+        return scene
+    output = scene.analysis.output.model_copy(update={"start": None, "interval": FEW * step})
+    return scene.model_copy(
+        update={
+            "analysis": scene.analysis.model_copy(update={"duration": FEW * step, "output": output})
+        }
+    )
+
+
+def measure(of: Measured, scene: Scene, mesh: Mesh, step: float | None) -> None:
     """One run, its peaks, and its time."""
     result = single(scene, mesh, step)
     of.peaks = peaks(result)
-    if timed:
-        of.times.append(float(result.facts["solve_seconds"]))
+    of.times.append(float(result.facts["solve_seconds"]))
 
 
 def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:

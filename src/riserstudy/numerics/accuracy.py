@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import statistics
 import time as clock
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -18,7 +20,15 @@ from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, in_time, too_long
 from riserstudy.numerics.fixed_step import FREE, stepped, whole
 from riserstudy.numerics.outside import RADAU, outside
-from riserstudy.numerics.references import OPINIONS, QUANTITIES, Reference, reference
+from riserstudy.numerics.reference.store import Wanted
+from riserstudy.numerics.references import (
+    OPINIONS,
+    QUANTITIES,
+    Reference,
+    differences,
+    reference,
+    solved,
+)
 from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.numerics.stability import attempt_limit
 from riserstudy.scene.load import SceneFile, read_scene
@@ -28,6 +38,8 @@ from riserstudy.study.measured import AccuracyStudy, Ladder, Method
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from riserstudy.study.models import Tier
 
 
 COSTS = (
@@ -41,6 +53,7 @@ COSTS = (
 )
 EXPLICIT = "explicit"
 SOON = 1.0  # seconds of a request that is timed again
+SETTLED = 0.1  # share of an error, change by which a shorter step does not help
 ENOUGH = 2.0  # seconds of a rung's runs, after which it is timed no more
 WHERE = "config/studies/numerics.yaml: measured.accuracy"
 
@@ -61,36 +74,26 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
     about: list[str] = []
     asked: list[dict[str, Any]] = []
     for i, (name, ladder) in enumerate(scenes.items()):
-        file = read_scene(setting.config / ladder.scene).with_values(
-            FREE | ladder.set, f"{WHERE}: {name}"
-        )
+        file = scene_of(setting.config, name, ladder)
         met = requests(file, name, study.asked[setting.tier], study.patience)
-        finest = next((one.result for one in reversed(met) if one.result), None)
-        best, others = reference(file, ladder, setting.config, finest)
+        best = reference(file, name, ladder, setting.config)
+        others = differences(best, file, ladder) if setting.tier == "reference" else {}
         about.append(best.about)
         change[i] = [best.change.get(q, np.nan) for q in QUANTITIES]
         for other, values in others.items():
             opinion[i, OPINIONS.index(other)] = [values.get(q, np.nan) for q in QUANTITIES]
         for j, method in enumerate(methods.values()):
-            given_up: dict[int, str] = {}
+            climb = Climb(file, method, ladder, best, study, setting.tier)
             for k in range(len(ladder.elements)):
                 for m in range(most[1]):
-                    at = (i, j, k, m)
-                    if m in given_up:
-                        value["message"][at] = f"on a coarser mesh: {given_up[m]}"
+                    tried = climb.rung(k, m)
+                    value["message"][i, j, k, m] = tried.message
+                    if tried.result is None:
                         continue
-                    one = rung(
-                        file, method, ladder, (k, m), study.budget, study.repeats[setting.tier]
-                    )
-                    if one.refused == Outcome.TOO_LONG:
-                        given_up[m] = one.message
-                    value["message"][at] = one.message
-                    if one.result is None:
-                        continue
-                    for q, error in best.errors(one.result).items():
-                        value[f"error_{q}"][at] = error
+                    for q, error in climb.errors.items():
+                        value[f"error_{q}"][i, j, k, m] = error
                     for cost in COSTS:
-                        value[cost][at] = one.result.facts.get(cost, np.nan)
+                        value[cost][i, j, k, m] = tried.result.facts.get(cost, np.nan)
         asked += [judged(one, best) for one in met]
     dims = ("scene", "method", "mesh_level", "step_level")
     data: dict[str, Any] = {
@@ -115,6 +118,19 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
     return dataset
 
 
+def scene_of(config: Path, name: str, ladder: Ladder) -> SceneFile:
+    """The scene of a ladder, without mesh, step and method."""
+    return read_scene(config / ladder.scene).with_values(FREE | ladder.set, f"{WHERE}: {name}")
+
+
+def wanted(study: AccuracyStudy, config: Path) -> Iterator[Wanted]:
+    """The reference of every scene of which no other code has one."""
+    for name, ladder in study.scenes.items():
+        if not ladder.stored:
+            file = scene_of(config, name, ladder)
+            yield Wanted(name, file, partial(solved, name, file, ladder))
+
+
 def peers(study: AccuracyStudy, scenes: list[str]) -> dict[str, Any]:
     """What other simulators cost, as the study file has it, a row an error."""
     rows = [
@@ -128,6 +144,56 @@ def peers(study: AccuracyStudy, scenes: list[str]) -> dict[str, Any]:
     return {name: ("measured", list(of)) for name, of in zip(names, columns, strict=True)}
 
 
+class Climb:
+    """A method on the rungs of a scene, mesh by mesh and from long steps to short ones.
+
+    Left out is what took too long on a coarser mesh and, but in the reference tier, a step on a mesh on
+    which halving it changed the error no more: such runs are no part of the lower edge.
+    """
+
+    def __init__(
+        self,
+        file: SceneFile,
+        method: Method,
+        ladder: Ladder,
+        best: Reference,
+        study: AccuracyStudy,
+        tier: Tier,
+    ):
+        self.file, self.method, self.ladder, self.best = file, method, ladder, best
+        self.budget, self.repeats = study.budget, study.repeats[tier]
+        self.whole = tier == "reference"
+        self.errors: dict[str, float] = {}
+        self._given_up: dict[int, str] = {}
+        self._last: dict[int, float] = {}  # largest error by mesh
+        self._settled: set[int] = set()  # meshes
+        self._warm = False
+
+    def rung(self, k: int, m: int) -> Attempt:
+        """A mesh and a step, timed; its errors are left in ``errors``."""
+        if m in self._given_up:
+            return Attempt(None, None, f"on a coarser mesh: {self._given_up[m]}", 0.0)
+        if k in self._settled:
+            return Attempt(None, None, "on this mesh a longer step errs as much", 0.0)
+        one = rung(
+            self.file, self.method, self.ladder, (k, m), self.budget, self.repeats, self._warm
+        )
+        if one.refused == Outcome.TOO_LONG:
+            self._given_up[m] = one.message
+        if one.result is not None:
+            self._warm = True
+            self.errors = self.best.errors(one.result)
+            self._see(k, max(self.errors.values(), default=np.nan))
+        return one
+
+    def _see(self, k: int, error: float) -> None:
+        """Whether shorter steps will help on a mesh."""
+        last = self._last.get(k, np.inf)
+        if not self.whole and abs(error - last) <= SETTLED * last < np.inf:
+            self._settled.add(k)
+        self._last[k] = error
+
+
 def rung(
     file: SceneFile,
     method: Method,
@@ -135,6 +201,7 @@ def rung(
     at: tuple[int, int],
     budget: float,
     repeats: int,
+    warm: bool,
 ) -> Attempt:
     """One rung, timed several times; explicit steps are shares of the predicted stable one."""
     k, m = at
@@ -149,7 +216,7 @@ def rung(
             return Attempt(None, None, "one step alone", 0.0)
         limit = attempt_limit(own, mesh)
         step = 0.9 * limit if limit else step
-    return timed(lambda: once(own, mesh, step, method, budget), repeats)
+    return timed(lambda: once(own, mesh, step, method, budget), repeats, warm)
 
 
 def once(scene: Scene, mesh: Mesh, step: float, method: Method, budget: float) -> Attempt:
@@ -160,13 +227,17 @@ def once(scene: Scene, mesh: Mesh, step: float, method: Method, budget: float) -
     return attempt(lambda: outside(scene, mesh, which, step))
 
 
-def timed(one: Callable[[], Attempt], repeats: int) -> Attempt:
-    """The last of several runs, with the median and the least of their times; the first warms up.
+def timed(one: Callable[[], Attempt], repeats: int, warm: bool) -> Attempt:
+    """The last of several runs, with the median and the least of their times.
 
     Processor time is there for machines that do something else besides.
+
+    Parameters
+    ----------
+    warm : whether kernels are loaded; else a first run, which is not counted, does it.
     """
     walls, own = [], []
-    for _ in range(repeats + 1):
+    for _ in range(repeats + (not warm)):
         started, begun = clock.perf_counter(), clock.thread_time()
         tried = one()
         walls.append(clock.perf_counter() - started)
@@ -175,7 +246,7 @@ def timed(one: Callable[[], Attempt], repeats: int) -> Attempt:
             return tried
         if sum(walls) > ENOUGH:
             break
-    measured = walls[1:] or walls
+    measured = walls if warm else walls[1:] or walls
     if tried.result is not None:
         facts = tried.result.facts
         facts |= {"wall_seconds": statistics.median(measured), "wall_seconds_min": min(measured)}

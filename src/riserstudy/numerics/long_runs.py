@@ -8,7 +8,7 @@ one of the candidates.
 from __future__ import annotations
 
 import math
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,6 +21,9 @@ from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.accuracy import timed
 from riserstudy.numerics.attempt import Attempt, attempt_on, largest
 from riserstudy.numerics.fixed_step import FREE, stepped, whole
+from riserstudy.numerics.reference.converge import SMOOTH, converged, none
+from riserstudy.numerics.reference.kept import Kept
+from riserstudy.numerics.reference.store import Wanted, read
 from riserstudy.numerics.references import by_run
 from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.scene.load import SceneFile, read_scene
@@ -33,20 +36,29 @@ if TYPE_CHECKING:
 
     from riserstudy.study.models import Tier
 
+FEW = 10  # steps
+STUDY = "long_runs"  # folder of references
 WHERE = "config/studies/numerics.yaml: measured.long_runs"
 
 
 def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
-    """All candidates of all cases, one after another: they are timed. References, which are not, before."""
+    """All candidates of all cases, one after another: they are timed.
+
+    Raises
+    ------
+    SimulationError
+        When the reference of a case cannot be used.
+    """
     import xarray as xr
 
     cases = in_tier(study.cases, setting.tier)
     files = [scene_of(setting.config, name, case, setting.tier) for name, case in cases.items()]
-    with ThreadPoolExecutor(setting.threads) as pool:
-        best = list(pool.map(reference, cases.values(), files))
     rows: list[dict[str, Any]] = []
-    for (name, case), file, known in zip(cases.items(), files, best, strict=True):
-        rows += candidates(name, case, file, known, study.repeats, setting.tier)
+    for (name, case), file in zip(cases.items(), files, strict=True):
+        best = read(setting.config, STUDY, named(name, setting.tier), file.scene())
+        if best.result is None:
+            raise SimulationError(f"{name}: {best.missing}")
+        rows += candidates(name, case, file, best.result, study.repeats, setting.tier)
     dataset = xr.Dataset({key: ("run", [row[key] for row in rows]) for key in rows[0]})
     for name, (unit, words) in ABOUT.items():
         dataset[name].attrs = {"units": unit, "long_name": words}
@@ -71,18 +83,29 @@ def candidates(
     rows = []
     if case.own and tier != "preview":
         mesh, step = even(scene, case.own.elements), case.own.step
-        tried = timed(
-            partial(attempt_on, stepped(file, case.own.set, mesh, step), mesh, step, math.inf), 0
-        )
+        tried = candidate(file, case.own.set, mesh, step, 1)
         rows.append(row(name, case, "the paper's own", step, tried, best))
     for label, mesh in meshes(case, scene):
         for method, values in case.methods.items():
             for step in case.steps:
-                own = stepped(file, values, mesh, step)
-                one = partial(attempt_on, own, mesh, step, math.inf)
-                tried = timed(one, repeats)
+                tried = candidate(file, values, mesh, step, repeats)
                 rows.append(row(name, case, f"{method}, {label}", step, tried, best))
     return rows
+
+
+def candidate(
+    file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float, repeats: int
+) -> Attempt:
+    """A candidate, timed after a run of a few steps has loaded its kernels."""
+    few = {
+        "analysis.duration": f"{FEW * step!r} s",
+        "analysis.output": {"interval": f"{FEW * step!r} s"},
+    }
+    attempt_on(
+        stepped(file.with_values(few, "few steps"), values, mesh, step), mesh, step, math.inf
+    )
+    one = partial(attempt_on, stepped(file, values, mesh, step), mesh, step, math.inf)
+    return timed(one, repeats, warm=True)
 
 
 def meshes(case: LongCase, scene: Scene) -> list[tuple[str, Mesh]]:
@@ -95,22 +118,27 @@ def meshes(case: LongCase, scene: Scene) -> list[tuple[str, Mesh]]:
     return named
 
 
-def reference(case: LongCase, file: SceneFile) -> Result:
-    """A run finer in mesh and step than any candidate, by the fourth-order method.
+def named(case: str, tier: Tier) -> str:
+    """What the reference of a case is called: preview, which cuts it short, has its own."""
+    return f"{case}, preview" if tier == "preview" else case
 
-    Raises
-    ------
-    SimulationError
-        When it cannot be completed.
-    """
-    scene = whole(file.scene())
-    mesh = meshes(case, scene)[-1][1].halved()
-    step = 0.5 * case.steps[-1]
-    own = stepped(file, {"analysis.method": "ESDIRK4"}, mesh, step)
-    tried = attempt_on(own, mesh, step, math.inf)
-    if tried.result is None:
-        raise SimulationError(tried.message)
-    return tried.result
+
+def wanted(study: LongStudy, config: Path) -> Iterator[Wanted]:
+    """The references of all cases, as long as each tier has them."""
+    tiers: tuple[Tier, ...] = ("preview", "standard")
+    for tier in tiers:
+        for name, case in in_tier(study.cases, tier).items():
+            file = scene_of(config, name, case, tier)
+            yield Wanted(named(name, tier), file, partial(solved, named(name, tier), case, file))
+
+
+def solved(name: str, case: LongCase, file: SceneFile) -> Kept:
+    """A reference finer in mesh and step than any candidate, by the fourth-order method."""
+    mesh, step = meshes(case, whole(file.scene()))[-1][1], case.steps[-1]
+    finest = attempt_on(stepped(file, SMOOTH.method, mesh, step), mesh, step, math.inf)
+    if finest.result is None:
+        return none(name, file, finest.message)
+    return converged(name, file, finest.result, SMOOTH, mesh)
 
 
 def row(

@@ -1,37 +1,38 @@
 """Is a requested accuracy reached, its error estimated well, and cheap? Over seeded random scenes.
 
 Scenes are drawn from what papers leave open and from the ranges of their studies; half of them are held
-out, which nobody may look at when refinement is tuned. The true error is measured by a run on segments a
-quarter as long (half as long on fine meshes), with half the step of the fourth-order method. The cost is
-compared with that of the cheapest even mesh and step that err no more, which nobody knows beforehand.
+out, which nobody may look at when refinement is tuned. The list is fixed by its seed, so that the reference
+of each scene is kept; it was computed by the fourth-order method. The cost is compared with that of the
+cheapest even mesh and step that err no more, which nobody knows beforehand: even meshes and steps that were
+tried when the reference was computed are kept with it, and the first of them that should do is run again.
 """
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-import psutil
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.dataset.result import Result
-from riserstudy.model.mesh import Mesh, even
-from riserstudy.numerics.attempt import Attempt, Outcome, attempt, attempt_on, in_time, mesh_of
+from riserstudy.model.mesh import even
+from riserstudy.numerics.attempt import Outcome, attempt, attempt_on, errors, in_time
 from riserstudy.numerics.fixed_step import FREE, stepped, whole
-from riserstudy.numerics.references import QUANTITIES, Reference, by_run
+from riserstudy.numerics.reference.converge import SMOOTH, converged, none
+from riserstudy.numerics.reference.kept import Kept
+from riserstudy.numerics.reference.store import NotUsed, Wanted, read
+from riserstudy.numerics.references import QUANTITIES, by_run
 from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin
 from riserstudy.simulation.refine import run
-from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless, period
 from riserstudy.study.measured import Family, RandomStudy
+from riserstudy.study.processes import each
 from riserstudy.study.sampling import sample
 
 if TYPE_CHECKING:
@@ -40,14 +41,26 @@ if TYPE_CHECKING:
     from riserstudy.study.models import Tier
 
 WHERE = "config/studies/numerics.yaml: measured.random_scenes"
-FINE = 64  # segments, beyond which a reference halves them instead of quartering
-OTHER = {"analysis.method": "ESDIRK4"}
+STUDY = "random_scenes"  # folder of references
+QUICK = replace(SMOOTH, most_first=1e7)  # there are many
+LONGEST = 30.0  # seconds of a request, beyond which there is no reference
 NOT_JUDGED = "not judged"
-TIMES = 2  # runs, of which the shortest counts
 LEVELS = tuple(2.0 ** (k / 2) for k in range(24))  # of mesh and step, finer and finer
 COARSE = 6  # segments, and steps a period, of the first level
 CHEAPEST = 32.0  # times less work than the request: where the search begins
 FALLEN = 0.9  # of an error, that refinement must bring to be worth going on
+
+#: of a result, the errors by quantity
+Measure = Callable[[Result], dict[str, float]]
+
+
+class Even(NamedTuple):
+    """An even mesh and a step that were tried: their largest error, and segments times iterations."""
+
+    elements: int
+    step: float  # s
+    error: float
+    work: float
 
 
 @dataclass
@@ -55,25 +68,33 @@ class Drawn:
     """A scene, what was drawn, and what came of it."""
 
     family: str
+    number: int
     held_out: bool
     sets: dict[str, Any]
     file: SceneFile
     message: str = ""
     asked: Result | None = None
     true: dict[str, float] = field(default_factory=dict)
-    fixed: tuple[Mesh, float, float] | None = None  # mesh, step and error of the cheapest
-    cost: dict[str, float] = field(default_factory=dict)
+    fixed: Even | None = None  # the cheapest that errs no more
+
+    @property
+    def name(self) -> str:
+        """Family and number."""
+        return f"{self.family} {self.number}"
 
 
 def random_scenes(study: RandomStudy, setting: Setting) -> xr.Dataset:
-    """Draw scenes, ask for the accuracy, and measure what was reached and spent."""
-    families = in_tier(study.families, setting.tier).items()
-    drawn = [one for item in families for one in draw(*item, study, setting.config, setting.tier)]
-    with ThreadPoolExecutor(max(1, setting.threads)) as pool:
-        list(pool.map(partial(judge, patience=study.patience[setting.tier]), drawn))
-    for one in drawn:  # one after another: they are timed
-        spend(one)
-    return tabulated(study, drawn)
+    """Ask for the accuracy of every scene, and measure what was reached and spent."""
+    every = drawn(study, setting.config, setting.tier)
+    patience = study.patience[setting.tier]
+    one = partial(judge, setting.config, patience, setting.tier == "reference")
+    return tabulated(study, list(each(one, every, setting.threads)))
+
+
+def drawn(study: RandomStudy, config: Path, tier: Tier) -> list[Drawn]:
+    """The scenes of a tier."""
+    families = in_tier(study.families, tier).items()
+    return [one for item in families for one in draw(*item, study, config, tier)]
 
 
 def draw(
@@ -90,71 +111,99 @@ def draw(
         open_values[path] = Origin("assumed", low, range=(low, high))
     for k, sets in enumerate(sample(open_values, study.count[tier], study.seed)):
         asked = {"analysis.accuracy": study.accuracy}
-        yield Drawn(name, k % 2 == 1, sets, base.with_values(sets | asked, f"{WHERE}: {name}"))
+        file = base.with_values(sets | asked, f"{WHERE}: {name}")
+        yield Drawn(name, k, k % 2 == 1, sets, file)
 
 
-def judge(one: Drawn, patience: float) -> None:
-    """Run at the requested accuracy, find the true error, and find the cheapest that errs no more.
+def judge(config: Path, patience: float, anew: bool, one: Drawn) -> Drawn:
+    """Run at the requested accuracy, find the true error, and the cheapest that errs no more.
 
-    A request that takes more than ``patience`` (s) is not judged: its true error would take far longer.
+    A request that takes more than ``patience`` (s) is not judged.
+
+    Parameters
+    ----------
+    anew : whether to find the cheapest without what is kept of it.
     """
     scene = whole(one.file.scene())
+    try:
+        kept = read(config, STUDY, one.name, scene)
+    except NotUsed as error:
+        one.message = f"reference: {error}"
+        return one
     attempt(lambda: run(scene, 0.0))  # loads its kernels, which is not the request's time
     tried = attempt(lambda: in_time(scene, patience))
     if tried.result is None:
         late = f"{NOT_JUDGED}: " if tried.refused is Outcome.TOO_LONG else ""
         one.message = f"{late}{tried.message}"
-        return
-    best = reference_of(one.file, scene, tried.result)
-    if best.result is None:
-        one.message = f"reference: {best.message}"
-        return
+        return one
+    if kept.result is None:
+        one.message = f"{NOT_JUDGED}: {kept.missing}"
+        return one
     one.asked = tried.result
-    measure = by_run(best.result)
-    one.true = measure.errors(tried.result)
-    one.fixed = cheapest(one, scene, measure, max(one.true.values(), default=0.0))
+    one.true = errors(tried.result, kept.result)
+    known = [] if anew else [Even(*row) for row in kept.more["even"]]
+    one.fixed = cheapest(one, scene, by_run(kept.result).errors, known)
+    one.asked = replace(tried.result, arrays={})  # what is left goes from process to process
+    return one
 
 
-def cheapest(
-    one: Drawn, scene: Scene, measure: Reference, achieved: float
-) -> tuple[Mesh, float, float] | None:
-    """Even mesh and step of least work that err no more; none if that takes more than the request.
+def cheapest(one: Drawn, scene: Scene, measure: Measure, known: list[Even]) -> Even | None:
+    """Even mesh and step of least work that err no more than the request; None where none works less.
+
+    Parameters
+    ----------
+    known : those that were tried before, the cheapest first, whose errors foresee which will do.
+    """
+    achieved, spent = max(one.true.values(), default=0.0), spent_on(one)
+    for even_one in known:
+        if even_one.error <= achieved and even_one.work <= spent:
+            again = tried_on(one.file, scene, measure, even_one.elements, even_one.step)
+            if again and again.error <= achieved:
+                return again
+    if known:
+        return None
+    found = search(one.file, scene, measure, spent, achieved)
+    return found[-1] if found and found[-1].error <= achieved else None
+
+
+def search(
+    file: SceneFile, scene: Scene, measure: Measure, spent: float, achieved: float
+) -> list[Even]:
+    """Even meshes and steps that were tried, the cheapest first, until one errs no more than ``achieved``.
 
     A mesh that shorter steps do not help is not tried further, nor a step that finer meshes do not.
     """
-    spent = sum(map(_work, one.asked.facts["refinements"])) if one.asked else 0.0
     duration = scene.analysis.duration or 0.0
     last: dict[tuple[str, float], float] = {}
     exhausted: set[tuple[str, float]] = set()
+    found: list[Even] = []
     for work, n, step in by_work(scene):
         levels = {("segments", float(n)), ("step", step)}
         if work * duration < spent / CHEAPEST or levels & exhausted:
             continue
         if work * duration > spent:
             break
-        mesh = even(scene, n)
-        attempted = attempt_on(stepped(one.file, {}, mesh, step), mesh, step, math.inf)
-        if attempted.result is None:
+        one = tried_on(file, scene, measure, n, step)
+        if one is None:
             continue
-        error = max(measure.errors(attempted.result).values(), default=0.0)
-        if error <= achieved:
-            return mesh, step, error
-        exhausted |= {level for level in levels if error > FALLEN * last.get(level, math.inf)}
-        last |= dict.fromkeys(levels, error)
-    return None
+        found.append(one)
+        if one.error <= achieved:
+            break
+        exhausted |= {level for level in levels if one.error > FALLEN * last.get(level, math.inf)}
+        last |= dict.fromkeys(levels, one.error)
+    return found
 
 
-def reference_of(file: SceneFile, scene: Scene, found: Result) -> Attempt:
-    """A run much finer than one that was found, by another method of stepping."""
-    mesh = mesh_of(scene, found)
-    finer = mesh if massless(scene) else _quartered(scene, found)
-    step = 0.5 * found.facts["step"]
-    return attempt_on(stepped(file, OTHER, finer, step), finer, step, math.inf)
-
-
-def _quartered(scene: Scene, found: Result) -> Mesh:
-    mesh = mesh_of(scene, found)
-    return mesh.halved().halved() if len(mesh.l0) <= FINE else mesh.halved()
+def tried_on(
+    file: SceneFile, scene: Scene, measure: Measure, elements: int, step: float
+) -> Even | None:
+    """Error and work of an even mesh and a step; None where they cannot be run."""
+    mesh = even(scene, elements)
+    tried = attempt_on(stepped(file, {}, mesh, step), mesh, step, math.inf)
+    if tried.result is None:
+        return None
+    error = max(measure(tried.result).values(), default=0.0)
+    return Even(elements, step, error, _work(tried.result.facts))
 
 
 def by_work(scene: Scene) -> Iterator[tuple[float, int, float]]:
@@ -164,21 +213,31 @@ def by_work(scene: Scene) -> Iterator[tuple[float, int, float]]:
     yield from sorted((n / step, n, step) for n in counts for step in steps)
 
 
-def spend(one: Drawn) -> None:
-    """Time of the request and that of the fixed mesh and step, in turn; work for work."""
-    if one.asked is None:
-        return
-    one.cost["work_asked"] = sum(map(_work, one.asked.facts["refinements"]))
-    scene = one.file.scene()
-    seconds: dict[str, list[float]] = {"asked": [], "fixed": []}
-    for _ in range(TIMES):
-        seconds["asked"].append(run(scene).facts["solve_seconds"])
-        if one.fixed:
-            mesh, step, _ = one.fixed
-            fixed = single(stepped(one.file, {}, mesh, step), mesh, step)
-            seconds["fixed"].append(fixed.facts["solve_seconds"])
-            one.cost["work_fixed"] = _work(fixed.facts)
-    one.cost |= {f"seconds_{name}": min(walls) for name, walls in seconds.items() if walls}
+def wanted(study: RandomStudy, config: Path) -> Iterator[Wanted]:
+    """The reference of every scene of the standard tier."""
+    for one in drawn(study, config, "standard"):
+        yield Wanted(one.name, one.file, partial(solved, one))
+
+
+def solved(one: Drawn) -> Kept:
+    """The reference of a scene, and the even meshes and steps on the way to what errs no more."""
+    scene = whole(one.file.scene())
+    first = attempt(lambda: in_time(scene, LONGEST))
+    if first.result is None:
+        return none(one.name, one.file, first.message)
+    kept = converged(one.name, one.file, first.result, QUICK)
+    if kept.result is None:
+        return kept
+    measure = by_run(kept.result).errors
+    one.asked = first.result
+    achieved = max(measure(first.result).values(), default=0.0)
+    found = search(one.file, scene, measure, spent_on(one), achieved)
+    return replace(kept, more={"even": [list(row) for row in found]})
+
+
+def spent_on(one: Drawn) -> float:
+    """Segments times iterations of all runs that a request took."""
+    return sum(map(_work, one.asked.facts["refinements"])) if one.asked else 0.0
 
 
 def _work(facts: dict[str, Any]) -> float:
@@ -190,7 +249,6 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
     """All scenes as one dataset; a scene that cannot be run is a row with its message."""
     import xarray as xr
 
-    names = [f"{one.family} {k}" for k, one in enumerate(drawn)]
     data: dict[str, Any] = {
         "family": [one.family for one in drawn],
         "held_out": [one.held_out for one in drawn],
@@ -207,16 +265,16 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
     data["step"] = [f.get("step", math.nan) for f in facts]
     data["runs"] = [len(f.get("refinements", [])) for f in facts]
     data["warnings"] = ["\n".join(f.get("warnings", [])) for f in facts]
-    data["fixed_elements"] = [len(one.fixed[0].l0) if one.fixed else 0 for one in drawn]
-    data["fixed_step"] = [one.fixed[1] if one.fixed else math.nan for one in drawn]
-    data["fixed_error"] = [one.fixed[2] if one.fixed else math.nan for one in drawn]
-    for name in ("seconds_asked", "seconds_fixed", "work_asked", "work_fixed"):
-        data[name] = [one.cost.get(name, math.nan) for one in drawn]
+    data["fixed_elements"] = [one.fixed.elements if one.fixed else 0 for one in drawn]
+    for name in ("step", "error", "work"):
+        values = [getattr(one.fixed, name) if one.fixed else math.nan for one in drawn]
+        data["work_fixed" if name == "work" else f"fixed_{name}"] = values
+    data["work_asked"] = [spent_on(one) or math.nan for one in drawn]
     dataset = xr.Dataset({name: ("drawn", values) for name, values in data.items()})
-    dataset = dataset.assign_coords(drawn=names)
+    dataset = dataset.assign_coords(drawn=[one.name for one in drawn])
     for name, (unit, words) in ABOUT.items():
         dataset[name].attrs = {"units": unit, "long_name": words}
-    dataset.attrs = {"requested": study.share, "load_average": psutil.getloadavg()[0]}
+    dataset.attrs = {"requested": study.share}
     return dataset
 
 
@@ -237,8 +295,6 @@ ABOUT = {
     "fixed_elements": ("1", "even segments of the cheapest that errs no more"),
     "fixed_step": ("s", "its step"),
     "fixed_error": ("1", "its error"),
-    "seconds_asked": ("s", "time of all runs that the request took"),
-    "seconds_fixed": ("s", "time of the cheapest run that errs no more"),
     "work_asked": ("1", "segments times Newton iterations of all runs"),
     "work_fixed": ("1", "segments times Newton iterations of the cheapest run"),
 }

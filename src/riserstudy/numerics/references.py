@@ -1,17 +1,17 @@
-"""What the error of a run is measured by: a stored history of another code, or a fine run of our own.
+"""What the error of a run is measured by: a stored history of another code, or a kept fine run of our own.
 
 Stored ones share neither discretisation nor integrator with the engine (quintic elements with Radau IIA,
-the method of characteristics). Where there is none, the mesh of the finest request is halved twice, and its
-step with it, by the fourth-order method; what the second halving changed says what the reference is worth.
-Runs on other meshes are compared where their own nodes are, and there a run is what its elements mean. What
-other methods make of the same scene stands beside either.
+the method of characteristics). Where there is none, the mesh of the finest request was halved twice or more,
+and its step with it, by the fourth-order method; what the last halving changed says what the reference is
+worth. Runs on other meshes are compared where their own nodes are, and there a run is what its elements
+mean. What other methods make of the same scene stands beside either, in the reference tier.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -20,9 +20,12 @@ from numpy.typing import NDArray
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors, mesh_of
+from riserstudy.numerics.attempt import Attempt, attempt, attempt_on, errors, in_time
 from riserstudy.numerics.fixed_step import stepped, whole
 from riserstudy.numerics.outside import RADAU, outside
+from riserstudy.numerics.reference.converge import SMOOTH, converged, none
+from riserstudy.numerics.reference.kept import Kept
+from riserstudy.numerics.reference.store import NotUsed, read
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.curve import at_stations
 from riserstudy.simulation.starting_mesh import massless
@@ -31,7 +34,9 @@ from riserstudy.study.measured import Ladder
 Array = NDArray[np.float64]
 QUANTITIES = ("displacement", "moment", "tension")
 HEAVE_STEP = 0.05  # s, between the values of the stored heave
-HALVINGS = 2  # of mesh and step, from a finest request to a reference
+STUDY = "accuracy"  # folder of references
+LONGEST = 30.0  # seconds of a request that a reference is refined from
+ENOUGH = 2e-4  # change by a refinement, well below the finest request
 FOURTH: dict[str, object] = {"analysis.method": "ESDIRK4"}
 TOLERANCE = 1e-9  # of Radau as a second opinion
 AVERAGE = {"beta": 0.25, "gamma": 0.5}
@@ -50,47 +55,35 @@ class Reference:
     change: dict[str, float] = field(default_factory=dict)
 
 
-def reference(
-    file: SceneFile, ladder: Ladder, config: Path, finest: Result | None
-) -> tuple[Reference, dict[str, dict[str, float]]]:
-    """The reference of a scene, and how far the opinions of other methods are from it.
-
-    Parameters
-    ----------
-    finest : what the finest request that could be met chose; None where none could, which leaves the
-        finest rung of the ladder.
-
-    Raises
-    ------
-    SimulationError
-        When our own run cannot be completed.
-    """
-    best = stored(config / ladder.stored) if ladder.stored else refined(file, ladder, finest)
-    runs = zip(OPINIONS, opinions(file, ladder), strict=True)
-    return best, {name: best.errors(r.result) for name, r in runs if r.result}
+def reference(file: SceneFile, name: str, ladder: Ladder, config: Path) -> Reference:
+    """The reference of a scene; one by which nothing is known where what is kept cannot be used."""
+    if ladder.stored:
+        return stored(config / ladder.stored)
+    try:
+        kept = read(config, STUDY, name, file.scene())
+    except NotUsed as error:
+        return Reference(str(error), lambda _: {})
+    if kept.result is None:
+        return Reference(kept.missing, lambda _: {})
+    return Reference(f"own: {kept.how}", by_run(kept.result).errors, kept.error)
 
 
-def refined(file: SceneFile, ladder: Ladder, finest: Result | None) -> Reference:
-    """Our own reference: mesh and step of a run halved twice, with what the second time changed.
-
-    Raises
-    ------
-    SimulationError
-        When a run cannot be completed.
-    """
+def solved(name: str, file: SceneFile, ladder: Ladder) -> Kept:
+    """Our own reference, from the default accuracy, or from the finest rung where that takes long."""
     scene = whole(file.scene())
-    mesh = mesh_of(scene, finest) if finest else even(scene, ladder.elements[-1])
-    step = finest.facts["step"] if finest else ladder.steps[-1]
-    runs: list[Result] = []
-    for _ in range(HALVINGS):
-        mesh, step = mesh if massless(scene) else mesh.halved(), 0.5 * step
-        tried = attempt_on(stepped(file, FOURTH, mesh, step), mesh, step, math.inf)
-        if tried.result is None:
-            raise SimulationError(f"reference on {len(mesh.l0)} segments: {tried.message}")
-        runs.append(tried.result)
-    best = by_run(runs[-1])
-    about = f"own: {len(mesh.l0)} segments, {step:.3g} s, ESDIRK4"
-    return Reference(about, best.errors, best.errors(runs[-2]))
+    first = attempt(lambda: in_time(scene, LONGEST))
+    if first.result is None:
+        mesh, step = even(scene, ladder.elements[-1]), ladder.steps[-1]
+        first = attempt_on(stepped(file, SMOOTH.method, mesh, step), mesh, step, math.inf)
+    if first.result is None:
+        return none(name, file, first.message)
+    return converged(name, file, first.result, replace(SMOOTH, enough=ENOUGH))
+
+
+def differences(best: Reference, file: SceneFile, ladder: Ladder) -> dict[str, dict[str, float]]:
+    """How far the opinions of other methods are from a reference."""
+    runs = zip(OPINIONS, opinions(file, ladder), strict=True)
+    return {name: best.errors(r.result) for name, r in runs if r.result}
 
 
 def opinions(file: SceneFile, ladder: Ladder) -> list[Attempt]:

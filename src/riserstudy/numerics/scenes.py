@@ -83,7 +83,8 @@ def scenes_of(
 
 def in_tier(things: dict[str, Any], tier: str) -> dict[str, Any]:
     """The cases, methods or variants of a tier."""
-    return {name: x for name, x in things.items() if tier != "preview" or x.preview}
+    of = {name: x for name, x in things.items() if getattr(x, "only", None) in (None, tier)}
+    return {name: x for name, x in of.items() if tier != "preview" or x.preview}
 
 
 def case_file(

@@ -216,7 +216,7 @@ def solved(name: str, file: SceneFile) -> Kept:
     first = attempt(lambda: run(whole(free.scene())))
     if first.result is None:
         return none(name, file, first.message)
-    return converged(name, free, first.result, HARD)[0]
+    return converged(name, free, first.result, HARD)
 
 
 def as_expected(case: Case, result: CaseResult) -> tuple[bool, str]:

@@ -1,11 +1,15 @@
 """What a tier costs and how far its numbers are off: the scenes behind published numbers at each accuracy.
 
-Peaks are compared with those of the finest tier that ran, whose own error is the one it estimates.
+A tier runs its own accuracy and those of coarser tiers. Peaks are compared with those of kept references.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,17 +18,27 @@ from numpy.typing import NDArray
 
 from riserstudy.numerics.ablation import peaks
 from riserstudy.numerics.attempt import Attempt, attempt, deciding, in_time
+from riserstudy.numerics.fixed_step import whole
+from riserstudy.numerics.reference.converge import SMOOTH, converged, none
+from riserstudy.numerics.reference.kept import Kept
+from riserstudy.numerics.reference.store import NotUsed, Wanted, read
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.error_estimate import HISTORIES
+from riserstudy.simulation.refine import run
 from riserstudy.study.measured import TiersStudy
 
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.study.models import Tier
+
 
 PEAKS = ("displacement", "moment", "tension")
 COSTS = ("wall_seconds", "elements", "step")
 DEFAULT = "default"
+STUDY = "tiers"  # folder of references
+ENOUGH = 2e-4  # change by a refinement, below the error of the finest tier
 
 
 def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
@@ -32,24 +46,26 @@ def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
     import xarray as xr
 
     scenes = in_tier(study.scenes, setting.tier)
-    names = list(study.accuracies)
+    names = up_to(setting.tier, study)
     shape = (len(scenes), len(names))
+    off = np.full((*shape, len(PEAKS)), np.nan)
     cost = {name: np.full(shape, np.nan) for name in (*COSTS, "estimated")}
     peak = np.full((*shape, len(PEAKS)), np.nan)
     message = np.full(shape, "", object)
     for i, (name, case) in enumerate(scenes.items()):
         file = case_file(setting.config, name, case)
         once(file, study.accuracies[names[0]], 0.0)  # loads its kernels
+        best, why = known(setting, name, file)
         for k, of in enumerate(names):
             tried = once(file, study.accuracies[of], study.patience[setting.tier])
-            message[i, k] = tried.message
+            message[i, k] = tried.message or why
             if tried.result is None:
                 continue
             for key in COSTS:
                 cost[key][i, k] = tried.result.facts.get(key, math.nan)
             cost["estimated"][i, k] = deciding(tried.result.facts.get("error_estimate", {}))
             peak[i, k] = peaks(tried.result)
-    off = beside_finest(peak)
+            off[i, k] = np.abs(peak[i, k] / best - 1.0)
     data: dict[str, Any] = {name: (("scene", "tier"), values) for name, values in cost.items()}
     data["message"] = (("scene", "tier"), message.astype(str))
     of_peak = {"long_name": "largest size of the quantity, in its SI unit"}
@@ -62,14 +78,41 @@ def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
     return dataset
 
 
-def beside_finest(peak: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Relative difference of peaks (scene, tier, quantity) from those of the finest tier that was run."""
-    off = np.full_like(peak, np.nan)
-    for of, change in zip(peak, off, strict=True):
-        ran = np.flatnonzero(np.isfinite(of).any(axis=1))
-        if len(ran):
-            change[ran[:-1]] = np.abs(of[ran[:-1]] / of[ran[-1]] - 1.0)
-    return off
+def up_to(tier: Tier, study: TiersStudy) -> list[Tier]:
+    """A tier and all that are coarser."""
+    every = list(study.accuracies)
+    return every[: every.index(tier) + 1]
+
+
+def known(setting: Setting, name: str, file: SceneFile) -> tuple[NDArray[np.float64], str]:
+    """Peaks of the reference of a scene, and why there are none where there are none."""
+    try:
+        kept = read(setting.config, STUDY, name, file.scene())
+    except NotUsed as error:
+        return np.full(len(PEAKS), np.nan), str(error)
+    if kept.result is None:
+        return np.full(len(PEAKS), np.nan), kept.missing
+    return np.array(peaks(kept.result)), ""
+
+
+def wanted(study: TiersStudy, config: Path) -> Iterator[Wanted]:
+    """The reference of every scene."""
+    for name, case in study.scenes.items():
+        file = case_file(config, name, case)
+        yield Wanted(name, file, partial(solved, name, file))
+
+
+def solved(name: str, file: SceneFile) -> Kept:
+    """The reference of a scene, from what the default accuracy chooses."""
+    first = attempt(lambda: run(whole(asked(file, DEFAULT))))
+    if first.result is None:
+        return none(name, file, first.message)
+    kept = converged(name, file, first.result, replace(SMOOTH, enough=ENOUGH))
+    if kept.result is None:
+        return kept
+    extremes = {name: a for name, a in kept.result.arrays.items() if name not in HISTORIES}
+    extremes.pop("mesh_moment", None)
+    return replace(kept, result=replace(kept.result, arrays=extremes))
 
 
 def asked(file: SceneFile, accuracy: str) -> Any:
@@ -88,5 +131,5 @@ ABOUT = {
     "elements": ("1", "segments"),
     "step": ("s", "time step"),
     "estimated": ("1", "error that the run estimates"),
-    "error": ("1", "difference of the largest value from that of the finest tier that was run"),
+    "error": ("1", "difference of the largest value from that of the reference"),
 }

@@ -40,6 +40,7 @@ class Case(Strict):
 class Method(Strict):
     """A way to step through time: what it sets in a scene. Absent preview: not part of that tier.
 
+    ``only``: the one tier that it is part of. Absent: all, but preview where that is not set.
     ``integrator``: one from outside the engine. Absent: the engine's own. ``tolerances``: those of an
     integrator that chooses its steps, in place of the ladder's steps.
     """
@@ -48,6 +49,7 @@ class Method(Strict):
     integrator: Literal["Radau", "semi-implicit Euler"] | None = None
     tolerances: list[Positive] | None = None
     preview: bool | None = None
+    only: Literal["reference"] | None = None
 
 
 class StabilityStudy(EngineStudy):
@@ -143,10 +145,10 @@ class Family(Strict):
 class RandomStudy(EngineStudy):
     """Scenes drawn at random, so many a family, and the accuracy asked of each.
 
-    ``patience``: seconds a request may take for its true error to be measured, which takes some ten times as
-    long; a scene beyond it is a row that says so.
+    ``patience``: seconds a request may take; a scene beyond it is a row that says so.
     """
 
+    timed = False
     accuracy: str
     seed: int
     count: dict[Tiers, Annotated[int, Field(ge=2)]]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,17 +22,19 @@ class Recipe:
     """How a reference is computed.
 
     ``enough``: change by a refinement, of the error that counts, after which there is no further one.
-    ``most_work``: node-steps of a run, beyond which there is none either.
+    ``most_work``: node-steps of a run, beyond which there is none either; ``most_first``: of the first
+    refinement, beyond which there is no reference.
     """
 
     method: dict[str, Any]
     name: str
     enough: float
     most_work: float
+    most_first: float = math.inf
 
 
 #: fourth order
-SMOOTH = Recipe({"analysis.method": "ESDIRK4"}, "ESDIRK4", 1e-3, 3e7)
+SMOOTH = Recipe({"analysis.method": "ESDIRK4"}, "ESDIRK4", 1e-3, 1e7)
 #: second order with dissipation, for stops, snaps and releases
 HARD = Recipe({"analysis.method": {"rho_inf": 0.6}}, "generalised-alpha 0.6", 1e-3, 3e7)
 LEAST, MOST = 2, 8  # refinements
@@ -46,16 +47,12 @@ def none(case: str, file: SceneFile, why: str) -> Kept:
 
 def converged(
     case: str, file: SceneFile, first: Result, recipe: Recipe, mesh: Mesh | None = None
-) -> tuple[Kept, Callable[[Result], dict[str, float]]]:
+) -> Kept:
     """The reference of a scene, from a run whose mesh and step are halved again and again.
 
     Parameters
     ----------
     mesh : that of the run; None: as its segments say, which a graded mesh follows less smoothly.
-
-    Returns
-    -------
-    The reference as it is kept, and how far runs are off the whole of it.
     """
     scene = whole(file.scene())
     mesh, step = mesh or mesh_of(scene, first), first.facts.get("step")
@@ -65,13 +62,13 @@ def converged(
         mesh = mesh if massless(scene) else mesh.halved()
         step = 0.5 * step if step else None
         own = stepped(file, recipe.method, mesh, step) if step else scene
-        tried = attempt_on(own, mesh, step, recipe.most_work if runs else math.inf)
+        tried = attempt_on(own, mesh, step, recipe.most_work if runs else recipe.most_first)
         if tried.result is None:
             break
         best, change, runs = tried.result, errors(best, tried.result), runs + 1
     if not runs or (runs < LEAST and tried.refused is not Outcome.TOO_LONG):
-        return none(case, file, tried.message), lambda _: {}
-    kept = Kept(
+        return none(case, file, tried.message)
+    return Kept(
         case,
         scene_digest(file.scene()),
         PHYSICS,
@@ -80,7 +77,6 @@ def converged(
         change,
         reduced(best, first.arrays["s_node"]),
     )
-    return kept, lambda run: errors(run, best)
 
 
 def told(recipe: Recipe, best: Result) -> str:

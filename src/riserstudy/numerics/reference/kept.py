@@ -1,8 +1,10 @@
-"""One reference solution as it is kept: envelopes, a few instants of its histories, and where it comes from.
+"""One reference solution as it is kept: envelopes, instants of its histories, and where it comes from.
 
 A compressed netCDF file. The nodes are about those of the run that it was refined from, so that coarse runs
 are compared at their own nodes. Positions count from the unstretched straight riser; values are whole
-multiples of a 262 144th of the largest, far below the error of any run that is compared.
+multiples of a 131 072th of the largest, far below the error of any run that is compared. The file has their
+second differences along the nodes, which are small: added up twice, times ``unit_of_differences``, they are
+the values.
 """
 
 from __future__ import annotations
@@ -12,7 +14,7 @@ import io
 import json
 import zlib
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,14 +22,17 @@ from numpy.typing import NDArray
 from riserstudy.dataset.result import Result
 from riserstudy.simulation.error_estimate import HISTORIES
 
+if TYPE_CHECKING:
+    import xarray as xr
+
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
 ENDS = ("_static", "_min", "_max")
-MANY = 200  # nodes of a coarser run, beyond which no middles of its segments are kept
-MOST_VALUES = 2000  # of a history, over nodes and outputs
+MANY = 60  # nodes of a coarser run, beyond which no middles of its segments are kept
+MOST_VALUES = 8_000  # of a history, over nodes and outputs
 LEAST_OUTPUTS = 8
-RESOLUTION = 2.0**-18  # of the largest value
+RESOLUTION = 2.0**-17  # of the largest value
 COMPONENTS = "mesh_moment"  # in space: components of the moment over time
 MIDDLE = ("mesh_moment_min", "mesh_moment_max")  # at the middle of a segment
 OF_SEGMENTS = ("mesh_flexibility", *MIDDLE)
@@ -113,8 +118,11 @@ def packed(kept: Kept) -> bytes:
         attributes: dict[str, Any] = {"units": _unit(name)}
         if name not in EXACT:
             values = values - _zero(arrays, name)
-            attributes["scale_factor"] = RESOLUTION * float(np.abs(values).max()) or 1.0
-            values = np.rint(values / attributes["scale_factor"]).astype(np.int32)
+            attributes["unit_of_differences"] = RESOLUTION * float(np.abs(values).max()) or 1.0
+            whole = np.rint(values / attributes["unit_of_differences"]).astype(np.int32)
+            values = np.diff(
+                whole, n=2, axis=-1, prepend=np.zeros((*whole.shape[:-1], 2), np.int32)
+            )
         dataset[name] = (_dims(name), values, attributes)
         dataset[name].encoding["_FillValue"] = None
     content: bytes = bytes(dataset.to_netcdf(engine="scipy"))
@@ -135,9 +143,7 @@ def unpacked(content: bytes) -> Kept:
         file = io.BytesIO(gzip.decompress(content))
         with xr.open_dataset(file, engine="scipy", decode_times=False) as dataset:
             about = json.loads(dataset.attrs["about"])
-            arrays = {
-                str(name): np.array(of.values, float) for name, of in dataset.variables.items()
-            }
+            arrays = {str(name): _values(of) for name, of in dataset.variables.items()}
     except (OSError, EOFError, zlib.error, ValueError, KeyError, TypeError) as error:
         raise Damaged(str(error)) from None
     facts = about.pop("facts")
@@ -149,6 +155,14 @@ def unpacked(content: bytes) -> Kept:
     if arrays:
         arrays |= {"s": arrays["s_node"], "l0": np.diff(arrays["s_node"])}
     return Kept(**about, result=Result(arrays, facts) if arrays else None)
+
+
+def _values(of: xr.Variable) -> Array:
+    """Values of a variable as they were, or as their differences add up to."""
+    values = np.array(of.values, float)
+    if "unit_of_differences" in of.attrs:
+        values = values.cumsum(axis=-1).cumsum(axis=-1) * float(of.attrs["unit_of_differences"])
+    return values
 
 
 def _zero(arrays: Arrays, name: str) -> Array | float:

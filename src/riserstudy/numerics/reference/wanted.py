@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from riserstudy.numerics import stability
+from riserstudy.numerics import accuracy, long_runs, random_scenes, stability, tiers
 from riserstudy.numerics.reference.store import Wanted
 from riserstudy.study.measured import Measured
 
@@ -14,6 +14,10 @@ PAPER = "numerics"
 #: what a study wants references for
 OF: dict[str, Callable[[Any, Path], Iterator[Wanted]]] = {
     "stability": stability.wanted,
+    "random_scenes": random_scenes.wanted,
+    "accuracy": accuracy.wanted,
+    "long_runs": long_runs.wanted,
+    "tiers": tiers.wanted,
 }
 
 
