@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from riserstudy.csv_files import csv_text, read_csv, write_csv
 from riserstudy.errors import SimulationError
 from riserstudy.figures.drawn import table as values_of_figure
-from riserstudy.grading.grade import table as graded
+from riserstudy.grading.rows import table as graded
 
 FORMULAS = [
     "=1+1", '=cmd|" /C calc"!A0', "+1+cmd|x", "-2+3", "@SUM(1)", "\t=1", "\r=1", "\n=1", " =1+1",

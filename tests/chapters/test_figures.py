@@ -16,9 +16,11 @@ from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
 from riserstudy.figures import save
-from riserstudy.grading.grade import ErratumRow, Row, errata, grade, table, weigh
+from riserstudy.grading.grade import errata, grade
 from riserstudy.grading.models import read_published
 from riserstudy.grading.printed import with_printed
+from riserstudy.grading.rows import ErratumRow, Row, table
+from riserstudy.grading.rows import row_of as graded_row
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
@@ -155,7 +157,7 @@ def test_nothing_is_cut_off(paper, name):
 @pytest.mark.parametrize("paper", GRADED)
 def test_every_paper_is_graded_from_its_datasets(paper):
     file = read_published(CONFIG, paper, datasets_of(paper))
-    rows = grade(file, datasets_of(paper), checks_of(paper))
+    rows = [graded_row(of) for of in grade(file, datasets_of(paper), checks_of(paper))]
     assert [row.id for row in rows] == [item.id for item in file.items]
     for row in rows:
         assert (row.verdict == "depends") == bool(row.depends_on)
@@ -207,7 +209,7 @@ def test_all_figures_of_the_paper_that_show_results_are_drawn():
 def test_what_must_come_out_whatever_the_numbers(datasets):
     """Two percentages cannot be one, a gas law is convex: in every sample, few as they are here."""
     file = read_published(CONFIG, "chang2020", datasets)
-    cases = {of.row.id: of.cases for of in weigh(file, datasets, checks_of("chang2020"))}
+    cases = {of.id: of.cases for of in grade(file, datasets, checks_of("chang2020"))}
     table = datasets["reductions"]["reduction"]
     np.testing.assert_allclose(
         table.sel(quantity="heave"), table.sel(quantity="tension"), atol=1e-9

@@ -11,10 +11,12 @@ import xarray as xr
 
 from riserstudy.chapters import derive as chapter
 from riserstudy.database.write_papers import _margin
-from riserstudy.grading.cases import Case, regrade
-from riserstudy.grading.grade import Found, judged, table, weighed
+from riserstudy.grading.cases import regrade
+from riserstudy.grading.grade import Found, graded, judged
 from riserstudy.grading.margin import above
 from riserstudy.grading.models import Item
+from riserstudy.grading.rows import table
+from riserstudy.records.graded import Case
 from riserstudy.report.without_points import cases_of
 
 LINES = ["a chord", "a; b=2", "tangent, line=a chord", "1"]
@@ -71,20 +73,20 @@ def places(axes, at):
 @pytest.mark.parametrize("seed", range(60))
 def test_without_some_samples_a_verdict_is_that_of_the_others(seed):
     item, datasets, draw = drawn(seed)
-    found = weighed("paper", item, check, datasets)
-    assert regrade(item.kind, found.cases) == found.row.verdict
+    found = graded("paper", item, check, datasets)
+    assert regrade(item.kind, found.cases) == found.verdict
     samples = datasets["space"]["sample"].values
     off = draw.choice(samples, draw.integers(1, len(samples)), replace=False).tolist()
     lines = draw.choice(datasets["space"]["line"].values, len(off)).tolist()
     left = datasets | {"space": datasets["space"].drop_sel(sample=off)}
-    expected = weighed("paper", item, check, left).row.verdict
+    expected = graded("paper", item, check, left).verdict
     at = [(s, line) for s in off for line in datasets["space"]["line"].values.tolist()]
     if item.check == "least":  # of the worst line: with any of its points the sample is off
         at = [*zip(off, lines, strict=True)]
     drop = {"paper/space": places(("sample", "line"), at)}
     assert regrade(item.kind, found.cases, drop) == expected
     assert regrade(item.kind, found.cases, {"paper/other": places(("sample",), [(0,)])}) == (
-        found.row.verdict
+        found.verdict
     )
 
 
@@ -92,9 +94,9 @@ def test_without_some_samples_a_verdict_is_that_of_the_others(seed):
 def test_a_base_case_that_is_left_out_counts_for_nothing(seed):
     """Its verdict is told where it is the same whether the base is a hit or not."""
     item, datasets, _ = drawn(seed)
-    cases = weighed("paper", item, check, datasets).cases
+    cases = graded("paper", item, check, datasets).cases
     both = {
-        weighed("paper", item, check, datasets | {"base": simulated(value, fitted)}).row.verdict
+        graded("paper", item, check, datasets | {"base": simulated(value, fitted)}).verdict
         for value in (2.0, 0.5)
         for fitted in ["calibrated" in datasets["base"].attrs["origins"]]
     }
@@ -108,7 +110,7 @@ def test_one_cell_off_leaves_the_other_cells_of_its_sample():
     about = {"id": "X1", "figure": "1", "statement": "s", "kind": "claim", "check": "claim"}
     item = Item(**about, reads={"runs": "base"}, over={"runs": "space"})
     datasets = {"base": simulated(2.0, False), "space": space}
-    cases = weighed("paper", item, check, datasets).cases
+    cases = graded("paper", item, check, datasets).cases
     assert regrade("claim", cases) == "depends"
     bad = [{"sample": k, "line": LINES[2]} for k in range(0, 80, 2)]
     assert regrade("claim", cases, {"paper/space": bad}) == "holds"
@@ -130,7 +132,7 @@ def test_what_is_derived_rests_on_the_points_of_its_sources(monkeypatch):
     twice = chapter.derive("paper", "twice", {"once": once})
     about = {"id": "X1", "figure": "1", "statement": "s", "kind": "claim", "check": "claim"}
     item = Item(**about, reads={"runs": "base"}, over={"runs": "twice"})
-    cases = weighed("paper", item, check, {"base": simulated(2.0, False), "twice": twice}).cases
+    cases = graded("paper", item, check, {"base": simulated(2.0, False), "twice": twice}).cases
     assert [case.rests_on for case in cases[1:]] == [{"paper/space": ["sample"]}] * 160
     odd = [{"sample": k, "line": LINES[1]} for k in range(1, 160, 2)]
     assert regrade("claim", cases, {"paper/space": odd[1:]}) == "holds"  # one of 81 is false
@@ -143,14 +145,14 @@ def test_where_every_case_rests_on_such_a_point_nothing_is_said():
         **{"id": "X1", "figure": "1", "statement": "s", "kind": "claim", "check": "claim"},
         reads={"runs": "base"},
     )
-    cases = weighed("paper", item, check, {"base": simulated(2.0, False)}).cases
+    cases = graded("paper", item, check, {"base": simulated(2.0, False)}).cases
     assert regrade("claim", cases) == "holds"
     assert regrade("claim", cases, {"paper/base": [{}]}) is None
 
 
 def test_cases_come_back_from_their_table_as_they_were(tmp_path):
     item, datasets, _ = drawn(4)
-    cases = weighed("paper", item, check, datasets).cases
+    cases = graded("paper", item, check, datasets).cases
     rows = csv.DictReader(io.StringIO(table(cases, Case)))
     db = sqlite3.connect(":memory:")
     db.execute(

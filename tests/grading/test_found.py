@@ -7,6 +7,7 @@ import xarray as xr
 from riserstudy.errors import InputError
 from riserstudy.grading.grade import Found, graded
 from riserstudy.grading.models import Item, read_published
+from riserstudy.grading.rows import row_of
 from riserstudy.grading.verdict import met
 from riserstudy.study.read import read_studies
 
@@ -29,7 +30,7 @@ def row(check, values, about):
 
 def said(found):
     """How many of the samples are met, as the row tells it."""
-    return f"{found.depends_on} {found.note}".lower()
+    return f"{row_of(found).depends_on} {row_of(found).note}".lower()
 
 
 def over_samples(truth, margins):
@@ -109,7 +110,7 @@ def test_a_number_may_be_held_to_less_than_one_percent(percent):
         )
         assert (found.verdict == "reproduced") == (off < 1.0)
         assert (found.margin > 0.0) == (off < 1.0)
-    assert f"within {percent:g} %" in found.note
+    assert f"within {percent:g} %" in row_of(found).note
     assert met(24.4174, 24.417, 0.001, 1e-6)  # printed to no more digits
 
 

@@ -15,9 +15,10 @@ import xarray as xr
 from riserstudy.chapters.chang2020 import claims as checks
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.grading.grade import ErratumRow, Found, Row, _hits, graded, table
+from riserstudy.grading.grade import Found, _hits, graded
 from riserstudy.grading.models import Item, PublishedFile, read_published
 from riserstudy.grading.names import input_name, option_name
+from riserstudy.grading.rows import ErratumRow, Row, row_of, table
 from riserstudy.grading.sensitivity import (
     correlation_ratio,
     deciding,
@@ -30,7 +31,7 @@ from riserstudy.study.read import read_studies
 CONFIG = Path(__file__).parents[2] / "config"
 COLUMNS = (
     "paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,"
-    "margin,margin_low,margin_high,note"
+    "margin,margin_low,margin_high,note,grounds"
 )
 
 
@@ -137,9 +138,8 @@ def number(dataset, name):
 def test_an_option_that_decides_is_named():
     _, about = sampled()
     outcome = about["assumed_analysis_start"] == "equilibrium"
-    names, why = deciding(outcome, about)
-    assert names == ["analysis.start"]
-    assert why == "Start of analysis explains 100 % of the variance of the outcome."
+    found = deciding(outcome, about)
+    assert (found.names, found.explained) == (["analysis.start"], 1.0)
 
 
 def test_a_range_that_decides_is_named_though_its_effect_has_no_direction():
@@ -209,9 +209,8 @@ def test_nothing_decides_what_never_changes():
 def test_pure_chance_is_not_explained(count):
     random, about = sampled(count)
     outcome = xr.DataArray(random.random(count) > 0.5, dims="sample")
-    names, why = deciding(outcome, about)
-    assert names == []
-    assert why.startswith("No input stands out")
+    found = deciding(outcome, about)
+    assert (found.names, found.explained) == ([], 0.0)
 
 
 def test_correlation_ratios_run_from_nothing_to_all():
@@ -254,7 +253,8 @@ def dataset(quantity, **origins):
 
 def row(datasets, called=None, **about):
     fields = {"id": "X1", "figure": "1", "statement": "invented", "reads": {"runs": "base"}}
-    return graded("paper", Item(**(fields | about)), partial(getattr, Checks), datasets, called)
+    item = Item(**(fields | about))
+    return row_of(graded("paper", item, partial(getattr, Checks), datasets, called))
 
 
 def number_row(datasets, **about):
@@ -326,6 +326,20 @@ def test_a_claim_holds_where_its_base_and_enough_samples_are_true(count, base):
         assert found.depends_on.startswith(f"the base case; {share}")
     elif not enough:
         assert found.depends_on.startswith(f"too few samples ({count} of 59); {share}")
+
+
+def test_draws_are_counted_without_the_cells_that_each_is_judged_in():
+    quantity = xr.DataArray(np.full((8, 3), 5.0), dims=("sample", "line"))
+    space = xr.Dataset({"quantity": quantity.assign_coords(sample=range(8), line=["a", "b", "c"])})
+    space = space.assign_attrs(origins="{}").merge(samples(lever=["in"] * 8))
+    about = {
+        "kind": "claim",
+        "check": "claim",
+        "with": {"at_least": 3.0},
+        "over": {"runs": "space"},
+    }
+    found = row({"base": dataset(5.0), "space": space}, **about)
+    assert found.depends_on.startswith("too few samples (8 of 59); true in 24 of 24 samples")
 
 
 def test_all_readings_of_a_grid_are_enough_however_few():

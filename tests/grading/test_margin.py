@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.grading.grade import Found, judged, weighed
+from riserstudy.grading.grade import Found, graded, judged
 from riserstudy.grading.margin import above, below, everywhere, least, rising
 from riserstudy.grading.models import Item
+from riserstudy.records.graded import Share
 
 
 def steps(*values):
@@ -75,15 +76,15 @@ def runs(*values):
     return xr.Dataset({"quantity": ("sample", list(values))}, {"sample": range(len(values))})
 
 
-def weighed_over(*values, **about):
+def graded_over(*values, **about):
     base = runs(4.0).isel(sample=0)
     item = Item(**ITEM, over={"runs": "space"}, **about)
-    return weighed("paper", item, checks, {"base": base, "space": runs(*values)})
+    return graded("paper", item, checks, {"base": base, "space": runs(*values)})
 
 
 def test_a_claim_tells_the_margin_of_its_base_and_of_each_sample():
-    found = weighed_over(1.0, 2.5, 4.0, 8.0, kind="claim", check="claim")
-    assert found.row.margin == 0.5
+    found = graded_over(1.0, 2.5, 4.0, 8.0, kind="claim", check="claim")
+    assert found.margin == 0.5
     base, *cases = found.cases
     assert (base.base, base.judged, base.margin) == (True, False, 0.5)
     assert [(one.place, one.margin) for one in cases] == [
@@ -91,20 +92,20 @@ def test_a_claim_tells_the_margin_of_its_base_and_of_each_sample():
     ]  # fmt: skip
     assert [one.met for one in cases] == [one.margin > 0.0 for one in cases]
     true = np.mean([one.met for one in cases])
-    assert f"true in {4 * true:.0f} of 4 samples" in found.row.depends_on
-    assert -0.5 < found.row.margin_low < found.row.margin_high < 0.75
+    assert found.grounds.share == Share(round(4 * true), 4, 4)
+    assert -0.5 < found.margin_low < found.margin_high < 0.75
 
 
 def test_a_number_has_room_within_its_tolerance():
-    found = weighed_over(4.0, 4.1, 4.5, kind="number", check="number", published=4.0, rounding=0.2)
-    assert found.row.margin == 1.0
+    found = graded_over(4.0, 4.1, 4.5, kind="number", check="number", published=4.0, rounding=0.2)
+    assert found.margin == 1.0
     assert [one.margin for one in found.cases] == pytest.approx([1.0, 1.0, 0.0, -0.8])
     assert [one.met for one in found.cases] == [True, True, True, False]
 
 
 def test_a_check_that_says_true_or_false_alone_has_no_margin():
-    found = weighed_over(1.0, 4.0, kind="claim", check="plain")
-    assert (found.row.margin, found.row.margin_low) == (None, None)
+    found = graded_over(1.0, 4.0, kind="claim", check="plain")
+    assert (found.margin, found.margin_low) == (None, None)
     assert [(one.met, one.margin) for one in found.cases] == [
         (True, None), (False, None), (True, None)
     ]  # fmt: skip

@@ -3,42 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.points_behind import Axes, studies_behind
-from riserstudy.grading.verdict import Verdict, verdict_of_claim, verdict_of_number
-
-Place = dict[str, Any]  # value by axis
-
-
-@dataclass(frozen=True)
-class Case:
-    """One line of margins.csv: one case of a number or claim; the fields are its columns.
-
-    Attributes
-    ----------
-    place : its sample and its cell on the axes that are judged, by axis.
-    base, judged : whether it is the base case, and whether it counts in the share.
-    met : whether the number is met, or the claim true.
-    margin : how far it is from where that would turn, -1 to 1; None where that is not known.
-    calibrated : whether a value fitted to a printed number is behind it.
-    rests_on : simulated studies (paper/name) with the axes by whose values, those of ``place``, its points
-        are picked; all points of a study without axes.
-    """
-
-    paper: str
-    id: str
-    place: Place
-    base: bool
-    judged: bool
-    met: bool
-    margin: float | None
-    calibrated: bool
-    rests_on: dict[str, list[str]]
+from riserstudy.grading.verdict import verdict_of_claim, verdict_of_number
+from riserstudy.records.graded import Case, Kind, Place, Verdict
 
 
 class Behind:
@@ -93,7 +65,7 @@ class Dropped:
 
 
 def regrade(
-    kind: str, cases: Sequence[Case], drop: Mapping[str, Iterable[Place]] | Dropped | None = None
+    kind: Kind, cases: Sequence[Case], drop: Mapping[str, Iterable[Place]] | Dropped | None = None
 ) -> Verdict | None:
     """Verdict of a number or claim without the cases that rest on some points.
 
@@ -118,7 +90,7 @@ def regrade(
     return verdicts.pop() if len(verdicts) == 1 else None
 
 
-def _verdict(kind: str, judged: Sequence[Case], base: bool) -> Verdict:
+def _verdict(kind: Kind, judged: Sequence[Case], base: bool) -> Verdict:
     share = sum(case.met for case in judged) / len(judged)
     calibrated = any(case.calibrated for case in judged)
     if kind == "number":

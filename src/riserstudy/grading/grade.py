@@ -1,88 +1,35 @@
-"""Grade datasets against what a paper printed: one row a number or claim, one an erratum."""
+"""Grade datasets against what a paper printed: a record of every number and claim, a row of every erratum."""
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import asdict, dataclass, fields, replace
-from functools import partial
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import xarray as xr
 
-from riserstudy.csv_files import csv_text
 from riserstudy.dataset.origins import origins_of
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.grading.cases import Behind, Case, places_of, regrade
+from riserstudy.grading.cases import Behind, places_of, regrade
 from riserstudy.grading.found import Found, at_cell, judged, sound
+from riserstudy.grading.grounds import MANY, explained, outcome_of, settled
 from riserstudy.grading.margin import below
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
-from riserstudy.grading.sequential import settled
-from riserstudy.grading.verdict import Verdict, error, met, tolerance
-from riserstudy.grading.words import MANY, case_in_words, explained, premise_in_words
+from riserstudy.grading.rows import ErratumRow
+from riserstudy.grading.verdict import error, met, tolerance
+from riserstudy.records.graded import Case, Graded, Grounds, Outcome, Premise
 
-__all__ = ["Case", "ErratumRow", "Found", "Row", "errata", "grade", "judged", "table", "weigh"]
+__all__ = ["Found", "errata", "grade", "graded", "judged"]
 
 Datasets = Mapping[str, xr.Dataset]
 Checks = Callable[[str], Callable[..., Any]]  # by their names
 ENDS = (0.05, 0.95)  # shares of the samples between which margins are told
 
 
-@dataclass(frozen=True)
-class Row:
-    """One line of reproduction.csv; the fields are its columns."""
-
-    paper: str
-    id: str
-    figure: str
-    kind: str
-    statement: str
-    published: float | None
-    simulated: float | None
-    unit: str
-    error: float | None
-    verdict: Verdict
-    depends_on: str
-    margin: float | None
-    margin_low: float | None
-    margin_high: float | None
-    note: str
-
-
-class Weighed(NamedTuple):
-    """The row of a number or claim, and the cases that it is judged by."""
-
-    row: Row
-    cases: list[Case]
-
-
-@dataclass(frozen=True)
-class ErratumRow:
-    """One line of errata.csv; the fields are its columns."""
-
-    paper: str
-    id: str
-    where: str
-    printed: str
-    reading: str
-    simulation: str
-
-
-def grade(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Row]:
-    """A row for every number and claim of a paper, by its checks; as ``weigh``."""
-    return [item.row for item in weigh(file, datasets, checks)]
-
-
-def weigh(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Weighed]:
-    """Every number and claim of a paper, by its checks.
-
-    Raises
-    ------
-    SimulationError
-        When a check finds no finite value.
-    """
-    return [weighed(file.paper, item, checks, datasets, file.called) for item in file.items]
+def grade(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Graded]:
+    """Every number and claim of a paper, by its checks; raises as ``graded``."""
+    return [graded(file.paper, item, checks, datasets, file.called) for item in file.items]
 
 
 def graded(
@@ -91,19 +38,8 @@ def graded(
     checks: Checks,
     datasets: Datasets,
     called: Mapping[str, str] | None = None,
-) -> Row:
-    """The row of one number or claim; as ``weighed``."""
-    return weighed(paper, item, checks, datasets, called).row
-
-
-def weighed(
-    paper: str,
-    item: Item,
-    checks: Checks,
-    datasets: Datasets,
-    called: Mapping[str, str] | None = None,
-) -> Weighed:
-    """The row of one number or claim, with all its cases.
+) -> Graded:
+    """One number or claim, with the grounds of its verdict and all its cases.
 
     ``called``: what inputs are called, as in ``riserstudy.grading.names.input_name``.
 
@@ -114,9 +50,10 @@ def weighed(
     InputError
         When a check contradicts itself, or finds nothing at the base.
     """
+    printed = (paper, item.id, item.figure, item.kind, item.statement, item.published)
     if item.impossible:
-        row = _row(paper, item, None, None, "not reproducible", "", [item.impossible, item.note])
-        return Weighed(row, [])
+        grounds = Grounds(impossible=item.impossible, note=item.note)
+        return Graded(*printed, None, item.unit, None, "not reproducible", grounds)
     asked = Asked(paper, item, checks, datasets, called)
     looked = asked.look(item.reads)
     base = asked.at_base(looked, item.base)
@@ -131,16 +68,15 @@ def weighed(
         raise SimulationError(f"{paper}/{item.id}: {item.check} finds no case to judge")
     hits = _hits(item, space)
     off = None if item.published is None else error(simulated, item.published)
-    depends_on, said = "", ""
+    grounds = _grounds(asked, base, every, hits)
     if hits.ndim:
         about = asked.about
         if space is not every:
             about = about.sel(sample=hits["sample"])
         hit = bool(_hits(item, base).all())
-        depends_on, said = explained(item, hits, about, verdict, hit, called)
-    notes = [said, *_notes(asked, base, every, hits), item.note]
-    row = _row(paper, item, simulated, off, verdict, depends_on, notes)
-    return Weighed(_with_margins(row, _margin(item, space), _margin(item, base)), cases)
+        grounds = explained(grounds, hits, about, verdict, hit, called)
+    margins = _margins(_margin(item, space), _margin(item, base))
+    return Graded(*printed, simulated, item.unit, off, verdict, grounds, *margins, cases)
 
 
 class Asked(NamedTuple):
@@ -169,24 +105,35 @@ class Asked(NamedTuple):
         return at_cell(found, cell, f"config/published/{self.paper}.yaml", f"{self.item.id}.base")
 
 
-def _notes(asked: Asked, base: Found, every: Found, hits: xr.DataArray) -> Iterator[str]:
-    """What else a row tells: a premise, when its verdict was certain, its base and further cases."""
+def _grounds(asked: Asked, base: Found, every: Found, hits: xr.DataArray) -> Grounds:
+    """A premise, when the verdict was certain, the base and further cases."""
     item, granted = asked.item, every.granted()
-    if item.within is not None:
-        yield f"To be met within {100 * item.within:g} %."
+    premise = None
     if granted is not every:
-        yield premise_in_words(granted.value.size, every.value.size)
-    if hits.dims == ("sample",) and hits.size >= MANY:
-        yield settled(hits.values)
-    tell = partial(case_in_words, item, called=asked.called)
+        premise = Premise(granted.value.size, every.value.size)
+    many = hits.dims == ("sample",) and hits.size >= MANY
+    return Grounds(
+        within=item.within,
+        premise=premise,
+        settled=settled(hits.values) if many else None,
+        outcomes=[*_outcomes(asked, base)],
+        note=item.note,
+    )
+
+
+def _outcomes(asked: Asked, base: Found) -> Iterator[Outcome]:
+    """The base case of a claim, of which no column tells, and further cases."""
+    item = asked.item
+
+    def of(name: str, found: Found, about: xr.Dataset) -> Outcome:
+        return outcome_of(name, found.value, _hits(item, found), about, asked.called)
+
     if item.published is None:
-        yield tell("Base case", base.value, _hits(item, base), asked.about)
+        yield of("Base case", base, asked.about)
     for name, reads in item.beside.items():
         found = asked.look(reads)
         there = {dim: value for dim, value in item.base.items() if dim in found.value.dims}
-        found = asked.at_base(found, there)
-        about = asked.datasets[next(iter(reads.values()))]
-        yield tell(name, found.value, _hits(item, found), about)
+        yield of(name, asked.at_base(found, there), asked.datasets[next(iter(reads.values()))])
 
 
 def _cases(asked: Asked, base: Found, space: Found) -> Iterator[Case]:
@@ -225,15 +172,15 @@ def _is_at(case: Case, cell: Mapping[str, Any]) -> bool:
     return all(case.place.get(axis) == value for axis, value in cell.items())
 
 
-def _with_margins(row: Row, margin: xr.DataArray | None, at_base: xr.DataArray | None) -> Row:
-    """The row with the margin of its base case, and of nine in ten of the cases that are judged."""
+def _margins(
+    margin: xr.DataArray | None, at_base: xr.DataArray | None
+) -> tuple[float | None, float | None, float | None]:
+    """The margin of the base case, and of nine in ten of the cases that are judged."""
     if margin is None or at_base is None:
-        return row
-    if margin.ndim:
-        low, high = (float(margin.quantile(share)) for share in ENDS)
-        row = replace(row, margin_low=low, margin_high=high)
+        return None, None, None
+    low, high = (float(margin.quantile(share)) for share in ENDS) if margin.ndim else (None, None)
     # a base case that is compared in several ways has several
-    return replace(row, margin=None if at_base.ndim else float(at_base))
+    return None if at_base.ndim else float(at_base), low, high
 
 
 def _margin(item: Item, found: Found) -> xr.DataArray | None:
@@ -263,12 +210,6 @@ def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Erra
     ]
 
 
-def table(rows: Iterable[Any], kind: type) -> str:
-    """Rows as CSV text with a header; numbers to six digits."""
-    header = [field.name for field in fields(kind)]
-    return csv_text(header, ([_cell(value) for value in asdict(row).values()] for row in rows))
-
-
 def _answer(entry: Checked, reads: Mapping[str, str], checks: Checks, datasets: Datasets) -> Any:
     return checks(entry.check or "")(
         **{name: datasets[of] for name, of in reads.items()}, **entry.options
@@ -279,42 +220,3 @@ def _filled(erratum: Erratum, checks: Checks, datasets: Datasets) -> str:
     if not erratum.check:
         return erratum.simulation
     return erratum.simulation.format(**_answer(erratum, erratum.reads, checks, datasets))
-
-
-def _row(
-    paper: str,
-    item: Item,
-    simulated: float | None,
-    off: float | None,
-    verdict: Verdict,
-    depends_on: str,
-    notes: list[str],
-) -> Row:
-    note = " ".join(text for text in notes if text)
-    return Row(
-        paper,
-        item.id,
-        item.figure,
-        item.kind,
-        item.statement,
-        item.published,
-        simulated,
-        item.unit,
-        off,
-        verdict,
-        depends_on,
-        None,
-        None,
-        None,
-        note,
-    )
-
-
-def _cell(value: Any) -> Any:
-    if value is None:
-        return ""
-    if isinstance(value, dict):
-        return json.dumps(value, ensure_ascii=False)
-    if isinstance(value, bool):
-        return int(value)
-    return f"{value:.6g}" if isinstance(value, float) else value

@@ -9,16 +9,13 @@ for options without an order. Over a full grid of readings: total effects, which
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from functools import partial
+from collections.abc import Iterable, Mapping
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
-
-from riserstudy.grading.names import input_name
 
 MOST_GROUPS = 8  # of a continuous input
 A_GROUP = 4  # samples at least
@@ -28,33 +25,37 @@ SHUFFLES, SURE, SEED = 200, 0.95, 0  # an input is named when it beats so many s
 
 
 class Deciding(NamedTuple):
-    """Names of the deciding inputs, the most important first, and what is known of them."""
+    """Deciding inputs, the most important first, and how much each or all of them explain.
+
+    Attributes
+    ----------
+    explained : share of the variance that samples' inputs explain together, 0 where none stands out from
+        chance; None over a grid, and where nothing varies.
+    total_effects : of each input over a grid; empty for samples.
+    """
 
     names: list[str]
-    why: str
+    explained: float | None = None
+    total_effects: Mapping[str, float] = {}
 
 
-def deciding(
-    outcome: xr.DataArray, about: xr.Dataset, called: Mapping[str, str] | None = None
-) -> Deciding:
+def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
     """Inputs that decide a boolean outcome.
 
     Parameters
     ----------
     outcome : boolean, over ``sample`` and any other dimensions.
     about : holds what each sample assumed, as variables ``assumed_...`` with the path as long_name.
-    called : what inputs are called, as in ``input_name``.
     """
-    in_words = partial(input_name, called=called)
     if bool(outcome.all()) or not bool(outcome.any()):
-        return Deciding([], "")
+        return Deciding([])
     if "sample" not in outcome.dims:
-        return _of_a_grid(outcome, in_words)
+        return _of_a_grid(outcome)
     values = outcome.values.astype(float).ravel()
     groups = {name: _groups(x) for name, x in inputs(outcome, about).items()}
     groups = {name: group for name, group in groups.items() if group.max(initial=0) > 0}
     if not groups:
-        return Deciding([], "")
+        return Deciding([])
     shuffled = np.random.default_rng(SEED).permutation
     outcomes = np.stack([values, *(shuffled(values) for _ in range(SHUFFLES))])
     for count in (1, 2):
@@ -62,16 +63,12 @@ def deciding(
         if explained > np.quantile(chance, SURE):
             break
     else:
-        return Deciding([], "No input stands out from what chance gives with so many samples.")
+        return Deciding([], 0.0)
     if count == 1 and explained < WEAK:
         pair, together, _ = _best(outcomes[:1], groups, 2, containing=names[0])
         if together >= explained + WORTH:
             names, explained = pair, together
-    word = "explains" if len(names) == 1 else "together explain"
-    which = _capital(listed(map(in_words, names)))
-    return Deciding(
-        names, f"{which} {word} {100 * explained:.0f} % of the variance of the outcome."
-    )
+    return Deciding(names, explained)
 
 
 def _best(
@@ -110,11 +107,7 @@ def _coarser(group: NDArray[np.int64], most: int) -> NDArray[np.int64]:
     return coarse
 
 
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]
-
-
-def _of_a_grid(outcome: xr.DataArray, in_words: Callable[[str], str]) -> Deciding:
+def _of_a_grid(outcome: xr.DataArray) -> Deciding:
     """The dimensions whose total effect is at least half of the largest."""
     effects = total_effects(outcome)
     largest = max(effects.values(), default=0.0)
@@ -122,8 +115,7 @@ def _of_a_grid(outcome: xr.DataArray, in_words: Callable[[str], str]) -> Decidin
         (name for name, effect in effects.items() if effect >= 0.5 * largest),
         key=lambda name: -effects[name],
     )
-    shares = ", ".join(f"{in_words(name)} {100 * effects[name]:.0f} %" for name in names)
-    return Deciding(names, f"Total effects: {shares}.")
+    return Deciding(names, total_effects=effects)
 
 
 def total_effects(outcome: xr.DataArray) -> dict[str, float]:
@@ -132,12 +124,6 @@ def total_effects(outcome: xr.DataArray) -> dict[str, float]:
     total = float(values.var())
     names = [str(dim) for dim in values.dims if total > 0]
     return {name: float(values.var(name).mean()) / total for name in names}
-
-
-def listed(names: Iterable[str]) -> str:
-    """Names as one phrase."""
-    *most, last = names
-    return f"{', '.join(most)} and {last}" if most else last
 
 
 def shares_by_option(

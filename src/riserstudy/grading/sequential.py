@@ -46,11 +46,3 @@ def decided_after(hits: NDArray[np.bool_]) -> int | None:
     """
     total = np.cumsum(hits)
     return next((n for n in looks(len(hits)) if certain(int(total[n - 1]), n)), None)
-
-
-def settled(hits: NDArray[np.bool_]) -> str:
-    """When the verdict was certain, as a sentence; ``hits`` as in ``decided_after``."""
-    first, percent = decided_after(hits), f"{100 * SURE:.0f} %"
-    if first is None:
-        return f"Near a bound: {len(hits)} samples leave the verdict open at {percent} confidence."
-    return f"Settled at {percent} confidence by the first {first} samples."

@@ -13,9 +13,9 @@ Wilks (1941), Determination of sample sizes for setting tolerance limits: how ma
 from __future__ import annotations
 
 import math
-from typing import Any, Literal
+from typing import Any
 
-Verdict = Literal["reproduced", "calibrated", "holds", "fails", "depends", "not reproducible"]
+from riserstudy.records.graded import Verdict
 
 RELATIVE = 0.01  # a number is met within this share of it, however finely it is printed
 ALMOST_ALWAYS, ALMOST_NEVER = 0.95, 0.05  # shares of the samples

@@ -1,94 +1,152 @@
-"""What a row says of its samples and cases, as sentences."""
+"""What is told of a number or claim, as sentences: the one place that makes them, from records alone."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
-import xarray as xr
-from scipy.stats import binomtest
+from riserstudy.grading.names import option_name
+from riserstudy.grading.verdict import ENOUGH
+from riserstudy.records.graded import Grounds, Influence, Kind, Outcome, Premise, Settled, Share
 
-from riserstudy.grading.models import Item
-from riserstudy.grading.names import input_name, option_name
-from riserstudy.grading.sensitivity import deciding, listed, shares_by_option
-from riserstudy.grading.verdict import ALMOST_ALWAYS, ENOUGH, Verdict, few
-
-MANY = 100  # samples from which a band is told
-
-Called = (
-    Mapping[str, str] | None
-)  # what inputs are called, as in ``riserstudy.grading.names.input_name``
+_HIT = {"number": ("met", "missed"), "claim": ("true", "false")}
 
 
-def explained(
-    item: Item, hits: xr.DataArray, about: xr.Dataset, verdict: Verdict, base: bool, called: Called
-) -> tuple[str, str]:
-    """What decides, and the share of the samples, as text; ``base``: whether the base case is met."""
-    word = "met" if item.kind == "number" else "true"
-    share = hits_in_words(hits, word)
-    if verdict != "depends":
-        return "", f"{share[0].upper()}{share[1:]}."
-    if float(hits.mean()) >= ALMOST_ALWAYS:  # whatever else is open, it decides nothing
-        samples = hits.sizes.get("sample")
-        short = base and few(samples)
-        name = f"too few samples ({samples} of {ENOUGH})" if short else "the base case"
-        return f"{name}; {share}", ""
-    names, why = deciding(hits, about, called)
-    said = [why, *_by_option(hits, about, names, word, called)]
-    in_words = [input_name(name, called) for name in names]
-    name = listed(in_words) if names else "no single input or pair"
-    return f"{name}; {share}", " ".join(text for text in said if text)
+def note(kind: Kind, unit: str, grounds: Grounds) -> str:
+    """The note of a row: all that the other columns do not tell, then what the paper's file notes.
 
-
-def case_in_words(
-    item: Item,
-    name: str,
-    value: xr.DataArray,
-    hits: xr.DataArray,
-    about: xr.Dataset,
-    called: Called,
-) -> str:
-    """One further case as a sentence, of one cell or many."""
-    words = ("met", "missed") if item.kind == "number" else ("true", "false")
-    unit = f" {item.unit}" if item.unit not in ("", "1") else ""
-    if not hits.ndim:
-        hit = words[0] if bool(hits) else words[1]
-        return f"{name}: {float(value):.3g}{unit}, {hit}."
-    low, high = float(value.min()), float(value.max())
-    names = [input_name(name, called) for name in deciding(hits, about).names]
-    by = f", decided by {listed(names)}" if names else ""
-    return f"{name}: {low:.3g} to {high:.3g}{unit}, {hits_in_words(hits, words[0])}{by}."
-
-
-def hits_in_words(hits: xr.DataArray, word: str) -> str:
-    """How many samples are hits."""
-    percent = f"{100 * float(hits.mean()):.0f} %{_band(hits)}"
-    return f"{word} in {int(hits.sum())} of {hits.size} samples ({percent})"
-
-
-def premise_in_words(judged: int, samples: int) -> str:
-    """How many samples a claim with a premise is judged by."""
-    if not judged:
-        return f"What it takes for granted is so in none of {samples} samples; judged by the base case."
-    return f"Judged where what it takes for granted is so: {judged} of {samples} samples."
-
-
-def _by_option(
-    hits: xr.DataArray, about: xr.Dataset, names: list[str], word: str, called: Called
-) -> Iterator[str]:
-    """How often it comes out under each option of deciding inputs, a sentence an input."""
-    for name, shares in shares_by_option(hits, about, names).items():
-        each = "; ".join(f"{option_name(o)} ({100 * share:.0f} %)" for o, share in shares.items())
-        yield f"{word.capitalize()} by {input_name(name, called)}: {each}."
-
-
-def _band(hits: xr.DataArray) -> str:
-    """95 % confidence band of a share of many samples, by Wilson; too wide for evenly spread ones.
-
-    All cells of a sample count as one draw.
+    Parameters
+    ----------
+    kind : "number" or "claim".
+    unit : of what is simulated.
     """
-    count = hits.sizes.get("sample", 0)
-    if count < MANY:
+    share = [] if grounds.because else share_in_words(kind, grounds)
+    options = [_by_option(kind, influence) for influence in grounds.decided_by]
+    parts = (*share, *_influence(grounds), *options, *_further(kind, unit, grounds))
+    return " ".join(text for text in parts if text)
+
+
+def remarks(kind: Kind, unit: str, grounds: Grounds) -> list[str]:
+    """What is told beside the share and what each option gives, a sentence an entry; the file's note last."""
+    return [*_influence(grounds), *filter(None, _further(kind, unit, grounds))]
+
+
+def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
+    """All but shares and what decides."""
+    yield grounds.impossible
+    yield from _within(grounds.within)
+    yield from _premise(grounds.premise)
+    yield from _settled(grounds.settled)
+    for outcome in grounds.outcomes:
+        yield _outcome(kind, unit, outcome)
+    yield grounds.note
+
+
+def depends_on(kind: Kind, grounds: Grounds) -> str:
+    """What decides and in how many samples it is met; "" where the verdict does not depend."""
+    if not grounds.because or not grounds.share:
         return ""
-    true = round(float(hits.mean()) * count)
-    band = binomtest(true, count).proportion_ci(method="wilson")
-    return f", {100 * band.low:.0f} to {100 * band.high:.0f} %"
+    return f"{decided_by(grounds)}; {_share(grounds.share, _HIT[kind][0])}"
+
+
+def decided_by(grounds: Grounds) -> str:
+    """What decides; "" where the verdict does not depend."""
+    if grounds.because == "too few samples" and grounds.share:
+        return f"too few samples ({grounds.share.draws} of {ENOUGH})"
+    if grounds.because == "base case":
+        return "the base case"
+    if grounds.because == "inputs":
+        names = [influence.name for influence in grounds.decided_by]
+        return listed(names) if names else "no single input or pair"
+    return ""
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names as one phrase."""
+    *most, last = names
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def margin_in_words(margin: float, low: float | None, high: float | None) -> str:
+    """How far a verdict is from turning; a difference over the larger of the two that are compared."""
+    text = f"Margin to the threshold {100 * margin:+.0f} %"
+    if low is None or high is None:
+        return f"{text}."
+    return f"{text}, in nine of ten cases {100 * low:+.0f} to {100 * high:+.0f} %."
+
+
+def share_in_words(kind: Kind, grounds: Grounds) -> list[str]:
+    """In how many samples it is met, as a sentence; none where nothing is sampled."""
+    return [f"{_capital(_share(grounds.share, _HIT[kind][0]))}."] if grounds.share else []
+
+
+def _influence(grounds: Grounds) -> list[str]:
+    """How much the deciding inputs explain."""
+    by = grounds.decided_by
+    if by and by[0].total_effect is not None:
+        shares = ", ".join(f"{i.name} {100 * (i.total_effect or 0.0):.0f} %" for i in by)
+        return [f"Total effects: {shares}."]
+    if grounds.explained is None:
+        return []
+    if not by:
+        return ["No input stands out from what chance gives with so many samples."]
+    word = "explains" if len(by) == 1 else "together explain"
+    which = _capital(listed(influence.name for influence in by))
+    return [f"{which} {word} {100 * grounds.explained:.0f} % of the variance of the outcome."]
+
+
+def _by_option(kind: Kind, influence: Influence) -> str:
+    """How often it comes out under each option of a deciding input."""
+    options = influence.by_option.items()
+    each = "; ".join(f"{option_name(option)} ({100 * share:.0f} %)" for option, share in options)
+    return f"{_capital(_HIT[kind][0])} by {influence.name}: {each}." if each else ""
+
+
+def _within(share: float | None) -> Iterator[str]:
+    if share is not None:
+        yield f"To be met within {100 * share:g} %."
+
+
+def _premise(premise: Premise | None) -> Iterator[str]:
+    """How many samples a claim with a premise is judged by."""
+    if premise is None:
+        return
+    if premise.judged:
+        among = f"{premise.judged} of {premise.samples} samples"
+        yield f"Judged where what it takes for granted is so: {among}."
+    else:
+        among = f"none of {premise.samples} samples"
+        yield f"What it takes for granted is so in {among}; judged by the base case."
+
+
+def _settled(settled: Settled | None) -> Iterator[str]:
+    """When the verdict was certain."""
+    if settled is None:
+        return
+    percent = f"{100 * settled.confidence:.0f} %"
+    if settled.after is None:
+        yield f"Near a bound: {settled.samples} samples leave the verdict open at {percent} confidence."
+    else:
+        yield f"Settled at {percent} confidence by the first {settled.after} samples."
+
+
+def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
+    """The base case or a further case, of one cell or many."""
+    true, false = _HIT[kind]
+    of = f" {unit}" if unit not in ("", "1") else ""
+    if outcome.share is None:
+        return f"{outcome.name}: {outcome.low:.3g}{of}, {true if outcome.met else false}."
+    by = f", decided by {listed(outcome.decided_by)}" if outcome.decided_by else ""
+    cells = f"{outcome.low:.3g} to {outcome.high:.3g}{of}"
+    return f"{outcome.name}: {cells}, {_share(outcome.share, true)}{by}."
+
+
+def _share(share: Share, word: str) -> str:
+    """How many samples are hits, with the interval of their share."""
+    percent = f"{100 * share.met / share.samples:.0f} %"
+    if share.low is not None and share.high is not None:
+        percent += f", {100 * share.low:.0f} to {100 * share.high:.0f} %"
+    return f"{word} in {share.met} of {share.samples} samples ({percent})"
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]

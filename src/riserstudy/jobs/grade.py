@@ -11,24 +11,25 @@ import xarray as xr
 from riserstudy.chapters import checks_of
 from riserstudy.errors import RiserStudyError
 from riserstudy.folders import write_whole
-from riserstudy.grading.grade import Case, ErratumRow, Row, errata, table, weigh
+from riserstudy.grading.grade import errata, grade
 from riserstudy.grading.models import read_published
+from riserstudy.grading.rows import ErratumRow, Row, row_of, table
 from riserstudy.jobs.seals import seal
+from riserstudy.records.graded import Case
 
 
 def main(paper: str, graded: Path, errors: Path, margins: Path, sources: list[Path]) -> None:
     """Read the sources, write the tables."""
     datasets = {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
     file = read_published(Path("config"), paper, datasets)
-    weights = weigh(file, datasets, checks_of(paper))
-    rows = [item.row for item in weights]
-    write_whole(graded, table(rows, Row).encode())
-    cases = (case for item in weights for case in item.cases)
+    items = grade(file, datasets, checks_of(paper))
+    write_whole(graded, table(map(row_of, items), Row).encode())
+    cases = (case for item in items for case in item.cases)
     write_whole(margins, table(cases, Case).encode())
     write_whole(errors, table(errata(file, datasets, checks_of(paper)), ErratumRow).encode())
     seal(graded, errors, margins)
-    for row in rows:
-        print(f"{paper}/{row.id}: {row.verdict}")
+    for item in items:
+        print(f"{paper}/{item.id}: {item.verdict}")
 
 
 if __name__ == "__main__":

@@ -8,7 +8,8 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from riserstudy.database.names import quoted
-from riserstudy.grading.cases import Case, Dropped, Place, regrade
+from riserstudy.grading.cases import Dropped, regrade
+from riserstudy.records.graded import Case, Place
 
 Verdict = tuple[str, str]  # paper and id
 

@@ -27,9 +27,10 @@ from riserstudy.chapters.mao_hangoff.claims.towed import (
 from riserstudy.chapters.mao_hangoff.derived.towed import end_loads, reference_masses, towed
 from riserstudy.chapters.mao_hangoff.towed import at_top, displacement
 from riserstudy.errors import InputError
-from riserstudy.grading.grade import ErratumRow, errata, table, weigh
+from riserstudy.grading.grade import errata, grade
 from riserstudy.grading.models import read_published
 from riserstudy.grading.printed import with_printed
+from riserstudy.grading.rows import ErratumRow, table
 from riserstudy.scene.load import read_scene
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import Derived, Numbers, StudyModel
@@ -479,7 +480,7 @@ def test_every_figure_is_drawn_whole_with_units(datasets, name):
 
 def test_everything_is_graded(datasets):
     file = read_published(CONFIG, PAPER, datasets)
-    cases = {of.row.id: of.cases for of in weigh(file, datasets, checks_of(PAPER))}
+    cases = {of.id: of.cases for of in grade(file, datasets, checks_of(PAPER))}
     assert list(cases) == [item.id for item in file.items]
     # What must come out whatever the numbers, in every sample: one heave has one frequency.
     assert all(case.met for case in cases["C7"])
