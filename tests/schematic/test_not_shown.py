@@ -12,6 +12,7 @@ from matplotlib.text import Annotation
 from riserstudy.errors import InputError
 from riserstudy.scene.load import load_scene
 from riserstudy.scene.models import Scene
+from riserstudy.scene.riser import Section
 from riserstudy.schematic import not_shown as module
 from riserstudy.schematic import schematic
 from riserstudy.schematic.not_shown import NO_PART, SHOWN, parts_left_out
@@ -25,7 +26,11 @@ GUIDED = {
     "top": {"x": "held", "z": "free", "tension": "3 MN", "rotation": "free"},
     "analysis": {},
 }
-
+#: what may be at the lower end of a section, and how a drawing names it
+BELOW = {
+    "guide_below": ({"stiffness": "7 kN/m"}, "guide, 7 kN/m"),
+    "flex_joint_below": ({"stiffness": "8 kN*m/deg"}, "flex joint, 8 kN m/deg"),
+}
 
 #: drawn in scenes that move sideways, or turn, none of which can do without
 ONLY_WHERE_SOMETHING_MOVES = {"top.x", "platform.centre_of_rotation"}
@@ -44,19 +49,35 @@ def words(figure):
     return " ".join(" ".join(said).replace("\u00a0", " ").split())
 
 
+def lower_and_upper(below, **parts):
+    """A scene of two sections, the lower one so long (m), with parts of each."""
+    lower = section("lower", below, **parts.get("lower", {}))
+    upper = section("upper", 980.0 - below, **parts.get("upper", {}))
+    return Scene.model_validate(GUIDED | {"riser": [lower, upper]})
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_a_guide_or_joint_is_named_once_wherever_it_is_along_the_riser(seed):
     below = random.Random(seed).uniform(20.0, 960.0)
-    parts = {
-        "guide_below": {"stiffness": "7 kN/m"},
-        "flex_joint_below": {"stiffness": "8 kN*m/deg"},
-    }
-    for part, text in zip(parts, ("guide, 7 kN/m", "flex joint, 8 kN m/deg"), strict=True):
-        upper = section("upper", 980.0 - below, **{part: parts[part]})
-        scene = Scene.model_validate(GUIDED | {"riser": [section("lower", below), upper]})
-        said = words(schematic(scene))
+    for part, (value, text) in BELOW.items():
+        said = words(schematic(lower_and_upper(below, upper={part: value})))
         assert said.count(text) == 1, (below, said)
         assert "Not shown" not in said
+
+
+@pytest.mark.parametrize("part", [name for name in Section.model_fields if name.endswith("_below")])
+def test_what_is_below_a_section_is_drawn_and_refused_where_the_end_is_held(part):
+    assert part in BELOW, f"riser.{part}: enter here an example and the words of its drawing"
+    there = {part: BELOW[part][0]}
+    assert picture_of(lower_and_upper(500.0, upper=there)) != picture_of(lower_and_upper(500.0))
+    with pytest.raises(ValueError, match=part):
+        lower_and_upper(500.0, lower=there)
+
+
+def test_a_new_part_of_sections_is_drawn_or_nothing_that_could_be():
+    """Two are named below drawings instead."""
+    undrawn = {f"riser.{name}" for name in Section.model_fields} - SHOWN - NO_PART
+    assert undrawn == {"riser.modules", "riser.lines"}
 
 
 @pytest.mark.parametrize("path", ["riser.guide_below", "water.surface", "top.tension"])
@@ -98,9 +119,14 @@ def inner_names(about, schema):
 def picture(path, taken):
     """A digest of the pixels of a scene's schematic, with something taken out; None where it cannot be."""
     try:
-        figure = schematic(load_scene(path, **dict.fromkeys(taken)).scene())
+        return picture_of(load_scene(path, **dict.fromkeys(taken)).scene())
     except InputError:
         return None
+
+
+def picture_of(scene):
+    """A digest of the pixels of a scene's schematic."""
+    figure = schematic(scene)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     return hashlib.sha256(bytes(canvas.buffer_rgba())).hexdigest()
