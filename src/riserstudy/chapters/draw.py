@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
+from traceback import walk_tb
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.chapters import function_of
+from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
+
+_QUOTED = re.compile(r"'([^']+)'")
 
 
 def draw(
@@ -17,6 +22,38 @@ def draw(
     """Figure ``name`` of a paper, by the function of that name in its chapter's figures.
 
     ``settings`` are what the study file tells it besides the datasets.
+
+    Raises
+    ------
+    InputError
+        When no dataset, or not each, has a variable that the function reads: figure, dataset, variable.
     """
-    figure: Figure = function_of(paper, "figures", name)(**datasets, **(settings or {}))
+    function = function_of(paper, "figures", name)
+    try:
+        figure: Figure = function(**datasets, **(settings or {}))
+    except (KeyError, AttributeError) as error:
+        variable = _looked_up(error)
+        lacking = [one for one, dataset in datasets.items() if not _has(dataset, variable)]
+        if variable is None or not lacking:
+            raise
+        has = "; ".join(f"{one} has {_variables(datasets[one])}" for one in lacking)
+        found = f"the figure draws {variable!r}, which is not in {' or '.join(lacking)}"
+        raise InputError(f"{paper}, figure {name}", "", found, has) from error
     return figure
+
+
+def _looked_up(error: KeyError | AttributeError) -> str | None:
+    """The name that xarray did not find; None where the error is not of xarray's."""
+    if isinstance(error, AttributeError):
+        return error.name if type(error.obj).__module__.startswith("xarray.") else None
+    modules = [str(frame.f_globals.get("__name__")) for frame, _ in walk_tb(error.__traceback__)]
+    quoted = _QUOTED.search(str(error))  # libraries quote what they look up
+    return quoted[1] if quoted and modules[-1].startswith("xarray.") else None
+
+
+def _has(dataset: xr.Dataset, name: str | None) -> bool:
+    return name in dataset.variables or name in dataset.dims
+
+
+def _variables(dataset: xr.Dataset) -> str:
+    return ", ".join(sorted(map(str, dataset.data_vars)))

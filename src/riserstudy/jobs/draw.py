@@ -35,7 +35,7 @@ def from_datasets(paper: str, name: str, sources: list[Path]) -> Figure:
     Raises
     ------
     InputError
-        When a plot is asked for a quantity that the dataset has not.
+        When a dataset lacks a quantity that is drawn: figure, dataset and quantity.
     """
     import xarray as xr
 
@@ -47,7 +47,8 @@ def from_datasets(paper: str, name: str, sources: list[Path]) -> Figure:
             return draw_plot(model, datasets[model.reads[0]])
         except InputError as error:
             where = config / f"studies/{paper}.yaml"
-            raise InputError(where, f"figures.{name}.of", error.found, error.allowed) from None
+            found = f"{error.found} in {model.reads[0]}"
+            raise InputError(where, f"figures.{name}.of", found, error.allowed) from None
     return draw(paper, name, datasets, with_printed(model.settings, config, paper))
 
 
