@@ -1,4 +1,7 @@
-"""Run a scene at the accuracy asked for: refine mesh and step until the estimated error is below it."""
+"""Run a scene at the accuracy asked for: refine mesh and step until the estimated error is below it.
+
+docs/choosing_accuracy.md shows one refinement as a table, a row a run.
+"""
 
 from __future__ import annotations
 

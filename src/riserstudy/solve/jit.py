@@ -3,6 +3,9 @@
 numba's cache compares only the file a function stands in, so an edited callee in another file would
 silently run old machine code. The cache folder therefore carries a digest of all kernel sources, and
 the versions that shape machine code. Processes may compile into it side by side.
+
+You need not read this file to read the physics: ``@kernel`` and ``@inner`` mark what is compiled. It is for
+those who change what is compiled, or where it is kept.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Where compiled kernels are kept, and that none is used which is not as it was written."""
+"""Where compiled kernels are kept, and that none is used which is not as it was written.
+
+You need not read this file to read the physics. It is for those who change the cache.
+"""
 
 from __future__ import annotations
 

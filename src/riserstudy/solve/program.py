@@ -12,7 +12,9 @@ A ``Frozen`` NamedTuple is what compiled code sees of it: a table of words in me
 attribute reads only its own. Passing the tuple by value instead made every call copy, and every
 function compile, the description of 50 arrays (77 s of compiling instead of 30).
 
-This file and `unroll` alone extend the compiler. Two rules follow from it: what is frozen must stay
+This file and `unroll` alone extend the compiler. You need not read them to read the physics: to write an
+effect, docs/adding_an_effect.md is enough. They are for those who change how kernels call effects, or who
+move to another release of numba. Two rules follow from it: what is frozen must stay
 alive and keep its arrays while a program uses it (``Model`` sees to it), and entries must not raise.
 """
 
