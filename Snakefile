@@ -1,1 +1,5 @@
 include: "workflow/Snakefile"
+
+
+# What a plain `snakemake` makes: a file that is included sets none.
+workflow.default_target = "all"

@@ -118,6 +118,13 @@ def in_small(folder):
     (folder / ".cache/numba").symlink_to(cache_folder() / "numba")
 
 
+@pytest.fixture
+def laid_out(tmp_path):
+    """A checkout of one's own, nothing run."""
+    in_small(tmp_path)
+    return Checkout(tmp_path)
+
+
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory, worker_id):
     """A checkout whose study has run; shared by all workers, so only to look at."""
