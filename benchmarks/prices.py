@@ -22,13 +22,12 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.attempt import mesh_of
 from riserstudy.numerics.fixed_step import stepped
-from riserstudy.numerics.random_scenes import reference_of
 from riserstudy.numerics.references import by_run
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import DISPLACEMENT, MOMENT, run
 from riserstudy.simulation.run import single
-from riserstudy.simulation.starting_mesh import coarsest_mesh, period
+from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 
@@ -50,6 +49,8 @@ METHODS: tuple[str | None, ...] = (None, "TR-BDF2", "ESDIRK4")
 WORK = {None: 1.0, "TR-BDF2": 2.0, "ESDIRK4": 5.0}  # of a step, about
 SEGMENTS = tuple(round(8 * 2 ** (k / 2)) for k in range(15))
 STEPS = tuple(6 * 2 ** (k / 2) for k in range(18))  # a period
+FINE = 64  # segments, beyond which a reference halves them instead of quartering
+FOURTH = {"analysis.method": "ESDIRK4"}
 TARGET = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
 GRID = 64  # points, of which one in eight tells its error
 
@@ -93,10 +94,10 @@ def reference(file: SceneFile, scene: Scene, found: Result) -> Result:
     """A much finer run, in time by another method."""
     if scene.analysis.duration is None:
         return single(scene, mesh_of(scene, found).halved().halved(), None)
-    best = reference_of(file, scene, found)
-    if best.result is None:
-        raise SystemExit(best.message)
-    return best.result
+    mesh, step = mesh_of(scene, found), 0.5 * found.facts["step"]
+    if not massless(scene):
+        mesh = mesh.halved().halved() if len(mesh.l0) <= FINE else mesh.halved()
+    return single(stepped(file, FOURTH, mesh, step), mesh, step, True)
 
 
 def spent(do: Any) -> float:
