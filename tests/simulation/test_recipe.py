@@ -59,3 +59,5 @@ def test_a_recipe_is_for_long_irregular_records_without_a_mesh():
     own = {"analysis.mesh": {"elements": 20}, "analysis.step": "0.5 s"}
     assert recipe(in_a_sea(3000).with_values(own, "test").scene()) is None
     assert recipe(load_scene(RISER).scene()) is None
+    rough = in_a_sea(3000).with_values({"analysis.accuracy": "5 %"}, "test").scene()
+    assert recipe(rough) is None

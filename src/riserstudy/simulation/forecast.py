@@ -6,6 +6,8 @@ from typing import Any, NamedTuple
 
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
+from riserstudy.simulation.long_record import is_long
+from riserstudy.simulation.piece import longest_ramp, piece_of
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import period
@@ -14,6 +16,7 @@ from riserstudy.simulation.watch import Watch, size
 PERIODS = 12.0  # of a scene after its ramps, which are run first
 LONG = 20.0  # times these, from which on a run is worth it
 ESTIMATED = 2.0  # times a run on a mesh of the scene: with those that tell its error
+BY_PIECE = 1.3  # times the last run of a long record in an irregular sea: with a coarser one, and its piece
 
 
 class Forecast(NamedTuple):
@@ -41,40 +44,24 @@ def forecast(scene: Scene, watch: Watch | None = None) -> Forecast | None:
         When the watch breaks it off.
     """
     a = scene.analysis
-    piece = _longest_ramp(scene) + PERIODS * period(scene)
+    piece = longest_ramp(scene) + PERIODS * period(scene)
     if a.duration is None or a.output is None or scene.events or a.duration < LONG * piece:
         return None
     if scene.vessel or scene.top.tension_loss:
         return None  # what happens later is another motion than that of the first periods
     facts = _facts(piece_of(scene, piece), watch or Watch())
-    times = a.duration / piece * (1.0 if a.mesh is None else ESTIMATED)
+    times, seconds = a.duration / piece, facts["solve_seconds"]
+    if a.mesh is not None:
+        times *= ESTIMATED
+    elif is_long(scene):
+        times, seconds = BY_PIECE * times, facts["refinements"][-1]["solve_seconds"]
     return Forecast(
-        times * facts["solve_seconds"],
+        times * seconds,
         facts["elements"],
         facts["step"],
         piece,
         facts.get("error_estimate", {}),
     )
-
-
-def piece_of(scene: Scene, piece: float) -> Scene:
-    """The first piece of a run (s)."""
-    a = scene.analysis
-    if a.output is None:
-        raise TypeError("a scene without time")  # asked before
-    output = a.output.model_copy(update={"start": None, "interval": min(a.output.interval, piece)})
-    first = a.model_copy(update={"duration": piece, "output": output})
-    return scene.model_copy(update={"analysis": first})
-
-
-def _longest_ramp(scene: Scene) -> float:
-    platform = scene.platform
-    growing: list[Any] = [
-        scene.wave,
-        *(motion for _, motion in (platform.harmonics if platform else [])),
-    ]
-    growing += [platform.response, platform.cruise] if platform else []
-    return max(((one.ramp or 0.0) for one in growing if one), default=0.0)
 
 
 def _facts(scene: Scene, watch: Watch) -> dict[str, Any]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from copy import copy
+
 from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, estimate
 
 
@@ -26,6 +28,13 @@ class Halved:
         most = SURE_FALL if doubtful else MOST_FALL
         self.error = estimate(change, before.change if before else None, most)
         self.since: int = 0  # halvings of the other
+
+    def scaled(self, by: dict[str, float]) -> Halved:
+        """The same of runs that differ and err more, each quantity by a factor (1)."""
+        other = copy(self)
+        other.change = {name: by.get(name, 1.0) * value for name, value in self.change.items()}
+        other.error = {name: by.get(name, 1.0) * value for name, value in self.error.items()}
+        return other
 
 
 def enter(seen: dict[str, Halved], way: str, change: dict[str, float]) -> Halved:

@@ -1,7 +1,7 @@
 """The recipe for long records: a mesh and a step of the scene's own, found on a short piece of it.
 
-A request for accuracy runs all of a record again and again, each time finer. A mesh and a step that serve its
-first piece run it once, with coarser runs that estimate the error of the whole record.
+A request runs all of a record, at the accuracy that is asked for or the default. A mesh and a step that
+serve its first piece to 5 % take less where that is finer; coarser runs estimate the error of the whole.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from riserstudy.model.mesh import COARSEST
 from riserstudy.scene.analysis import Layers, Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import Storm
-from riserstudy.simulation.forecast import forecast, piece_of
+from riserstudy.simulation.forecast import forecast
+from riserstudy.simulation.piece import piece_of
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.starting_mesh import end_layers
 
@@ -45,14 +46,14 @@ class Recipe(NamedTuple):
 
 
 def recipe(scene: Scene) -> Recipe | None:
-    """The recipe for a long record; None for what is short, regular, or has a mesh of its own.
+    """The recipe for a long record; None for what is short, regular, has a mesh, or asks for no more.
 
     Raises
     ------
     SimulationError
         When the piece cannot be completed.
     """
-    if not _long(scene) or scene.analysis.mesh:
+    if not _long(scene) or scene.analysis.mesh or (scene.analysis.accuracy or 0.0) >= ROUGH:
         return None
     rough = scene.model_copy(
         update={"analysis": scene.analysis.model_copy(update={"accuracy": ROUGH, "step": None})}

@@ -64,9 +64,11 @@ def run(
     TakesTooLong
         When ``patience`` ends before the first run, or before that on a mesh that the scene asks for.
     """
+    from riserstudy.simulation.long_record import refinement_of  # which is built on this file
+
     watch = Watch(patience, tell)
     result = (
-        Refinement(scene, watch).result()
+        refinement_of(scene, watch).result()
         if scene.analysis.mesh is None
         else as_asked(scene, estimated, watch)
     )
@@ -159,7 +161,7 @@ class Refinement:
         if finest is None:
             raise TypeError("no run and no error")  # one of both there is
         finish(self.scene, self.finest_mesh, finest)
-        self.spent[-1] = _cost(finest)
+        self.spent[-1] = cost(finest)
         if not reached:
             finest.facts["warnings"].append(self._not_reached(finest))
         finest.facts["warnings"] += self._slow()
@@ -206,7 +208,7 @@ class Refinement:
         if whole is None:
             return False
         whole.facts["error_estimate"] = self.finest.facts["error_estimate"]
-        self.spent.append(_cost(whole))
+        self.spent.append(cost(whole))
         self.finest = whole
         return True
 
@@ -316,7 +318,7 @@ class Refinement:
 
     def _compare(self, finer: Result) -> None:
         """See what the last halving changed, and tell the run its error."""
-        self.spent.append(_cost(finer))
+        self.spent.append(cost(finer))
         if self.last is not None:
             before = self.seen.get(self.way)
             now = enter(self.seen, self.way, difference(self.last, finer))
@@ -386,7 +388,7 @@ class Refinement:
                 raise
             except SimulationError:
                 break
-            self.spent.insert(-1, _cost(runs[-1]))
+            self.spent.insert(-1, cost(runs[-1]))
         changes = [difference(coarse, fine) for fine, coarse in pairwise(runs)]
         if changes:
             before = Halved(changes[1], None) if len(changes) > 1 else None
@@ -441,7 +443,8 @@ def _duration(seconds: float) -> str:
     return f"{seconds:.2g} s" if seconds < 100.0 else f"{seconds / 60.0:.0f} min"
 
 
-def _cost(run: Result) -> dict[str, Any]:
+def cost(run: Result) -> dict[str, Any]:
+    """What a run cost, by `SPENT`."""
     return {name: run.facts.get(name) for name in SPENT}
 
 
