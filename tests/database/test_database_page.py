@@ -40,8 +40,8 @@ def test_questions_about_claims_and_assumptions_find_those_of_a_small_study(here
     found = {number: query(sql) for number, sql, _ in QUESTIONS if "chang2020" not in sql}
     balance, assumed, errors = (found[number] for number in (6, 5, 7))
     assert balance[["id", "share", "decided_by"]].values.tolist() == [
-        ["A1", 0.25, "period"],
-        ["A2", 0.25, "period"],
+        ["A1", 0.25, "period; in s: 9. Or 12"],
+        ["A2", 0.25, "period; in s: 9. Or 12"],
     ]
     row = assumed[assumed["path"] == "platform.surge.amplitude"].iloc[0]
     assert (row["as_written"], row["because"]) == ("2 m", workspace.INJECTION)

@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 
 from riserstudy.database import ask
+from riserstudy.database.write_papers import _graded
+from riserstudy.errors import InputError
 
 SCHEMA = Path(ask.__file__).with_name("schema.sql").read_text()
 TABLES = ("about", "studies", "files", "points", "columns", "papers", "effect_sets")
@@ -148,3 +150,10 @@ def test_a_key_that_is_none_is_told_of_and_no_file_is_looked_for(
     code, out, error = commands("verify")
     assert (code, error) == ((0 if key == 7 else 1), "")
     assert ("is no key" in out) == (key != 7)
+
+
+@pytest.mark.parametrize("cell", ["true in 3 of 8 samples", '{"note": 1}', "[]"])
+def test_grounds_that_grading_did_not_write_are_refused_by_name(cell):
+    row = {"paper": "plain", "id": "A1", "grounds": cell}
+    with pytest.raises(InputError, match=r"reproduction.csv: plain/A1: grounds"):
+        _graded(row)

@@ -189,8 +189,8 @@ def test_effects_say_which_are_on_and_why(db):
 def test_numbers_and_claims_and_errata_are_those_of_the_tables(db):
     asked = "select id, published, simulated, error, share, met, samples, decided_by, statement"
     assert db.execute(f"{asked} from numbers_and_claims order by id").fetchall() == [
-        ("A1", 0.1, 0.1 + 0.2, 2.0, 0.25, 2, 8, "period", workspace.INJECTION),
-        ("A2", None, 0.1 + 0.2, None, 0.25, 2, 8, "period", workspace.INJECTION),
+        ("A1", 0.1, 0.1 + 0.2, 2.0, 0.25, 2, 8, "period; in s: 9. Or 12", workspace.INJECTION),
+        ("A2", None, 0.1 + 0.2, None, 0.25, 2, 8, "period; in s: 9. Or 12", workspace.INJECTION),
     ]
     assert db.execute("select paper, id, simulation from errata").fetchall() == [
         ("plain", "E1", workspace.INJECTION)

@@ -26,6 +26,7 @@ from riserstudy.grading.sensitivity import (
     total_effects,
 )
 from riserstudy.grading.verdict import error, met, verdict_of_claim, verdict_of_number
+from riserstudy.records.graded import Grounds
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -385,11 +386,22 @@ def test_a_paper_may_say_what_its_inputs_are_called():
     assert found.note.startswith("Which model is meant explains")
 
 
-@pytest.mark.parametrize("word", ["of 2: or 3", "a; b", "e.g. this", ""])
-def test_names_of_inputs_cannot_take_a_note_apart(word):
+def test_an_input_is_not_called_nothing():
     item = {"id": "C1", "figure": "1", "kind": "claim", "statement": "s", "impossible": "no scale"}
     with pytest.raises(ValueError, match="called"):
-        PublishedFile(paper="p", items=[item], called={"model": word})
+        PublishedFile(paper="p", items=[item], called={"model": ""})
+
+
+@pytest.mark.parametrize("word", ["of 2: or 3", "a; b", "e.g. this (5 %)"])
+def test_names_of_inputs_may_hold_any_punctuation(word):
+    models = np.array(["with; out", "without (3 %)"] * 8)
+    space = dataset(np.where(models == "with; out", 2.0, 0.0)).merge(samples(model=models))
+    about = {"kind": "claim", "check": "claim", "with": {"at_least": 1.0}}
+    datasets = {"base": dataset(2.0), "space": space}
+    found = row(datasets, **about, over={"runs": "space"}, called={"model": word})
+    (influence,) = Grounds.from_json(found.grounds).decided_by
+    assert influence.name == word
+    assert influence.by_option == {"with; out": 1.0, "without (3 %)": 0.0}
 
 
 def test_inputs_and_options_are_told_in_words_and_not_as_paths():

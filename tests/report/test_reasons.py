@@ -2,6 +2,7 @@
 
 import pytest
 
+from riserstudy.records.graded import Grounds
 from riserstudy.report.claims import Claim
 
 PLAIN = dict.fromkeys(Claim._fields) | {
@@ -9,6 +10,7 @@ PLAIN = dict.fromkeys(Claim._fields) | {
     "decided_by": "",
     "said": [],
     "options": [],
+    "grounds": Grounds(),
 }
 
 

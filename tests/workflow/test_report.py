@@ -10,23 +10,52 @@ import pytest
 from riserstudy.database.ask import opened
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources as Built
+from riserstudy.grading.rows import Row, row_of, table
+from riserstudy.records.graded import Graded, Grounds, Influence, Outcome, Share
 from riserstudy.report import render, write_report
 from riserstudy.report.claims import read_claims
 from riserstudy.report.contents import Sources
 from riserstudy.report.wording import grouped, seconds, share
 
-REPRODUCTION = """\
-paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,margin,margin_low,margin_high,note
-chang2020,A1,14,number,a <b>bold</b> number,0.3,0.538921,m,0.7964,depends,\
-"the phase; met in 1 of 4 samples (25 %)",,,,"Met by phase: early (50 %); late; or never (0 %). A note."
-chang2020,A2,14,claim,a claim,,1.5,1,,holds,,0.25,,,True in 256 of 256 samples (100 %). Base case: 1.5.
-chang2020,A10,14,claim,open,,0,1,,depends,"the flow; true in 200 of 256 samples (78 %, 73 to 83 %)",\
-0.1,-0.02,0.3,"True by flow: along, 1 m/s (69 %); against (100 %). Base case: 3, true. As in A1."
-chang2020,A4,14,claim,open too,,-1e-300,1,,depends,no single input or pair; true in 3 of 8 samples (38 %),,,,
-other2021,B1,,claim,of another,,,1,,not reproducible,,,,,nothing said
-other2021,B0,2,number,nearly met,-3.14159e+06,-3.14159e+06,N,0,reproduced,,,,,\
-"Met in 254 of 256 samples (99 %, 97 to 100 %)."
-"""
+FLOW = Influence("flow", "the flow; U: m/s", by_option={"along, 1 m/s": 0.694, "against (2)": 1.0})
+PHASE = Influence("phase", "the phase", by_option={"early": 0.5, "late; or never": 0.0})
+ROWS = [
+    Graded(
+        *("chang2020", "A1", "14", "number", "a <b>bold</b> number", 0.3, 0.538921, "m", 0.7964),
+        "depends",
+        Grounds(share=Share(1, 4, 4), because="inputs", decided_by=[PHASE], note="A note."),
+    ),
+    Graded(
+        *("chang2020", "A2", "14", "claim", "a claim", None, 1.5, "1", None, "holds"),
+        Grounds(share=Share(256, 256, 256), outcomes=[Outcome("Base case", 1.5, 1.5, True)]),
+        margin=0.25,
+    ),
+    Graded(
+        *("chang2020", "A10", "14", "claim", "open", None, 0.0, "1", None, "depends"),
+        Grounds(
+            share=Share(200, 256, 256, 0.7271, 0.8274),
+            because="inputs",
+            decided_by=[FLOW],
+            outcomes=[Outcome("Base case", 3.0, 3.0, True)],
+            note="As in A1.",
+        ),
+        *(0.1, -0.02, 0.3),
+    ),
+    Graded(
+        *("chang2020", "A4", "14", "claim", "open too", None, -1e-300, "1", None, "depends"),
+        Grounds(share=Share(3, 8, 8), because="inputs"),
+    ),
+    Graded(
+        *("other2021", "B1", "", "claim", "of another", None, None, "1", None, "not reproducible"),
+        Grounds(impossible="nothing said"),
+    ),
+    Graded(
+        *("other2021", "B0", "2", "number", "nearly met", -3.14159e6, -3.14159e6, "N", 0.0),
+        "reproduced",
+        Grounds(share=Share(254, 256, 256, 0.9718, 0.9979)),
+    ),
+]
+REPRODUCTION = table(map(row_of, ROWS), Row)
 ERRATA = """\
 paper,id,where,printed,reading,simulation
 chang2020,E1,Eq. 3,a slip,read so,says this
@@ -168,14 +197,15 @@ def test_numbers_and_claims_are_those_of_the_graded_table(claims):
     """To the last digit, in its order; the report reads the database alone."""
     rows = [*csv.DictReader(REPRODUCTION.splitlines())]
     assert len(rows) == len(claims)
-    for row, claim in zip(rows, claims, strict=True):
+    for row, graded, claim in zip(rows, ROWS, claims, strict=True):
         for name in ("paper", "id", "figure", "kind", "statement", "unit", "verdict"):
             assert getattr(claim, name) == row[name]
         for name in ("published", "simulated", "error"):
             assert getattr(claim, name) == (float(row[name]) if row[name] else None)
-        told = re.search(r"in (\d+) of (\d+) samples", row["depends_on"] or row["note"])
-        assert [claim.met, claim.samples] == ([*map(int, told.groups())] if told else [None, None])
-        assert claim.decided_by == row["depends_on"].split(";")[0]
+        share = graded.grounds.share
+        assert [claim.met, claim.samples] == ([share.met, share.samples] if share else [None, None])
+        names = [influence.name for influence in graded.grounds.decided_by]
+        assert all(name in claim.decided_by for name in names)
 
 
 def test_bands_options_margins_and_notes_are_told_apart(claims):
@@ -186,15 +216,15 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
         (73, 83),
         (97, 100),
     ]
-    assert found["A10"].options[0].shares == [("along, 1 m/s", 69), ("against", 100)]
+    assert found["A10"].options[0].shares == [("along, 1 m/s", 69), ("against (2)", 100)]
     assert found["A10"].said == [
         "Base case: 3, true.",
         "As in A1.",
         "Margin to the threshold +10 %, in nine of ten cases -2 to +30 %.",
     ]
-    assert found["A2"].said == ["Base case: 1.5.", "Margin to the threshold +25 %."]
+    assert found["A2"].said == ["Base case: 1.5, true.", "Margin to the threshold +25 %."]
     assert found["B0"].said == []
-    assert found["A10"].why == "Decided by the flow."
+    assert found["A10"].why == "Decided by the flow; U: m/s."
     assert found["A4"].why == "No single input or pair decides it."
     assert found["B0"].why == "-3.142e+06 N for -3.142e+06 N: 0 % off."
 

@@ -157,6 +157,7 @@ create table numbers_and_claims (
     margin_low real,              -- between these in nine of ten samples
     margin_high real,
     note text not null,
+    grounds text not null,        -- JSON: what the verdict rests on
     primary key (paper, id)
 );
 

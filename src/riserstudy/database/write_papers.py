@@ -10,8 +10,10 @@ from pathlib import Path
 from riserstudy.csv_files import read_csv
 from riserstudy.database.sources import File, Sources
 from riserstudy.database.write_study import About, marks
+from riserstudy.errors import InputError
 from riserstudy.grading.models import published_path, read_published
-from riserstudy.grading.samples import samples_met
+from riserstudy.grading.words import decided_by
+from riserstudy.records.graded import Grounds, Share
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
 
@@ -98,18 +100,32 @@ def _write_rests(
 
 def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
     """A row of reproduction.csv with its share and what decides as columns."""
-    met, samples, low, high = samples_met(row["depends_on"] or row["note"])
+    cell = row.get("grounds") or "{}"  # a table of an earlier version has none
+    try:
+        grounds = Grounds.from_json(cell)
+    except ValueError:
+        where = f"{row['paper']}/{row['id']}: grounds"
+        allowed = "they are JSON as grading writes it; grade the paper again"
+        raise InputError("reproduction.csv", where, "no grounds of a verdict", allowed) from None
     return (
         *(row[name] for name in ("paper", "id", "figure", "kind", "statement")),
         *(_number(row[name]) for name in ("published", "simulated")),
         row["unit"],
         _number(row["error"]),
         row["verdict"],
-        *(met / samples if met is not None and samples else None, low, high, met, samples),
-        row["depends_on"].partition(";")[0],
+        *_share(grounds.share),
+        decided_by(grounds),
         *(_number(row.get(name, "")) for name in ("margin", "margin_low", "margin_high")),
         row["note"],
+        cell,
     )
+
+
+def _share(share: Share | None) -> tuple[float | int | None, ...]:
+    """Share of the samples, its interval, and what it is counted from."""
+    if share is None:
+        return (None,) * 5
+    return share.met / share.samples, share.low, share.high, share.met, share.samples
 
 
 def _margin(row: dict[str, str]) -> tuple[str | float | None, ...]:

@@ -24,8 +24,7 @@ class PrintedNumber(Strict):
     printed: str
 
 
-#: notes list inputs with their options, which these would take apart
-InWords = Annotated[str, Field(pattern=r"^[^:;.]+$")]
+InWords = Annotated[str, Field(min_length=1)]
 Option = str | float | list[float] | list[str] | PrintedNumber
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import re
 import sqlite3
 from collections import Counter
 from typing import Any, NamedTuple
 
-from riserstudy.grading.samples import SAMPLES_MET
+from riserstudy.grading.names import option_name
+from riserstudy.grading.words import margin_in_words, remarks
+from riserstudy.records.graded import Grounds, Influence
 from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
@@ -24,10 +25,6 @@ AS_IT_IS = (
     *("paper", "id", "figure", "kind", "statement", "published", "simulated", "unit", "error"),
     *("verdict", "decided_by", "met", "samples"),
 )
-_SAMPLES = re.compile(rf"{SAMPLES_MET}\.?")
-_SENTENCES = re.compile(r"(?<=[.?])\s+(?=[A-Z0-9])")
-_BY_OPTION = re.compile(r"^(Met|True) by ([^:]+): (.+)\.$")
-_OPTION = re.compile(r"(?:^|; )(.+?) \((\d+) %\)(?=; |$)")
 
 
 class ByOption(NamedTuple):
@@ -60,6 +57,7 @@ class Claim(NamedTuple):
     band: tuple[int, int] | None
     said: list[str]
     options: list[ByOption]
+    grounds: Grounds
 
     @property
     def anchor(self) -> str:
@@ -82,11 +80,11 @@ class Claim(NamedTuple):
     def why(self) -> str:
         """One short reason for the verdict."""
         if self.verdict == "not reproducible":
-            return sentence(self.said[0]) if self.said else "The paper does not say enough."
+            return sentence(self.grounds.impossible or "the paper does not say enough")
         if self.verdict == "depends":
-            if self.decided_by.startswith("too few "):
+            if self.grounds.because == "too few samples":
                 return f"True in {self.met} of {self.samples} samples: {self.decided_by}."
-            if self.decided_by.startswith("no "):
+            if not self.grounds.decided_by and self.grounds.because == "inputs":
                 return sentence(f"{self.decided_by} decides it")
             return f"Decided by {self.decided_by}."
         if self.published is not None:
@@ -109,34 +107,24 @@ def read_claims(db: sqlite3.Connection) -> list[Claim]:
 
 
 def _claim_of(row: dict[str, Any]) -> Claim:
-    """A row of the database, its note taken apart."""
-    sentences = _SENTENCES.split(row["note"]) if row["note"] else []
-    options = [_by_option(m) for text in sentences if (m := _BY_OPTION.match(text))]
-    plain = [s for s in sentences if not _BY_OPTION.match(s) and not _SAMPLES.fullmatch(s)]
+    """A row of the database."""
+    grounds = Grounds.from_json(row["grounds"])
+    said = remarks(row["kind"], row["unit"], grounds)
     if row["margin"] is not None:
-        plain.append(_margin_text(row["margin"], row["margin_low"], row["margin_high"]))
+        said.append(margin_in_words(row["margin"], row["margin_low"], row["margin_high"]))
     low, high = row["share_low"], row["share_high"]
     return Claim(
         **{name: row[name] for name in AS_IT_IS},
         band=(round(100 * low), round(100 * high)) if low is not None else None,
-        said=plain,
-        options=options,
+        said=said,
+        options=[_by_option(of) for of in grounds.decided_by if of.by_option],
+        grounds=grounds,
     )
 
 
-def _margin_text(margin: float, low: float | None, high: float | None) -> str:
-    """How far the verdict is from turning; a difference over the larger of the two that are compared."""
-    text = f"Margin to the threshold {100 * margin:+.0f} %"
-    if low is None or high is None:
-        return f"{text}."
-    return f"{text}, in nine of ten cases {100 * low:+.0f} to {100 * high:+.0f} %."
-
-
-def _by_option(found: re.Match[str]) -> ByOption:
-    shares = []
-    for option, percent in _OPTION.findall(found[3]):
-        shares.append((option, int(percent)))
-    return ByOption(found[2], shares)
+def _by_option(of: Influence) -> ByOption:
+    shares = [(option_name(option), round(100 * share)) for option, share in of.by_option.items()]
+    return ByOption(of.name, shares)
 
 
 def counted_verdicts(claims: list[Claim]) -> list[tuple[str, int]]:
