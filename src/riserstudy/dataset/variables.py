@@ -40,6 +40,8 @@ OF_RUNS = frozenset(
         *("platform_surge", "platform_sway", "platform_yaw", "thrust_moment"),
         *("platform_speed_x", "riser_reaction_x", "environment_force_x", "thrust_x"),
         *("platform_speed_y", "riser_reaction_y", "environment_force_y", "thrust_y"),
+        *("low_frequency_surge", "low_frequency_sway"),
+        *("low_frequency_speed_x", "low_frequency_speed_y"),
     )
 )
 
