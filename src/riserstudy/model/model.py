@@ -117,7 +117,18 @@ class Model:
     def take_state(self, other: Model) -> None:
         """Be where another model of the same unknowns is, and move as it does."""
         for mine, theirs in ((self.s, other.s), (self.spare.value, other.spare.value)):
-            for name in ("clock", "platform", "r", "v", "a", "moment", "blend", "reach", "carried"):
+            for name in (
+                "clock",
+                "platform",
+                "r",
+                "v",
+                "a",
+                "moment",
+                "blend",
+                "reach",
+                "deck",
+                "carried",
+            ):
                 getattr(mine, name)[:] = getattr(theirs, name)
 
     def _program(self, role: str) -> np.ndarray:
