@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from riserstudy.cli.shared import (
+    PlotOption,
     SceneArgument,
     SetOption,
     compile_as_needed,
@@ -21,11 +22,7 @@ from riserstudy.cli.targets import ForceOption, Writes, check_output
 def cost(
     scene: SceneArgument,
     settings: SetOption = None,
-    plot: Annotated[
-        Path | None,
-        typer.Option(help="also draw it (PNG, PDF or SVG)", metavar="FILE.png"),
-        Writes("figure"),
-    ] = None,
+    plot: PlotOption = None,
     force: ForceOption = False,
 ) -> None:
     """Say what 5, 1, 0.2 and 0.05 % of error cost for a scene, before a grid of it is launched.

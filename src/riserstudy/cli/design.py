@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 import sys
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from riserstudy.cli.shared import (
     CsvOption,
+    PlotOption,
     SceneArgument,
     SetOption,
     check_tables,
@@ -19,7 +19,7 @@ from riserstudy.cli.shared import (
     scene_of,
     show,
 )
-from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.cli.targets import ForceOption, check_output
 from riserstudy.errors import InputError
 
 
@@ -204,11 +204,7 @@ def viv(
     ] = 2.1,
     settings: SetOption = None,
     csv: CsvOption = None,
-    plot: Annotated[
-        Path | None,
-        typer.Option(help="also draw it (PNG, PDF or SVG)", metavar="FILE.png"),
-        Writes("figure"),
-    ] = None,
+    plot: PlotOption = None,
     force: ForceOption = False,
 ) -> None:
     """Screen a riser in a current for vortex-induced vibration: modes, where, how large, what drag becomes.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import CsvOption, check_tables, quantity, show
+from riserstudy.cli.shared import CsvOption, PlotOption, check_tables, quantity, show
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
@@ -80,11 +80,7 @@ def downtime(
         typer.Option(min=0, help="last years to keep back, predicted from those before"),
     ] = 0,
     csv: CsvOption = None,
-    plot: Annotated[
-        Path | None,
-        typer.Option(help="also draw it (PNG, PDF or SVG)", metavar="FILE.png"),
-        Writes("figure"),
-    ] = None,
+    plot: PlotOption = None,
     force: ForceOption = False,
 ) -> None:
     """Compute the hours of a record that limits on the sea leave, the windows, and the waits for them.

@@ -99,6 +99,11 @@ def _plain_xarray() -> None:
         xarray.Dataset(coords={"s": [0.0]})
 
 
+PlotOption = Annotated[
+    Path | None,
+    typer.Option(help="also draw it (PNG, PDF or SVG)", metavar="FILE.png"),
+    Writes("figure"),
+]
 CsvOption = Annotated[
     Path | None,
     typer.Option("--csv", help="also write the table here", metavar="OUT.csv"),

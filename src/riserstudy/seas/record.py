@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import os
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -11,7 +10,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.errors import InputError, SimulationError
+from riserstudy.dataset.netcdf import write_netcdf
+from riserstudy.errors import InputError
 from riserstudy.scene.text import read_text
 from riserstudy.seas.columns import COLUMNS, NAMES, Head, head, labels_of, plain
 
@@ -82,18 +82,11 @@ def write_record(record: xr.Dataset, target: Path) -> None:
     SimulationError
         When it cannot be written, as on a full disk.
     """
-    partial = target.with_name(f".{target.name}.{os.getpid()}")
     encoding: dict[str, dict[str, Any]] = {
         str(name): {"zlib": True, "complevel": 3} for name in record.data_vars
     }
     encoding["time"] = {"units": "hours since 1970-01-01", "dtype": "float64"}
-    try:
-        record.to_netcdf(partial, engine="netcdf4", encoding=encoding)
-        partial.replace(target)
-    except (OSError, RuntimeError) as error:
-        raise SimulationError(f"{target} cannot be written: {error}") from None
-    finally:
-        partial.unlink(missing_ok=True)
+    write_netcdf(record, target, encoding)
 
 
 def interval_hours(time: NDArray[np.datetime64]) -> float:

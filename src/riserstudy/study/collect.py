@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 from collections.abc import Callable, Collection
 from importlib.metadata import version
@@ -16,9 +15,9 @@ from numpy.typing import NDArray
 from riserstudy.dataset.complete import complete
 from riserstudy.dataset.extremes import OVER, as_variables, of_runs
 from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities
+from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, cf_unit
-from riserstudy.dataset.without import without
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
 from riserstudy.simulation.curve import at_stations, curve_of
@@ -317,20 +316,8 @@ def write_dataset(dataset: xr.Dataset, target: Path) -> None:
     SimulationError
         When it cannot be written, as on a full disk.
     """
-    partial = target.with_name(f".{target.name}.{os.getpid()}")
     dataset = complete(dataset)
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with without("dask"):  # whose locks only its own arrays need
-            dataset.to_netcdf(partial, engine="netcdf4", encoding=_compressed(dataset))
-        partial.replace(target)
-    except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
-        remedy = "see whether the disk is full"
-        if "\\" in str(target.absolute()) and os.name == "posix":
-            remedy = "the netCDF library takes no folder with a backslash in its name"
-        raise SimulationError(f"{target} cannot be written: {error}; {remedy}") from None
-    finally:
-        partial.unlink(missing_ok=True)
+    write_netcdf(dataset, target, _compressed(dataset))
 
 
 def _compressed(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:

@@ -73,13 +73,13 @@ def converged(
         scene_digest(file.scene()),
         PHYSICS,
         engine_digest(),
-        told(recipe, best),
+        method_of(recipe, best),
         change,
         reduced(best, first.arrays["s_node"]),
     )
 
 
-def told(recipe: Recipe, best: Result) -> str:
+def method_of(recipe: Recipe, best: Result) -> str:
     """How a reference was computed, in words."""
     step = best.facts.get("step")
     at = f"{step:.3g} s" if step else "at rest"

@@ -1,0 +1,41 @@
+"""Write a dataset as netCDF, whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.dataset.without import without
+from riserstudy.errors import SimulationError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def write_netcdf(dataset: xr.Dataset, target: Path, encoding: Mapping[str, dict[str, Any]]) -> None:
+    """Write a netCDF file whole or not at all.
+
+    Parameters
+    ----------
+    encoding : of variables by name, as xarray takes it.
+
+    Raises
+    ------
+    SimulationError
+        When it cannot be written, as on a full disk.
+    """
+    partial = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with without("dask"):  # whose locks only its own arrays need
+            dataset.to_netcdf(partial, engine="netcdf4", encoding=encoding)
+        partial.replace(target)
+    except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
+        remedy = "see whether the disk is full"
+        if "\\" in str(target.absolute()) and os.name == "posix":
+            remedy = "the netCDF library takes no folder with a backslash in its name"
+        raise SimulationError(f"{target} cannot be written: {error}; {remedy}") from None
+    finally:
+        partial.unlink(missing_ok=True)
