@@ -48,7 +48,15 @@ class Rig:
         # an end carries no moment where nothing holds its direction
         ends = [0] if kind is FlexJoint else [0, N]
         fixed = [(node, u) for node in ends for u in range(self.m)]
-        unknowns = Unknowns(L0, d, self.m, cylinders=CYLINDERS, probes=PROBES, loose=case.loose)
+        unknowns = Unknowns(
+            L0,
+            d,
+            self.m,
+            cylinders=CYLINDERS,
+            probes=PROBES,
+            loose=case.loose,
+            internal=case.internal,
+        )
         self.model = Model(unknowns, effects, fixed)
         self.s: State = self.model.s
         self.record = next(e.record for e in self.model.effects if type(e.record) is kind)
@@ -129,6 +137,8 @@ def stir(s: State, seed: int) -> None:
         s.platform[:, [1, 3, 5]] = 0.0  # sway, roll and yaw lead out of the plane
     s.clock[:] = 4.3, 0.8
     s.rate[:] = 0.0
+    s.internal[:] = s.internal_known[:] = random.uniform(0.1, 2.0, s.internal.shape)
+    s.internal_share[:] = 0.02
 
 
 def dense_tangent(s: State) -> np.ndarray:

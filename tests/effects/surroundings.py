@@ -29,6 +29,7 @@ class Case(NamedTuple):
     beside: Callable[[int], list[Any]] = lambda d: []
     directions: tuple[int, ...] = (1, 2, 3)
     loose: int = 0  # nodes beyond the riser's
+    internal: int = 0  # internal variables a node
 
 
 def pipe(d: int) -> Bending | SpatialBending:

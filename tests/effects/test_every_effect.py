@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from each.bending import bending
 from each.drag import drag
+from each.vortex_lift import vortex_lift
 from hypothesis import given
 from hypothesis import strategies as st
 from numba.core.registry import CPUDispatcher
@@ -29,6 +30,7 @@ from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.registry import ROLES, register
 from riserstudy.effects.vessel import Vessel
+from riserstudy.effects.vortex_lift import VortexLift
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave_force import WaveForce
 from riserstudy.solve import blocktri, spread
@@ -140,6 +142,10 @@ def test_the_tangent_is_the_slope_of_the_force_by_position(pair):
     if kind is WaveForce:  # left out of the stiffness altogether, as its file says
         assert not tangent.any()
         return
+    if kind is VortexLift:
+        split = rig.m * (N + 1)
+        assert relative(-tangent[split:, split:], slope_of_lift(rig)) < DIFFERENCES
+        return
     if kind in (Drag, DragOverDepth):
         split = rig.m * (N + 1)
         assert relative(-tangent[split:, split:], slope_of_drag(rig)) < DIFFERENCES
@@ -172,6 +178,19 @@ def slope_of_drag(rig):
         return lump(record.low, pressed(record, measured), record.up)
 
     return differences(moved, s.r, 1e-3) + differences(turned, s.r, 1e-3)
+
+
+def slope_of_lift(rig):
+    """Slope of the force with the pipe's directions and the phases held, as the effect's file says."""
+    s, record = rig.s, copied(rig.record)
+    held, phases = at_nodes(s), s.internal.copy()
+
+    def moved():
+        shape_of(rig.model.programs, rig.model.state)
+        s.internal[:] = phases
+        return vortex_lift(record, s, held)["force"]
+
+    return differences(moved, s.r, 1e-3)
 
 
 @pytest.mark.parametrize("kind", [Drag, DragOverDepth, AddedMass])

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.effects.vortex_lift import VARIABLES, VortexLift
 from riserstudy.model.ends import ends
 from riserstudy.model.hydrodynamics import current, hydrodynamics, wave
 from riserstudy.model.initial_shape import above_ground, between_ends, under_a_joint
@@ -21,6 +22,7 @@ from riserstudy.model.soil import soil
 from riserstudy.model.supports import afloat, first_order, fixed, supports
 from riserstudy.model.tensioners import tensioners
 from riserstudy.model.vessel import floating
+from riserstudy.model.vortex_lift import first_phases
 from riserstudy.scene.models import Scene
 from riserstudy.solve.state import OTHER, OWN
 
@@ -59,10 +61,12 @@ def build(
         cylinders=cylinders,
         probes=probes,
         loose=of.loose,
+        internal=sum(VARIABLES for effect in effects if isinstance(effect.record, VortexLift)),
         ring=mesh.ring if mesh.joint else None,
     )
     model = Model(unknowns, effects, fixed(of), afloat(of))
     model.s.r[:, : of.last + 1] = first_shape(of)
+    first_phases(scene, mesh, model)
     for state in (model.s, model.spare.value):
         blend_by_weight(state.blend, mesh, of.weight)
     return model

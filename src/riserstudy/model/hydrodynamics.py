@@ -23,6 +23,7 @@ from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
 from riserstudy.model.sea import components_of, current_table, current_velocity, wave_number
+from riserstudy.model.vortex_lift import vortex_lift
 from riserstudy.scene.forcing import Water
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import IrregularSea, RegularWave
@@ -66,10 +67,11 @@ def hydrodynamics(of: Layout) -> Iterator[Effect]:
     constant = [drag for drag in drags if isinstance(drag.record, Drag)]
     by_depth = [drag for drag in drags if isinstance(drag.record, DragOverDepth)]
     tangential = [*_tangential(scene, mesh, rho)]
+    lifts = [*vortex_lift(of)]
     if across:
         yield from _contents(scene, mesh)
-    yield from [*added, *waves, *constant, *tangential]
-    yield from _waterline(scene, [*drags, *tangential], added, waves, of.last)
+    yield from [*added, *waves, *constant, *tangential, *lifts]
+    yield from _waterline(scene, [*drags, *tangential, *lifts], added, waves, of.last)
     yield from by_depth  # after the waterline, which changes their scale
 
 

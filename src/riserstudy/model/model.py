@@ -38,6 +38,7 @@ class Unknowns(NamedTuple):
     cylinders: int = 0  # of the tensioners
     probes: Sequence[str] = ()  # names of what effects report besides the cylinders
     loose: int = 0  # nodes beyond the riser's
+    internal: int = 0  # internal variables of effects, a node of the riser
     ring: int | None = None  # node above which a telescopic joint carries no tension
 
 
@@ -82,6 +83,7 @@ class Model:
                     first + len(unknowns.probes),
                     unknowns.share,
                     unknowns.loose,
+                    unknowns.internal,
                 )
             )
             for _ in range(2)
@@ -128,6 +130,10 @@ class Model:
                 "reach",
                 "deck",
                 "carried",
+                "internal",
+                "internal_rate",
+                "internal_known",
+                "internal_share",
             ):
                 getattr(mine, name)[:] = getattr(theirs, name)
 

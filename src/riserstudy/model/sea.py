@@ -39,6 +39,12 @@ def current_velocity(current: Current, water: Water | None) -> tuple[FloatArray,
     return _ended(current, z, velocity)
 
 
+def fastest_current(current: Current, water: Water | None) -> float:
+    """Largest speed of a current at any elevation (m/s)."""
+    _, velocity = current_velocity(current, water)
+    return float(np.sqrt((velocity**2).sum(axis=0)).max())
+
+
 def _unit(heading: float | FloatArray) -> FloatArray:
     return np.array([np.cos(heading), np.sin(heading)])
 

@@ -29,6 +29,7 @@ def fit(scene: Parts) -> None:
         raise ValueError(f"riser section {wet[0].name!r} has drag or added mass: needs water")
     if scene.current and scene.water is None:
         raise ValueError("current needs water")
+    _viv(scene)
     in_water = any(s.drag for s in scene.riser) or (scene.vessel and scene.vessel.hull_drag)
     if scene.current and not in_water:
         raise ValueError("current needs a riser section with drag, or a vessel with hull_drag")
@@ -107,6 +108,25 @@ def _sea(scene: Parts) -> None:
         own = isinstance(part, Shape) and None not in (part.seabed, part.surface)
         if not own and not levels:
             raise ValueError("current.profile needs water.surface and water.seabed")
+
+
+def _viv(scene: Parts) -> None:
+    shedding = [s for s in scene.riser if s.viv]
+    for section in shedding:
+        if section.drag is None or section.drag.direction:
+            raise ValueError(
+                f"riser section {section.name!r}: viv needs drag across the pipe, which limits its amplitude"
+            )
+    if shedding and not scene.current and not scene.wave:
+        raise ValueError("riser.viv needs water that flows past: a current or a wave")
+    if shedding and scene.analysis.duration is None:
+        raise ValueError("riser.viv needs analysis.duration: statics know no vortices")
+    if shedding and scene.analysis.method == "explicit":
+        raise ValueError("riser.viv: explicit stepping has no phases; take an implicit method")
+    if any(s.viv.ramp is None for s in shedding if s.viv) and not scene.current:
+        raise ValueError("riser.viv.ramp is needed where there is no current to take it from")
+    if len({s.viv.ramp for s in shedding if s.viv}) > 1:
+        raise ValueError("riser.viv.ramp must be the same in all sections")
 
 
 def _vessel_and_soil(scene: Parts, bends: bool) -> None:

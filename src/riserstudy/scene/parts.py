@@ -174,4 +174,6 @@ class Parts(Strict):
                 reasons[f"{name}.heading"] = what.heading
         if self.vessel and self.vessel.turned:
             reasons[self.vessel.turned] = True
+        if any(section.viv for section in self.riser):
+            reasons["riser.viv"] = True  # across the flow
         return next((name for name, value in reasons.items() if value is not None), "")

@@ -72,6 +72,35 @@ class AddedMass(Strict):
         return density * 0.25 * math.pi * self.diameter**2
 
 
+class VortexInducedVibration(Strict):
+    """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
+
+    Lift acts across the water that flows past with C_v rho D / 2 times the square of its speed; its phase is
+    drawn to that of the riser's own velocity. Needs drag across the pipe, which limits the amplitude. The
+    scene is then solved in space.
+
+    ``coefficient``: C_v, published 1.2. ``frequencies``: lowest, where force and velocity are in phase, and
+    highest, over speed and diameter, published 0.11, 0.18, 0.26. ``memory``: diameters of flow over which the
+    motion's mean squares are taken, 20 for example. ``seed``: of the phases
+    that the riser begins with, smooth along it. ``ramp``: time over which the lift comes up; absent: of
+    ten vortices from the fastest current.
+    """
+
+    model: Literal["synchronisation"]
+    diameter: Annotated[u.Length, POSITIVE]
+    coefficient: Annotated[float, POSITIVE]
+    frequencies: Annotated[list[Annotated[float, POSITIVE]], Field(min_length=3, max_length=3)]
+    memory: Annotated[float, POSITIVE]
+    seed: Annotated[int, Field(ge=0), WHOLE]
+    ramp: Annotated[u.Time, POSITIVE] | None = None
+
+    @model_validator(mode="after")
+    def _rising(self) -> Self:
+        if any(a >= b for a, b in pairwise(self.frequencies)):
+            raise ValueError("frequencies: lowest, free and highest must rise")
+        return self
+
+
 class Contents(Strict):
     """Fluid inside: adds its weight to ``submerged_weight``, and mass across the pipe.
 
@@ -120,8 +149,8 @@ class Section(Strict):
 
     Stiffness comes from modulus and diameters, or is given; without bending stiffness the section is a
     string. Mass is given, or that of a wall of some density. Sections with a shear modulus are twisted by a
-    vessel that turns, and resist its yaw. Absent mass, drag, tangential drag, added mass, contents, damping,
-    load, joint or guide: none.
+    vessel that turns, and resist its yaw. Absent mass, drag, tangential drag, added mass, vortex-induced
+    vibration, contents, damping, load, joint or guide: none.
 
     ``submerged_weight`` leaves ``contents`` out: it is the weight of the pipe and of all that is fixed to it,
     less that of the water which its *outer* surface displaces. A bare pipe of 21 in by 19 in, 318.2 kg/m of
@@ -159,6 +188,7 @@ class Section(Strict):
     drag: Drag | None = None
     tangential_drag: TangentialDrag | None = None
     added_mass: AddedMass | None = None
+    viv: VortexInducedVibration | None = None
     contents: Contents | None = None
     structural_damping: StructuralDamping | None = None
     flex_joint_below: InnerJoint | None = None

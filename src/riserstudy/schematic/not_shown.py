@@ -19,7 +19,7 @@ DRAWN = {
     "platform": "surge sway heave roll pitch yaw position response cruise centre_of_rotation",
     "vessel": "mass added_mass sway yaw wind wave_drift thrusters",
     "riser": "name length joints outer_diameter inner_diameter axial_stiffness bending_stiffness mass "
-    "contents submerged_weight drag added_mass tangential_drag lateral_load flex_joint_below guide_below",
+    "contents submerged_weight drag added_mass viv tangential_drag lateral_load flex_joint_below guide_below",
 }
 #: materials, and how sections are solved: nothing of these could be drawn
 NOTHING_TO_DRAW = {

@@ -189,10 +189,15 @@ def _reaction(sides: Sides) -> FloatArray:
     return np.asarray(ends[0, 1, :count] + ends[1, 1, :count])
 
 
+def _moving(s: State) -> list[FloatArray]:
+    """The arrays that a turn changes for good."""
+    return [s.r, s.v, s.a, s.moment, s.clock, s.internal, s.internal_rate]
+
+
 def _kept(s: State) -> list[FloatArray]:
-    return [array.copy() for array in (s.r, s.v, s.a, s.moment, s.clock)]
+    return [array.copy() for array in _moving(s)]
 
 
 def _restore(s: State, kept: list[FloatArray]) -> None:
-    for array, old in zip((s.r, s.v, s.a, s.moment, s.clock), kept, strict=True):
+    for array, old in zip(_moving(s), kept, strict=True):
         array[:] = old

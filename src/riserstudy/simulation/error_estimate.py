@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
+from riserstudy.simulation import vibration
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 
 Array = NDArray[np.float64]
@@ -44,11 +45,16 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
 
     Envelopes and the static state are compared at the nodes of the coarse run, the largest moment wherever
     it is, histories at those nodes or at stations, so that an error in phase counts too; between nodes
-    values are those of the elements. Where one run tells every second, fourth, ... output of the other, those
-    that both tell are compared. The scale is the largest value anywhere.
+    values are those of the elements. A vibration of vortices is compared by its statistics.
+
+    Where one run tells every second, fourth, ... output of the other, those that both tell are
+    compared. The scale is the largest value anywhere.
     """
     differences = {}
     histories = _histories(coarse.arrays, fine.arrays)
+    if vibration.SINCE in fine.facts:
+        times = coarse.arrays["time"], fine.arrays["time"]
+        return vibration.apart(histories, times, fine.facts)
     for name, fields in (
         ("displacement", ("x", "y", "z")),
         ("tension", ("effective_tension",)),

@@ -19,7 +19,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.sudden import sudden_wave
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
-from riserstudy.simulation import audit, outputs
+from riserstudy.simulation import audit, outputs, vibration
 from riserstudy.simulation.coupling import march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
@@ -123,6 +123,7 @@ def march(
         arrays |= in_motion(
             scene, model, mesh, step, whole, arrays, facts, watch or Watch(), extremes
         )
+        vibration.enter(scene, step, arrays, facts)
     audit.finite(arrays)
     audit.tension(scene, arrays, facts)
     if len(model.s.dof) - len(model.s.dim) == 3:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from riserstudy.effects.catalogue import catalogue
+from riserstudy.model.layout import directions
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import run
@@ -231,10 +232,14 @@ def scenes() -> dict[str, list[Scene]]:
 
 
 def _with_examples(tree: Tree) -> Tree:
-    """A scene with what effects name as an example of what calls for them."""
-    every = [effect.example for effect in catalogue().values() if effect.example]
-    values = {path: value for example in every for path, value in example.items()}
-    return SceneFile("warm-up", tree, {}).with_values(values, "examples of effects").tree
+    """A scene with what effects name as an example of what calls for them, in the directions that it has."""
+    file = SceneFile("warm-up", tree, {})
+    needed = directions(file.scene())
+    for effect in catalogue().values():
+        if effect.example:
+            more = file.with_values(dict(effect.example), "examples of effects")
+            file = more if directions(more.scene()) == needed else file
+    return file.tree
 
 
 def warm_up(group: str | None = None) -> None:

@@ -26,6 +26,7 @@ class Programs(NamedTuple):
     motion: np.ndarray  # move the platform
     place: np.ndarray  # put held nodes in place
     drive: np.ndarray  # water velocities, cylinder reach
+    internal: np.ndarray  # solve q = known + share G(q) for an effect's own internal variables
     law: np.ndarray  # pulls of the cylinders by reach
     turn: np.ndarray  # turning angles against moments
     string: np.ndarray  # forces on the riser string itself
@@ -61,6 +62,7 @@ def shape(p, s):
         clear(s.seas)
     measure(s)
     every(p.drive, s)
+    every(p.internal, s)
     every(p.law, s)
     every(p.turn, s)
 

@@ -10,6 +10,9 @@ Newmark's formulas run on an auxiliary one that follows it (Arnold and Brüls 20
 Where mass is constant this is the method of Chung and Hulbert (1993); where it turns with the pipe, as
 added mass does, this form stays second order. alpha_m = alpha_f = 0 is Newmark's method.
 
+Internal variables of effects follow the trapezoidal rule, which has no need of an auxiliary rate: they are
+of first order, and what is stiff in them is damped by what they stand for.
+
 A top that is carried by first-order motion is stepped without it: what is prescribed is not integrated.
 """
 
@@ -30,8 +33,10 @@ from riserstudy.solve.state import (
     DISSIPATED,
     SUPPLIED,
     VELOCITY,
+    Before,
     copy,
     keep,
+    know_internal,
     release,
     restore,
 )
@@ -78,10 +83,13 @@ def march(p, s, so, method, fixed, record, sums):
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
     r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
     moment0, carried0 = np.zeros((m, n + 1)), np.zeros((4, d))
+    internal0, rate0 = np.zeros(s.internal.shape), np.zeros(s.internal.shape)
+    before = Before(r0, v0, a0, moment0, carried0, internal0, rate0)
     force = np.zeros((d, n + 1))
     inert0, inert1 = np.zeros((d, n + 1)), np.zeros((d, n + 1))
 
     memory, pace = new_memory(), new_pace(method)
+    know_internal(s)
     balance(p, s, out, work, fixed)
     follower = s.a.copy()  # the auxiliary acceleration
     for c in range(d):
@@ -97,11 +105,15 @@ def march(p, s, so, method, fixed, record, sums):
         if sums.stop[0] != 0:
             return STOPPED
         t, h = s.clock[0], pace[LENGTH]
-        keep(s, r0, v0, a0, moment0, carried0)
+        keep(s, before)
         copy(inert0, inert1)
         s.rate[VELOCITY] = gamma / (beta * h)
         s.rate[ACCELERATION] = (1.0 - am) / ((1.0 - af) * beta * h * h)
         release(s)
+        s.internal_share[0] = 0.5 * h
+        for k in range(s.internal.shape[0]):
+            for i in range(s.internal.shape[1]):
+                s.internal_known[k, i] = internal0[k, i] + 0.5 * h * rate0[k, i]
         for c in range(d):
             for i in range(n + 1):
                 s.r[c, i] += h * s.v[c, i] + 0.5 * h * h * follower[c, i]
@@ -110,13 +122,14 @@ def march(p, s, so, method, fixed, record, sums):
         move(p, s, t + h)
 
         if not correct(p, s, method.tolerance, method.iterations, memory, out, work, fixed, sums):
-            restore(s, r0, v0, a0, moment0, carried0)
+            restore(s, before)
             if not halve(p, s, t, pace, method, memory, sums):
                 return NOT_CONVERGED
             continue
 
         held = account(p, s, force, fixed)
         copy(inert1, s.force)
+        know_internal(s)
         kinetic1 = every(p.kinetic, s)
         # Numerical dissipation: work of the inertial forces by the trapezoidal rule that does not
         # come from kinetic energy.
@@ -141,6 +154,6 @@ def march(p, s, so, method, fixed, record, sums):
             numerical,
         )
         kinetic0, held0, lost0, given0 = kinetic1, held, lost, given
-        note_step(p, s, so, r0, v0, a0, moment0, carried0, t, h, record)
+        note_step(p, s, so, before, t, h, record)
         advance(s, pace, method, begin)
     return DONE

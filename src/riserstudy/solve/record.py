@@ -16,6 +16,7 @@ import numpy as np
 from riserstudy.solve.evaluate import inertia, load, move, shape, true_moments
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import Frozen, every
+from riserstudy.solve.state import know_internal
 from riserstudy.solve.vec import at, dot
 
 ROUNDING = 1e-10  # of a time (s)
@@ -504,6 +505,21 @@ def interpolate_carried(s, carried0, t0, carried1, t1, time):
         s.carried[2, k] = (1.0 - x) * carried0[2, k] + x * carried1[2, k]
 
 
+@inner
+def interpolate_internal(so, before, t0, s, t1, time):
+    """The same of internal variables, by their rates."""
+    h = t1 - t0
+    x = (time - t0) / h
+    for k in range(s.internal.shape[0]):
+        for i in range(s.internal.shape[1]):
+            d = s.internal[k, i] - before.internal[k, i]
+            slope = h * before.internal_rate[k, i] - d
+            twist = d - h * s.internal_rate[k, i]
+            bump = slope * (1.0 - x) + twist * x
+            so.internal[k, i] = before.internal[k, i] + x * d + x * (1.0 - x) * bump
+    know_internal(so)
+
+
 @kernel
 def evaluate_once(p, s, record):
     """Tabulate and note a state as it stands, for callers in Python."""
@@ -512,7 +528,7 @@ def evaluate_once(p, s, record):
 
 
 @inner
-def between(p, s, so, r0, v0, a0, moment0, carried0, t, h, record):
+def between(p, s, so, before, t, h, record):
     """Write down the outputs due within a step from t to t + h, where ``s`` is, and is tabulated.
 
     ``so`` is a second state of the same model, which takes the interpolated positions.
@@ -522,12 +538,13 @@ def between(p, s, so, r0, v0, a0, moment0, carried0, t, h, record):
         x = (time - t) / h
         move(p, so, time)
         interpolate(
-            so, r0, v0, a0, t, s.r, s.v, s.a, t + h, time
+            so, before.r, before.v, before.a, t, s.r, s.v, s.a, t + h, time
         )  # held nodes, too, as `widen_places`
-        interpolate_carried(so, carried0, t, s.carried, t + h, time)
+        interpolate_carried(so, before.carried, t, s.carried, t + h, time)
+        interpolate_internal(so, before, t, s, t + h, time)
         for u in range(len(s.dof) - len(s.dim)):
             for i in range(s.l0.shape[0] + 1):
-                so.moment[u, i] = (1.0 - x) * moment0[u, i] + x * s.moment[u, i]
+                so.moment[u, i] = (1.0 - x) * before.moment[u, i] + x * s.moment[u, i]
         evaluate(p, so, record, record.between)
         forces_of_steps(s, record, time)
         note(p, so, record, record.between)
@@ -591,14 +608,14 @@ def forget(record: Frozen) -> None:
 
 
 @inner
-def note_step(p, s, so, r0, v0, a0, moment0, carried0, t, h, record):
+def note_step(p, s, so, before, t, h, record):
     """Write down a step from t to t + h, where ``s`` is evaluated."""
     record.when[2] = t + h
     tabulate(s, record, record.values)
-    between(p, s, so, r0, v0, a0, moment0, carried0, t, h, record)
+    between(p, s, so, before, t, h, record)
     if t + h >= record.time[0] - ROUNDING:  # envelopes begin with the outputs
         widen(record, len(s.dim))
-        widen_places(s, r0, v0, t, h, record)
+        widen_places(s, before.r, before.v, t, h, record)
         note_ends(p, s, record, t + h)
     if due(record, t + h * (1.0 + 1e-9)):
         note(p, s, record, record.values)

@@ -5,11 +5,12 @@ Stage i balances all forces at the time :math:`t + c_i h`,
 .. math::
 
    I(r_i, a_i) + F(r_i, v_i) = 0,\qquad r_i = r_0 + h \sum_{j \le i} A_{ij} v_j,\qquad
-   v_i = v_0 + h \sum_{j \le i} A_{ij} a_j,
+   v_i = v_0 + h \sum_{j \le i} A_{ij} a_j,\qquad q_i = q_0 + h \sum_{j \le i} A_{ij} G_j
 
-and the last stage is the step. All implicit stages share their diagonal element, so a stage is solved like
-a step of Newmark's method. TR-BDF2 (Bank et al. 1985) is of second order; ESDIRK4 (Kennedy and Carpenter
-2003, the implicit half of ARK4(3)6L[2]SA) of fourth. Both damp what the step does not resolve entirely.
+with the internal variables q of effects, and the last stage is the step. All implicit stages share their
+diagonal element, so a stage is solved like a step of Newmark's method. TR-BDF2 (Bank et al. 1985) is of second
+order; ESDIRK4 (Kennedy and Carpenter 2003, the implicit half of ARK4(3)6L[2]SA) of fourth. Both damp what the
+step does not resolve entirely.
 """
 
 from __future__ import annotations
@@ -25,7 +26,17 @@ from riserstudy.solve.newton import account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.record import note_start, note_step
-from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, copy, keep, restore
+from riserstudy.solve.state import (
+    ACCELERATION,
+    DISSIPATED,
+    SUPPLIED,
+    VELOCITY,
+    Before,
+    copy,
+    keep,
+    know_internal,
+    restore,
+)
 from riserstudy.solve.sums import DONE, NOT_CONVERGED, STOPPED, enter
 
 
@@ -104,6 +115,18 @@ def _foresee(now, carried, weights, i, h, ahead):
         now[0, k] = place + step * now[1, k]
 
 
+@inner
+def _known(s, internal0, rates, weights, i, h):
+    """Internal variables by the sums of stage i, but for what its own rate adds."""
+    s.internal_share[0] = h * weights[i, i]
+    for k in range(s.internal.shape[0]):
+        for node in range(s.internal.shape[1]):
+            known = internal0[k, node]
+            for j in range(i):
+                known += h * weights[i, j] * rates[j, k, node]
+            s.internal_known[k, node] = known
+
+
 @kernel
 def march_in_stages(p, s, so, method, fixed, record, sums):
     """March from the state ``s`` at time ``s.clock[0]``; arguments and outcome are those of `march`."""
@@ -124,10 +147,14 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
     r0, moment0 = np.zeros((d, n + 1)), np.zeros((m, n + 1))
     carried = np.zeros((stages, 4, d))
     v, a = np.zeros((stages, d, n + 1)), np.zeros((stages, d, n + 1))
+    internal0 = np.zeros(s.internal.shape)
+    rates = np.zeros((stages, *s.internal.shape))
+    before = Before(r0, v[0], a[0], moment0, carried[0], internal0, rates[0])
     force = np.zeros((d, n + 1))
     power = np.zeros((stages, 4))
 
     memory, pace = new_memory(), new_pace(method)
+    know_internal(s)
     balance(p, s, out, work, fixed)
     power[last, SUPPORTS] = account(p, s, force, fixed)
     power[last, DISSIPATED], power[last, SUPPLIED] = s.flow[DISSIPATED], s.flow[SUPPLIED]
@@ -140,7 +167,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
         if sums.stop[0] != 0:
             return STOPPED
         t, h = s.clock[0], pace[LENGTH]
-        keep(s, r0, v[0], a[0], moment0, carried[0])
+        keep(s, before)
         for k in range(4):
             power[0, k] = power[last, k]
         s.rate[VELOCITY] = 1.0 / (diagonal * h)
@@ -161,6 +188,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
                     s.v[c, k] = speed + h * diagonal * guess
                     s.r[c, k] = place + h * diagonal * s.v[c, k]
             _foresee(s.carried, carried, weights, i, h, ahead)
+            _known(s, internal0, rates, weights, i, h)
             move(p, s, t + reached[i] * h)
             if not correct(
                 p, s, method.tolerance, method.iterations, memory, out, work, fixed, sums
@@ -171,16 +199,18 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
             copy(a[i], s.a)
             copy(carried[i], s.carried)
             power[i, SUPPORTS] = account(p, s, force, fixed)
+            copy(rates[i], s.internal_rate)
             power[i, DISSIPATED], power[i, SUPPLIED] = s.flow[DISSIPATED], s.flow[SUPPLIED]
             power[i, INERTIA] = _inertial_power(s)
         if failed:
-            restore(s, r0, v[0], a[0], moment0, carried[0])
+            restore(s, before)
             for k in range(4):
                 power[last, k] = power[0, k]
             if not halve(p, s, t, pace, method, memory, sums):
                 return NOT_CONVERGED
             continue
 
+        know_internal(s)
         kinetic1 = every(p.kinetic, s)
         numerical = kinetic0 - kinetic1
         lost, given, held = 0.0, 0.0, 0.0
@@ -192,6 +222,6 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
             numerical -= weight * power[i, INERTIA]
         enter(sums, held, given, lost, numerical)
         kinetic0 = kinetic1
-        note_step(p, s, so, r0, v[0], a[0], moment0, carried[0], t, h, record)
+        note_step(p, s, so, before, t, h, record)
         advance(s, pace, method, begin)
     return DONE

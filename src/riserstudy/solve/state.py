@@ -101,6 +101,14 @@ class State(NamedTuple):
 
     lump: np.ndarray  # (d*d, N) lumped mass of a node (kg), row by row, upper triangle
 
+    # internal variables q of effects at the riser's nodes, q' = G(q, r, v, a), see `Programs.internal`
+    internal: np.ndarray  # (k, n+1) q
+    internal_rate: np.ndarray  # (k, n+1) G
+    internal_known: np.ndarray  # (k, n+1) q but for what the present rate adds
+    internal_share: (
+        np.ndarray
+    )  # (1,) time for which the present rate counts (s), 0 where q is known
+
     # first-order motion that the top has beside its own: place (m), velocity (m/s), acceleration (m/s2); the
     # inertial force of what moves there without it (N)
     carried: np.ndarray  # (4, d)
@@ -117,9 +125,11 @@ class State(NamedTuple):
     probe: np.ndarray  # (probes,) scalars that effects report at output times
 
 
-def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER), loose=0) -> State:
+def new_state(
+    l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER), loose=0, internal=0
+) -> State:
     """Zeroed state for unstretched segment lengths ``l0``, shape (n,), m."""
-    n, d, m, c = len(l0), directions, moments, cylinders
+    n, d, m, c, k = len(l0), directions, moments, cylinders, internal
     nodes = n + 1 + loose
 
     def zeros(*shape):
@@ -183,6 +193,10 @@ def new_state(l0, directions, moments, cylinders=0, probes=0, share=(OWN, OTHER)
         pull=pull,
         k_pull=k_pull,
         lump=lump,
+        internal=zeros(k, n + 1),
+        internal_rate=zeros(k, n + 1),
+        internal_known=zeros(k, n + 1),
+        internal_share=zeros(1),
         carried=zeros(4, d),
         loads=loads,
         seas=seas,
@@ -250,24 +264,48 @@ def copy(into, array):
             into[c, i] = array[c, i]
 
 
-@inner
-def keep(s, r0, v0, a0, moment0, carried0):
-    """Keep positions, velocities, accelerations, moments and how the top is carried as they are."""
-    copy(r0, s.r)
-    copy(v0, s.v)
-    copy(a0, s.a)
-    copy(moment0, s.moment)
-    copy(carried0, s.carried)
+class Before(NamedTuple):
+    """What a step starts from, of the arrays of that name in `State`."""
+
+    r: np.ndarray  # (d, N)
+    v: np.ndarray  # (d, N)
+    a: np.ndarray  # (d, N)
+    moment: np.ndarray  # (m, N)
+    carried: np.ndarray  # (4, d)
+    internal: np.ndarray  # (k, n+1)
+    internal_rate: np.ndarray  # (k, n+1)
 
 
 @inner
-def restore(s, r0, v0, a0, moment0, carried0):
+def keep(s, before):
+    """Keep how things are before a step."""
+    copy(before.r, s.r)
+    copy(before.v, s.v)
+    copy(before.a, s.a)
+    copy(before.moment, s.moment)
+    copy(before.carried, s.carried)
+    copy(before.internal, s.internal)
+    copy(before.internal_rate, s.internal_rate)
+
+
+@inner
+def restore(s, before):
     """Go back to what was kept."""
-    copy(s.r, r0)
-    copy(s.v, v0)
-    copy(s.a, a0)
-    copy(s.moment, moment0)
-    copy(s.carried, carried0)
+    copy(s.r, before.r)
+    copy(s.v, before.v)
+    copy(s.a, before.a)
+    copy(s.moment, before.moment)
+    copy(s.carried, before.carried)
+    copy(s.internal, before.internal)
+    copy(s.internal_rate, before.internal_rate)
+    know_internal(s)
+
+
+@inner
+def know_internal(s):
+    """Take the internal variables as they are: evaluations do not change them."""
+    copy(s.internal_known, s.internal)
+    s.internal_share[0] = 0.0
 
 
 @inner

@@ -1,0 +1,91 @@
+"""Vortex lift: a case, and the plain version."""
+
+from __future__ import annotations
+
+import numpy as np
+from plain import across, at_nodes, spread
+from scipy.optimize import brentq
+from surroundings import SEGMENTS, Case, N, sheared
+
+from riserstudy.effects.vortex_lift import VortexLift
+
+SHED = np.array([0.18, 0.07, 0.08, 20.0])
+DIAMETERS = np.append(np.linspace(0.4, 0.6, N), 0.0)  # nothing is shed at the last node
+
+
+def past(s, tangent=None):
+    """Velocity past the pipe, its size, and the unit vector across both, at the nodes."""
+    t = at_nodes(s) if tangent is None else tangent
+    u = across(s.water - s.v, t)
+    return u, np.sqrt((u**2).sum(axis=0)), np.cross(t, u, axis=0)
+
+
+def vortex_lift(record, s, tangent=None):
+    """Lift of phases as they are."""
+    _, speed, aside = past(s, tangent)
+    grown = np.sin(0.5 * np.pi * min(1.0, s.clock[0] / record.ramp)) ** 2
+    q = grown * speed * aside * np.cos(s.internal[record.first])
+    return {"force": spread(record.low, q, record.up)}
+
+
+def rate(phase, flow, y_v, y_a, mean_v, mean_a, shed=SHED):
+    """Rate of a phase (rad/s) in a flow of a speed over a diameter (m/s, m)."""
+    speed, diameter = flow
+    turn = 2.0 * np.pi * speed / diameter
+    own = np.hypot(np.sqrt(mean_v), 1e-3 * speed)
+    own_a = np.hypot(np.sqrt(mean_a), 1e-3 * speed * shed[0] * turn)
+    vector = complex(y_v / own, -y_a / own_a)
+    slip = (vector * np.exp(-1j * phase)).imag / np.hypot(abs(vector), 0.05)
+    return turn * (shed[0] + slip * (shed[2] if slip > 0.0 else shed[1]))
+
+
+def left_of_a_mean(mean, known, share, square):
+    return mean - known - share * (square - mean)
+
+
+def left_of_a_phase(phase, known, share, moved):
+    return phase - known - share * rate(phase, *moved)
+
+
+def phases(record, s):
+    """Internal variables at the end of a time for which their rates count, each by itself."""
+    _, speeds, aside = past(s)
+    share, known = s.internal_share[0], s.internal_known
+    out, rates = known.copy(), np.zeros_like(known)
+    for i in np.flatnonzero(record.diameter):
+        e = aside[:, i] / speeds[i]
+        y_v, y_a = s.v[:, i] @ e, s.a[:, i] @ e
+        pace = speeds[i] / (20.0 * record.diameter[i])
+        for row, y in ((1, y_v), (2, y_a)):
+            held = known[row, i], share * pace, y * y
+            out[row, i] = brentq(left_of_a_mean, 0.0, 1e3, args=held, xtol=1e-14)
+            rates[row, i] = pace * (y * y - out[row, i])
+        flow = speeds[i], record.diameter[i]
+        moved = flow, y_v, y_a, *out[1:, i]
+        held = known[0, i], share, moved
+        out[0, i] = brentq(left_of_a_phase, -9.0, 99.0, args=held, xtol=1e-14)
+        rates[0, i] = rate(out[0, i], *moved)
+    return {"internal": out, "internal_rate": rates}
+
+
+CASES = {
+    VortexLift: Case(
+        lambda d: VortexLift(
+            2e2 * SEGMENTS,
+            3e2 * SEGMENTS,
+            np.zeros((d, N + 1)),
+            DIAMETERS,
+            np.repeat(SHED[:, np.newaxis], N + 1, axis=1),
+            6.0,
+            0,
+            np.zeros((3, N + 1)),
+        ),
+        lambda d: [sheared(d)],
+        directions=(3,),
+        internal=3,
+    ),
+}
+
+PLAIN = {
+    VortexLift: [("internal", phases), ("string", vortex_lift)],
+}

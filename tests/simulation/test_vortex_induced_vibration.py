@@ -1,0 +1,160 @@
+"""Vortex-induced vibration of risers: what one run says, another says too."""
+
+import copy
+from math import cos, radians, sin
+
+import numpy as np
+import pytest
+
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.vibration import frequency
+
+PIPE = {
+    "length": "13 m",
+    "axial_stiffness": "5.9 MN",
+    "bending_stiffness": "30 N*m^2",
+    "mass": "1.85 kg/m",
+    "submerged_weight": "12 N/m",
+    "drag": {"coefficient": 1.1, "diameter": "28 mm"},
+    "added_mass": {"coefficient": 1.0, "diameter": "28 mm"},
+    "viv": {"model": "synchronisation", "diameter": "28 mm", "coefficient": 1.2}
+    | {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 1},
+    "structural_damping": {"ratio": 0.003, "at_period": "0.3 s"},
+}
+SCENE = {
+    "title": "a model riser",
+    "gravity": "9.81 m/s^2",
+    "water": {"density": "1000 kg/m^3", "seabed": "-1 m", "surface": "20 m"},
+    "riser": [{"name": "pipe"} | PIPE],
+    "bottom": {"hold": "wellhead", "elevation": "0 m"},
+    "top": {"x": "held", "z": "free", "tension": "1.2 kN"},
+    "current": {
+        "profile": [
+            {"elevation": "0 m", "speed": "0.1 m/s"},
+            {"elevation": "13 m", "speed": "0.5 m/s"},
+        ],
+        "beyond": "hold",
+    },
+    "analysis": {
+        "duration": "12 s",
+        "output": {"interval": "50 ms"},
+        "mesh": {"elements": 26},
+        "step": "8 ms",
+    },
+}
+
+
+def scene(**changes):
+    """The scene with values at paths."""
+    return SceneFile("test", copy.deepcopy(SCENE), {}).with_values(
+        {path.replace("__", "."): value for path, value in changes.items()}, "test"
+    )
+
+
+def simulated(file, estimated=False):
+    return run(file.scene(), estimated=estimated)
+
+
+@pytest.fixture(scope="module")
+def plain():
+    return simulated(scene())
+
+
+def test_it_vibrates_across_the_flow_and_is_bent_along_it(plain):
+    late = plain.arrays["time"] > plain.facts["vibration_since"]
+    x, y = plain.arrays["x"][late], plain.arrays["y"][late]
+    assert y.std(axis=0).max() > 4.0 * x.std(axis=0).max()
+    assert 0.2 * 0.028 < plain.facts["vibration_rms"] < 1.0 * 0.028
+    # no faster than the highest frequency of vortices, no slower than the lowest, in the fastest water
+    assert 0.11 * 0.1 / 0.028 < plain.facts["vibration_frequency"] < 0.26 * 0.5 / 0.028
+
+
+def test_the_energy_of_a_run_is_accounted_for(plain):
+    assert plain.facts["audit"]["unexplained_share"] < 2e-3
+
+
+def test_drag_is_raised_by_the_vibration(plain):
+    still = simulated(scene(**{"riser[0].viv": None}))
+    mean = plain.arrays["x"][-100:].mean(axis=0).max()
+    assert 1.2 < mean / still.arrays["x"][-1].max() < 3.0
+
+
+def test_without_it_nothing_moves_across_and_the_plane_is_enough():
+    still = simulated(scene(**{"riser[0].viv": None}))
+    assert "y" not in still.arrays
+
+
+@pytest.mark.parametrize("angle", [30.0, 90.0, 217.0])
+def test_a_current_from_elsewhere_turns_everything(plain, angle):
+    turned = simulated(scene(current__heading=f"{angle} deg")).arrays
+    c, s = cos(radians(angle)), sin(radians(angle))
+    x, y = plain.arrays["x"], plain.arrays["y"]
+    scale = abs(x).max()
+    assert abs(turned["x"] - (c * x - s * y)).max() < 1e-6 * scale
+    assert abs(turned["y"] - (s * x + c * y)).max() < 1e-6 * scale
+
+
+def test_a_section_cut_in_two_is_the_same_riser(plain):
+    halves = [{"name": name} | PIPE | {"length": "6.5 m"} for name in ("below", "above")]
+    tree = copy.deepcopy(SCENE) | {"riser": halves}
+    cut = simulated(SceneFile("test", tree, {}))
+    for name in ("x", "y", "bending_moment"):
+        assert (
+            abs(cut.arrays[name] - plain.arrays[name]).max() < 1e-9 * abs(plain.arrays[name]).max()
+        )
+
+
+def test_outputs_do_not_change_the_run(plain):
+    often = simulated(scene(analysis__output__interval="10 ms"))
+    assert often.facts["vibration_rms"] == pytest.approx(plain.facts["vibration_rms"], rel=0.02)
+    np.testing.assert_allclose(often.arrays["y"][-1], plain.arrays["y"][-1], atol=1e-12)
+
+
+@pytest.mark.parametrize("method", ["TR-BDF2", "ESDIRK4", {"rho_inf": 0.8}])
+def test_all_implicit_methods_agree(plain, method):
+    other = simulated(scene(analysis__method=method, analysis__step="4 ms"))
+    for name in ("vibration_rms", "vibration_frequency"):
+        assert other.facts[name] == pytest.approx(plain.facts[name], rel=0.02)
+
+
+def test_a_request_holds_for_the_statistics():
+    """The error of rms and frequency, against a run on a far finer mesh and step, is within the request."""
+    tree = copy.deepcopy(SCENE)
+    tree["analysis"] = {"duration": "12 s", "output": {"interval": "50 ms"}, "accuracy": "5 %"}
+    found = run(SceneFile("test", tree, {}).scene())
+    elements, step = found.facts["elements"], found.facts["step"]
+    fine = simulated(scene(analysis__mesh__elements=3 * elements, analysis__step=f"{step / 3.0} s"))
+    for name in ("vibration_rms", "vibration_frequency"):
+        assert found.facts[name] == pytest.approx(fine.facts[name], rel=0.05)
+    assert max(found.facts["error_estimate"].values()) <= 0.05
+
+
+def test_steps_and_outputs_too_long_for_the_vortices_are_told():
+    run_of = simulated(scene(analysis__step="40 ms", analysis__output__interval="200 ms"))
+    told = [line for line in run_of.facts["warnings"] if line.startswith("riser.viv")]
+    assert any("steps a period" in line for line in told)
+    assert any("show no frequency" in line for line in told)
+    assert "vibration_frequency" not in run_of.facts
+
+
+@pytest.mark.parametrize(
+    "changes, says",
+    [
+        ({"riser[0].drag": None}, "needs drag across the pipe"),
+        ({"current": None}, "water that flows past"),
+        ({"analysis.method": "explicit"}, "explicit stepping has no phases"),
+        ({"riser[0].viv.frequencies": [0.2, 0.1, 0.3]}, "must rise"),
+    ],
+)
+def test_what_it_cannot_do_is_refused(changes, says):
+    with pytest.raises(InputError, match=says):
+        scene(**changes).scene()
+
+
+@pytest.mark.parametrize("hertz", [0.7, 1.3])
+def test_a_frequency_is_that_of_a_sine(hertz):
+    time = np.arange(0.0, 20.0, 0.05)
+    motion = 3.0 + 0.2 * np.sin(2.0 * np.pi * hertz * time + 0.4)
+    assert frequency(time, motion) == pytest.approx(hertz, rel=1e-3)
