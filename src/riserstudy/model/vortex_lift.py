@@ -43,7 +43,7 @@ def vortex_lift(of: Layout) -> Iterator[Effect]:
 
 
 def at_nodes(mesh: Mesh, values: FloatArray, there: NDArray[np.bool_]) -> FloatArray:
-    """Values of sections (sections, k), any unit, at the nodes (k, n+1): means by length, of those there are."""
+    """Values of sections (sections, k), in their unit, at the nodes (k, n+1): means by length."""
     section = np.minimum(mesh.section, len(values) - 1)
     length = np.where(there[section] & (mesh.section < len(values)), mesh.l0, 0.0)
     weight = np.zeros(len(mesh.l0) + 1)

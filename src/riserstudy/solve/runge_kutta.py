@@ -8,9 +8,9 @@ Stage i balances all forces at the time :math:`t + c_i h`,
    v_i = v_0 + h \sum_{j \le i} A_{ij} a_j,\qquad q_i = q_0 + h \sum_{j \le i} A_{ij} G_j
 
 with the internal variables q of effects, and the last stage is the step. All implicit stages share their
-diagonal element, so a stage is solved like a step of Newmark's method. TR-BDF2 (Bank et al. 1985) is of second
-order; ESDIRK4 (Kennedy and Carpenter 2003, the implicit half of ARK4(3)6L[2]SA) of fourth. Both damp what the
-step does not resolve entirely.
+diagonal element, so a stage is solved like a step of Newmark's method. TR-BDF2 (Bank et al. 1985) is of
+second order; ESDIRK4 (Kennedy and Carpenter 2003, the implicit half of ARK4(3)6L[2]SA) of fourth. Both damp
+what the step does not resolve entirely.
 """
 
 from __future__ import annotations
