@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 from numba import njit
 
 from riserstudy.chapters.draw import draw
-from riserstudy.chapters.numerics.figures.effects import DECIDED, decisions
+from riserstudy.chapters.numerics.answers import never, ranking
 from riserstudy.effects.catalogue import changes
 from riserstudy.numerics.ablation import Ablation, Changed, Peaks, ablate
 from riserstudy.numerics.advice import COULD_GO, MISSING, NEEDED, NO_GAIN, advice, row
@@ -134,27 +135,30 @@ def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
     assert np.isnan(found.attrs["cold_compile_seconds"])
     assert found.attrs["compiled_functions"] > 0
     figure = draw("numerics", "effects", {"effects": found})
-    assert [t.get_text() for t in figure.axes[0].get_yticklabels()] == ["bench, s3", "bench, s1"]
-    assert "left out in 1 scenes, wrongly in none" in figure.get_suptitle()
-    # a riser whose answer freedom across would change is a decision that was wrong
-    changed = found.copy(deep=True)
-    changed["moment_change"].loc[{"scene": "bench/s1", "change": DECIDED}] = 0.02
-    assert decisions(changed) == (1, 1)
-    assert "wrongly in 1 " in draw("numerics", "effects", {"effects": changed}).get_suptitle()
-    loud = "motion out of the plane added: above 1 %, wrongly left out"
-    assert loud in words_of(changed)
-    assert loud not in words_of(found)
-    # what the scene could name is another answer however large, and no wrong decision
-    added = next(n for n in found["change"].values if n.startswith("with ") and n != DECIDED)
-    changed["moment_change"].loc[{"scene": "bench/s1", "change": added}] = 0.5
-    assert sum("above 1 %" in word for word in words_of(changed)) <= 2
+    rows = [label.get_text() for label in figure.axes[0].get_yticklabels()]
+    assert rows == [one.name for one in ranking(found)]
+    removed = [n for n in map(str, found["change"].values) if n.startswith("without ")]
+    known = found["displacement_change"].notnull().any("scene")
+    assert {f"without {name}" for name in rows} >= {n for n in removed if known.sel(change=n)}
 
 
-def words_of(effects):
-    """The key of the changes, with papers by name."""
-    axes = draw("numerics", "effects", {"effects": effects}, {"papers": {"bench": "B"}}).axes
-    assert axes[0].get_yticklabels()[0].get_text().startswith("B, ")
-    return [text.get_text() for text in axes[1].get_legend().get_texts()]
+def changes_of(size, count):
+    """A dataset in which the absence of effect k changes the answer by ``size[k]`` in each of its scenes."""
+    sizes = np.full((max(count), len(size)), np.nan)
+    for k, (values, scenes) in enumerate(zip(size, count, strict=True)):
+        sizes[:scenes, k] = values
+    names = ("displacement_change", "moment_change", "tension_change", "time_change")
+    coords = {"change": [f"without e{k}" for k in range(len(size))]}
+    return xr.Dataset(dict.fromkeys(names, (("scene", "change"), sizes)), coords)
+
+
+def test_the_ranking_prefers_what_is_sure_and_counts_scenes():
+    """Forty scenes of forty are surer than two of two; what changes nothing comes last."""
+    ranked = ranking(changes_of([0.5, 0.5, 0.5e-2, -0.4], [2, 40, 50, 30]))
+    assert [one.name for one in ranked] == ["e1", "e3", "e0", "e2"]
+    assert [(one.changed, one.scenes) for one in ranked] == [(40, 40), (30, 30), (2, 2), (0, 50)]
+    assert [one.name for one in never(ranked)] == ["e2"]
+    assert all(0.0 <= one.low <= one.changed / one.scenes for one in ranked)
 
 
 def test_what_compiling_takes_is_told_kernel_by_kernel():

@@ -167,9 +167,9 @@ def test_the_figure_of_energy_says_how_far_the_balance_is_off_and_who_dissipates
 @pytest.mark.parametrize(
     "ends, said",
     [
-        ((0.9998, 1.0004), "is the predicted one, to 0.1 %"),
-        ((1.0, 1.044), "is up to 4.4 % longer than the predicted one"),
-        ((0.97, 1.044), "is up to 3.0 % shorter than the predicted one, which is not safe"),
+        ((0.9998, 1.0004), "is as predicted, to 0.1 %"),
+        ((1.0, 1.044), "exceeds the prediction by up to 4.4 %"),
+        ((0.97, 1.044), "predicted stable step is up to 3.0 % too long"),
     ],
 )
 def test_the_title_of_the_stable_step_says_whether_the_prediction_is_safe(ends, said):

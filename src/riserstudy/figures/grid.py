@@ -58,7 +58,8 @@ def points(dataset: xr.Dataset, over: Sequence[str] = ()) -> list[tuple[str, xr.
 def called(value: xr.DataArray) -> str:
     """One value of an axis, with the axis's name and unit: ``mud weight 1800 kg/m³``."""
     if value.dtype.kind not in "fiu":
-        return str(value.item())
+        label = str(value.item())
+        return f"{str(value.name).replace('_', ' ')} {label}" if label.isdigit() else label
     factor, unit = read_in(about(value).get("units", ""))
     name = str(value.name).replace("_", " ")
     return f"{name} {factor * value.item():.4g}" + ("" if unit in ("", "1") else f" {unit}")

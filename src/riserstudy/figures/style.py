@@ -41,6 +41,12 @@ def panels(
     return figure, axes
 
 
+def beside_letter(ax: Axes, title: str) -> None:
+    """Title of a panel, beside its letter where it has one."""
+    letter = ax.get_title(loc="left")
+    ax.set_title(f"{letter} {title}".strip(), loc="left", fontsize="small")
+
+
 def as_written() -> AbstractContextManager[None]:
     """Texts that are made within this are users' own words: a dollar is a dollar and begins no formula."""
     return rc_context({"text.parse_math": False})

@@ -1,4 +1,4 @@
-"""Advice on a scene: what could go at the requested accuracy, and what is missing."""
+"""Advice on a scene: which effects are removable at its tolerance, and which are missing."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from riserstudy.simulation.refine import DISPLACEMENT, MOMENT
 
 REPEATS = 5  # rounds of timed runs, of which the median counts
 BUDGET = 5e5  # node-steps a run; longer scenes are cut short
-COULD_GO, NEEDED, NO_GAIN = "could go", "needed", "could go, saves no time"
-MISSING, NOT_MISSED = "would change the answer", "not missed"
+COULD_GO, NEEDED, NO_GAIN = "removable", "needed", "removable, no time saved"
+MISSING, NOT_MISSED = "recommended", "not needed"
 
 
 class Row(NamedTuple):
@@ -50,8 +50,9 @@ def advice(file: SceneFile, tell: Tell = lambda _: None) -> Advice:
     rows = [row(base, changed, limits) for changed in base.changed]
     order = (COULD_GO, MISSING, NEEDED, NO_GAIN, NOT_MISSED)
     rows.sort(key=lambda r: order.index(r.verdict) if r.verdict in order else len(order))
-    go = [f"{r.label} (run time {r.changes[-1]})" for r in rows if r.verdict == COULD_GO]
-    missing = [r.label.removeprefix("with ") for r in rows if r.verdict == MISSING]
+    go = [f"{_effect(r)} (run time {r.changes[-1]})" for r in rows if r.verdict == COULD_GO]
+    idle = [_effect(r) for r in rows if r.verdict == NO_GAIN]
+    missing = [f"{_effect(r)} ({_largest(r)})" for r in rows if r.verdict == MISSING]
     limit = f"{100 * limits[0]:g} % of displacement, {100 * limits[1]:g} % of moment and tension"
     before, after = (f.scene().analysis.duration for f in (file, base.file))
     step = f", step {base.step:.3g} s" if base.step else ""
@@ -62,9 +63,10 @@ def advice(file: SceneFile, tell: Tell = lambda _: None) -> Advice:
     return Advice(
         rows,
         [
-            f"Could go, one at a time: {', '.join(go) or 'nothing'}.",
-            f"Missing, and would change the answer: {', '.join(missing) or 'nothing'}.",
-            f"An answer changes where it changes by more than {limit}.",
+            f"Removable, one at a time, with a shorter run: {', '.join(go) or 'none'}.",
+            f"Removable, but no time is saved: {', '.join(idle) or 'none'}.",
+            f"Recommended: {', '.join(missing) or 'none'}.",
+            f"An effect is removable if the answer changes by at most {limit}.",
             probe,
         ],
     )
@@ -92,6 +94,24 @@ def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) ->
         verdict = NOT_MISSED if small else MISSING
     shown = [*map(percent, sizes), longer(base, changed)]
     return Row(label, because, shown, verdict, verdict in (COULD_GO, MISSING))
+
+
+def _effect(row: Row) -> str:
+    """The effect that a row removes or adds."""
+    return row.label.removeprefix("with ").removeprefix("without ")
+
+
+def _largest(row: Row) -> str:
+    """The largest of the changes of a row, with its quantity."""
+    sizes = [
+        (float(text.removesuffix(" %")), text, name)
+        for text, name in zip(row.changes, ("displacement", "moment", "tension"), strict=False)
+        if text
+    ]
+    if not sizes:
+        return "change not known"
+    _, text, name = max(sizes, key=lambda one: abs(one[0]))
+    return f"{text} {name}"
 
 
 def saves(base: Ablation, changed: Changed) -> bool:

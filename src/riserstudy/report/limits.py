@@ -25,7 +25,7 @@ class LimitRow(NamedTuple):
     allowable: str
     origin: str
     demand: str
-    use: str
+    use: str  # utilisation, or the margin
     where: str
     verdict: str
 
@@ -75,7 +75,7 @@ def _row(of: xr.Dataset, axes: list[str], told: Mapping[str, str | float]) -> Li
     factor, unit = read_in(str(told["unit"]))
     about = (
         _in_words(str(of["limit"].item())),
-        f"{factor * float(told['allowable']):.5g} {unit}",
+        f"{factor * float(told['allowable']):.3g} {unit}",
         str(told["origin"]),
     )
     if np.isnan(use).all():
@@ -87,11 +87,16 @@ def _row(of: xr.Dataset, axes: list[str], told: Mapping[str, str | float]) -> Li
     )
     place = np.unravel_index(int(np.lexsort([n.ravel() for n in nearest[::-1]])[0]), use.shape)
     at = ", ".join(called(of[axis][k]) for axis, k in zip(axes, place, strict=True))
+    value = f"{factor * float(demand[place]):.3g} {unit}"
     share = float(use[place])
+    if told["side"] == "smallest" and float(told["allowable"]) == 0.0:
+        used = f"margin {value}"  # a floor of zero has no shares
+    else:
+        used = f"{100.0 * share:.3g} %" if np.isfinite(share) else "exceeded"
     return LimitRow(
         *about,
-        f"{factor * float(demand[place]):.5g} {unit}",
-        f"{100.0 * share:.4g} %" if np.isfinite(share) else "beyond all",
+        value,
+        used,
         at,
         _verdict(verdicts),
     )
@@ -101,7 +106,7 @@ def _verdict(verdicts: np.ndarray) -> str:
     """Of all points: exceeded by how many, not evaluated by how many, else within."""
     counts = {word: int((verdicts == word).sum()) for word in (EXCEEDED, UNKNOWN)}
     words = [f"{word} at {count}" for word, count in counts.items() if count]
-    return ", ".join(words) or "within at all"
+    return ", ".join(words) or "met at all points"
 
 
 def _in_words(limit: str) -> str:

@@ -21,7 +21,8 @@ const makeTablesSortable = async () => {
       order: [],
       autoWidth: false,
       layout: { topStart: "search", topEnd: "info", bottomStart: null, bottomEnd: null },
-      language: { search: "", searchPlaceholder: "filter by words", info: "_TOTAL_ rows", infoFiltered: "of _MAX_" },
+      language: { search: "", searchPlaceholder: "filter by words", info: "_TOTAL_ rows", infoFiltered: "of _MAX_",
+        infoEmpty: "no row", zeroRecords: "no row matches", emptyTable: "no row" },
       columnDefs: [{ targets: ["of-paper", "of-verdict"], columnControl: [["searchList"]] }],
       ordering: { indicators: true, handler: true },
     });
@@ -71,7 +72,6 @@ const followLinks = (showAll) => {
   });
   // the address named a place before tables took their heights
   if (location.hash) reveal(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
-  document.documentElement.classList.add("settled");
 };
 
 // Figures open as large as the window allows; where that is smaller than they are, a click shows their full size.

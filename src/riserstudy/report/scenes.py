@@ -118,12 +118,18 @@ def flat(tree: Any, path: str = "") -> dict[str, str]:
     elif isinstance(tree, list) and any(isinstance(value, dict) for value in tree):
         parts = [(f"{path}[{k}]", value) for k, value in enumerate(tree)]
     else:
-        text = ", ".join(map(str, tree)) if isinstance(tree, list) else str(tree)
+        text = ", ".join(map(_said, tree)) if isinstance(tree, list) else _said(tree)
         return {path: text}
     joined: dict[str, str] = {}
     for below, value in parts:
         joined |= flat(value, below)
     return joined
+
+
+def _said(value: Any) -> str:
+    """A value as a scene has it: nothing is "none", and what is on or off is "yes" or "no"."""
+    plain = {None: "none", True: "yes", False: "no"}
+    return plain[value] if value is None or isinstance(value, bool) else str(value)
 
 
 def _varied(dataset: xr.Dataset) -> list[str]:
@@ -138,7 +144,7 @@ def _varied(dataset: xr.Dataset) -> list[str]:
                 f"{name}: {len(values)} values, {values.min():g} to {values.max():g} {unit}"
             )
         elif values.dtype.kind in "iu":
-            words.append(f"{name}: {len(values)} samples of the open assumptions")
+            words.append(f"{name}: {len(values)} samples of the unspecified inputs")
         else:
             words.append(f"{name}: {', '.join(map(str, values))}")
     return words

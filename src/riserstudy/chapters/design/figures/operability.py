@@ -1,4 +1,4 @@
-"""Design, operability: offsets at which limits are reached against current, a figure a mode of operation."""
+"""Design, operability: offsets at which limits are reached over current, one figure per mode."""
 
 from __future__ import annotations
 
@@ -7,24 +7,21 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, beside_letter, headline, key_below, panels
 
 NAMES = {
-    "lfj_angle": "lower flex joint",
-    "ufj_angle": "upper flex joint",
+    "lfj_angle": "LFJ angle",
+    "ufj_angle": "UFJ angle",
     "joint_stroke": "stroke",
     "von_mises_stress": "von Mises stress",
     "effective_tension": "effective tension",
 }
 
-#: what a mode says of the offsets between which its limits are kept, and of there being none
-ANSWERS = {
-    "drilling": ("drilling goes on", "no offset lets drilling go on"),
-    "connected": ("the riser may stay connected, not drilling", "no offset keeps it connected"),
-    "disconnect": (
-        "the riser can still be disconnected",
-        "no offset keeps all limits of disconnect",
-    ),
+#: what a mode allows, as the title says it
+ALLOWED = {
+    "drilling": "drilling",
+    "connected": "staying connected",
+    "disconnect": "a disconnect",
 }
 
 
@@ -44,7 +41,7 @@ def operability_disconnect(operability: xr.Dataset) -> Figure:
 
 
 def _chart(operability: xr.Dataset, mode: str) -> Figure:
-    """A panel a mud weight."""
+    """One panel per mud density."""
     muds = operability["mud_weight"].values
     figure, axes = panels(1, len(muds), 4.2, sharey=True)
     mine = [name for name in operability["limit"].values if str(name).startswith(mode + ":")]
@@ -57,9 +54,9 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
         envelope = operability["envelope_offset"].sel(operation=mode, mud_weight=mud)
         _shade(ax, envelope, operability.attrs["reach"])
         ax.axhline(0.0, color="black", linewidth=0.6)
-        ax.set_xlabel("current at the surface (m/s)")
-        ax.set_title(f"mud of {mud:g} kg/m³", loc="right", fontsize="small")
-    axes[0].set_ylabel("offset of the platform, + down current (m)")
+        ax.set_xlabel("surface current speed (m/s)")
+        beside_letter(ax, f"mud of {mud:g} kg/m³")
+    axes[0].set_ylabel("platform offset, + down current (m)")
     key_below(figure, axes[0], 3)
     headline(figure, _answer(operability.sel(operation=mode), mode))
     return figure
@@ -75,33 +72,30 @@ def _line(ax: Axes, offset: xr.DataArray, colour: str, name: str) -> None:
 def _shade(ax: Axes, envelope: xr.DataArray, reach: float) -> None:
     low, high = (envelope.sel(offset_side=side).clip(-reach, reach) for side in ("low", "high"))
     ax.fill_between(
-        envelope["surface_speed"], low, high, color="0.5", alpha=0.18, lw=0.0, label="all kept"
+        envelope["surface_speed"],
+        low,
+        high,
+        color="0.5",
+        alpha=0.18,
+        lw=0.0,
+        label="all limits met",
     )
 
 
 def _answer(of: xr.Dataset, mode: str) -> str:
-    """Where the platform may be in the strongest current that leaves it a place, and what governs."""
+    """The offsets that all muds share in the strongest current that leaves any, or that none is left."""
     low, high = (of["envelope_offset"].sel(offset_side=side) for side in ("low", "high"))
     lowest, highest = low.max("mud_weight", skipna=False), high.min("mud_weight", skipna=False)
-    speeds = of["surface_speed"].values[(lowest <= highest).values]
-    allowed, never = ANSWERS[mode]
-    if not len(speeds):
-        return f"In every current of the chart {never} in every mud"
-    at = of["governing_limit_name"].sel(surface_speed=speeds[-1])
-    low_by, high_by = (_words(_together(at.sel(offset_side=side))) for side in ("low", "high"))
-    ends = [
-        f"{float(end.sel(surface_speed=speeds[-1])):+.0f} m".replace("-", "−")
-        for end in (lowest, highest)
-    ]
-    return (
-        f"Up to {speeds[-1]:g} m/s of current, in every mud, {allowed}; at {speeds[-1]:g} m/s the platform "
-        f"may be {ends[0]} ({low_by}) to {ends[1]} ({high_by}) from the well"
-    )
-
-
-def _together(names: xr.DataArray) -> str:
-    """The limit that governs in all muds, or those that do."""
-    return ", ".join(dict.fromkeys(str(name) for name in names.values))
+    speeds = of["surface_speed"].values
+    left = speeds[(lowest <= highest).values]
+    if not len(left):
+        return f"No offset allows {ALLOWED[mode]} in every mud, in any current"
+    width = float((highest - lowest).sel(surface_speed=left[-1]))
+    muds = "every mud" if of.sizes["mud_weight"] > 1 else "this mud"
+    if np.isinf(width):
+        return f"At {left[-1]:g} m/s no limit bounds the offset for {ALLOWED[mode]}"
+    tested = ", the strongest tested," if left[-1] == speeds[-1] else ""
+    return f"At {left[-1]:g} m/s{tested} {width:.0f} m of offset allow {ALLOWED[mode]} in {muds}"
 
 
 def _words(name: str) -> str:

@@ -4,24 +4,25 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from riserstudy.figures.style import COLOURS, headline, panels
+from riserstudy.figures.style import COLOURS, beside_letter, headline, key_below, panels
 
 SAID = (
-    "stays clear of stack and stops",
-    "comes down on the stack",
-    "runs into the stops",
-    "does both, by phase",
+    "clear of BOP and end stops",
+    "LMRP re-contacts the BOP",
+    "cylinders stroke out",
+    "both, by phase",
 )
 FILL = ("#9fd8bd", "#f5c9a0", "#a9c9e8", "#d3a9c4")
 
 
-def recoil_window(recoil_outcome: xr.Dataset) -> Figure:
-    """What the worst phase does, over heave and setting, a panel a mud weight."""
+def recoil_window(recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
+    """Outcome of the worst phase over heave and tension setting, one panel per mud density."""
     muds = recoil_outcome["mud_weight"].values
     columns = min(2, len(muds))
     figure, axes = panels(-(-len(muds) // columns), columns, 3.2, sharey=True)
@@ -30,14 +31,14 @@ def recoil_window(recoil_outcome: xr.Dataset) -> Figure:
         one = recoil_outcome.sel(mud_weight=mud)
         _cells(ax, one["recoil_verdict"].transpose("gas_pressure", "heave_amplitude").values)
         ax.set_xticks(range(len(heaves)), [f"{h:g}" for h in heaves])
-        setting = one["setting"].values / 1e6
+        setting = one["setting"].values / tension_ratio / 1e6
         ax.set_yticks(range(len(setting)), [f"{t:.2f}" for t in setting])
         clear = one["clearance_min"].min("phase").transpose("gas_pressure", "heave_amplitude")
         for (row, column), value in np.ndenumerate(clear.values):
             ax.text(
                 column, row, f"{max(value, 0.0):.1f}", ha="center", va="center", fontsize="x-small"
             )
-        ax.set_title(f"mud of {mud:g} kg/m³", loc="right", fontsize="small")
+        beside_letter(ax, f"mud of {mud:g} kg/m³; numbers: smallest clearance (m)")
         ax.set_xlabel("heave amplitude (m)")
     for ax in axes[::columns]:
         ax.set_ylabel("tension setting (MN)")
@@ -61,23 +62,21 @@ def _key(figure: Figure, verdict: xr.DataArray) -> None:
 
 
 def _answer(of: xr.Dataset) -> str:
-    """Up to which heave a setting serves, in each mud."""
+    """Up to which heave some tested setting allows a disconnect at every phase, in every mud."""
     serves = (of["recoil_verdict"] == 0).any("gas_pressure")
-    parts = []
-    for mud in of["mud_weight"].values:
-        heaves = of["heave_amplitude"].values[serves.sel(mud_weight=mud).values]
-        parts.append(
-            f"{max(heaves):g} m at {mud:g} kg/m³" if len(heaves) else f"none at {mud:g} kg/m³"
-        )
-    return (
-        "Largest heave under which some setting keeps LMRP and cylinders clear at every phase: "
-        + ", ".join(parts)
-        + " (numbers: smallest clearance, m)"
-    )
+    heaves = of["heave_amplitude"].values
+    every = serves.all("mud_weight").values
+    if not every[0]:
+        some = heaves[serves.any("mud_weight").values]
+        if not len(some):
+            return "No tested setting allows a safe disconnect in any heave"
+        return f"Above {some.max():g} m of heave no tested setting allows a safe disconnect"
+    largest = heaves[every].max()
+    return f"Up to {largest:g} m of heave a tested setting allows a safe disconnect"
 
 
-def recoil_histories(recoil: xr.Dataset) -> Figure:
-    """Lift and stroke after the release for the lowest, a middle and the highest setting."""
+def recoil_histories(recoil: xr.Dataset, tension_ratio: float) -> Figure:
+    """Lift and stroke after the disconnect for the lowest, a middle and the highest setting."""
     mud = recoil["mud_weight"].values[len(recoil["mud_weight"]) // 2]
     heave = recoil["heave_amplitude"].values[len(recoil["heave_amplitude"]) // 2]
     phase = recoil["phase"].values[0]
@@ -86,26 +85,29 @@ def recoil_histories(recoil: xr.Dataset) -> Figure:
     figure, (up, stroke) = panels(1, 2, 3.6)
     for colour, pressure in zip(COLOURS, pressures, strict=False):
         at = one.sel(gas_pressure=pressure)
-        name = f"{float(at['tensioner_force_static'].sum()) / 1e6:.2f} MN"
+        setting = float(at["tensioner_force_static"].sum()) / tension_ratio
+        name = f"{setting / 1e6:.2f} MN"
         up.plot(at["time"], at["lift"], color=colour, label=name)
         stroke.plot(at["time"], at["tensioner_stroke"].isel(cylinder=0), color=colour, label=name)
     up.axhline(0.0, color="black", linewidth=0.6)
-    up.set_ylabel("lift of the LMRP above the stack (m)")
-    stroke.set_ylabel("stroke of the cylinders, + longer (m)")
+    up.set_ylabel("LMRP lift above the BOP (m)")
+    stroke.set_ylabel("cylinder stroke, + extended (m)")
     for ax in (up, stroke):
         ax.set_xlabel("time (s)")
-        ax.legend(title="setting", fontsize="small")
+        ax.legend(title="tension setting", fontsize="small")
     highest = [float(one.sel(gas_pressure=p)["lift"].max()) for p in pressures]
+    beside_letter(up, f"mud of {mud:g} kg/m³, heave of {heave:g} m")
+    beside_letter(stroke, f"disconnect at {phase:g}° of heave")
+    rises = "raises" if highest[-1] > highest[0] else "lowers"
     headline(
         figure,
-        f"Lift grows from {highest[0]:.1f} m to {highest[-1]:.1f} m with the setting: mud of {mud:g} kg/m³, "
-        f"heave of {heave:g} m, released at {phase:g}° of it",
+        f"Higher tension {rises} the LMRP lift from {highest[0]:.1f} to {highest[-1]:.1f} m",
     )
     return figure
 
 
 def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
-    """What units and valves that failed change, a panel a number of units."""
+    """What failed units and valves change, one panel per number of units."""
     units = recoil_failures_outcome["units"].values
     figure, axes = panels(1, len(units), 3.4, sharey=True)
     left = recoil_failures_outcome["valve_left_open"].values
@@ -116,8 +118,8 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
         for (row, column), value in np.ndenumerate(lift.values):
             ax.text(column, row, f"{value:.1f}", ha="center", va="center", fontsize="x-small")
         ax.set_xticks(range(len(left)), [f"{100 * x:g}" for x in left])
-        ax.set_xlabel("opening that valves leave (%)")
-        ax.set_title(f"{count:g} units pull", loc="right", fontsize="small")
+        ax.set_xlabel("opening left by the valves (%)")
+        beside_letter(ax, f"{count:g} units at work; numbers: largest lift (m)")
     pressures = recoil_failures_outcome["gas_pressure"].values
     axes[0].set_yticks(range(len(pressures)), [f"{p / 10:g}" for p in pressures])
     axes[0].set_ylabel("gas pressure, absolute (MPa)")
@@ -127,12 +129,10 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
         float(highest.sel(units=count).isel(valve_left_open=k))
         for count, k in ((max(units), 0), (max(units), -1), (min(units), 0))
     )
-    serves = recoil_failures_outcome["recoil_verdict"] == 0
     headline(
         figure,
-        f"The LMRP rises {closed:.0f} m, with valves that stay open {opened:.0f} m, with {min(units):g} "
-        f"units {fewer:.0f} m; {int(serves.sum())} of {serves.size} settings stay clear at every phase "
-        "(numbers: largest lift, m)",
+        f"Open valves change the lift from {closed:.0f} to {opened:.0f} m, "
+        f"{max(units) - min(units):g} failed units to {fewer:.0f} m",
     )
     return figure
 
@@ -142,25 +142,24 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
     figure, (liu, mao) = panels(1, 2, 3.6)
     heaves = recoil_liu2020["heave_amplitude"].values
     one = recoil_liu2020["lift"].sel(heave_amplitude=heaves[len(heaves) // 2])
-    for colour, phase in zip(COLOURS, one["phase"].values, strict=False):
-        liu.plot(one["time"], one.sel(phase=phase), color=colour, label=f"{phase:g}°")
-    liu.set_title("Liu et al. 2020", loc="right", fontsize="small")
-    liu.legend(title="phase of heave", fontsize="small")
-    for colour, tension in zip(COLOURS, recoil_mao["top_tension"].values, strict=False):
+    cycle = colormaps["hsv"]
+    for phase in one["phase"].values:
+        colour = tuple(0.8 * part for part in cycle(float(phase) / 360.0)[:3])
+        liu.plot(one["time"], one.sel(phase=phase), color=colour, label=f"disconnect at {phase:g}°")
+    beside_letter(liu, f"Liu et al. 2020, heave of {heaves[len(heaves) // 2]:g} m")
+    for shade, tension in zip(COLOURS, recoil_mao["top_tension"].values, strict=False):
         at = recoil_mao["lift"].sel(top_tension=tension)
-        mao.plot(at["time"], at, color=colour, label=f"{tension / 1e3:.1f} MN")
-    mao.set_title("Mao et al.", loc="right", fontsize="small")
-    mao.legend(title="top tension", fontsize="small")
+        mao.plot(at["time"], at, color=shade, label=f"{tension / 1e3:.1f} MN")
+    beside_letter(mao, "Mao et al., assumed valves")
     for ax in (liu, mao):
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("time (s)")
-        ax.set_ylabel("lift of the LMRP above the stack (m)")
-    highest = one.max("time")
+        ax.set_ylabel("LMRP lift above the BOP (m)")
+    mao.legend(title="top tension", fontsize="small", loc="upper right")
+    key_below(figure, liu, 4)
+    high = float(one.max("time").max()), float(recoil_mao["lift"].max())
     headline(
         figure,
-        f"Liu et al.'s LMRP rises {float(highest.min()):.1f} to {float(highest.max()):.1f} m by the phase of "
-        f"a heave of {heaves[len(heaves) // 2]:g} m, Mao et al.'s at most "
-        f"{float(recoil_mao['lift'].max()):.1f} m "
-        "and comes down again, with valves that are assumed",
+        f"After a disconnect Liu et al.'s LMRP rises {high[0]:.1f} m, Mao et al.'s {high[1]:.1f} m",
     )
     return figure

@@ -1,4 +1,4 @@
-"""Design, sensitivity: bars of what one input at a time moves."""
+"""Design, sensitivity: effect of one input at a time, as bars."""
 
 from __future__ import annotations
 
@@ -7,29 +7,30 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, headline, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
 BASE = "base"
 LEAST = 0.005  # share of the largest effect that is worth a bar
 
 
 def sensitivity(sensitivity: xr.Dataset) -> Figure:
-    """Gap of the tension window and room for drilling, the inputs that move them most above."""
+    """Width of the tension window and of the drilling window, the most influential inputs on top."""
     figure, axes = panels(1, 2, 5.0)
     gap, room = sensitivity["setting_gap"] / 1e6, sensitivity["drilling_room"]
     most = [_bars(ax, values) for ax, values in zip(axes, (gap, room), strict=True)]
-    axes[0].set_ylabel("input, from one end of its range to the other (-)")
-    axes[0].set_xlabel("gap between floor and ceiling of the setting (MN)")
-    axes[1].set_xlabel("room for drilling in 1 m/s (m)")
+    axes[0].set_ylabel("input, with the ends of its range")
+    axes[0].set_xlabel("width of the tension window (MN)")
+    axes[1].set_xlabel("width of the drilling window at 1 m/s (m)")
+    key_below(figure, axes[0], 2)
     headline(
         figure,
-        f"The tension window hangs most on the {most[0]}, the room for drilling on the {most[1]}",
+        f"The {most[0]} governs the tension window, the {most[1]} the drilling window",
     )
     return figure
 
 
 def _bars(ax: Axes, values: xr.DataArray) -> str:
-    """A row an input, a bar to each of its ends; the name of the one that moves most."""
+    """One row per input, one bar to each end of its range; the name of the most influential."""
     base = float(values.sel(varied_input=BASE))
     inputs: dict[str, dict[str, float]] = {}
     for label in values["varied_input"].values:
@@ -40,8 +41,11 @@ def _bars(ax: Axes, values: xr.DataArray) -> str:
     largest = max(effect.values())
     shown = sorted((n for n in effect if effect[n] > LEAST * largest), key=lambda n: effect[n])
     for row, name in enumerate(shown):
-        for colour, (value, there) in zip(COLOURS, inputs[name].items(), strict=False):
-            ax.barh(row, there - base, left=base, color=colour, alpha=0.8, height=0.7)
+        for colour, end, (value, there) in zip(
+            COLOURS, ("lower end", "upper end"), inputs[name].items(), strict=False
+        ):
+            label = f"{end} of the range" if row == len(shown) - 1 else ""
+            ax.barh(row, there - base, left=base, color=colour, alpha=0.8, height=0.7, label=label)
             if abs(there - base) > LEAST * largest:
                 side = "left" if there > base else "right"
                 ax.annotate(

@@ -7,37 +7,41 @@ import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
-from riserstudy.figures.style import COLOURS, GREY, headline, panels
+from riserstudy.figures.style import COLOURS, GREY, beside_letter, headline, panels
 
-MUD = "mud weight (kg/m³)"
+MUD = "mud density (kg/m³)"
+
+Array = NDArray[np.float64]
 
 
 def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
-    """Tension needed along the riser, and over mud weight by formula and engine."""
+    """Minimum top tension by the point that it serves, and over mud density by formula and simulation."""
     figure, (along, over) = panels(1, 2, 3.8)
     muds = minimum_tension["mud_weight"].values
     shown = muds[[0, len(muds) // 2, -1]]
     for colour, mud in zip(COLOURS, shown, strict=False):
         needed = minimum_tension["carrying_tension_along"].sel(mud_weight=mud)
         along.plot(needed / 1e6, needed["elevation"], ".-", color=colour, label=f"{mud:g} kg/m³")
-    along.set_xlabel("tension needed at the top for this point (MN)")
+    along.set_xlabel("minimum top tension for this point (MN)")
     along.set_ylabel("elevation above the seabed (m)")
     along.legend(fontsize="small")
     formula, engine = (
         minimum_tension[name] / 1e6 for name in ("carrying_tension", "carrying_tension_engine")
     )
     over.plot(muds, formula, color=COLOURS[0], label="formula")
-    over.plot(muds, engine, "o", color=COLOURS[1], label="engine: slack nowhere, in the current")
+    over.plot(muds, engine, "o", color=COLOURS[1], label="simulation, in the current")
     over.set_xlabel(MUD)
-    over.set_ylabel("smallest vertical tension (MN)")
+    over.set_ylabel("minimum top tension, vertical (MN)")
     over.legend(fontsize="small")
-    apart = float(abs(engine - formula).max()) * 1e3
-    lowest = float(minimum_tension["governing_elevation"].max())
+    apart = float((abs(engine - formula) / formula).max())
     headline(
         figure,
-        f"The riser's lower end, {lowest:g} m above the seabed, asks for most tension; formula and engine "
-        f"differ by {apart:.2g} kN at most",
+        f"The riser's lower end governs; formula and simulation differ by {100 * apart:.2g} %"
+        if float(minimum_tension["governing_elevation"].max())
+        == float(minimum_tension["elevation"].min())
+        else f"Formula and simulation of the minimum top tension differ by {100 * apart:.2g} %",
     )
     return figure
 
@@ -45,7 +49,10 @@ def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
 def tension_window(
     tension_window: xr.Dataset, recoil_outcome: xr.Dataset, tension_ratio: float
 ) -> Figure:
-    """Floors and ceiling of the setting over mud weight, a panel a number of failed units."""
+    """Floors and ceiling of the setting over mud density, one panel per number of failed units.
+
+    Between floor and ceiling is hatched; green are only the settings that a simulated disconnect allows.
+    """
     failed = tension_window["failed_units"].values
     figure, axes = panels(1, len(failed), 3.8, sharey=True)
     for ax, count in zip(axes, failed, strict=True):
@@ -55,15 +62,20 @@ def tension_window(
         for colour, name in zip(COLOURS, at["floor"].values, strict=False):
             ax.plot(mud, at["setting_floor"].sel(floor=name) / 1e6, color=colour, label=f"{name}")
             engine = at["setting_floor_engine"].sel(floor=name) / 1e6
-            label = "by the engine" if name == at["floor"].values[-1] else None
+            label = "by simulation" if name == at["floor"].values[-1] else None
             ax.plot(mud, engine, "o", mfc="none", ms=4, color="black", label=label)
-        ax.plot(mud, ceiling, color="black", label="0.9 of the dynamic tension limit")
-        open_here = ceiling > floor
-        ax.fill_between(mud, floor, ceiling, where=open_here, color=COLOURS[2], alpha=0.2, lw=0.0)
+        ax.plot(mud, ceiling, color="black", label="90 % of the dynamic tension limit")
+        ax.fill_between(
+            mud, floor, ceiling, where=ceiling > floor, facecolor="none", edgecolor="0.75",
+            hatch="///", lw=0.0, label="between floor and ceiling, before recoil",
+        )  # fmt: skip
+        title = f"{count} of the units failed"
         if count == 0:
             _recoil(ax, recoil_outcome, tension_ratio)
+        else:
+            title += "; disconnect not simulated"
         ax.set_xlabel(MUD)
-        ax.set_title(f"{count} of the units failed", loc="right", fontsize="small")
+        beside_letter(ax, title)
         close = heaviest(at)
         if close is not None:
             ax.axvline(close, color=GREY, linestyle=":", label="no setting beyond")
@@ -73,49 +85,44 @@ def tension_window(
         handles, labels = ax.get_legend_handles_labels()
         of_all |= dict(zip(labels, handles, strict=True))
     figure.legend(
-        list(of_all.values()),
-        list(of_all),
-        loc="outside lower center",
-        ncols=4,
-        fontsize="small",
+        list(of_all.values()), list(of_all), loc="outside lower center", ncols=3, fontsize="small"
     )
-    recoil = _allowed_by_recoil(recoil_outcome, tension_ratio)
-    headline(figure, f"{_answer(tension_window)}; {recoil}")
+    headline(figure, _allowed(tension_window, recoil_outcome, tension_ratio))
     return figure
 
 
 def _recoil(ax: Axes, outcome: xr.Dataset, tension_ratio: float) -> None:
-    """From the least to the largest setting that serves a disconnect in the least heave, often the same."""
+    """From the least to the largest setting that allows a disconnect in the least heave, often the same."""
     calm = outcome.isel(heave_amplitude=0)
     heave = float(calm["heave_amplitude"])
-    low, high = (calm[f"recoil_{end}"] / tension_ratio / 1e6 for end in ("minimum", "maximum"))
-    label = f"of those tried, serve a disconnect\n(heave of {heave:g} m)"
-    for mud, least, most in zip(calm["mud_weight"].values, low.values, high.values, strict=True):
-        ax.plot([mud, mud], [least, most], "D-", color=COLOURS[3], ms=5, lw=2.0, label=label)
+    low, high = _ends(outcome, tension_ratio)
+    label = f"safe disconnect in {heave:g} m of heave (settings tested)"
+    for mud, least, most in zip(calm["mud_weight"].values, low, high, strict=True):
+        ax.plot([mud, mud], [least, most], "D-", color=COLOURS[2], ms=6, lw=5.0, label=label)
         label = ""
 
 
-def _answer(tension_window: xr.Dataset) -> str:
-    """Up to which mud there is a setting, by the number of failed units."""
-    ends = {
-        int(n): heaviest(tension_window.sel(failed_units=n)) for n in tension_window.failed_units
-    }
-    always = [n for n, end in ends.items() if end is None]
-    said = [f"in every mud with up to {max(always)} of the units out"] if always else []
-    said += [f"up to {end:.0f} kg/m³ with {n} out" for n, end in ends.items() if end is not None]
-    return "There is a tension setting " + ", ".join(said)
+def _ends(outcome: xr.Dataset, tension_ratio: float) -> tuple[Array, Array]:
+    """Smallest and largest tested setting (MN) that allow a disconnect in the least heave, (muds,) each."""
+    calm = outcome.isel(heave_amplitude=0)
+    low, high = (calm[f"recoil_{end}"] / tension_ratio / 1e6 for end in ("minimum", "maximum"))
+    return low.values, high.values
 
 
-def _allowed_by_recoil(outcome: xr.Dataset, tension_ratio: float) -> str:
-    """The largest setting of those tried that serves a disconnect in the least heave, over all muds."""
-    most = outcome["recoil_maximum"].isel(heave_amplitude=0) / tension_ratio / 1e6
-    if most.isnull().all():
-        return "no setting tried serves a disconnect"
-    return f"of those tried recoil allows {float(most.max()):.1f} MN at most"
+def _allowed(window: xr.Dataset, outcome: xr.Dataset, tension_ratio: float) -> str:
+    """The largest tested setting that allows a disconnect in any mud, compared with the ceiling."""
+    high = _ends(outcome, tension_ratio)[1]
+    ceiling = float(window["setting_ceiling"].max()) / 1e6
+    if np.isnan(high).all():
+        return "No tested tension setting allows a safe disconnect"
+    most = float(np.nanmax(high))
+    if most >= ceiling:
+        return "Recoil allows tension settings up to the ceiling"
+    return f"Recoil limits the setting to at most {most:.1f} MN; ceiling {ceiling:.1f} MN"
 
 
 def heaviest(at: xr.Dataset) -> float | None:
-    """Mud weight (kg/m3) from which on there is no setting; None where there always is."""
+    """Mud density (kg/m3) from which on there is no setting; None where there always is."""
     gap, mud = at["setting_gap"].values, at["mud_weight"].values
     closed = np.flatnonzero(gap < 0.0)
     if not len(closed):

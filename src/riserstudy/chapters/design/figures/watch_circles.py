@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from riserstudy.design.watch_circles import TOO_LATE
-from riserstudy.figures.style import headline, key_below, panels
+from riserstudy.figures.style import beside_letter, headline, key_below, panels
 
 RED, YELLOW = "#d62728", "#e0b000"
 STYLES = (":", "-", "--")
@@ -19,38 +19,34 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
     for ax, mud in zip(axes, muds, strict=True):
         at = watch_circles.sel(mud_weight=mud)
         speed = at["surface_speed"]
-        ax.plot(speed, at["limit_offset"], color="black", label="first limit")
+        ax.plot(speed, at["limit_offset"], color="black", label="first limit reached")
         for colour, name in ((RED, "red"), (YELLOW, "yellow")):
             for style, eds in zip(STYLES, at["eds_time"].values, strict=False):
                 radius = at[f"{name}_circle_radius"].sel(eds_time=eds)
-                label = f"{name}, disconnect takes {eds:g} s"
+                label = f"{name}, {eds:g} s to disconnect"
                 ax.plot(speed, radius, style, color=colour, label=label)
-        ax.set_xlabel("current at the surface (m/s)")
+        ax.set_xlabel("surface current speed (m/s)")
         ax.set_ylim(bottom=0.0)
-        ax.set_title(f"mud of {mud:g} kg/m³", loc="right", fontsize="small")
-    axes[0].set_ylabel("offset of the alarm (m)")
+        beside_letter(ax, f"mud of {mud:g} kg/m³")
+    axes[0].set_ylabel("offset at which the alarm is due (m)")
     key_below(figure, axes[0], 4)
     headline(figure, _answer(watch_circles))
     return figure
 
 
 def _answer(circles: xr.Dataset) -> str:
-    """Where both alarms are in the middle current, and from which on there is no time for the yellow one."""
-    eds, speed = (
-        float(circles[name][circles.sizes[name] // 2]) for name in ("eds_time", "surface_speed")
-    )
+    """The first current in which an alarm comes too late in some mud, with the middle disconnect time."""
+    eds = float(circles["eds_time"][circles.sizes["eds_time"] // 2])
     at = circles.sel(eds_time=eds)
-    red, yellow = (
-        float(at[f"{name}_circle_radius"].sel(surface_speed=speed).min())
-        for name in ("red", "yellow")
-    )
-    late = (at["yellow_circle_outcome"] == TOO_LATE).any("mud_weight").values
-    more = (
-        f"; from {at['surface_speed'].values[late][0]:g} m/s on it is too late"
-        if late.any()
-        else ""
-    )
-    return (
-        f"Adrift in {speed:g} m/s with {eds:g} s to disconnect, the red alarm must come within {red:.0f} m "
-        f"of the well, the yellow one within {yellow:.0f} m{more}"
-    )
+    said = []
+    for name in ("yellow", "red"):
+        late = (at[f"{name}_circle_outcome"] == TOO_LATE).any("mud_weight").values
+        if late.any():
+            said.append(
+                f"{name} alarm comes too late from {at['surface_speed'].values[late][0]:g} m/s"
+            )
+    if said:
+        return f"The {' and the '.join(said)}"
+    speed = float(at["surface_speed"].max())
+    red = float(at["red_circle_radius"].sel(surface_speed=speed).min())
+    return f"At {speed:g} m/s the red alarm must come within {red:.0f} m"

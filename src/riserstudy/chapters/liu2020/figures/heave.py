@@ -25,11 +25,12 @@ def fig13(heave_case: xr.Dataset) -> Figure:
     ax.set_xlabel(TIME)
     ax.set_ylabel(DEPTH)
     ax.invert_yaxis()
-    half = 0.5 * (tension.max("time") - tension.min("time"))
+    top, bottom = (
+        0.5 * float(at.max() - at.min()) for at in (tension.isel(depth=0), tension.isel(depth=-1))
+    )
     headline(
         figure,
-        f"Under heave the axial force varies by {float(half.isel(depth=0)):.0f} kN at the top and by "
-        f"{float(half.isel(depth=-1)):.0f} kN at the bottom",
+        f"Heave gives a tension amplitude of {top:.0f} kN at the top, {bottom:.0f} kN at the bottom",
     )
     return figure
 

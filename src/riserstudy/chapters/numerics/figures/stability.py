@@ -1,8 +1,7 @@
-"""What stays stable, in one picture: how hard cases ended, and the steps that methods bear."""
+"""What stays stable, in one picture: how hard cases end, and the longest steps of the methods."""
 
 from __future__ import annotations
 
-import textwrap
 from typing import Any
 
 import numpy as np
@@ -13,23 +12,23 @@ from matplotlib.patches import Patch, Rectangle
 from matplotlib.ticker import FuncFormatter
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import COLOURS
+from riserstudy.chapters.numerics.answers import hard
+from riserstudy.figures.style import COLOURS, headline
 
 #: how a case ended, by colour
 ENDS = {
-    "accurate to 1 %": "#4fa876",
-    "inaccurate, and says so": "#f0c35a",
-    "refused with the reason": "#7fb2dd",
-    "finished, no reference": "#c7a9d4",
+    "accurate to 1 %": "#2f8f5b",
+    "inaccurate and flagged": "#e8a93a",
+    "rejected with a reason": "#5b9bd5",
+    "finished and flagged, no reference": "#6f6f6f",
     "not as expected": "#c0392b",
 }
 ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
-NO_REFERENCE = "finished, but no reference"  # an outcome of the dataset
 #: methods of the lower panel, as far as they were run; the table has all
 EXPLICIT = "explicit"
 SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
-LETTERS = 92  # of a title, in a row
-MORE = ">"  # mark of a range that goes on
+SHORTEST = 0.01  # step over the default's that the axis reaches; an arrow where it is shorter
+MORE, LESS = ">", "<"  # marks of a range that goes on, and of one off the axis
 SAME = 1e-9  # relative difference of steps that are the same
 WORST = 2  # cases that are named, at least
 
@@ -40,15 +39,16 @@ def stability(stability: xr.Dataset) -> Figure:
     methods = [m for m in SHOWN if m in stability["method"].values]
     stepped = [name for name in families if not np.isnan(_ranges(stability, name, methods)).all()]
     heights = [
-        0.34 * len(families) + 0.2 * len(worst(stability)) + 0.7,
-        0.11 * len(methods) * len(stepped) + 1.4,
+        0.25 * len(families) + 0.17 * len(worst(stability)) + 0.5,
+        0.09 * len(methods) * len(stepped) + 0.9,
     ]
-    figure = Figure((9.6, sum(heights) + 0.5), dpi=150, layout="constrained")
+    figure = Figure((9.6, sum(heights) + 0.8), dpi=150, layout="constrained")
     above, below = figure.subplots(2, 1, height_ratios=heights)
     _squares(above, stability, families)
     _steps(below, stability, stepped, methods)
     if stepped:
         _steps_key(figure, below, [m for m in SHOWN if m not in methods])
+    headline(figure, answer(stability))
     return figure
 
 
@@ -65,15 +65,10 @@ def ended(stability: xr.Dataset) -> list[str]:
 
 
 def answer(stability: xr.Dataset) -> str:
-    """How many cases ended how."""
-    ends = ended(stability)
-    counts = [f"{ends.count(end)} {end}" for end in ENDS if end in ends and end != WRONG]
-    wrong = ends.count(WRONG)
-    verdict = "all ended as expected" if not wrong else f"{wrong} did not end as expected"
-    unmet = stability["written_outcome"].values[~stability["as_expected"].values]
-    if unjudged := sum(str(outcome) == NO_REFERENCE for outcome in unmet):
-        verdict += f", {unjudged} of them for want of a reference"
-    return f"{len(ends)} hard cases, {verdict}:\n{'; '.join(counts)}"
+    """How many cases ended as expected, and how many are silently wrong."""
+    counts = hard(stability)
+    silent = f"{counts.silent or 'none'} {'are' if counts.silent > 1 else 'is'} silently wrong"
+    return f"{counts.met} of {counts.cases} hard cases end as expected; {silent}"
 
 
 def worst(stability: xr.Dataset) -> list[int]:
@@ -99,7 +94,7 @@ def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
         most = max(most, len(here))
     notes = "\n".join(f"{k}  {_named(stability, case)}" for k, case in enumerate(named, start=1))
     ax.text(-0.1, len(families) - 0.35, notes, va="top", fontsize="small")
-    ax.set_xlim(-0.3, max(most, 12) + 8)  # the key stands beside the longest row
+    ax.set_xlim(-0.3, max(most, 12) + 9)  # the key stands beside the longest row
     ax.set_ylim(len(families) - 0.4 + 0.55 * len(named), -0.6)
     ax.set_yticks(range(len(families)), families)
     ax.set_xticks([])
@@ -108,10 +103,12 @@ def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
         side.set_visible(False)
     present = [end for end in ENDS if end in ends]
     ax.legend(
-        handles=[Patch(facecolor=ENDS[end], label=end) for end in present],
+        handles=[Patch(facecolor=ENDS[end], label=f"{ends.count(end)} {end}") for end in present],
         loc="center right", fontsize="small", frameon=False,
     )  # fmt: skip
-    ax.set_title(f"(a) {answer(stability)}", loc="left", fontsize="medium")
+    ax.set_title(
+        "(a) one square per case, run as its scene is written", loc="left", fontsize="small"
+    )
 
 
 def _named(stability: xr.Dataset, case: int) -> str:
@@ -120,7 +117,11 @@ def _named(stability: xr.Dataset, case: int) -> str:
     error, estimate = (100 * float(of[f"written_{name}"]) for name in ("error", "estimate"))
     if np.isnan(error):
         return f"{of['case'].values}: {of['written_outcome'].values}"
-    return f"{of['case'].values}: {error:.2g} % off, {estimate:.2g} % estimated"
+    return f"{of['case'].values}: true error {_per_cent(error)}, estimated {_per_cent(estimate)}"
+
+
+def _per_cent(value: float) -> str:
+    return f"{value:.0f} %" if value >= 100.0 else f"{value:.2g} %"
 
 
 def _laddered(stability: xr.Dataset, family: str) -> xr.Dataset:
@@ -189,23 +190,32 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
         for k, (accurate, stable) in enumerate(_ranges(stability, family, methods)):
             y = row + (k - 0.5 * (len(methods) - 1)) * height
             colour = COLOURS[k % len(COLOURS)]
-            ends = [x for x in (accurate, stable) if np.isfinite(x)]
+            ends = [max(x, SHORTEST) for x in (accurate, stable) if np.isfinite(x)]
             ax.plot(ends, [y] * len(ends), color=colour, linewidth=3.0, alpha=0.45, zorder=2)
             ax.plot(
-                accurate,
+                max(accurate, SHORTEST),
                 y,
-                "o",
+                LESS if accurate < SHORTEST else "o",
                 color=colour,
                 markersize=4.5,
                 zorder=3,
                 label=methods[k] if not row else "",
             )
-            mark = MORE if on[k] else "o"
-            ax.plot(stable, y, mark, color=colour, markersize=7.5, markerfacecolor="none", zorder=3)
+            mark = MORE if on[k] else LESS if stable < SHORTEST else "o"
+            ax.plot(
+                max(stable, SHORTEST),
+                y,
+                mark,
+                color=colour,
+                markersize=7.5,
+                markerfacecolor="none",
+                zorder=3,
+            )
         if np.isfinite(limit := _explicit_limit(stability, family)):
             y = row + (0.5 * (len(methods) - 1) if EXPLICIT in methods else 0.0) * height
-            ax.plot(limit, y, "|", color="black", markersize=11, markeredgewidth=1.6, zorder=4)
-            ax.plot([], [], "|", color="black", label="" if ticked else "explicit limit, predicted")
+            if limit >= SHORTEST:
+                ax.plot(limit, y, "|", color="black", markersize=11, markeredgewidth=1.6, zorder=4)
+            ax.plot([], [], "|", color="black", label="" if ticked else "predicted explicit limit")
             ticked = True
     ax.axvline(1.0, color="0.5", linewidth=0.8, zorder=1)
     ax.set_xscale("log")
@@ -215,8 +225,8 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
         ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)
     ax.tick_params(axis="y", length=0)
     ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-    ax.set_xlabel("step over the step that the default accuracy chooses (1)")
-    ax.set_title(f"(b) {_bearable(stability, families, methods)}", loc="left", fontsize="medium")
+    ax.set_xlabel("time step / step chosen at the default tolerance (geometric mean of the family)")
+    ax.set_title(f"(b) {_bearable(stability, families, methods)}", loc="left", fontsize="small")
 
 
 def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
@@ -224,8 +234,9 @@ def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
     grey: dict[str, Any] = {"color": "0.4", "linestyle": ""}
     ax.plot([], [], "o", markersize=4.5, label="largest accurate", **grey)
     hollow = grey | {"markersize": 7.5, "markerfacecolor": "none"}
-    ax.plot([], [], "o", label="largest that survives", **hollow)
-    ax.plot([], [], MORE, label="survives the longest tried", **hollow)
+    ax.plot([], [], "o", label="largest stable", **hollow)
+    ax.plot([], [], LESS, label=f"below {SHORTEST:g}", **hollow)
+    ax.plot([], [], MORE, label="stable at the longest tested", **hollow)
     handles, labels = ax.get_legend_handles_labels()
     if absent:
         handles.append(Patch(visible=False))
@@ -240,12 +251,13 @@ def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) ->
     ranges = np.array([_ranges(stability, family, methods)[:, 0] for family in families])
     seen = ranges[~np.isnan(ranges).all(axis=1)] if len(ranges) else ranges
     if not len(seen):
-        return "steps that methods bear"
+        return "stable and accurate steps"
     first = seen >= (1 - SAME) * np.nanmax(seen, axis=1)[:, None]
     count = int(first.sum(axis=0).max())
     leading = [k for k in range(len(methods)) if first[:, k].sum() == count]
     tied = int((first[:, leading].any(axis=1) & (first.sum(axis=1) > 1)).sum())
-    others = f", in {tied} of them no longer than others" if tied else ""
+    others = f" ({tied} tied)" if tied else ""
     names = " and ".join(methods[k] for k in leading)
-    said = f"Longest accurate steps: {names}, in {count} of {len(seen)} families{others}"
-    return textwrap.fill(said, LETTERS)
+    return (
+        f"stable and accurate steps; longest: {names}, in {count} of {len(seen)} families{others}"
+    )

@@ -6,14 +6,14 @@ import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
-from riserstudy.figures.style import COLOURS, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
 UNSAFE = 1.0  # measured over predicted, below which a predicted step is too long
 ALIKE = 0.1  # % by which steps differ that are told as the same
 
 
 def stable_step(stable_step: xr.Dataset) -> Figure:
-    """Ratio of the measured to the predicted step over the segments, a line a variant."""
+    """Ratio of the measured to the predicted step over the segments, one line per variant."""
     figure, axes = panels(1, 1, height=3.8)
     ax = axes[0]
     ratio = stable_step["measured"] / stable_step["predicted"]
@@ -32,9 +32,9 @@ def stable_step(stable_step: xr.Dataset) -> Figure:
     ticks = sorted({int(n) for n in stable_step["elements"].values.ravel() if n == n})
     ax.set_xticks(ticks, [str(n) for n in ticks])
     ax.xaxis.set_minor_formatter(NullFormatter())
-    ax.set_xlabel("segments (1)")
-    ax.set_ylabel("measured over predicted stable step (1)")
-    ax.set_title(answer(ratio), fontsize="medium")
+    ax.set_xlabel("number of segments")
+    ax.set_ylabel("measured / predicted stable step")
+    headline(figure, answer(ratio))
     key_below(figure, ax, 4)
     return figure
 
@@ -42,9 +42,8 @@ def stable_step(stable_step: xr.Dataset) -> Figure:
 def answer(ratio: xr.DataArray) -> str:
     """How far the measured stable step is from the predicted one, and whether that is safe."""
     low, high = (100.0 * (float(end) - UNSAFE) for end in (ratio.min(), ratio.max()))
-    said = "Explicit stepping: the longest stable step"
     if max(abs(low), abs(high)) < ALIKE:
-        return f"{said} is the predicted one, to {ALIKE:g} %"
+        return f"The longest stable explicit step is as predicted, to {ALIKE:g} %"
     if low < -ALIKE:
-        return f"{said} is up to {-low:.1f} % shorter than the predicted one, which is not safe"
-    return f"{said} is up to {high:.1f} % longer than the predicted one"
+        return f"The predicted stable step is up to {-low:.1f} % too long"
+    return f"The longest stable step exceeds the prediction by up to {high:.1f} %"

@@ -1,0 +1,131 @@
+"""The three answers about the engine, from its measured datasets: cost, stability, effects."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+CHANGES = ("displacement_change", "moment_change", "tension_change")
+QUANTITIES = ("displacement", "moment", "tension")
+TOLERANCE = 0.01  # relative change of an answer, or error, that matters
+SURE = 1.96  # standard deviations of a 95 % interval
+INACCURATE = "stable but inaccurate"
+#: what a scene prescribes; all other effects are physics of riser, water and tensioners
+PRESCRIBED = frozenset(
+    {"surge", "heave", "pitch", "cruise", "platform response", "wave", "current"}
+)
+#: added to scenes instead of removed: the engine decides whether a riser has it
+DECIDED = "with motion out of the plane"
+WITHOUT = "without "
+
+
+class Price(NamedTuple):
+    """How much longer runs take at a finer tolerance."""
+
+    coarse: float
+    fine: float
+    low: float  # ratio of times, of the scene in which it is least
+    high: float
+
+    @property
+    def words(self) -> str:
+        """The ratio of times, to two digits: "4 to 9"."""
+        low, high = f"{self.low:.2g}", f"{self.high:.2g}"
+        return low if low == high else f"{low} to {high}"
+
+
+class Hard(NamedTuple):
+    """How many hard cases ended as expected, and how many were inaccurate without a word."""
+
+    met: int
+    cases: int
+    silent: int
+
+
+class Ranked(NamedTuple):
+    """One effect: in how many scenes its absence, or presence, changes the answer beyond the tolerance."""
+
+    name: str
+    prescribed: bool
+    added: bool
+    scenes: int
+    changed: int
+    values: tuple[float, ...]  # largest relative change of an answer, one per scene
+    share: float  # of the run time with the effect, median over scenes
+
+    @property
+    def median(self) -> float:
+        """Median change over its scenes."""
+        return float(np.median(self.values))
+
+    @property
+    def low(self) -> float:
+        """Lower 95 % bound (Wilson) of the share of scenes in which it changes the answer."""
+        n, p = self.scenes, self.changed / self.scenes
+        spread = SURE * math.sqrt(p * (1.0 - p) / n + SURE**2 / (4.0 * n * n))
+        return (p + SURE**2 / (2.0 * n) - spread) / (1.0 + SURE**2 / n)
+
+
+def price(accuracy: xr.Dataset) -> Price | None:
+    """Ratio of times between the finest tolerance that all scenes met and 1 %; None for fewer than two."""
+    met = accuracy["request_seconds"].notnull().values
+    asked, scene = accuracy["requested"].values, accuracy["request_scene"].values
+    seconds = accuracy["request_seconds"].values
+    scenes = sorted(set(scene[met]))
+    every = [set(asked[met & (scene == s)]) for s in scenes]
+    shared = sorted(set.intersection(*every)) if every else []
+    if len(shared) < 2:
+        return None
+    fine = shared[0]
+    coarse = TOLERANCE if TOLERANCE in shared[1:] else shared[-1]
+
+    def of(name: object, tolerance: float) -> float:
+        return float(seconds[(scene == name) & (asked == tolerance)][0])
+
+    ratios = [of(s, fine) / of(s, coarse) for s in scenes]
+    return Price(float(coarse), float(fine), min(ratios), max(ratios))
+
+
+def hard(stability: xr.Dataset) -> Hard:
+    """Counts of the hard cases."""
+    met = stability["as_expected"].values.astype(bool)
+    inaccurate = stability["written_outcome"].values.astype(str) == INACCURATE
+    return Hard(int(met.sum()), met.size, int((inaccurate & ~met).sum()))
+
+
+def ranking(effects: xr.Dataset) -> list[Ranked]:
+    """Effects by the lower 95 % bound of the share of scenes whose answer they change, largest first.
+
+    Effects that were removed, and motion out of the plane, which was added.
+    """
+    sizes = np.stack([abs(effects[name]).transpose("scene", "change").values for name in CHANGES])
+    known = np.isfinite(sizes)
+    largest = np.where(known, sizes, -np.inf).max(axis=0)
+    times = effects["time_change"].transpose("scene", "change").values
+    ranked = []
+    for k, label in enumerate(map(str, effects["change"].values)):
+        values = largest[np.isfinite(largest[:, k]), k]
+        if not (label.startswith(WITHOUT) or label == DECIDED) or not values.size:
+            continue
+        name = label.removeprefix(WITHOUT).removeprefix("with ")
+        added = label == DECIDED
+        time = times[np.isfinite(times[:, k]), k]
+        share = time / (1.0 + time) if added else -time
+        changed = int((values > TOLERANCE).sum())
+        ranked.append(
+            Ranked(
+                name, name in PRESCRIBED, added, values.size, changed, tuple(map(float, values)),
+                float(np.median(share)) if share.size else math.nan,
+            )
+        )  # fmt: skip
+    return sorted(ranked, key=lambda one: (-one.low, -one.median))
+
+
+def never(ranked: list[Ranked]) -> list[Ranked]:
+    """Effects that changed no answer, those of most scenes first."""
+    return sorted((one for one in ranked if not one.changed), key=lambda one: -one.scenes)
