@@ -8,7 +8,7 @@ import short_study
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml
-from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.run import single
 from riserstudy.study.corners import corners, others
 from riserstudy.study.models import StudyFile
@@ -88,7 +88,7 @@ def true_error(study, setting, index):
     scene = study.grid.file(index).with_values(FREE | setting.values, "test").scene()
     coarse = single(scene, prescribed(scene, setting.elements), setting.step)
     fine = single(scene, prescribed(scene, 4 * setting.elements), setting.step / 4)
-    return difference(coarse, fine)
+    return controlled(difference(coarse, fine))
 
 
 @pytest.mark.parametrize("name, accuracy", [("surge", "1 %"), ("sampled", None)])

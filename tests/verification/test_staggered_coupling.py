@@ -14,6 +14,7 @@ from scipy.integrate import solve_ivp
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import SimulationError
+from riserstudy.simulation.error_estimate import controlled
 
 REF = Path(__file__).parents[2] / "config" / "scenes" / "liu2017" / "ref_0.yaml"
 UNTIL, MASS, TENSION = 60.0, 5.26e7, 3.02e6
@@ -261,7 +262,7 @@ def test_steps_refined_for_an_accuracy_stay_whole_parts_of_a_turn():
     assert steps[-1] < 0.07
     for step in steps:
         assert 0.12 / step == pytest.approx(round(0.12 / step))
-    assert max(json.loads(run.attrs["error_estimate"]).values()) <= 0.01
+    assert max(controlled(json.loads(run.attrs["error_estimate"])).values()) <= 0.01
 
 
 LIGHT = {"analysis.duration": "20 s", "vessel.mass": "1 t", "vessel.added_mass": None}

@@ -71,9 +71,11 @@ create table points (             -- simulated points; a scene that two studies 
     elements integer,
     step real,                    -- s
     newton_iterations integer,
+    error_estimated integer,      -- 1 where it was; else a study has it from other points
     error_displacement real,      -- estimated, relative
     error_moment real,
     error_tension real,
+    error_angle real,
     unexplained_energy real,      -- share of the energy exchanged
     smallest_tension real,        -- N
     largest_bending_moment real,  -- N m, of the point's own curve

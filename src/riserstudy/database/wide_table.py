@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
+
+from numpy.typing import NDArray
 
 from riserstudy.database.names import Names, quoted
 from riserstudy.database.read_dataset import Grid
@@ -14,10 +16,12 @@ from riserstudy.scene.fields import in_si
 #: facts about every point, in the order of its columns
 FACTS = (
     *("wall_seconds", "solve_seconds", "elements", "step", "newton_iterations"),
-    *("error_displacement", "error_moment", "error_tension", "unexplained_energy"),
+    *("error_estimated", "error_displacement", "error_moment", "error_tension", "error_angle"),
+    "unexplained_energy",
     *("smallest_tension", "largest_bending_moment", "largest_bending_moment_s", "warnings"),
 )
 ASSUMED = "assumed_"
+MANY = 20_000  # values of a column that are plain numbers at a time
 TYPES = {"i": "integer", "u": "integer", "f": "real", "b": "integer"}
 
 
@@ -32,9 +36,15 @@ class Column(NamedTuple):
     values: Iterable[Any]
 
 
+def plain(values: NDArray[Any]) -> Iterator[Any]:
+    """Values of an array (n,) as the database takes them; as a list they would take four times the memory."""
+    for begin in range(0, len(values), MANY):
+        yield from values[begin : begin + MANY].tolist()
+
+
 def is_result(of: Statistic) -> bool:
     """Whether something is a result of a run: neither a fact about the run nor an assumption."""
-    about = (*FACTS, "point_key", "effects")
+    about = (*FACTS, "point_key", "effects", "by_request")
     return of.statistic != "value" or not (of.quantity in about or of.quantity.startswith(ASSUMED))
 
 
@@ -84,7 +94,7 @@ def _column_of(of: Statistic) -> Column:
         return _assumed(name, of)
     role = "result" if is_result(of) else "row" if name == "point_key" else "fact"
     name = "key" if name == "point_key" else name
-    values = of.values.tolist()
+    values = plain(of.values)
     kind = TYPES.get(of.values.dtype.kind, "text")
     return Column(name, role, kind, of.unit, label, values)
 

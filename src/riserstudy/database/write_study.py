@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.database.names import Names, quoted
 from riserstudy.database.parameters import parameters_of
 from riserstudy.database.read_dataset import Contents, Grid, read_dataset
-from riserstudy.database.wide_table import FACTS, is_result, write_wide_table
+from riserstudy.database.wide_table import FACTS, is_result, plain, write_wide_table
 from riserstudy.database.write_parameters import Values, write_same, write_varied
 from riserstudy.dataset.extremes import Statistic
 from riserstudy.model.absent_effects import absent
@@ -84,18 +85,18 @@ def _write_head(db: sqlite3.Connection, about: About, table: str, contents: Cont
 def _write_points(db: sqlite3.Connection, about: About, contents: Contents) -> int:
     """Insert the points of a study; the number of the first."""
     grid, _ = contents.grids[0]
-    of = {v.name: v.values.tolist() for v in grid.variables if not v.within}
+    of = {v.name: v.values for v in grid.variables if not v.within}
     first: int = db.execute("select coalesce(max(point), 0) + 1 from points").fetchone()[0]
     absent_fact: Iterator[None] = repeat(None)
     rows = zip(
         range(first, first + grid.cells),
         repeat(about.study),
         range(grid.cells),
-        of["point_key"],
+        plain(of["point_key"]),
         _places(grid),
         repeat(contents.attributes["engine"]),
         _effect_sets(db, contents.attributes, of.get("effects")),
-        *(of.get(name, absent_fact) for name in FACTS),
+        *(plain(of[name]) if name in of else absent_fact for name in FACTS),
         strict=False,  # what repeats has no end
     )
     db.executemany(f"insert into points values ({marks(7 + len(FACTS))})", rows)
@@ -109,7 +110,7 @@ def _places(grid: Grid) -> Iterator[str]:
 
 
 def _effect_sets(
-    db: sqlite3.Connection, attributes: dict[str, Any], effects: list[str] | None
+    db: sqlite3.Connection, attributes: dict[str, Any], effects: NDArray[Any] | None
 ) -> Iterator[int | None]:
     """Numbers of the sets of effects of points; None where the dataset does not say."""
     if effects is None:
@@ -124,7 +125,7 @@ def _effect_sets(
         rows = [(number, name, 1, why.get(name, "")) for name in on]
         rows += [(number, name, 0, reason) for name, reason in absent(set(on)).items()]
         db.executemany("insert into effect_sets values (?, ?, ?, ?)", rows)
-    return map(numbers.__getitem__, effects)
+    return map(numbers.__getitem__, plain(effects))
 
 
 def _write_results(db: sqlite3.Connection, statistics: list[Statistic], first: int) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from riserstudy.scene.limit_inputs import lacks
-from riserstudy.scene.limits import ALONG, OF_THE_RISER, UNITS, Limit
+from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.scene.riser import Section
@@ -39,25 +39,50 @@ class Checked(NamedTuple):
 def checked(file: SceneFile, scene: Scene, facts: Mapping[str, Any]) -> list[Checked]:
     """Every limit of a scene against the extremes of its run.
 
-    Nothing is within a limit that is known no better than by an error larger than itself.
+    Nothing is within a limit that is known no better than by an error larger than itself. No accuracy bounds
+    the error of angles; so an angle is within a limit if it is with its own estimated error on top.
 
     Parameters
     ----------
     facts : of the run: its extremes, a row an output and place, and its estimated errors.
     """
     rows = facts.get("extremes", [])
-    errors = {k: v for k, v in facts.get("error_estimate", {}).items() if v > 1.0}
+    errors = {k: v for k, v in facts.get("error_estimate", {}).items() if k != "angle" and v > 1.0}
     unknown = ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in errors.items())
+    doubt = _error_of_angles(facts)
     plain = "published" if scene.paper else "given"
     each = []
     for k, limit in enumerate(scene.limits or []):
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
         one = _one(scene, limit, rows, origin.status if origin else plain)
+        if limit.output in ANGLES:
+            one = _with_error(one, doubt)
         if unknown and one.verdict == WITHIN:
             why = f"an estimated error below the result itself: {unknown}"
             one = one._replace(verdict=UNKNOWN, missing=why)
         each.append(one._replace(takes=takes(scene, limit)))
     return each
+
+
+def _error_of_angles(facts: Mapping[str, Any]) -> float:
+    """Estimated error of the angles of a run (rad): relative to the largest of them; zero where unknown."""
+    rows = [row for row in facts.get("extremes", []) if row["output"] in ANGLES]
+    largest = max((abs(row[side]) for row in rows for side in ("largest", "smallest")), default=0.0)
+    return float(facts.get("error_estimate", {}).get("angle", 0.0) * largest)
+
+
+def _with_error(one: Checked, error: float) -> Checked:
+    """A limit of an angle that is not within it where its error (rad) is larger than what is left."""
+    if one.verdict != WITHIN or one.demand is None:
+        return one
+    worst = one.demand + (-error if one.side == "smallest" else error)
+    if use(one.side, worst, one.allowable) <= 1.0:
+        return one
+    why = (
+        f"an error of the angle, {math.degrees(error):.2g} deg as estimated, below the margin; "
+        "request a smaller error by analysis.accuracy"
+    )
+    return one._replace(verdict=UNKNOWN, missing=why)
 
 
 def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) -> Checked:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,11 +27,23 @@ def write_netcdf(dataset: xr.Dataset, target: Path, encoding: Mapping[str, dict[
     SimulationError
         When it cannot be written, as on a full disk.
     """
+    with written_whole(target) as partial, without("dask"):  # whose locks only its own arrays need
+        dataset.to_netcdf(partial, engine="netcdf4", encoding=encoding)
+
+
+@contextmanager
+def written_whole(target: Path) -> Iterator[Path]:
+    """The path of a file to write, which takes the place of a netCDF file when it is whole.
+
+    Raises
+    ------
+    SimulationError
+        When it cannot be written, as on a full disk.
+    """
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        with without("dask"):  # whose locks only its own arrays need
-            dataset.to_netcdf(partial, engine="netcdf4", encoding=encoding)
+        yield partial
         partial.replace(target)
     except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
         remedy = "see whether the disk is full"

@@ -50,7 +50,8 @@ OF_RUNS = frozenset(
 OF_POINTS = frozenset(
     (
         *("wall_seconds", "solve_seconds", "elements", "step", "newton_iterations"),
-        *("error_displacement", "error_moment", "error_tension", "unexplained_energy"),
+        *("error_estimated", "error_displacement", "error_moment", "error_tension", "error_angle"),
+        "unexplained_energy",
         *("smallest_tension", "largest_bending_moment", "largest_bending_moment_s"),
     )
 )

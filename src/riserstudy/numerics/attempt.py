@@ -15,7 +15,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
-from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 
@@ -92,15 +92,15 @@ def too_long(scene: Scene, mesh: Mesh, step: float | None, budget: float) -> Att
 
 
 def errors(result: Result, reference: Result) -> dict[str, float]:
-    """Error by quantity, relative to the largest value; the finer of the meshes comes last."""
+    """Error by quantity that an accuracy bounds, relative to the largest value; the finer mesh comes last."""
     if len(result.arrays["s_node"]) > len(reference.arrays["s_node"]):
-        return difference(reference, result)
-    return difference(result, reference)
+        return controlled(difference(reference, result))
+    return controlled(difference(result, reference))
 
 
 def deciding(found: dict[str, float]) -> float:
     """The error that counts: of moment, or of tension and displacement where there is none."""
-    return found.get("moment", max(found.values(), default=math.nan))
+    return found.get("moment", max(controlled(found).values(), default=math.nan))
 
 
 def judged(tried: Attempt, reference: Result | None) -> tuple[Outcome, float]:

@@ -29,6 +29,7 @@ UNITS = {
     "overpull": "N",
     "lmrp_clearance": "m",
 }
+ANGLES = tuple(output for output, unit in UNITS.items() if unit == "rad")
 #: of which there is a value at every place along the riser
 ALONG = ("effective_tension", "bending_moment", "shear_force", "von_mises_stress", "x", "y")
 #: of which a limit without a place is one of the riser alone: a stack and conductor stand, in other steel

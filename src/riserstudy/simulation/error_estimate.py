@@ -8,15 +8,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
+from riserstudy.scene.limits import ANGLES
 from riserstudy.simulation import vibration
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
+#: quantities whose errors an accuracy bounds, and by which mesh and step are chosen
+CONTROLLED = ("displacement", "tension", "moment")
 HISTORIES = ("x", "y", "z", "effective_tension", "bending_moment")
 MOST_FALL = 8.0  # of successive differences that an estimate trusts: third order
 FLAT = 1e-9  # curvature that is none (1/m): a strain of 5e-10 at the wall of a riser a metre thick
+UPRIGHT = 1e-9  # rad: an angle that is none
 LEAST_FALL = 1.5
 STEEPEST_FALL = 20.0  # of fourth order it is 16
 SURE_FALL = 4.0  # where mesh and step both changed between them: second
@@ -29,15 +33,22 @@ def estimate(
 
     Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as no more
     than ``most``, and as `LEAST_FALL` where it is smaller, unknown, or more than any method's order gives:
-    then the coarsest of the three was still far off.
+    then the coarsest of the three was still far off. Of angles, tangents at the ends of segments, it is taken
+    as no more than that of second order, which is all that they are sure of.
     """
     error = {}
     for name, value in now.items():
         fall = (before or {}).get(name, 0.0) / value if value > 0.0 else most
         if fall > STEEPEST_FALL:
             fall = LEAST_FALL
-        error[name] = value / (min(max(fall, LEAST_FALL), most) - 1.0)
+        trusted = most if name in CONTROLLED else min(most, SURE_FALL)
+        error[name] = value / (min(max(fall, LEAST_FALL), trusted) - 1.0)
     return error
+
+
+def controlled(error: dict[str, float]) -> dict[str, float]:
+    """Relative errors (1) without that of angles, which is estimated and chooses nothing."""
+    return {name: value for name, value in error.items() if name in CONTROLLED}
 
 
 def difference(coarse: Result, fine: Result) -> dict[str, float]:
@@ -47,8 +58,9 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     it is, histories at those nodes or at stations, so that an error in phase counts too; between nodes
     values are those of the elements. A vibration of vortices is compared by its statistics.
 
-    Where one run tells every second, fourth, ... output of the other, those that both tell are
-    compared. The scale is the largest value anywhere.
+    Where one run tells every second, fourth, ... output of the other, those that both tell are compared.
+    Angles of flex joints are compared at rest, over time, and by their extremes over all steps where both
+    runs have these. The scale is the largest value anywhere.
     """
     differences = {}
     histories = _histories(coarse.arrays, fine.arrays)
@@ -74,7 +86,34 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
         rounding = _rounding(name, fine.arrays)
         if scale > rounding:
             differences[name] = off / scale if off > rounding else 0.0
+    angles = [*_angles(coarse, fine)]
+    scale = max((float(np.abs(up).max()) for _, up in angles), default=0.0)
+    if scale > UPRIGHT:
+        off = max(float(np.abs(up - low).max()) for low, up in angles)
+        differences["angle"] = off / scale if off > UPRIGHT else 0.0
     return differences
+
+
+def _angles(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
+    """Angles of flex joints in both runs (rad): at rest, over the outputs of both, and their extremes."""
+    low, up = coarse.arrays, fine.arrays
+    steps = _every(low, up) if "time" in low and "time" in up else (1, 1)
+    for name in ANGLES:
+        if name + "_static" in low and name + "_static" in up:
+            yield low[name + "_static"], up[name + "_static"]
+        if name in low and name in up:
+            yield low[name][:: steps[0]], up[name][:: steps[1]]
+        ends, finer = _extremes(coarse, name), _extremes(fine, name)
+        if ends is not None and finer is not None:
+            yield ends, finer
+
+
+def _extremes(run: Result, name: str) -> Array | None:
+    """Smallest and largest value of an output by all steps; None of a run that was only to be compared."""
+    if peak := run.facts.get("peaks", {}).get(name):
+        return np.array([peak.smallest, peak.largest])
+    rows = [row for row in run.facts.get("extremes", []) if row["output"] == name]
+    return np.array([rows[0]["smallest"], rows[0]["largest"]]) if rows else None
 
 
 def _rounding(name: str, arrays: Arrays) -> float:

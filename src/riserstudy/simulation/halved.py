@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from copy import copy
 
-from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, estimate
+from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, controlled, estimate
 
 
 class Halved:
@@ -18,9 +18,9 @@ class Halved:
 
     def __init__(self, change: dict[str, float], before: Halved | None) -> None:
         self.change = change
-        worst = max(change, key=lambda name: change[name], default="")
+        worst = max(controlled(change), key=lambda name: change[name], default="")
         was = before.change.get(worst, 0.0) if before else 0.0
-        #: of the largest change since the one before; unknown: as much as is believed
+        #: of the largest controlled change since the one before; unknown: as much as is believed
         self.fall: float = max(was / change[worst], 1.0) if was and change[worst] else MOST_FALL
         # with another mesh or step changes are alike, but not to the third order; and after a fall that
         # was less than that of the second, a steep one may be chance

@@ -15,7 +15,7 @@ from riserstudy.errors import PhysicallyUnstable, SimulationError
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import Storm
-from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.error_estimate import CONTROLLED, difference
 from riserstudy.simulation.piece import longest_ramp, piece_of
 from riserstudy.simulation.refine import Refinement, cost
 from riserstudy.simulation.run import march
@@ -85,9 +85,10 @@ class LongRecord(Refinement):
         whole = self._run(self.scene, part.mesh, step, False)
         more = {}
         for name, off in difference(coarse, whole).items():
-            if not before.get(name, 0.0) > 0.0:
+            if before.get(name, 0.0) > 0.0:
+                more[name] = max(1.0, off / before[name])
+            elif name in CONTROLLED:
                 return None
-            more[name] = max(1.0, off / before[name])
         self.seen = {way: one.scaled(more) for way, one in part.seen.items()}
         return whole
 

@@ -18,6 +18,7 @@ from riserstudy.model.stops import joint_stops_touched, stops_touched
 from riserstudy.model.tensioner_law import leaves_table
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.ends import TelescopicJoint
+from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.simulation.curve import at_stations, curve_of, largest_moment
@@ -56,10 +57,10 @@ def at_rest(scene: Scene, model: Model, mesh: Mesh) -> Arrays:
         count = scene.top.tensioners.count
         arrays["tensioner_stroke_static"] = probe[:count]
         arrays["tensioner_force_static"] = probe[count : 2 * count]
-    for name, values in _angles(scene, model, mesh, record).items():
+    for name, values in angles(scene, model, mesh, record).items():
         arrays[name + "_static"] = values[0]
-    for name in {"lfj_angle", "largest_stress"} & set(model.probes):
-        arrays[name + "_static"] = probe[model.probes[name]]
+    if "largest_stress" in model.probes:
+        arrays["largest_stress_static"] = probe[model.probes["largest_stress"]]
     if joint := joint_of(scene):
         arrays["joint_stroke_static"] = np.array(positions(model).joint - joint.length)
     arrays["zero_z"] = model.s.r[-1, : len(mesh.s)].copy()
@@ -177,7 +178,7 @@ def keep_stations(result: Result, stations: list[float] | None) -> None:
 
 def over_time(scene: Scene, model: Model, mesh: Mesh, record: Record, rest: AtRest) -> Arrays:
     """Angles, strokes, forces and motions over time."""
-    series = _angles(scene, model, mesh, record)
+    series = angles(scene, model, mesh, record)
     if scene.top.tensioners:
         c = scene.top.tensioners.count
         series["tensioner_stroke"] = record.probe[:, :c]
@@ -193,6 +194,28 @@ def over_time(scene: Scene, model: Model, mesh: Mesh, record: Record, rest: AtRe
     if scene.vessel:
         series |= _of_vessel(scene, len(model.s.dim) == 3, record, series)
     return series
+
+
+def angles(scene: Scene, model: Model, mesh: Mesh, record: Record) -> Arrays:
+    """Angles of flex joints (rad): of the tangents against the lower stack and the platform's vertical."""
+    d = len(model.s.dim)
+    arrays: Arrays = {}
+    if d == 1:
+        return arrays
+    upwards = np.array([0.0, 0.0, 1.0])
+    if scene.bottom.hold == "wellhead":
+        arrays["lfj_angle"] = _lean(_end_direction(scene, model, mesh, record, 0), upwards, d)
+    on_vessel = scene.vessel and len(model.s.dof) > d
+    on_platform = scene.platform and scene.top.x == "platform"
+    if on_vessel or on_platform or scene.top.x == "held":
+        turned, upright = record.platform[:, 3:], upwards
+        if scene.top.x != "held" and turned.any():  # rotations take longer than a short run
+            from scipy.spatial.transform import Rotation
+
+            upright = Rotation.from_euler("xyz", turned).apply(upwards)
+        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upright, d)
+    of_joints = {name: k for name, k in model.probes.items() if name in ANGLES}
+    return arrays | {name: record.probe[:, k] for name, k in of_joints.items()}
 
 
 def _of_vessel(scene: Scene, turns_aside: bool, record: Record, reported: Arrays) -> Arrays:
@@ -251,27 +274,6 @@ def _reaches(arrays: Arrays) -> FloatArray:
     """Reach of all cylinders, at rest and whenever it was recorded."""
     names = ("tensioner_stroke_static", "tensioner_stroke")
     return np.concatenate([arrays[name].ravel() for name in names if name in arrays])
-
-
-def _angles(scene: Scene, model: Model, mesh: Mesh, record: Record) -> Arrays:
-    """Angles of the riser's end tangents: against the lower stack, and the platform's vertical."""
-    d = len(model.s.dim)
-    arrays: Arrays = {}
-    if d == 1:
-        return arrays
-    upwards = np.array([0.0, 0.0, 1.0])
-    if scene.bottom.hold == "wellhead":
-        arrays["lfj_angle"] = _lean(_end_direction(scene, model, mesh, record, 0), upwards, d)
-    on_vessel = scene.vessel and len(model.s.dof) > d
-    on_platform = scene.platform and scene.top.x == "platform"
-    if on_vessel or on_platform or scene.top.x == "held":
-        turned, upright = record.platform[:, 3:], upwards
-        if scene.top.x != "held" and turned.any():  # rotations take longer than a short run
-            from scipy.spatial.transform import Rotation
-
-            upright = Rotation.from_euler("xyz", turned).apply(upwards)
-        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upright, d)
-    return arrays
 
 
 def _end_direction(scene: Scene, model: Model, mesh: Mesh, record: Record, end: int) -> FloatArray:

@@ -14,6 +14,7 @@ from riserstudy.model.mesh import COARSEST
 from riserstudy.scene.analysis import Layers, Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import Storm
+from riserstudy.simulation.error_estimate import controlled
 from riserstudy.simulation.forecast import forecast
 from riserstudy.simulation.piece import piece_of
 from riserstudy.simulation.refine import run
@@ -85,7 +86,7 @@ def _coarser(
             error = _error(_with(scene, fewer, layers, longer), piece)
         except SimulationError:
             continue
-        if error and max(error.values()) <= ROUGH:
+        if error and max(controlled(error).values()) <= ROUGH:
             return fewer, longer, error
     return None
 

@@ -16,7 +16,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.sudden import sudden_starts
 from riserstudy.simulation.as_asked import as_asked
 from riserstudy.simulation.equilibrium import rounding
-from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.halved import Halved, enter
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.rest import Rest
@@ -88,7 +88,7 @@ def _doubt(result: Result, scene: Scene) -> None:
         With the quantity, its error and the remedy, where mesh and step were to be found.
     """
     error = result.facts.get("error_estimate", {})
-    if not any(value > 1.0 for value in error.values()):
+    if not any(value > 1.0 for value in controlled(error).values()):
         return
     doubt = (
         f"the estimated error is larger than the result: {_worst(error)}, on "
@@ -230,7 +230,7 @@ class Refinement:
         on = f"run {len(self.spent) + 1}: {size(len(self.mesh.l0), self.step)}"
         if self.spent and not self._unknown:
             error = self.error
-            worst = max(error, key=lambda name: error[name] / self.target[name])
+            worst = max(self.target, key=lambda name: error[name] / self.target[name])
             off = f"{worst} off by {100 * error[worst]:.2g} %, request {100 * self.target[worst]:.2g} %"
             on += f"; {off}, about {_duration(self._left())} to go"
         self.watch.begin(on)
@@ -276,10 +276,9 @@ class Refinement:
     @property
     def error(self) -> dict[str, float]:
         """Estimated relative error of mesh and step together, by quantity."""
-        return {
-            name: sum(one.error.get(name, 0.0) for one in self.seen.values())
-            for name in self.target
-        }
+        seen = [one.error for one in self.seen.values()]
+        names = dict.fromkeys((*self.target, *(name for error in seen for name in error)))
+        return {name: sum(error.get(name, 0.0) for error in seen) for name in names}
 
     def _attempt(self, left: int, whole: bool = False) -> Result | None:
         """A run on the present mesh and step; None where it failed, and both are finer now.

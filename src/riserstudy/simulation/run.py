@@ -15,6 +15,7 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.space_out import joint_of
 from riserstudy.scene.analysis import Output
+from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sudden import sudden_wave
 from riserstudy.scene.wave_forces import without_inertia
@@ -90,7 +91,7 @@ def march(
     ----------
     rest : that of the scene on the mesh; absent: it is looked for.
     extremes : whether extremes of all outputs are taken, step by step; a run that is only compared needs
-        those of displacement, tension and moment alone.
+        those of displacement, tension, moment and the angles of flex joints alone.
 
     Raises
     ------
@@ -198,7 +199,8 @@ def in_motion(
     rest, taken = outputs.positions(model), 0.0
     begin(scene, model, mesh)
     section = section_of(scene, mesh, arrays) if judged else NO_SECTION
-    room = room_for_steps(model, a.duration, step) if judged and a.method != "explicit" else 0
+    seen = (judged or len(model.s.dim) > 1) and a.method != "explicit"
+    room = room_for_steps(model, a.duration, step) if seen else 0
     record = outputs.empty_record(arrays, model, a.output, a.duration, of, section, room)
     before = sum(energies(model.programs, model.state))
     with watch.over(record.value, sums):
@@ -226,13 +228,17 @@ def in_motion(
         audit.exchange(facts, coupling)
     histories = outputs.histories(arrays, model, record.value, of)
     histories |= outputs.over_time(scene, model, mesh, record.value, rest)
+    every_step = steps_of(record.value)
     if judged:
         histories |= envelopes_of(record.value)
-        if every_step := steps_of(record.value):
+        if every_step:
             series = outputs.over_time(scene, model, mesh, every_step, rest)
             facts["peaks"] = peaks_of(every_step.time, series)
-            sizes = ("ufj_angle", "lfj_angle") if len(model.s.dim) == 3 else ()
+            sizes = ANGLES if len(model.s.dim) == 3 else ()
             histories |= within(histories, facts["peaks"], sizes)
+    elif every_step:  # a run that is compared
+        angles = outputs.angles(scene, model, mesh, every_step)
+        facts["peaks"] = peaks_of(every_step.time, angles)
     enter_lift(scene, histories, facts)
     return histories
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Collection
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,18 +35,23 @@ if TYPE_CHECKING:
 
 
 HISTORIES = frozenset(("x", "y", "z", "effective_tension", "bending_moment"))  # over s
-DIGITS = 10  # that large arrays are stored with
+PACKED = {"zlib": True, "complevel": 3}  # how large arrays are stored
+ROUNDED = {"significant_digits": 10, "quantize_mode": "GranularBitRound"}
 ATTEMPTS = 3  # to simulate a point: a study beside this one may store it, without what is kept here
 SMALL = 4096  # bytes of an array that other points may have, too
 NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
 
 
 def results_of(
-    study: Study, processes: int, tell: Callable[[str], None], count: Count | None = None
+    study: Study,
+    processes: int,
+    tell: Callable[[str], None],
+    count: Count | None = None,
+    points: list[Point] | None = None,
 ) -> tuple[list[Result], int]:
-    """Results of all points in order, and how many had to be simulated.
+    """Results of points in order, and how many had to be simulated.
 
-    ``tell`` is told that in words at the end, ``count`` of each point that is done.
+    ``tell`` is told that in words at the end, ``count`` of each point that is done. Absent points: all.
 
     Raises
     ------
@@ -55,7 +60,8 @@ def results_of(
     """
     kept: dict[str, Result] = {}
     shared: dict[Any, Any] = {}
-    absent, made = _take(study, study.plan, kept, shared), 0
+    wanted = study.plan if points is None else points
+    absent, made = _take(study, wanted, kept, shared), 0
     for attempt in range(ATTEMPTS if absent else 0):
         now = fill(study, absent, processes, count)
         made = now if attempt == 0 else made
@@ -63,12 +69,11 @@ def results_of(
         if not absent:
             break
     tell(
-        f"{study.paper}/{study.name}: {made} points simulated, "
-        f"{len(study.plan) - made} from the store"
+        f"{study.paper}/{study.name}: {made} points simulated, {len(wanted) - made} from the store"
     )
     if absent:
         raise SimulationError(f"{study.where}: points vanished from the store; run it again")
-    return [kept[point.key] for point in study.plan], made
+    return [kept[point.key] for point in wanted], made
 
 
 def _take(
@@ -240,9 +245,11 @@ FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
     "elements": lambda f: f["elements"],
     "step": lambda f: f.get("step", float("nan")),
     "newton_iterations": lambda f: f.get("newton_iterations", float("nan")),
+    "error_estimated": lambda f: int("error_estimate" in f),
     "error_displacement": lambda f: f.get("error_estimate", {}).get("displacement", float("nan")),
     "error_moment": lambda f: f.get("error_estimate", {}).get("moment", float("nan")),
     "error_tension": lambda f: f.get("error_estimate", {}).get("tension", float("nan")),
+    "error_angle": lambda f: f.get("error_estimate", {}).get("angle", float("nan")),
     "unexplained_energy": lambda f: f.get("audit", {}).get("unexplained_share", float("nan")),
     "smallest_tension": lambda f: f["smallest_tension"],
     "largest_bending_moment": lambda f: f.get("largest_bending_moment", float("nan")),
@@ -258,9 +265,6 @@ FACT_ATTRIBUTES = {
     "elements": {"units": "1", "long_name": "segments of the riser"},
     "step": {"units": "s", "long_name": "time step"},
     "newton_iterations": {"units": "1", "long_name": "Newton iterations of the riser, all steps"},
-    "error_displacement": {"units": "1", "long_name": "estimated relative error of displacement"},
-    "error_moment": {"units": "1", "long_name": "estimated relative error of bending moment"},
-    "error_tension": {"units": "1", "long_name": "estimated relative error of tension"},
     "unexplained_energy": {
         "units": "1",
         "long_name": "share of the energy exchanged left unexplained",
@@ -276,7 +280,8 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
     for name, axis in study.model.axes.items():
         if not isinstance(axis, Samples):
             continue
-        samples = study.assumed(axis)
+        every = study.assumed(axis)
+        samples = [every[number] for number, _ in study.axes[name]]
         for path in samples[0]:
             values = [assumed[path] for assumed in samples]
             plain = [v if isinstance(v, int | float) else str(v) for v in values]
@@ -284,10 +289,35 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
             dataset[label] = xr.DataArray(plain, dims=name, attrs={"long_name": path})
 
 
-def _about(study: Study, results: list[Result]) -> dict[str, Any]:
-    origins = study.base.origins
+class Known(NamedTuple):
+    """What is known of some points together: their number, those with an estimated error, all effects."""
+
+    points: int
+    estimated: int
+    effects: dict[str, str]
+
+
+def known_of(results: list[Result]) -> Known:
+    """What is known of points by their results."""
     estimated = sum("error_estimate" in result.facts for result in results)
     effects = {name: why for r in results for name, why in r.facts["effects"].items()}
+    return Known(len(results), estimated, effects)
+
+
+def joined(parts: list[Known]) -> Known:
+    """What is known of the points of several parts."""
+    effects = {name: why for part in parts for name, why in part.effects.items()}
+    return Known(sum(p.points for p in parts), sum(p.estimated for p in parts), effects)
+
+
+def said_of(known: Known) -> dict[str, str]:
+    """Attributes of a dataset that say what is known of its points."""
+    estimated = f"{known.estimated} of {known.points} points, chosen by their keys"
+    return {"effects": json.dumps(known.effects), "errors_estimated": estimated}
+
+
+def _about(study: Study, results: list[Result]) -> dict[str, Any]:
+    origins = study.base.origins
     return {
         "Conventions": "CF-1.11",
         "title": f"{study.paper} {study.name}: {study.model.caption}",
@@ -301,8 +331,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "tables": json.dumps(study.tables),
         "origins": json.dumps({p: o.status for p, o in origins.items()}),
         "evidence": json.dumps({p: o.why for p, o in origins.items()}),
-        "effects": json.dumps(effects),
-        "errors_estimated": f"{estimated} of {len(results)} points, chosen by their keys",
+        **said_of(known_of(results)),
         **({"error_because": because} if (because := study.model.error_because) else {}),
         "history": history(f"simulated study {study.name} of {study.paper}, tier {study.tier}"),
     }
@@ -327,9 +356,8 @@ def _compressed(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
     The library rounds what is finite and neither huge nor next to nothing, and writes the number of digits
     into the variable's attributes; arrays with anything else are stored as they are.
     """
-    digits = {"significant_digits": DIGITS, "quantize_mode": "GranularBitRound"}
     return {
-        str(name): {"zlib": True, "complevel": 3, **(digits if _rounded(values) else {})}
+        str(name): PACKED | (ROUNDED if _rounded(values) else {})
         for name, values in dataset.data_vars.items()
         if values.dtype.kind == "f" and values.size > 1000
     }

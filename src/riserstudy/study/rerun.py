@@ -24,7 +24,10 @@ if TYPE_CHECKING:
     from riserstudy.scene.load import SceneFile
 
 #: that change from run to run, or tell what was run
-LEFT_OUT = ("wall_seconds", "solve_seconds", "point_key", "warnings", "effects", "failure")
+LEFT_OUT = (
+    *("wall_seconds", "solve_seconds", "point_key", "by_request"),
+    *("warnings", "effects", "failure"),
+)
 
 
 @dataclass(frozen=True)
@@ -67,7 +70,9 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     engine = provenance(dataset)["engine"]
     index = place(dataset, at)
     point = dataset.isel(index)
-    estimated = bool(np.isfinite(point.get("error_displacement", 0.0)))
+    estimated = bool(
+        point.get("error_estimated", np.isfinite(point.get("error_displacement", 0.0)))
+    )
     file = file_behind(dataset, index)
     result = run(file.scene(), estimated=estimated)
     limits = uses(file, result) if "limit" in point.dims else {}

@@ -1,0 +1,165 @@
+"""The estimated error of angles: it covers the true one, falls as the method does, and chooses nothing."""
+
+import copy
+import json
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from random_rigs import moving, rig, written
+
+from riserstudy.dataset.limits import checked
+from riserstudy.scene.limits import ANGLES
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation import refine as module
+from riserstudy.simulation.error_estimate import controlled, difference
+from riserstudy.simulation.halved import Halved
+from riserstudy.simulation.refine import Refinement, run
+from riserstudy.simulation.run import single
+
+COVERED = 1.5  # true over estimated error, at most: as the other quantities of a long record
+
+
+def file_of(tree, **more):
+    return SceneFile("rig.yaml", written(tree) | more)
+
+
+def requested(tree, accuracy):
+    """A rig that requests an accuracy in place of its mesh and step."""
+    file = file_of(tree)
+    sets = {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": accuracy}
+    return file.with_values(sets, "test").scene()
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(5))
+def test_the_estimate_of_a_request_covers_the_true_error(seed, spatial):
+    """Rigs in motion on real tensioners, against segments and steps a quarter as long."""
+    scene = requested(moving(seed, spatial=spatial, conductor=False), "2 %")
+    refinement = Refinement(scene)
+    found = refinement.result()
+    fine = single(scene, refinement.finest_mesh.halved().halved(), found.facts["step"] / 4.0)
+    true, told = difference(found, fine), found.facts["error_estimate"]
+    assert true["angle"] <= COVERED * told["angle"]
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(20, 24))
+def test_the_estimate_at_rest_covers_the_true_error(seed, spatial):
+    """Without motion, conductors among them; segments an eighth as long."""
+    scene = requested(rig(seed, spatial=spatial), "2 %")
+    refinement = Refinement(scene)
+    found = refinement.result()
+    mesh = refinement.finest_mesh.halved().halved().halved()
+    true = difference(found, single(scene, mesh, None))
+    assert true["angle"] <= COVERED * found.facts["error_estimate"]["angle"] + 1e-9
+
+
+@pytest.mark.parametrize("interval", [0.5, 40.0], ids=["many outputs", "first and last"])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_estimate_on_a_mesh_and_step_of_ones_own_covers_the_true_error(seed, interval):
+    """Also where outputs tell nothing of what is in between."""
+    tree = moving(seed + 40, conductor=False)
+    tree["analysis"]["output"]["interval"] = interval * tree["analysis"]["step"]
+    fine = copy.deepcopy(tree)
+    fine["analysis"]["mesh"]["elements"] *= 4
+    fine["analysis"]["step"] /= 4.0
+    found = run(file_of(tree).scene())
+    true = difference(found, run(file_of(fine).scene(), estimated=False))
+    assert true["angle"] <= COVERED * found.facts["error_estimate"]["angle"]
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+def test_angles_converge_with_the_order_of_the_method(spatial):
+    """Mesh and step halved together: second order, on a rig whose outputs are at common steps."""
+    tree = moving(3, spatial=spatial, conductor=False)
+    period = tree["platform"]["surge"]["period"]
+    tree["analysis"] = {"duration": 2.0 * period, "output": {"interval": period / 20.0}}
+    runs = []
+    for k in range(5):
+        analysis = {"mesh": {"elements": 40 * 2**k}, "step": period / (40.0 * 2**k)}
+        runs.append(
+            run(file_of(tree | {"analysis": tree["analysis"] | analysis}).scene(), estimated=False)
+        )
+    changes = [difference(coarse, fine)["angle"] for coarse, fine in pairwise(runs)]
+    falls = [before / after for before, after in pairwise(changes)]
+    assert min(falls[1:]) > 3.0  # 4 in the limit
+
+
+def test_an_error_of_angles_chooses_neither_mesh_nor_step(monkeypatch):
+    """One that never falls and is above the result itself."""
+    scene = requested(moving(1, spatial=False, conductor=False), "5 %")
+    plain = run(scene)
+
+    def hopeless(coarse, fine):
+        return controlled(difference(coarse, fine)) | {"angle": 3.0}
+
+    monkeypatch.setattr(module, "difference", hopeless)
+    found = run(scene)
+    steps = [[one[k] for k in ("elements", "step")] for one in found.facts["refinements"]]
+    assert steps == [[one[k] for k in ("elements", "step")] for one in plain.facts["refinements"]]
+    assert found.facts["warnings"] == plain.facts["warnings"]
+    assert found.facts["error_estimate"]["angle"] > 1.0
+    assert controlled(found.facts["error_estimate"]) == controlled(plain.facts["error_estimate"])
+
+
+def test_how_errors_are_seen_to_fall_is_that_of_the_quantities_that_an_accuracy_bounds():
+    before = Halved({"moment": 0.8, "angle": 9.0}, None)
+    assert Halved({"moment": 0.2, "angle": 9.0}, before).fall == pytest.approx(4.0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_an_angle_is_within_its_limit_only_with_its_error(seed):
+    """Limits a little above the largest angle, by less and by more than its estimated error."""
+    tree = moving(seed, spatial=bool(seed % 2), conductor=False)
+    result = run(file_of(tree).scene())
+    rows = {row["output"]: row for row in result.facts["extremes"] if row["output"] in ANGLES}
+    sizes = {name: max(abs(row["largest"]), abs(row["smallest"])) for name, row in rows.items()}
+    error = result.facts["error_estimate"]["angle"] * max(sizes.values())
+    assert error > 0.0
+    for name, size in sizes.items():
+        for margin, verdict in ((-0.5, "exceeded"), (0.5, "not evaluated"), (1.5, "within")):
+            limit = {
+                "output": name,
+                "mode": "drilling",
+                "largest": f"{size + margin * error!r} rad",
+            }
+            file = file_of(tree, limits=[limit])
+            (row,) = checked(file, file.scene(), result.facts)
+            assert row.verdict == verdict
+            assert ("error of the angle" in row.missing) == (verdict == "not evaluated")
+        limit = {"output": "bending_moment", "mode": "drilling", "largest": "1e9 N*m"}
+        file = file_of(tree, limits=[limit])
+        poor = result.facts | {"error_estimate": {"angle": 3.0}}
+        (row,) = checked(file, file.scene(), poor)
+        assert row.verdict == "within"
+
+
+def test_a_string_aside_tells_the_error_of_its_upper_angle():
+    """Steep angles at the ends of a string without bending stiffness, at 2 % of displacement and tension."""
+    tree = {
+        "title": "a string aside",
+        "gravity": "10 m/s^2",
+        "riser": [
+            {
+                "name": "string",
+                "length": "1000 m",
+                "axial_stiffness": "1e10 N",
+                "submerged_weight": "1000 N/m",
+            }
+        ],
+        "bottom": {"hold": "wellhead", "elevation": "0 m"},
+        "top": {"x": "held", "z": "held", "offset": "150 m", "elevation": "980 m"},
+        "analysis": {"accuracy": "2 %"},
+    }
+    scene = SceneFile("string.yaml", tree).scene()
+    refinement = Refinement(scene)
+    found = refinement.result()
+    mesh = refinement.finest_mesh
+    for _ in range(4):
+        mesh = mesh.halved()
+    true = difference(found, single(scene, mesh, None))
+    assert true["angle"] <= COVERED * found.facts["error_estimate"]["angle"]
+    assert true["angle"] > 1e-6
+    assert json.dumps(found.facts["error_estimate"])
+    assert np.isfinite(found.facts["error_estimate"]["angle"])
