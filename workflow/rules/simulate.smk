@@ -27,9 +27,30 @@ rule compiled:
         "python -m riserstudy.jobs compile_kernels > {log:q} 2>&1"
 
 
+rule tune:
+    input:
+        of(PLAN.kernels),
+    output:
+        "results/{paper}/{study}.settings.json",
+    log:
+        "logs/{paper}/{study}.settings.log",
+    wildcard_constraints:
+        study=PLAN.study_pattern,
+    priority: PLAN.simulate_priority
+    params:
+        digest=of(PLAN.settings_digest),
+        tier=PLAN.tier,
+    message:
+        "tune {wildcards.paper}/{wildcards.study}"
+    shell:
+        "python -m riserstudy.jobs tune {wildcards.paper} {wildcards.study} {output:q}"
+        " --tier {params.tier} --expect {params.digest} > {log:q} 2>&1"
+
+
 rule shard:
     input:
         of(PLAN.shard_kernels),
+        of(PLAN.shard_settings),
     output:
         "results/{paper}/{study}.shards/{shard}-of-{shards}",
     log:
@@ -43,18 +64,20 @@ rule shard:
     params:
         digest=of(PLAN.shard_digest),
         tier=PLAN.tier,
+        settings=of(PLAN.shard_settings_option),
     message:
         "simulate {wildcards.paper}/{wildcards.study}, part {wildcards.shard} of {wildcards.shards}"
     shell:
         "python -m riserstudy.jobs shard {wildcards.paper} {wildcards.study} {wildcards.shard}"
         " {wildcards.shards} {output:q} --tier {params.tier} --threads {threads}"
-        " --expect {params.digest} > {log:q} 2>&1"
+        " --expect {params.digest} {params.settings} > {log:q} 2>&1"
 
 
 rule simulate:
     input:
         of(PLAN.shard_files),
         of(PLAN.kernels),
+        of(PLAN.settings_files),
     output:
         "results/{paper}/{study}.nc",
     log:
@@ -66,11 +89,13 @@ rule simulate:
     params:
         digest=of(PLAN.study_digest),
         tier=PLAN.tier,
+        settings=of(PLAN.settings_option),
     message:
         "simulate {wildcards.paper}/{wildcards.study}"
     shell:
         "python -m riserstudy.jobs simulate {wildcards.paper} {wildcards.study} {output:q}"
-        " --tier {params.tier} --threads {threads} --expect {params.digest} > {log:q} 2>&1"
+        " --tier {params.tier} --threads {threads} --expect {params.digest} {params.settings}"
+        " > {log:q} 2>&1"
 
 
 rule derive:

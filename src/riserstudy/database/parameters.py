@@ -59,6 +59,10 @@ def parameters_of(
             here = (*(slice(None),) * number, position)
             for path, sets in by_value.get(str(value), {}).items():
                 _lay(varied, base, below, grid.shape, here, path, sets)
+    by_request = [v.values.reshape(grid.shape) for v in grid.variables if v.name == "by_request"]
+    for where in by_request:
+        for path, sets in json.loads(attributes["request"]).items():
+            _lay(varied, base, below, grid.shape, np.nonzero(where), path, sets)
     same = [parameter for path, parameter in base.items() if path not in varied]
     return same, [*varied.values()]
 

@@ -79,6 +79,11 @@ def file_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
         if fault := plain_fault(of_axis[value], f"{axis}.sets"):
             raise InputError(_name(dataset), *fault)
         sets |= of_axis[value]
+    if "by_request" in dataset and dataset["by_request"].isel(index).item():
+        request = _mapping(dataset, "request")
+        if fault := plain_fault(request, "request"):
+            raise InputError(_name(dataset), *fault)
+        sets |= request
     origins = {path: Origin(status, None) for path, status in record["origins"].items()}
     source = _name(dataset)
     file = SceneFile(source, record["scene"], origins, held=record["tables"])

@@ -37,6 +37,25 @@ def refuse_unprinted(config: Path, scenes: Iterable[SceneFile]) -> None:
             raise InputError(scene.source, path, found, allowed)
 
 
+def refuse_settings(study: Study) -> None:
+    """Refuse a study that is to be tuned and has its own mesh or step, or that tuning is no help to.
+
+    Raises
+    ------
+    InputError
+        With what is in the way.
+    """
+    from riserstudy.study.tune import check_tunable  # which loads solvers
+
+    analysis = study.base.tree.get("analysis") or {}
+    for name in ("mesh", "step", "method"):
+        if analysis.get(name) is not None:
+            found = f"tuned, though analysis.{name} is {analysis[name]!r}"
+            allowed = f"put `analysis.{name}: null` into set, or leave settings out"
+            raise InputError(study.where, "settings", found, allowed)
+    check_tunable(study, study.tuned_at[0])
+
+
 def warnings(studies: Iterable[Study]) -> list[str]:
     """What is unusual in studies, and may be a slip."""
     return [said for study in studies for said in far_values(study)]

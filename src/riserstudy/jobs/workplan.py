@@ -10,6 +10,7 @@ import hashlib
 import json
 import math
 import re
+import shlex
 from collections.abc import Set
 from functools import cached_property
 from pathlib import Path
@@ -22,7 +23,7 @@ from riserstudy.figures import module_of_plot
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.models import PublishedFile, published_path, read_published
 from riserstudy.grading.printed import with_printed
-from riserstudy.jobs.plan_checks import refuse_unprinted, warnings
+from riserstudy.jobs.plan_checks import refuse_settings, refuse_unprinted, warnings
 from riserstudy.numerics.measure import module_of
 from riserstudy.numerics.reference.folder import references
 from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
@@ -38,7 +39,8 @@ from riserstudy.study.store import canonical, key_of
 from riserstudy.study.study import Study, scene_file, threads_worth
 
 #: what joins points, derives, grades and reports
-COLLECT, DERIVE = "riserstudy.study.collect", "riserstudy.chapters.derive"
+COLLECT, DERIVE = "riserstudy.study.join", "riserstudy.chapters.derive"
+SETTINGS = "riserstudy.study.settings"
 GRADE = "riserstudy.grading.grade"
 GRADED = ("reproduction", "errata", "margins")  # tables, of each paper and of all
 REPORT = "riserstudy.report"
@@ -74,6 +76,8 @@ class Workplan:
             study = self.study(paper, name)
             scene_file(config / study.model.scene).scene()
             study.plan  # noqa: B018  every point is checked before any job
+            if study.model.settings:
+                refuse_settings(study)
         if only is None:
             schematics = [
                 self.schematic(p, n) for p, of in self.files.items() for n in of.schematics
@@ -173,6 +177,21 @@ class Workplan:
         """Axes, point keys and the code that joins points into a dataset."""
         return f"{self.study(paper, study).digest}-{digest(sources_behind(COLLECT))}"
 
+    def settings_files(self, paper: str, study: str) -> list[str]:
+        """The file of what a study is tuned to; none where nothing is tuned."""
+        tuned = self.files[paper].studies[study].settings
+        return [f"results/{paper}/{study}.settings.json"] if tuned else []
+
+    def settings_option(self, paper: str, study: str) -> str:
+        """How a job is told of that file; nothing where there is none."""
+        return " ".join(
+            f"--settings {shlex.quote(file)}" for file in self.settings_files(paper, study)
+        )
+
+    def settings_digest(self, paper: str, study: str) -> str:
+        """Axes and point keys of a study, and the code that tunes."""
+        return f"{self.study(paper, study).digest}-{digest(sources_behind(SETTINGS))}"
+
     def threads(self, paper: str, study: str) -> int:
         """Threads that a study can use."""
         return threads_worth(len(self.study(paper, study).grid))
@@ -191,6 +210,14 @@ class Workplan:
     def shard_kernels(self, paper: str, study: str, shard: str, shards: str) -> list[str]:
         """Markers of the kernels that the points of a shard run."""
         return self.kernels(paper, study)
+
+    def shard_settings(self, paper: str, study: str, shard: str, shards: str) -> list[str]:
+        """The file of what the points of a shard are tuned to."""
+        return self.settings_files(paper, study)
+
+    def shard_settings_option(self, paper: str, study: str, shard: str, shards: str) -> str:
+        """How a shard is told of that file."""
+        return self.settings_option(paper, study)
 
     def shard(self, paper: str, study: str, shard: str, shards: str) -> list[Point]:
         """Points of a shard."""
@@ -366,7 +393,13 @@ class Workplan:
         graded = [file for kind in GRADED for file in self.graded_files(kind=kind)]
         tables = [*graded, *self.joined_tables()]
         pages = ["results/results.sqlite", "results/report.html"]
-        return [*self.dataset_files(), *self.figure_files(), *tables, *pages]
+        settings = [
+            file
+            for paper, of in self.files.items()
+            for name in of.studies
+            for file in self.settings_files(paper, name)
+        ]
+        return [*self.dataset_files(), *settings, *self.figure_files(), *tables, *pages]
 
     def joined_tables(self) -> list[str]:
         """Tables over all papers, when there is anything to join."""

@@ -161,6 +161,13 @@ class TunedModel(Strict):
     work: Annotated[float, Field(gt=0)]
 
 
+class TuneAt(Strict):
+    """At how many points a job tunes mesh, step and method of a study, and the seed of their draw."""
+
+    points: Annotated[int, Field(ge=2, le=256)]
+    seed: Annotated[int, Field(ge=0)]
+
+
 #: an axis over all readings of that name in the study file
 Reading = Literal["readings"]
 
@@ -171,6 +178,8 @@ class StudyModel(Strict):
     ``limits``: those that every point is held against, as scenes have them; absent: those of the scene.
     ``modes``: how many natural modes each point has, about its static equilibrium; absent: none.
     ``error_because``: why points whose mesh and step are prescribed may err by more than 1 %.
+    ``settings``: ``tuned``, or at which points: a job tunes mesh, step and method to the accuracy that is
+    requested, and all points are run with them; absent: as scene and set have them.
     ``tuned``: where `riserstudy tune` wrote mesh, step and method. Absent: nowhere.
     """
 
@@ -182,6 +191,7 @@ class StudyModel(Strict):
     keep: list[str] | None = None
     modes: Annotated[int, Field(ge=1, le=MOST_MODES)] | None = None
     error_because: str | None = None
+    settings: Literal["tuned"] | TuneAt | None = None
     tuned: TunedModel | None = None
 
     @property
@@ -206,6 +216,10 @@ class StudyModel(Strict):
             if not of_runs(name):
                 allowed = "allowed are " + ", ".join(sorted(OF_RUNS)) + ", each with endings"
                 raise ValueError(f"keep: runs return no {name!r}; {allowed}")
+        if self.settings and self.tuned:
+            raise ValueError(
+                "settings: tuned in the file, too; allowed is one of settings and tuned"
+            )
         if self.limits and "limits" in self.set:
             raise ValueError("limits: stand in set, too; allowed is one of both")
         for name in self.axes:

@@ -26,10 +26,12 @@ from riserstudy.study.models import (
     Samples,
     StudyModel,
     Tier,
+    TuneAt,
     meets,
 )
 from riserstudy.study.store import canonical
 
+LEAST_TUNED, MOST_TUNED, ONE_TUNED_IN = 2, 12, 16  # points that settings are tuned at
 ALL_OF = 16  # values of an axis, up to which each is looked at for the kernels that it needs
 
 
@@ -161,6 +163,14 @@ class Study:
         return list(remembered(f"groups{modes}/{self._behind_plan}", asked))
 
     @property
+    def tuned_at(self) -> tuple[int, int]:
+        """Number of points that a job tunes its settings at, and the seed of their draw."""
+        at = self.model.settings
+        if isinstance(at, TuneAt):
+            return at.points, at.seed
+        return max(LEAST_TUNED, min(MOST_TUNED, len(self.grid) // ONE_TUNED_IN)), 1
+
+    @property
     def tables(self) -> dict[str, str]:
         """Texts of the tables that its scenes refer to, by name."""
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
@@ -200,7 +210,7 @@ class Study:
         origins = {path: (o.status, o.why) for path, o in self.base.origins.items()}
         about = [axes, [point.key for point in self.plan], model.keep, model.error_because]
         about += [self.tier, model.caption, self.base.source, canonical(self.base.tree), origins]
-        about += [self._contents_of_tables, model.modes]
+        about += [self._contents_of_tables, model.modes, model.settings and self.tuned_at]
         return hashlib.sha256(json.dumps(about, sort_keys=True).encode()).hexdigest()[:16]
 
     def _about_axis(self, name: str) -> list[Any]:

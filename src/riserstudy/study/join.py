@@ -1,0 +1,208 @@
+"""Make the dataset of a study: at once, or of a big one in parts, so that memory does not grow with points.
+
+The parts are cut along the longest axis. Each is joined as a study of its own, written, and let go; then
+the file of the whole takes them in, one after the other. Where parts differ in more than their values, as by
+nodes of other meshes, the whole is joined at once.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterator
+from copy import copy
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import netCDF4
+
+from riserstudy.dataset.netcdf import written_whole
+from riserstudy.study.collect import (
+    PACKED,
+    ROUNDED,
+    Known,
+    dataset_of,
+    joined,
+    known_of,
+    results_of,
+    said_of,
+    write_dataset,
+)
+from riserstudy.study.settings import Settings, dataset_tuned, with_setting
+from riserstudy.study.simulate_points import Count
+from riserstudy.study.study import Study
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.dataset.result import Result
+
+AT_ONCE = 20_000  # points that are held in memory
+QUANTISED = "_QuantizeGranularBitRoundNumberOfSignificantDigits"  # written by the library itself
+
+
+class Part(NamedTuple):
+    """A part of a study: its values of the longest axis, and what is known of its points."""
+
+    path: Path
+    first: int
+    last: int
+    known: Known
+
+
+def write_study(
+    study: Study,
+    target: Path,
+    processes: int,
+    tell: Callable[[str], None],
+    count: Count | None = None,
+    settings: Settings | None = None,
+) -> None:
+    """Simulate what a study lacks, and write its dataset.
+
+    Parameters
+    ----------
+    settings : what the study was tuned to, where it is.
+    tell : is told in words how many points were simulated.
+    count : is told of each point that is done; absent: nobody is.
+
+    Raises
+    ------
+    SimulationError
+        When points cannot be completed, or the dataset cannot be written.
+    """
+    tuned = with_setting(study, settings.setting) if settings and settings.setting else None
+
+    before = 0
+
+    def counted(done: int, _: int) -> None:
+        if count:
+            count(before + done, len(study.grid))
+
+    def made(of: Study, as_tuned: Study | None) -> tuple[xr.Dataset, list[Result]]:
+        nonlocal before
+        if settings:
+            dataset, results = dataset_tuned(of, settings, as_tuned, processes, tell, counted)
+        else:
+            results, _ = results_of(of, processes, tell, counted)
+            dataset = dataset_of(of, results)
+        before += len(results)
+        return dataset, results
+
+    if len(study.grid) > AT_ONCE:
+        parts = [*_parts(study, tuned, target, made)]
+        try:
+            if _alike(parts):
+                axis = _longest(study)
+                with written_whole(target) as partial:
+                    _take_in(parts, axis, len(study.axes[axis]), partial)
+                return
+        finally:
+            for part in parts:
+                part.path.unlink(missing_ok=True)
+        before = 0
+        tell(f"{study.paper}/{study.name}: points have several meshes, and are joined at once")
+    write_dataset(made(study, tuned)[0], target)
+
+
+def _longest(study: Study) -> str:
+    return max(study.axes, key=lambda name: len(study.axes[name]))
+
+
+def _parts(
+    study: Study,
+    tuned: Study | None,
+    target: Path,
+    made: Callable[[Study, Study | None], tuple[xr.Dataset, list[Result]]],
+) -> Iterator[Part]:
+    """Write the parts of a study beside its dataset."""
+    axis = _longest(study)
+    length = len(study.axes[axis])
+    many = max(1, AT_ONCE * length // len(study.grid))
+    for first in range(0, length, many):
+        last = min(first + many, length)
+        part = _part_of(study, axis, first, last)
+        dataset, results = made(part, _part_of(tuned, axis, first, last) if tuned else None)
+        path = target.with_name(f".{target.name}.{os.getpid()}.{first}")
+        write_dataset(dataset, path)
+        yield Part(path, first, last, known_of(results))
+
+
+def _part_of(study: Study, axis: str, first: int, last: int) -> Study:
+    """A study with some values of one axis, whose points are those of the whole."""
+    part, number = copy(study), list(study.axes).index(axis)
+    held = vars(part)  # properties that are made once
+    held["axes"] = study.axes | {axis: study.axes[axis][first:last]}
+    held["plan"] = [point for point in study.plan if first <= point.index[number] < last]
+    held["digest"] = study.digest
+    return part
+
+
+def _alike(parts: list[Part]) -> bool:
+    """Whether all parts have the same variables over the same coordinates, but for the axis of the cut."""
+    shapes = set()
+    for part in parts:
+        with netCDF4.Dataset(part.path) as file:
+            file.set_auto_maskandscale(False)
+            shapes.add(
+                tuple(
+                    (name, of.dimensions, str(of.dtype), _over(file, name))
+                    for name, of in file.variables.items()
+                )
+            )
+    return len(shapes) == 1
+
+
+def _over(file: netCDF4.Dataset, name: str) -> tuple[Any, ...]:
+    """Values of a coordinate over a dimension of runs; of others nothing."""
+    axes = file["point_key"].dimensions
+    if file[name].dimensions != (name,) or name in axes:
+        return ()
+    return tuple(file[name][:].tolist())
+
+
+def _take_in(parts: list[Part], axis: str, length: int, target: Path) -> None:
+    """Write one file of several that are alike, one after the other along an axis of so many values."""
+    with netCDF4.Dataset(parts[0].path) as like, netCDF4.Dataset(target, "w") as whole:
+        like.set_auto_maskandscale(False)
+        for name, dimension in like.dimensions.items():
+            whole.createDimension(name, length if name == axis else len(dimension))
+        rounded = _rounded(parts)
+        for name, of in like.variables.items():
+            _declare(whole, name, of, name in rounded)
+        about = {name: like.getncattr(name) for name in like.ncattrs()}
+        whole.setncatts(about | said_of(joined([part.known for part in parts])))
+        whole.set_auto_maskandscale(False)
+        sets: dict[str, Any] = {}
+        for part in parts:
+            with netCDF4.Dataset(part.path) as file:
+                file.set_auto_maskandscale(False)
+                for name, of in file.variables.items():
+                    if axis in of.dimensions:
+                        place = [slice(None)] * of.ndim
+                        place[of.dimensions.index(axis)] = slice(part.first, part.last)
+                        whole[name][tuple(place)] = of[...]
+                    elif part is parts[0]:
+                        whole[name][...] = of[...]
+                sets |= json.loads(file[axis].getncattr("sets"))
+        whole[axis].setncattr("sets", json.dumps(sets))
+
+
+def _rounded(parts: list[Part]) -> set[str]:
+    """Variables that are rounded in every part."""
+    found = []
+    for part in parts:
+        with netCDF4.Dataset(part.path) as file:
+            found.append({n for n, of in file.variables.items() if QUANTISED in of.ncattrs()})
+    return set.intersection(*found)
+
+
+def _declare(whole: netCDF4.Dataset, name: str, like: netCDF4.Variable[Any], rounded: bool) -> None:
+    """Make a variable like another."""
+    about = {n: like.getncattr(n) for n in like.ncattrs() if n != QUANTISED}
+    empty = about.pop("_FillValue", None)
+    packed: dict[str, Any] = {}
+    if (like.filters() or {}).get("zlib"):
+        packed = PACKED | (ROUNDED if rounded else {})
+    made = whole.createVariable(name, like.dtype, like.dimensions, fill_value=empty, **packed)
+    made.setncatts(about)
