@@ -288,7 +288,7 @@ def test_advise_says_first_what_could_go_and_what_is_missing(command):
     ]
     code, out, _ = command("advise", SURGE, *short)
     assert code == 0
-    could, missing = out.index("Could go, one at a time:"), out.index("would change the answer:")
+    could, missing = out.index("Removable, one at a time"), out.index("Recommended:")
     assert could < missing < out.index("without surge")
     assert "medians of 5 runs" in out
 
