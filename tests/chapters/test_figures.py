@@ -1,5 +1,7 @@
 """Every figure draws from its datasets, in whole, with units on its axes."""
 
+import base64
+import io
 import re
 from functools import cache
 from pathlib import Path
@@ -21,6 +23,7 @@ from riserstudy.grading.models import read_published
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.rows import ErratumRow, Row, table
 from riserstudy.grading.rows import row_of as graded_row
+from riserstudy.report.pictures import picture_of
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
@@ -189,6 +192,35 @@ def test_a_figure_says_what_is_seen_and_gives_its_values(tmp_path):
     assert rows[0] == "panel,x,y,series,x_value,y_value,colour_value"
     title = "Tension falls when the platform sinks,time (s),tension (N),measured"
     assert rows[1:] == [f"{title},0,3,", f"{title},1,,", f"{title},2,5,"]
+
+
+@pytest.mark.parametrize("lines", [0, 1, 3])
+def test_a_page_shows_all_of_a_figure_but_its_title(tmp_path, lines):
+    figure = Figure(layout="constrained")
+    ax = figure.subplots()
+    ax.plot([0.0, 1.0], [0.0, 1.0], color="#ff0000")
+    ax.set_title("(a) panel", loc="left")
+    if lines:
+        figure.suptitle("\n".join(["finding"] * lines), color="#0000ff")
+    save(figure, tmp_path / "a.png")
+    with Image.open(tmp_path / "a.png") as image:
+        whole = np.asarray(image.convert("RGB")).astype(int)
+    shown = picture_of(tmp_path / "a.png")
+    data = base64.b64decode(shown.address.partition(",")[2])
+    with Image.open(io.BytesIO(data)) as image:
+        page = np.asarray(image.convert("RGB")).astype(int)
+    assert page.shape[0] == shown.height
+
+    def ink(pixels, channel):
+        others = [k for k in range(3) if k != channel]
+        return int(((pixels[..., channel] > 150) & (pixels[..., others].max(axis=-1) < 100)).sum())
+
+    assert (ink(whole, 2) > 0) == (lines > 0)
+    assert ink(page, 2) == 0  # nothing of the title
+    assert ink(page, 0) == pytest.approx(ink(whole, 0), rel=0.02)  # all of the curve
+    assert (page.min(axis=-1) < 128).sum() > 0.9 * (
+        (whole.min(axis=-1) < 128).sum() - ink(whole, 2)
+    )
 
 
 def test_the_shares_of_samples_are_those_on_the_side_of_the_claim():

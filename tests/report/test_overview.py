@@ -2,7 +2,13 @@
 
 from types import SimpleNamespace
 
-from riserstudy.report.overview import findings, tiles
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.report.claims import VERDICTS
+from riserstudy.report.overview import findings, totals
+from riserstudy.report.tiles import tiles
 
 CLAIM = SimpleNamespace(paper="paper", id="C1")
 OTHER = SimpleNamespace(paper="paper", id="C2")
@@ -11,7 +17,9 @@ OTHER = SimpleNamespace(paper="paper", id="C2")
 def figure(name, title, *claims, paper="paper"):
     picture = SimpleNamespace(title=title)
     anchor = f"{paper}-{name}"
-    return SimpleNamespace(paper=paper, name=name, picture=picture, claims=[*claims], anchor=anchor)
+    return SimpleNamespace(
+        paper=paper, name=name, label=name, picture=picture, claims=[*claims], anchor=anchor
+    )
 
 
 def found(*figures):
@@ -25,7 +33,7 @@ def test_a_finding_is_what_the_most_particular_figure_with_a_number_says():
         figure("samples", "all swing by 1 to 3 m", CLAIM, OTHER),
         figure("fig04", "it swings", CLAIM),
     )
-    assert (one.said, one.figure, one.short) == ("It swings by 2 m.", "paper-fig03", "Fig. 3")
+    assert (one.said, one.figure, one.short) == ("It swings by 2 m.", "paper-fig03", "fig03")
     assert (one.claim, one.paper) == (CLAIM, "Name")
 
 
@@ -34,6 +42,52 @@ def test_a_finding_without_a_figure_says_nothing_of_its_own():
     assert (one.said, one.figure) == ("", "")
 
 
-def test_a_tile_is_the_first_sentence_of_its_figure():
-    of = figure("cost", "twice as good for 1.3 times the time. Else not", paper="numerics")
-    assert [tile.answer for tile in tiles([of])] == ["Twice as good for 1.3 times the time."]
+@pytest.mark.parametrize("seed", range(5))
+def test_the_totals_add_up_and_name_every_verdict_that_occurs(seed):
+    rng = np.random.default_rng(seed)
+    claims = [SimpleNamespace(verdict=v) for v in rng.choice([*VERDICTS][: rng.integers(1, 7)], 40)]
+    said = totals(claims)
+    head, _, rest = said.partition(",")
+    counts = [int(word) for word in rest.split() if word.isdigit()]
+    assert head == "Of 40 published values and claims"
+    assert sum(counts) == 40
+    assert len(counts) == len({claim.verdict for claim in claims})
+
+
+def test_nothing_graded_has_no_totals():
+    assert totals([]) == ""
+
+
+def test_a_tile_without_its_dataset_has_the_title_of_its_figure():
+    (one,) = tiles([figure("cost", "twice as good", paper="numerics")], {})
+    assert (one.number, one.answer, one.spark) == ("", "Twice as good.", "")
+
+
+def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
+    cases = {
+        "as_expected": [True] * 3 + [False],
+        "written_outcome": [
+            "accurate",
+            "refused",
+            "stable but inaccurate",
+            "stable but inaccurate",
+        ],
+    }
+    stability = xr.Dataset({name: ("case", values) for name, values in cases.items()})
+    (one,) = tiles([figure("stability", "", paper="numerics")], {"stability": stability})
+    assert one.number == "3 of 4"
+    assert one.answer == "hard cases end as expected; 1 is silently wrong."
+    assert one.spark.count("<rect") == 4
+
+
+def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
+    rows = {
+        "request_scene": ["a", "a", "b", "b"],
+        "requested": [0.01, 0.0005, 0.01, 0.0005],
+        "request_seconds": [1.0, 3.0, 2.0, 5.0],
+    }
+    accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
+    (one,) = tiles([figure("cost", "", paper="numerics")], {"accuracy": accuracy})
+    assert one.number == "2.5 to 3×"
+    assert "20 times the accuracy" in one.answer
+    assert one.spark.count("<polyline") == 2

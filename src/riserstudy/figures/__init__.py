@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import zlib
 from importlib import import_module
 from pathlib import Path
@@ -14,6 +15,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from riserstudy.study.figures import FigureModel
+
+
+HEAD_ROWS = "Headline rows"  # of a PNG: what a page cuts off that shows the title itself
 
 
 def module_of_plot(plot: str) -> str:
@@ -61,9 +65,21 @@ def save(figure: Figure, *targets: Path) -> None:
         figure.set_layout_engine("none")  # the next format is laid out as this one
 
 
+def _head_rows(figure: Figure) -> int:
+    """Rows of pixels that the title over all panels takes, 0 where there is none."""
+    title = figure.get_suptitle()
+    written = next((text for text in figure.texts if title and text.get_text() == title), None)
+    if written is None:
+        return 0
+    figure.draw_without_rendering()  # which lays it out
+    below = float(figure.bbox.height - written.get_window_extent().y0)
+    return max(0, math.ceil(below) + 2)
+
+
 def _metadata(figure: Figure, suffix: str) -> dict[str, str | None] | None:
     from riserstudy.figures.drawn import headline, words
 
     if suffix == ".png":
-        return {"Title": headline(figure), "Description": words(figure)}
+        said: dict[str, str | None] = {"Title": headline(figure), "Description": words(figure)}
+        return said | {HEAD_ROWS: str(_head_rows(figure))}
     return {"CreationDate": None} if suffix == ".pdf" else None

@@ -15,11 +15,13 @@ from riserstudy.report import audit
 from riserstudy.report.animation import animation
 from riserstudy.report.claims import VERDICTS, Claim, read_claims
 from riserstudy.report.engine import engine
+from riserstudy.report.hero import Hero, hero
 from riserstudy.report.limits import LimitTable, limit_tables
-from riserstudy.report.motion import motion_of
-from riserstudy.report.overview import amounts, bars, findings, short_of, subject, tiles, title_of
-from riserstudy.report.pictures import Figure, called, claims_by_figure, heading, picture_of
+from riserstudy.report.motion import Motion, motion_of
+from riserstudy.report.overview import amounts, bars, findings, short_of, subject, title_of, totals
+from riserstudy.report.pictures import Figure, claims_by_figure, heading, labels, picture_of
 from riserstudy.report.scenes import SceneTable, scene_tables
+from riserstudy.report.tiles import tiles
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
 
@@ -100,18 +102,29 @@ def contents(sources: Sources) -> dict[str, Any]:
     # tables show each cell of these: of a file, every cell would be a read of its own
     measured = {name: ds.load() for (paper, name), ds in datasets.items() if paper == ENGINE}
     points = sum(row.points for row in rows)
+    motions = {
+        paper: motion
+        for paper, file in files.items()
+        if (motion := _motion(paper, file, datasets)) is not None
+    }
     return {
+        "totals": totals(claims),
+        "hero": _hero(motions),
         "subject": subject(files),
         "bars": bars(claims, files),
         "findings": findings(claims, files, figures),
-        "tiles": tiles(figures),
+        "tiles": tiles(figures, measured),
         "facts": [amounts(claims, len(paths), len(figures), points), facts],
         "total": sum(row.total for row in rows),
         "cold": cold,
         "verdicts": VERDICTS,
         "numbers": [claim for claim in claims if claim.kind == "number"],
         "claims": [claim for claim in claims if claim.kind != "number"],
-        "chapters": [*_chapters(files, claims, errata, figures, datasets, tables, paths)],
+        "chapters": [
+            *_chapters(
+                files, claims, errata, figures, datasets, tables, _moving(motions, files, paths)
+            )
+        ],
         "short": {paper: short_of(files, paper) for paper in sources.papers},
         "figures_of": _figures_of(figures),
         "engine": engine(measured),
@@ -136,7 +149,7 @@ def _chapters(
     figures: list[Figure],
     datasets: dict[Any, xr.Dataset],
     tables: dict[str, list[SceneTable]],
-    paths: dict[str, str],
+    moving: dict[str, MovingRun],
 ) -> Iterator[Chapter]:
     for paper, file in files.items():
         yield Chapter(
@@ -145,7 +158,7 @@ def _chapters(
             file.reference,
             file.about,
             [claim for claim in claims if claim.paper == paper],
-            _motion(paper, file, datasets, paths),
+            moving.get(paper),
             [figure for figure in figures if figure.paper == paper],
             [row for row in errata if row["paper"] == paper],
             file.left_out,
@@ -154,15 +167,29 @@ def _chapters(
         )
 
 
-def _motion(
-    paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset], paths: dict[str, str]
-) -> MovingRun | None:
+def _motion(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> Motion | None:
     shown = file.in_motion
     if not shown or (paper, shown.study) not in datasets:
         return None
-    motion = motion_of(shown, datasets[paper, shown.study])
-    path = paths[f"{paper}/{shown.study}"]
-    return MovingRun(paper, shown.study, path, motion.title, animation(motion))
+    return motion_of(shown, datasets[paper, shown.study])
+
+
+def _moving(
+    motions: dict[str, Motion], files: dict[str, StudyFile], paths: dict[str, str]
+) -> dict[str, MovingRun]:
+    """Runs in motion as the page holds them."""
+    runs = {}
+    for paper, motion in motions.items():
+        shown = files[paper].in_motion
+        name = shown.study if shown else ""
+        runs[paper] = MovingRun(
+            paper, name, paths[f"{paper}/{name}"], motion.title, animation(motion)
+        )
+    return runs
+
+
+def _hero(motions: dict[str, Motion]) -> tuple[str, Hero] | None:
+    return hero(motions.items())
 
 
 def _scenes(
@@ -219,6 +246,7 @@ def _figures(
                 for n in names
             },
         )
+        label = labels(names, short_of(files, paper), printed=bool(file.reference))
         for name in names:
             caption, png, pdf = known[paper, name]
             read = (
@@ -231,7 +259,8 @@ def _figures(
             figure = Figure(
                 paper,
                 name,
-                heading(name, picture.title),
+                label[name],
+                heading(label[name], picture.title),
                 caption,
                 picture,
                 [(what, path) for what, path in beside if path in present],
@@ -266,5 +295,5 @@ def _figures_of(figures: list[Figure]) -> dict[str, list[tuple[str, str]]]:
     by_dataset: dict[str, list[tuple[str, str]]] = {}
     for figure in figures:
         for claim in figure.claims:
-            by_dataset.setdefault(claim.anchor, []).append((figure.anchor, called(figure.name)))
+            by_dataset.setdefault(claim.anchor, []).append((figure.anchor, figure.label))
     return by_dataset

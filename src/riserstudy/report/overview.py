@@ -1,21 +1,26 @@
-"""The first screen: what was studied, how it came out, what was found, and where the demands are answered."""
+"""The first screen: what was studied, how it came out, and what was found."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import NamedTuple
 
 from riserstudy.report.claims import Claim, counted_verdicts
-from riserstudy.report.pictures import Figure, called
-from riserstudy.report.wording import counted, sentence
+from riserstudy.report.pictures import Figure
+from riserstudy.report.wording import counted, listed, sentence
 from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
-#: figures that answer what is asked of an engine: chapter and name, and the demand
-DEMANDS = {
-    ("numerics", "cost"): "What accuracy costs",
-    ("numerics", "stability"): "What stays stable",
-    ("numerics", "effects"): "Only the effects called for",
+#: what is said of so many verdicts, singular and plural
+SAID = {
+    "reproduced": ("is reproduced", "are reproduced"),
+    "calibrated": ("is met with a calibrated input", "are met with a calibrated input"),
+    "holds": ("holds", "hold"),
+    "depends": (
+        "depends on inputs that the papers omit",
+        "depend on inputs that the papers omit",
+    ),
+    "fails": ("fails", "fail"),
+    "not reproducible": ("cannot be checked", "cannot be checked"),
 }
 
 
@@ -43,32 +48,26 @@ class Finding(NamedTuple):
     short: str  # name of the figure
 
 
-class Tile(NamedTuple):
-    """The answer to one demand, and its figure's anchor."""
-
-    demand: str
-    answer: str
-    figure: str
-
-
 def subject(files: dict[str, StudyFile]) -> tuple[str, str]:
     """Title of the page, and one sentence that says what it is about."""
     papers = [file for file in files.values() if file.reference]
     if not papers:
         names = [file.title or paper for paper, file in files.items()]
-        return ", ".join(names), "Parameter studies of drilling risers: simulated, drawn, graded."
+        return ", ".join(
+            names
+        ), "Parameter studies of drilling risers, simulated, drawn and graded."
     count = WORDS[len(papers)] if len(papers) < len(WORDS) else str(len(papers))
     things = "riser paper" if len(papers) == 1 else "riser papers"
     plain = "paper" if len(papers) == 1 else "papers"
     return (
         f"{count} {things}, simulated again",
-        f"{count} published {plain} on deepwater drilling risers: every printed number, claim and figure, "
-        "simulated anew and graded over the inputs that they do not specify.",
+        f"{count} published {plain} on deepwater drilling risers. Every published value, claim and figure is "
+        "simulated and graded; unspecified inputs are sampled.",
     )
 
 
 def bars(claims: list[Claim], files: dict[str, StudyFile]) -> list[Bar]:
-    """A bar a paper that has numbers or claims."""
+    """One bar per paper that has numbers or claims."""
     papers = dict.fromkeys(claim.paper for claim in claims)
     return [
         Bar(
@@ -79,6 +78,17 @@ def bars(claims: list[Claim], files: dict[str, StudyFile]) -> list[Bar]:
         )
         for paper in papers
     ]
+
+
+def totals(claims: list[Claim]) -> str:
+    """How all numbers and claims came out, in one sentence; "" where none is graded."""
+    if not claims:
+        return ""
+    parts = [
+        f"{count} {SAID[verdict][count > 1] if verdict in SAID else verdict}"
+        for verdict, count in counted_verdicts(claims)
+    ]
+    return sentence(f"Of {len(claims)} published values and claims, {listed(parts)}")
 
 
 def title_of(files: dict[str, StudyFile], paper: str) -> str:
@@ -94,13 +104,13 @@ def short_of(files: dict[str, StudyFile], paper: str) -> str:
 def findings(
     claims: list[Claim], files: dict[str, StudyFile], figures: list[Figure]
 ) -> list[Finding]:
-    """The number or claim that each study file names, by what a figure of it says."""
+    """The number or claim that each study file names, with what a figure of it shows."""
     rows = []
     for paper, file in files.items():
         for claim in (c for c in claims if c.paper == paper and c.id == file.finding):
             shown = _telling([f for f in figures if f.paper == paper and claim in f.claims])
             said = sentence(shown.picture.title) if shown and shown.picture.title else ""
-            anchor, short = (shown.anchor, called(shown.name)) if shown else ("", "")
+            anchor, short = (shown.anchor, shown.label) if shown else ("", "")
             rows.append(Finding(claim, short_of(files, paper), said, anchor, short))
     return rows
 
@@ -111,23 +121,12 @@ def _telling(own: list[Figure]) -> Figure | None:
     return min(reversed(numbers or own), key=lambda figure: len(figure.claims), default=None)
 
 
-def tiles(figures: Iterable[Figure]) -> list[Tile]:
-    """The answers that the figures of the demands carry as titles; of several sentences the first."""
-    return [
-        Tile(
-            DEMANDS[figure.paper, figure.name],
-            sentence(figure.picture.title.partition(". ")[0]),
-            figure.anchor,
-        )
-        for figure in figures
-        if (figure.paper, figure.name) in DEMANDS
-    ]
-
-
 def amounts(claims: list[Claim], datasets: int, figures: int, points: int) -> str:
     """How much there is, in one line."""
     things = [
-        counted(len(claims), "number and claim").replace("number and claims", "numbers and claims"),
+        counted(len(claims), "published value or claim").replace(
+            "value or claims", "values and claims"
+        ),
         counted(figures, "figure"),
         counted(datasets, "dataset"),
         counted(points, "grid point"),

@@ -64,6 +64,8 @@ const followLinks = (showAll) => {
     for (let above = place; above; above = above.parentElement) {
       if (above.tagName === "DETAILS") above.open = true;
     }
+    const chapter = place?.querySelector(":scope > details.chapter"); // a chapter is named by its section
+    if (chapter) chapter.open = true;
     return place;
   };
   document.addEventListener("click", (event) => {
@@ -78,22 +80,35 @@ const followLinks = (showAll) => {
 const enlargeFigures = () => {
   const dialog = document.querySelector("dialog");
   const large = dialog.querySelector("img");
+  const buttons = [...document.querySelectorAll("button.enlarge")];
+  const caption = dialog.querySelector(".caption");
+  let shown = 0;
   const look = () => {
     const whole = !dialog.classList.contains("natural");
     dialog.classList.toggle("shrunk", whole && large.naturalWidth > large.clientWidth);
   };
   large.addEventListener("load", look);
-  for (const button of document.querySelectorAll("button.enlarge")) {
-    button.addEventListener("click", () => {
-      const small = button.querySelector("img");
-      dialog.classList.remove("natural", "shrunk");
-      large.src = small.src;
-      large.alt = small.alt;
-      dialog.showModal();
-      look();
-    });
-  }
+  const show = (number) => {
+    shown = (number + buttons.length) % buttons.length;
+    const figure = buttons[shown].closest("figure");
+    const small = figure.querySelector("img");
+    dialog.classList.remove("natural", "shrunk");
+    large.src = small.src;
+    large.alt = small.alt;
+    const heading = figure.querySelector("h4")?.textContent ?? "";
+    caption.textContent = `${heading}. ${figure.querySelector("figcaption")?.firstChild?.textContent.trim() ?? ""}`;
+    if (!dialog.open) dialog.showModal();
+    look();
+  };
+  buttons.forEach((button, number) => button.addEventListener("click", () => show(number)));
+  dialog.querySelector(".previous").addEventListener("click", () => show(shown - 1));
+  dialog.querySelector(".next").addEventListener("click", () => show(shown + 1));
+  dialog.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (step) show(shown + step);
+  });
   dialog.addEventListener("click", (event) => {
+    if (event.target.closest("form, .caption")) return;
     if (event.target !== large || !dialog.classList.contains("shrunk")) return dialog.close();
     dialog.classList.add("natural");
     look();
@@ -110,6 +125,37 @@ const unfoldForPrint = () => {
   addEventListener("afterprint", () => {
     for (const one of unfolded) one.open = false;
   });
+};
+
+// The riser of the first screen plays once, again at a click, and not for those who want no motion.
+const playOnce = () => {
+  const svg = document.querySelector("svg.hero");
+  if (!svg) return;
+  const replay = document.querySelector(".replay");
+  replay.hidden = false;
+  replay.addEventListener("click", () => {
+    svg.unpauseAnimations();
+    svg.setCurrentTime(0);
+  });
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+    svg.setCurrentTime(60);
+    svg.pauseAnimations();
+  }
+};
+
+// The contents mark the chapter in view; the date is that of the file.
+const markThePlace = () => {
+  const written = document.querySelector(".written");
+  if (written) written.textContent = `Page of ${new Date(document.lastModified).toISOString().slice(0, 10)}.`;
+  const watcher = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries) {
+        document.querySelector(`.contents a[href="#${target.id}"]`)?.classList.toggle("here", isIntersecting);
+      }
+    },
+    { rootMargin: "-40% 0px -55% 0px" },
+  );
+  for (const section of document.querySelectorAll("main section[id]")) watcher.observe(section);
 };
 
 // Contents stand at the side where there is room, else they are folded.
@@ -194,6 +240,8 @@ const drawRunsInMotion = () => {
   watch(".motion", "4000px", () => {}, putAway);
 };
 
+playOnce();
+markThePlace();
 enlargeFigures();
 unfoldForPrint();
 drawPicturesNearTheView();

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from PIL import Image
 
+from riserstudy.figures import HEAD_ROWS
 from riserstudy.report.claims import Claim
 
 _PRINTED = re.compile(r"fig0*(\d+)")
@@ -34,7 +35,8 @@ class Figure(NamedTuple):
 
     paper: str
     name: str
-    heading: str
+    label: str  # "Chang 2020, Fig. 8"
+    heading: str  # label and what the figure says
     caption: str
     picture: Picture
     files: list[tuple[str, str]]  # what a file is, and its path beside the page
@@ -55,6 +57,10 @@ def picture_of(path: Path) -> Picture:
         said = {str(key): str(value) for key, value in getattr(image, "text", {}).items()}
         plain = Image.new("RGB", image.size, "white")
         plain.paste(image, mask=image.getchannel("A") if image.mode == "RGBA" else None)
+    if (
+        rows := int(said.get(HEAD_ROWS, 0))
+    ) < plain.height:  # the page has the title as its heading
+        plain = plain.crop((0, rows, plain.width, plain.height))
     coverage = Image.Quantize.MAXCOVERAGE
     few = plain.quantize(COLOURS, method=coverage, dither=Image.Dither.NONE).convert("RGB")
     data = io.BytesIO()
@@ -65,18 +71,29 @@ def picture_of(path: Path) -> Picture:
     )
 
 
-def heading(name: str, title: str) -> str:
-    """How a figure is headed: by its number in the paper and what it says, else by its name."""
-    printed = _PRINTED.fullmatch(name)
-    if title and not printed:
-        return title  # the name is that of a file
-    plain = f"Figure {printed[1]}" if printed else name.replace("_", " ").capitalize()
-    return f"{plain}: {title}" if title else plain
+def labels(names: Iterable[str], short: str, *, printed: bool) -> dict[str, str]:
+    """How figures of a chapter are called: by their number in the paper, others of a paper S1, S2 and so on.
+
+    Parameters
+    ----------
+    names : of the figures, in the order of the chapter.
+    short : the chapter's short name.
+    printed : whether the chapter is about a paper, whose own figures have numbers.
+    """
+    found, own = {}, 0
+    for name in names:
+        number = _PRINTED.fullmatch(name)
+        if number:
+            found[name] = f"{short}, Fig. {number[1]}"
+            continue
+        own += 1
+        found[name] = f"{short}, {'S' if printed else 'Fig. '}{own}"
+    return found
 
 
-def called(name: str) -> str:
-    """A figure's name where it is linked to: short, without what it says."""
-    return heading(name, "").replace("Figure ", "Fig. ")
+def heading(label: str, title: str) -> str:
+    """What stands above a figure: its label and what it says."""
+    return f"{label}: {title}" if title else label
 
 
 def belongs(claim: Claim, name: str) -> bool:

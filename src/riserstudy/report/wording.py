@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
+from markupsafe import Markup, escape
+
+_DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNORECASE)
 
 
@@ -54,6 +57,13 @@ def sentence(text: str) -> str:
     return text[:1].upper() + text[1:].rstrip(".") + "."
 
 
+def with_links(text: str) -> Markup:
+    """Text whose DOIs are links."""
+    return Markup(
+        _DOI.sub(lambda m: f'<a href="https://doi.org/{m[0]}">{m[0]}</a>', str(escape(text)))
+    )
+
+
 def unit(name: str) -> str:
     """A unit as it stands behind a number; none for a pure number."""
     return "" if name in ("", "1") else f" {name}"
@@ -87,7 +97,7 @@ def _filled(kind: str, numbers: list[list[str]]) -> str:
     return text
 
 
-WORDING = {
+WORDING: dict[str, Callable[..., object]] = {
     "number": number,
     "share": share,
     "seconds": seconds,
@@ -95,4 +105,5 @@ WORDING = {
     "listed": listed,
     "sentence": sentence,
     "unit": unit,
+    "with_links": with_links,
 }
