@@ -51,7 +51,7 @@ def test_steps_points_and_cores_are_told(run):
     progress.see("Job 4: draw paper/fig01")
     clock.now += 5.0
     said = progress.text()
-    assert said.startswith("no step done, 5 s, about ")
+    assert re.match(r"\d+ %, no step done, 5 s, about ", said)
     assert said.endswith(" left on 2 cores: simulate paper/one, draw paper/fig01")
     log = Path("logs/paper/one.log")
     log.parent.mkdir(parents=True)
@@ -59,7 +59,7 @@ def test_steps_points_and_cores_are_told(run):
     assert "simulate paper/one (12 of 40 points)" in progress.text()
     progress.see("Finished jobid: 3 (Rule: simulate)")
     progress.see("1 of 3 steps (33%) done")
-    assert progress.text().startswith("1 of 3 steps done, 5 s, about ")
+    assert re.match(r"\d+ %, 1 of 3 steps done, 5 s, about ", progress.text())
 
 
 def test_a_part_of_a_study_has_a_log_of_its_own(run):
@@ -96,6 +96,51 @@ def test_time_left_is_that_of_the_last_run(run):
     second.see("Finished jobid: 7 (Rule: simulate)")
     assert second.seconds_left() == pytest.approx((20.0 + 4.0) / 2)
     assert "about 12 s left" in second.text()
+
+
+@pytest.mark.parametrize("share, seconds", [(0.25, 30.0), (0.5, 10.0), (0.9, 200.0)])
+def test_time_left_of_a_step_at_work_follows_its_own_points(run, share, seconds):
+    """Half of the points in 10 s leave 10 s for the others, whatever an earlier run took."""
+    new, clock = run
+    first = new()
+    for job, message, rule in (
+        ("1", "simulate paper/one", "simulate"),
+        ("2", "simulate paper/two", "simulate"),
+        ("3", "draw paper/fig01", "figure"),
+    ):
+        first.see(f"Job {job}: {message}")
+        clock.now += 60.0
+        first.see(f"Finished jobid: {job} (Rule: {rule})")
+    first.remember()
+    second = new()
+    second.see("Job 7: simulate paper/one")
+    clock.now += seconds
+    log = Path("logs/paper/one.log")
+    log.parent.mkdir(parents=True)
+    log.write_text(f"{round(1000 * share)} of 1000 points\n")
+    own = seconds * (1.0 - share) / share
+    assert second.seconds_left() == pytest.approx((own + 60.0 + 60.0) / 2)
+
+
+def test_per_cent_grows_to_a_hundred_only_with_nothing_left(run):
+    new, clock = run
+    progress = new()
+    shares = []
+    for _ in range(50):
+        clock.now += 40.0
+        shares.append(progress.percent(max(0.0, 1000.0 - 25.0 * len(shares))))
+    assert shares == sorted(shares)
+    assert shares[-1] == 99
+
+
+def test_a_log_has_a_new_line_only_for_a_change(run):
+    new, clock = run
+    progress = new()
+    progress.see("Job 3: simulate paper/one")
+    before = progress.state()
+    assert progress.state() == before
+    progress.see("Job 4: draw paper/fig01")
+    assert progress.state() != before
 
 
 def test_a_first_run_takes_the_times_that_come_with_the_project(run, tmp_path):

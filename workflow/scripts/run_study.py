@@ -28,7 +28,7 @@ from typing import NoReturn, TextIO
 
 import psutil
 
-from study_progress import Progress
+from study_progress import Progress, lasting
 
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = (sys.executable, "-m", "snakemake", "--nocolor")
@@ -245,14 +245,17 @@ def bad_input(said: list[str]) -> str | None:
 
 
 def show_progress(lines: Iterable[str], progress: Progress) -> Iterator[str]:
-    """Pass lines on; show how far the run is, on one line that changes or every few seconds in a log."""
+    """Pass lines on; show how far the run is, on one line, or in a log by one line per change."""
     terminal = sys.stdout.isatty()
     ended = threading.Event()
 
     def show() -> None:
+        last: tuple[object, ...] = ()
         while not ended.wait(1.0 if terminal else 10.0):
-            if progress.steps or progress.at_work:
+            state = progress.state()
+            if (progress.steps or progress.at_work) and (terminal or state != last):
                 show_line(progress.text(), terminal)
+                last = state
 
     showing = threading.Thread(target=show, daemon=True)
     showing.start()
@@ -314,7 +317,7 @@ def summarise(seconds: float) -> None:
     """Say where the results are and how the published numbers and claims came out."""
     report, table = Path("results/report.html"), Path("results/reproduction.csv")
     datasets = Counter(path.parent for path in sorted(Path("results").glob("*/*.nc")))
-    print(f"Done in {seconds:.0f} s.")
+    print(f"Done in {lasting(seconds)}.")
     for folder, count in datasets.items():
         print(f"  datasets  {folder}/*.nc ({count})")
     graded = sorted(Path("results").glob("*/reproduction.csv"))
@@ -325,7 +328,12 @@ def summarise(seconds: float) -> None:
             print(f"  {what:9} {path}{' (of an earlier run)' if path in old else ''}")
     told = graded if table in old else [table] if table.exists() else []
     if told:
-        print(f"\n{verdicts(row for path in told for row in graded_in(path))}")
+        rows = [row for path in told for row in graded_in(path)]
+        print(f"\n{verdicts(rows)}")
+        if failed := [f"{row['paper']} {row['id']}" for row in rows if row["verdict"] == "fails"]:
+            print(f"\nFails: {', '.join(failed)}")
+    if report.exists() and report not in old:
+        print(f"\nOpen {report.resolve().as_uri()}")
 
 
 def graded_in(table: Path) -> list[dict[str, str]]:

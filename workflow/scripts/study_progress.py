@@ -17,6 +17,7 @@ PLANNED = Path(".cache/points.json")  # points of each study of this run, as it 
 FIRST = Path(__file__).with_name("first_times.json")  # for rules that no earlier run had
 TAIL = 400  # bytes of a log, at its end, in which its progress stands
 STUDY = re.compile(r"simulate (\S+)/([^\s,]+)(?:, part (\d+) of (\d+))?")
+PACE = 0.1  # share of a step's points from which its own pace is used
 POINTS = re.compile(r"(\d+) of (\d+) points\s*$")
 
 
@@ -127,10 +128,21 @@ class Progress:
         """Steps done, time gone and left, what is at work, on how many cores."""
         gone = f"{self.steps or 'no step'} done, {lasting(self.clock() - self.began)}"
         if (left := self.seconds_left()) is not None:
-            gone += f", about {lasting(left)} left"
+            gone = f"{self.percent(left)} %, {gone}, about {lasting(left)} left"
         at_work = ", ".join(_said(step.message) for step in self.at_work.values())
         cores = f"{self.cores} core{'s' if self.cores > 1 else ''}"
         return f"{gone} on {cores}: {at_work}" if at_work else f"{gone} on {cores}"
+
+    def percent(self, left: float) -> int:
+        """Share of the time that is gone (%), below 100 while some is left (s)."""
+        gone = self.clock() - self.began
+        return min(99, int(100.0 * gone / (gone + left))) if gone + left > 0.0 else 0
+
+    def state(self) -> tuple[object, ...]:
+        """What a log has a new line for: per cent, steps done, and what is at work."""
+        left = self.seconds_left()
+        share = None if left is None else self.percent(left)
+        return share, self.steps, tuple(step.message for step in self.at_work.values())
 
     def seconds_left(self) -> float | None:
         """Time left (s) where steps take as long as in earlier runs, a point for a point.
@@ -150,13 +162,27 @@ class Progress:
                 total += count * sum(times) / len(times)
         if not total:
             return None
-        now = self.clock()
-        spent = sum(
-            min(now - step.began, known[step.message][1])
-            for step in self.at_work.values()
-            if step.message in known
-        )
+        spent = sum(self._spent(step, known) for step in self.at_work.values())
         return max(total - spent, 0.0) / self.cores
+
+    def _spent(self, step: Step, known: dict[str, tuple[str, float]]) -> float:
+        """What is no longer to do (s) of the time that a step at work was given.
+
+        By the pace of its own points once a tenth of them is done; negative where it is slower than thought.
+        """
+        gone = self.clock() - step.began
+        rule = "simulate" if STUDY.fullmatch(step.message) else ""
+        given = (
+            known[step.message][1]
+            if step.message in known
+            else self._at_first(rule).get(step.message)
+        )
+        if given is None:
+            return 0.0
+        done, of = points_done(step.message) or (0, 0)
+        if of and done / of >= PACE:
+            return given - gone * (of - done) / done
+        return min(gone, given) if step.message in known else 0.0
 
     def remember(self) -> None:
         """Keep the times of this run for the next one."""
@@ -189,17 +215,23 @@ def _planned(planned: Path) -> dict[str, float]:
 
 def _said(message: str) -> str:
     """What a step does, with the points that it has done of how many, as its log tells."""
+    points = points_done(message)
+    return f"{message} ({points[0]} of {points[1]} points)" if points else message
+
+
+def points_done(message: str) -> tuple[int, int] | None:
+    """Points that a step at work has done, and how many it has, as its log tells."""
     found = STUDY.fullmatch(message)
     if not found:
-        return message
+        return None
     paper, study, part, parts = found.groups()
     log = Path("logs", paper, f"{study}.{part}-of-{parts}.log" if part else f"{study}.log")
     try:
         end = log.read_bytes()[-TAIL:].decode(errors="replace")
     except OSError:
-        return message
+        return None
     points = POINTS.search(end)
-    return f"{message} ({points[1]} of {points[2]} points)" if points else message
+    return (int(points[1]), int(points[2])) if points else None
 
 
 def lasting(seconds: float) -> str:
