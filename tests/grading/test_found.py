@@ -1,11 +1,13 @@
-"""What a check finds is believed where it does not contradict itself, and where there is a number."""
+"""What a check finds is believed where it does not contradict itself; a missing value answers nothing."""
 
 import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.errors import InputError
-from riserstudy.grading.grade import Found, graded
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.grading.cases import regrade
+from riserstudy.grading.grade import Found, graded, judged
+from riserstudy.grading.margin import below
 from riserstudy.grading.models import Item, read_published
 from riserstudy.grading.rows import row_of
 from riserstudy.grading.verdict import met
@@ -18,7 +20,7 @@ COUNT = 200
 
 def runs(values):
     dims = ("sample",)[: np.ndim(values)]
-    return xr.Dataset({"quantity": (dims, values)}, {"sample": range(COUNT)} if dims else {})
+    return xr.Dataset({"quantity": (dims, values)}, {"sample": range(len(values))} if dims else {})
 
 
 def row(check, values, about):
@@ -45,25 +47,66 @@ def over_samples(truth, margins):
 
 
 @pytest.mark.parametrize("about", [CLAIM, NUMBER], ids=["claim", "number"])
-@pytest.mark.parametrize("seed", range(5))
-def test_a_sample_without_a_number_is_no_hit(seed, about):
+@pytest.mark.parametrize("seed", range(40))
+def test_a_missing_value_is_neither_yes_nor_no(seed, about):
+    """The verdict is that of the other samples, or depends where the missing ones could turn it."""
     draw = np.random.default_rng(seed)
-    values = np.full(COUNT, 100.0)
-    values[draw.choice(COUNT, draw.integers(11, COUNT), replace=False)] = np.nan
-    found = row(lambda value: Found(value, ~(value >= 150.0)), values, about)
-    assert found.verdict == "depends"
-    assert f"in {np.isfinite(values).sum()} of {COUNT} samples" in said(found)
+    hit = draw.random(COUNT) < draw.choice([0.0, 0.03, 0.5, 0.97, 1.0])
+    values = np.where(hit, 100.0, 300.0)
+    off = draw.random(COUNT) < draw.choice([0.01, 0.1, 0.9])
+    off[draw.integers(COUNT)] = True
+    off[draw.integers(COUNT)] = False
+    check = lambda value: judged(value, 150.0 - value)  # noqa: E731
+    found = row(check, np.where(off, np.nan, values), about)
+    others = values[~off]
+    alone = row(check, others, about)
+    could = {
+        row(check, np.where(off, way, values), about).verdict for way in (100.0, 300.0)
+    }  # were all that is missing hits, or none of it
+    assert found.verdict == (alone.verdict if could == {alone.verdict} else "depends")
+    share = found.grounds.share
+    assert (share.met, share.samples) == ((others == 100.0).sum(), others.size)
+    assert f"left out, as nothing is found there: {off.sum()} of {COUNT} cases" in said(found)
+    assert [case.met for case in found.cases if case.met is None] == [None] * off.sum()
+    assert not any(case.judged for case in found.cases if case.met is None)
+    assert regrade(found.kind, found.cases) == found.verdict
 
 
 @pytest.mark.parametrize("margin", [np.nan, np.inf, -np.inf])
-@pytest.mark.parametrize("seed", range(5))
-def test_a_margin_that_is_no_finite_number_makes_nothing_true(seed, margin):
-    off = np.random.default_rng(seed).random(COUNT) < 0.2
+@pytest.mark.parametrize("seed", range(10))
+def test_a_margin_that_is_no_finite_number_is_no_answer(seed, margin):
+    """Of 223 samples without an error estimate none is a sample whose error is too large."""
+    off = np.random.default_rng(seed).random(COUNT) < 0.6
     margins = np.where(off, margin, 0.5)
-    check = over_samples(~(margins < 0.0), margins)
+    check = over_samples(margins > 0.0, margins)
     found = row(check, np.full(COUNT, 100.0), CLAIM)
     assert found.verdict == "depends"
-    assert f"true in {COUNT - off.sum()} of {COUNT} samples" in said(found)
+    assert f"what {off.sum()} cases would say in which nothing is found" in said(found)
+    assert f"true in {COUNT - off.sum()} of {COUNT - off.sum()} samples" in said(found)
+
+
+@pytest.mark.parametrize("missing", ["value", "margin"])
+def test_a_base_without_an_answer_stops_the_grading(missing):
+    def check(value):
+        if value.ndim:
+            return judged(value, 150.0 - value)
+        return judged(value * (np.nan if missing == "value" else 1.0), value * np.nan)
+
+    with pytest.raises(SimulationError, match="own/C1: said finds"):
+        row(check, np.full(COUNT, 100.0), CLAIM)
+
+
+def test_where_nothing_is_found_in_any_sample_the_grading_stops():
+    with pytest.raises(SimulationError, match="finds no case to judge"):
+        row(lambda value: judged(value, 150.0 - value), np.full(COUNT, np.nan), CLAIM)
+
+
+def test_what_never_comes_is_an_answer():
+    """Two limits that are never reached: neither comes first, which is false and not missing."""
+    check = lambda value: judged(value.clip(max=9.0), below(value, np.inf))  # noqa: E731
+    found = row(check, np.full(COUNT, np.inf), CLAIM)
+    assert found.verdict == "fails"
+    assert found.grounds.missing is None
 
 
 @pytest.mark.parametrize("says", [True, False])

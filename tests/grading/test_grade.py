@@ -15,7 +15,7 @@ import xarray as xr
 from riserstudy.chapters.chang2020 import claims as checks
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.grading.grade import Found, _hits, graded
+from riserstudy.grading.grade import Found, _answers, graded
 from riserstudy.grading.models import Item, PublishedFile, read_published
 from riserstudy.grading.names import input_name, option_name
 from riserstudy.grading.rows import ErratumRow, Row, row_of, table
@@ -548,4 +548,4 @@ def test_a_row_tells_when_its_verdict_was_certain(values, told):
 def test_a_claim_whose_check_judges_nothing_is_refused_by_name():
     item = Item.model_construct(id="Q1", check="angle", published=None, rounding=None)
     with pytest.raises(InputError, match="Q1: angle judges no claim"):
-        _hits(item, Found(xr.DataArray(1.0)))
+        _answers(item, Found(xr.DataArray(1.0)))

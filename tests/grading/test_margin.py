@@ -24,6 +24,9 @@ def steps(*values):
         (-1.0, 1.0, -2.0),
         (np.inf, 1.0, 1.0),
         (1.0, np.inf, -1.0),
+        (np.inf, np.inf, 0.0),  # two that never come
+        (-np.inf, -np.inf, 0.0),
+        (np.inf, -np.inf, 1.0),
     ],
 )
 def test_a_margin_is_the_difference_over_the_larger_of_both(value, bound, margin):
@@ -31,10 +34,10 @@ def test_a_margin_is_the_difference_over_the_larger_of_both(value, bound, margin
     assert float(below(bound, value)) == margin
 
 
-@pytest.mark.parametrize("value, bound", [(np.nan, 1.0), (1.0, np.nan), (np.inf, np.inf)])
-def test_what_is_not_a_number_is_neither_above_nor_below(value, bound):
-    assert not bool(above(value, bound) > 0.0)
-    assert not bool(below(value, bound) > 0.0)
+@pytest.mark.parametrize("value, bound", [(np.nan, 1.0), (1.0, np.nan), (np.nan, np.inf)])
+def test_what_is_not_a_number_has_no_margin(value, bound):
+    assert bool(above(value, bound).isnull())
+    assert bool(below(value, bound).isnull())
 
 
 def test_where_the_bound_is_zero_a_size_is_given():

@@ -130,7 +130,8 @@ def _share(share: Share | None) -> tuple[float | int | None, ...]:
 
 def _margin(row: dict[str, str]) -> tuple[str | float | None, ...]:
     """A row of margins.csv."""
-    flags = (int(row[name]) for name in ("base", "judged", "met"))
+    # blank where nothing is found
+    flags = (int(row[name]) if row[name] else None for name in ("base", "judged", "met"))
     margin, fitted = _number(row["margin"]), int(row["calibrated"])
     return row["paper"], row["id"], row["place"], *flags, margin, fitted, row["rests_on"]
 

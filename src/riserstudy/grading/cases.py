@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -69,6 +70,8 @@ def regrade(
 ) -> Verdict | None:
     """Verdict of a number or claim without the cases that rest on some points.
 
+    Cases in which nothing is found are not judged; where their answers could turn the verdict, it depends.
+
     Parameters
     ----------
     kind : "number" or "claim".
@@ -86,12 +89,25 @@ def regrade(
         return None
     base = [case.met for case in left if case.base]
     known = not all(base) or len(base) == sum(case.base for case in cases)
-    verdicts = {_verdict(kind, judged, hit) for hit in ([all(base)] if known else [True, False])}
+    missing = [case for case in left if case.met is None]
+    verdicts = {
+        _with_missing(kind, judged, missing, hit) for hit in ([all(base)] if known else [True, False])
+    }
     return verdicts.pop() if len(verdicts) == 1 else None
 
 
+def _with_missing(
+    kind: Kind, judged: Sequence[Case], missing: Sequence[Case], base: bool
+) -> Verdict:
+    """The verdict of those judged, where those that are missing could not turn it."""
+    ways = [[replace(case, met=met) for case in missing] for met in (True, False)]
+    could = {_verdict(kind, [*judged, *way], base) for way in ways}
+    verdict = _verdict(kind, judged, base)
+    return verdict if could == {verdict} else "depends"
+
+
 def _verdict(kind: Kind, judged: Sequence[Case], base: bool) -> Verdict:
-    share = sum(case.met for case in judged) / len(judged)
+    share = sum(bool(case.met) for case in judged) / len(judged)
     calibrated = any(case.calibrated for case in judged)
     if kind == "number":
         return verdict_of_number(base, share, calibrated)

@@ -10,6 +10,8 @@ import xarray as xr
 
 from riserstudy.errors import InputError
 
+TRUE, FALSE = 1.0, -1.0
+
 
 class Found(NamedTuple):
     """What a check finds: a quantity, and for a claim whether it is true; over the same cells.
@@ -43,38 +45,52 @@ class Found(NamedTuple):
 
 
 def judged(value: xr.DataArray, margin: xr.DataArray, given: xr.DataArray | None = None) -> Found:
-    """A claim that is true where its margin is above zero."""
+    """A claim that is true where its margin is above zero; not a number is no answer."""
     return Found(value, margin > 0.0, given, margin)
 
 
-def sound(found: Found, paper: str, check: str) -> Found:
-    """What a check found, true nowhere without a number or a margin that is one.
+def answers(found: Found) -> xr.DataArray:
+    """Answers to a claim, over the cells of its truth.
+
+    Returns
+    -------
+    1 where it is true, -1 where it is false, not a number where value or margin are none: a missing value is
+    no "no".
+
+    Raises
+    ------
+    TypeError
+        When the check judges no claim.
+    """
+    if found.true is None:
+        raise TypeError("a check that judges no claim has no answers")
+    known = found.value.notnull()
+    known = known.all([dim for dim in known.dims if dim not in found.true.dims])
+    if found.margin is not None:
+        known = known & np.isfinite(found.margin)
+    answer: xr.DataArray = xr.where(found.true, TRUE, FALSE).where(known)
+    return answer.transpose(*found.true.dims)
+
+
+def consistent(found: Found, paper: str, check: str) -> Found:
+    """What a check found, as it is.
 
     Raises
     ------
     InputError
         When the check says true where its margin is negative, or false where it is positive.
     """
-    if found.true is None:
+    if found.true is None or found.margin is None:
         return found
     margin = found.margin
-    if margin is not None:
-        against = (found.true & (margin < 0.0)) | (~found.true & (margin > 0.0))
-        if bool(against.any()):
-            worst = float(abs(margin.where(against)).max())
-            said = "true" if bool((found.true & (margin < 0.0)).any()) else "false"
-            found_text = (
-                f"says {said} where its margin is {-worst if said == 'true' else worst:.3g}"
-            )
-            allowed = "return `judged(value, margin)`, which is true where the margin is above zero"
-            raise InputError(f"chapters/{paper}/claims.py", check, found_text, allowed)
-    numbers = found.value.notnull()
-    numbers = numbers.all([dim for dim in numbers.dims if dim not in found.true.dims])
-    if margin is not None:
-        numbers = numbers & np.isfinite(margin)
-        margin = margin.where(numbers)
-    true = (found.true & numbers).transpose(*found.true.dims)
-    return found._replace(true=true, margin=margin)
+    against = (found.true & (margin < 0.0)) | (~found.true & (margin > 0.0))
+    if bool(against.any()):
+        worst = float(abs(margin.where(against)).max())
+        said = "true" if bool((found.true & (margin < 0.0)).any()) else "false"
+        found_text = f"says {said} where its margin is {-worst if said == 'true' else worst:.3g}"
+        allowed = "return `judged(value, margin)`, which is true where the margin is above zero"
+        raise InputError(f"chapters/{paper}/claims.py", check, found_text, allowed)
+    return found
 
 
 def at_cell(found: Found, cell: Mapping[str, Any], where: str, field: str) -> Found:

@@ -12,15 +12,15 @@ import xarray as xr
 from riserstudy.dataset.origins import origins_of
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.cases import Behind, places_of, regrade
-from riserstudy.grading.found import Found, at_cell, judged, sound
+from riserstudy.grading.found import FALSE, TRUE, Found, answers, at_cell, consistent, judged
 from riserstudy.grading.grounds import MANY, explained, outcome_of, settled
 from riserstudy.grading.margin import below
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
 from riserstudy.grading.rows import ErratumRow
 from riserstudy.grading.verdict import error, met, tolerance
-from riserstudy.records.graded import Case, Graded, Grounds, Outcome, Premise
+from riserstudy.records.graded import Case, Graded, Grounds, Missing, Outcome, Premise
 
-__all__ = ["Found", "errata", "grade", "graded", "judged"]
+__all__ = ["Found", "answers", "errata", "grade", "graded", "judged"]
 
 Datasets = Mapping[str, xr.Dataset]
 Checks = Callable[[str], Callable[..., Any]]  # by their names
@@ -46,7 +46,7 @@ def graded(
     Raises
     ------
     SimulationError
-        When a check finds no finite number.
+        When a check finds no finite number, or no answer, at the base.
     InputError
         When a check contradicts itself, or finds nothing at the base.
     """
@@ -59,22 +59,26 @@ def graded(
     base = asked.at_base(looked, item.base)
     every = asked.look(item.over) if item.over else looked
     space = every.granted() if every.granted().value.size else base
-    simulated = float(base.value)
-    if not math.isfinite(simulated):
-        raise SimulationError(f"{paper}/{item.id}: {item.check} finds {simulated}")
+    simulated, at_base = float(base.value), _answers(item, base)
+    if not math.isfinite(simulated) or bool(at_base.isnull().any()):
+        found = f"{simulated}, and no margin" if math.isfinite(simulated) else f"{simulated}"
+        raise SimulationError(f"{paper}/{item.id}: {item.check} finds {found}")
     cases = [*_cases(asked, base, space)]
     verdict = regrade(item.kind, cases)
     if verdict is None:
         raise SimulationError(f"{paper}/{item.id}: {item.check} finds no case to judge")
-    hits = _hits(item, space)
+    found = _answers(item, space)
     off = None if item.published is None else error(simulated, item.published)
-    grounds = _grounds(asked, base, every, hits)
-    if hits.ndim:
+    grounds = _grounds(asked, base, every, found)
+    if found.ndim:
         about = asked.about
         if space is not every:
-            about = about.sel(sample=hits["sample"])
-        hit = bool(_hits(item, base).all())
-        grounds = explained(grounds, hits, about, verdict, hit, called)
+            about = about.sel(sample=found["sample"])
+        known = regrade(item.kind, [case for case in cases if case.met is not None])
+        hit = bool((at_base > 0.0).all())
+        grounds = explained(grounds, found, about, known or verdict, hit, called)
+        if known != verdict:
+            grounds = replace(grounds, because="missing values")
     margins = _margins(_margin(item, space), _margin(item, base))
     return Graded(*printed, simulated, item.unit, off, verdict, grounds, *margins, cases)
 
@@ -96,7 +100,7 @@ class Asked(NamedTuple):
     def look(self, reads: Mapping[str, str]) -> Found:
         """What its check finds in some datasets."""
         found: Found = _answer(self.item, reads, self.checks, self.datasets)
-        return sound(found, self.paper, self.item.check or "")
+        return consistent(found, self.paper, self.item.check or "")
 
     def at_base(self, found: Found, cell: Mapping[str, Any]) -> Found:
         """The cell that counts as the base case."""
@@ -105,17 +109,20 @@ class Asked(NamedTuple):
         return at_cell(found, cell, f"config/published/{self.paper}.yaml", f"{self.item.id}.base")
 
 
-def _grounds(asked: Asked, base: Found, every: Found, hits: xr.DataArray) -> Grounds:
-    """A premise, when the verdict was certain, the base and further cases."""
+def _grounds(asked: Asked, base: Found, every: Found, found: xr.DataArray) -> Grounds:
+    """A premise, what is left out, when the verdict was certain, the base and further cases."""
     item, granted = asked.item, every.granted()
     premise = None
     if granted is not every:
         premise = Premise(granted.value.size, every.value.size)
-    many = hits.dims == ("sample",) and hits.size >= MANY
+    known = found.values[found.notnull().values]
+    many = found.dims == ("sample",) and known.size >= MANY
+    left_out = found.size - known.size
     return Grounds(
         within=item.within,
         premise=premise,
-        settled=settled(hits.values) if many else None,
+        missing=Missing(left_out, found.size) if left_out else None,
+        settled=settled(known > 0.0) if many else None,
         outcomes=[*_outcomes(asked, base)],
         note=item.note,
     )
@@ -126,7 +133,7 @@ def _outcomes(asked: Asked, base: Found) -> Iterator[Outcome]:
     item = asked.item
 
     def of(name: str, found: Found, about: xr.Dataset) -> Outcome:
-        return outcome_of(name, found.value, _hits(item, found), about, asked.called)
+        return outcome_of(name, found.value, _answers(item, found), about, asked.called)
 
     if item.published is None:
         yield of("Base case", base, asked.about)
@@ -145,13 +152,14 @@ def _cases(asked: Asked, base: Found, space: Found) -> Iterator[Case]:
 
     def of(found: Found, reads: Mapping[str, str], at: Mapping[str, Any]) -> Iterator[Case]:
         behind = Behind(asked.paper, {name: datasets[name] for name in reads.values()})
-        hits, margin = _hits(item, found), _margin(item, found)
-        for index, own in places_of(hits):
-            place = {**at, **own}
+        answer, margin = _answers(item, found), _margin(item, found)
+        for index, own in places_of(answer):
+            place, one = {**at, **own}, float(answer.values[index])
+            known = not math.isnan(one)
             here = math.nan if margin is None else float(margin.values[index])
             yield Case(
-                *(asked.paper, item.id, place, False, True, bool(hits.values[index])),
-                None if math.isnan(here) else here,
+                *(asked.paper, item.id, place, False, known, one > 0.0 if known else None),
+                None if math.isnan(here) or not known else here,
                 calibrated,
                 behind.rests_on(place),
             )
@@ -191,15 +199,16 @@ def _margin(item: Item, found: Found) -> xr.DataArray | None:
     return below(off, tolerance(item.published, item.rounding, item.within)).clip(-1.0, 1.0)
 
 
-def _hits(item: Item, found: Found) -> xr.DataArray:
-    """Where a number is met, or a claim true."""
+def _answers(item: Item, found: Found) -> xr.DataArray:
+    """Where a number is met, or a claim true; as ``answers``."""
     if item.published is None or item.rounding is None:
         if found.true is None:
             allowed = "allowed is `judged(value, margin)`, as of a claim; of a number, published and rounding"
             raise InputError("config/published", item.id, f"{item.check} judges no claim", allowed)
-        return found.true
-    hits: xr.DataArray = met(found.value, item.published, item.rounding, item.within)
-    return hits
+        return answers(found)
+    hits = met(found.value, item.published, item.rounding, item.within)
+    answer: xr.DataArray = xr.where(hits, TRUE, FALSE).where(found.value.notnull())
+    return answer
 
 
 def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[ErratumRow]:

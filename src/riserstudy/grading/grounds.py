@@ -10,6 +10,7 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.stats import binomtest
 
+from riserstudy.errors import SimulationError
 from riserstudy.grading.names import input_name
 from riserstudy.grading.sensitivity import deciding, shares_by_option
 from riserstudy.grading.sequential import SURE, decided_after
@@ -25,7 +26,7 @@ Called = (
 
 def explained(
     grounds: Grounds,
-    hits: xr.DataArray,
+    found: xr.DataArray,
     about: xr.Dataset,
     verdict: Verdict,
     base: bool,
@@ -35,48 +36,61 @@ def explained(
 
     Parameters
     ----------
-    hits : where it is met, over samples and cells.
+    found : where it is met, over samples and cells; as ``riserstudy.grading.found.answers``.
     about : as in ``deciding``.
+    verdict : of the cases in which something is found.
     base : whether the base case is met.
     """
-    grounds = replace(grounds, share=share_of(hits))
+    share = share_of(found)
+    grounds = replace(grounds, share=share)
     if verdict != "depends":
         return grounds
-    if float(hits.mean()) >= ALMOST_ALWAYS:  # whatever else is open, it decides nothing
-        short = base and few(hits.sizes.get("sample"))
+    if share.met / share.samples >= ALMOST_ALWAYS:  # whatever else is open, it decides nothing
+        short = base and few(share.draws)
         return replace(grounds, because="too few samples" if short else "base case")
-    found = deciding(hits, about)
-    options = shares_by_option(hits, about, found.names)
+    decides = deciding(found, about)
+    options = shares_by_option(found, about, decides.names)
     influences = [
         Influence(
-            name, input_name(name, called), found.total_effects.get(name), options.get(name, {})
+            name, input_name(name, called), decides.total_effects.get(name), options.get(name, {})
         )
-        for name in found.names
+        for name in decides.names
     ]
-    return replace(grounds, because="inputs", decided_by=influences, explained=found.explained)
+    return replace(grounds, because="inputs", decided_by=influences, explained=decides.explained)
 
 
 def outcome_of(
-    name: str, value: xr.DataArray, hits: xr.DataArray, about: xr.Dataset, called: Called
+    name: str, value: xr.DataArray, found: xr.DataArray, about: xr.Dataset, called: Called
 ) -> Outcome:
-    """One further case, of one cell or many; ``hits`` and ``about`` as in ``explained``."""
+    """One further case, of one cell or many; ``found`` and ``about`` as in ``explained``.
+
+    Raises
+    ------
+    SimulationError
+        When nothing is found in any cell of it.
+    """
     low, high = float(value.min()), float(value.max())
-    if not hits.ndim:
-        return Outcome(name, low, high, bool(hits))
-    names = [input_name(path, called) for path in deciding(hits, about).names]
-    return Outcome(name, low, high, bool(hits.all()), share_of(hits), names)
+    if not bool(found.notnull().any()):
+        raise SimulationError(f"{name}: nothing is found in any case")
+    if not found.ndim:
+        return Outcome(name, low, high, bool(found > 0.0))
+    names = [input_name(path, called) for path in deciding(found, about).names]
+    return Outcome(name, low, high, bool((found > 0.0).all()), share_of(found), names)
 
 
-def share_of(hits: xr.DataArray) -> Share:
-    """How many samples are hits, with the 95 % interval of the share of many samples.
+def share_of(found: xr.DataArray) -> Share:
+    """How many samples are hits of those in which something is found, with the 95 % interval of many.
 
     By Wilson; too wide for evenly spread ones. All cells of a sample count as one draw.
     """
-    share = Share(int(hits.sum()), hits.size, hits.sizes.get("sample"))
-    if share.draws is None or share.draws < MANY:
+    known = found.notnull()
+    others = [dim for dim in found.dims if dim != "sample"]
+    draws = int(known.any(others).sum()) if "sample" in found.dims else None
+    share = Share(int((found > 0.0).sum()), int(known.sum()), draws)
+    if draws is None or draws < MANY:
         return share
-    true = round(float(hits.mean()) * share.draws)
-    band = binomtest(true, share.draws).proportion_ci(method="wilson")
+    true = round(share.met / share.samples * draws)
+    band = binomtest(true, draws).proportion_ci(method="wilson")
     return replace(share, low=float(band.low), high=float(band.high))
 
 

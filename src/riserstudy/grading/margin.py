@@ -18,12 +18,13 @@ def above(value: Value, bound: Value, over: Value | None = None) -> xr.DataArray
 
     Parameters
     ----------
-    value, bound : finite, infinite, or not a number, which is above nothing.
+    value, bound : finite, infinite, or not a number.
     over : what the difference is a share of, where the bound is zero; absent: the larger of both by size.
 
     Returns
     -------
-    Within -1 to 1 for values of one sign, 1 and -1 where one of them is infinite.
+    Within -1 to 1 for values of one sign, 1 and -1 where one of them is infinite, 0 where both are alike;
+    not a number where one of them is none.
     """
     one, other = xr.broadcast(xr.DataArray(value), xr.DataArray(bound))
     one, other = one.astype(float), other.astype(float)
@@ -32,7 +33,8 @@ def above(value: Value, bound: Value, over: Value | None = None) -> xr.DataArray
     finite = np.isfinite(one) & np.isfinite(other)
     share = (difference / size).where(difference != 0.0, difference)
     margin: xr.DataArray = share.where(finite, np.sign(difference))
-    return margin
+    # two that never come are neither before the other: an answer, and not a missing one
+    return margin.where(~(np.isinf(one) & (one == other)), 0.0)
 
 
 def below(value: Value, bound: Value, over: Value | None = None) -> xr.DataArray:

@@ -40,19 +40,21 @@ class Deciding(NamedTuple):
 
 
 def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
-    """Inputs that decide a boolean outcome.
+    """Inputs that decide whether an outcome is a hit.
 
     Parameters
     ----------
-    outcome : boolean, over ``sample`` and any other dimensions.
+    outcome : above zero where it is one, over ``sample`` and any other dimensions; cells that are not a number
+        are left out.
     about : holds what each sample assumed, as variables ``assumed_...`` with the path as long_name.
     """
-    if bool(outcome.all()) or not bool(outcome.any()):
+    known, hits = _known_hits(outcome)
+    if hits.all() or not hits.any():
         return Deciding([])
     if "sample" not in outcome.dims:
         return _of_a_grid(outcome)
-    values = outcome.values.astype(float).ravel()
-    groups = {name: _groups(x) for name, x in inputs(outcome, about).items()}
+    values = hits.astype(float)
+    groups = {name: _groups(x[known]) for name, x in inputs(outcome, about).items()}
     groups = {name: group for name, group in groups.items() if group.max(initial=0) > 0}
     if not groups:
         return Deciding([])
@@ -69,6 +71,13 @@ def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
         if together >= explained + WORTH:
             names, explained = pair, together
     return Deciding(names, explained)
+
+
+def _known_hits(outcome: xr.DataArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which cells of an outcome are known, flat, and of these which are hits."""
+    values = outcome.values.astype(float).ravel()
+    known = ~np.isnan(values)
+    return known, values[known] > 0.0
 
 
 def _best(
@@ -120,7 +129,7 @@ def _of_a_grid(outcome: xr.DataArray) -> Deciding:
 
 def total_effects(outcome: xr.DataArray) -> dict[str, float]:
     """Share of the variance that remains when all dimensions but one are known, for each."""
-    values = outcome.astype(float)
+    values = (outcome > 0.0).astype(float).where(outcome.notnull())
     total = float(values.var())
     names = [str(dim) for dim in values.dims if total > 0]
     return {name: float(values.var(name).mean()) / total for name in names}
@@ -129,7 +138,7 @@ def total_effects(outcome: xr.DataArray) -> dict[str, float]:
 def shares_by_option(
     outcome: xr.DataArray, about: xr.Dataset, names: Iterable[str]
 ) -> dict[str, dict[str, float]]:
-    """Share of a boolean outcome that is true under each option, by input.
+    """Share of hits of an outcome under each option, by input.
 
     Inputs that are no named options, ranges and numbers, are left out.
 
@@ -138,10 +147,10 @@ def shares_by_option(
     outcome, about : as in ``deciding``.
     names : of the inputs.
     """
-    known, true = inputs(outcome, about), outcome.values.ravel()
+    varied, (known, true) = inputs(outcome, about), _known_hits(outcome)
     shares: dict[str, dict[str, float]] = {}
     for name in names:
-        values = known[name]
+        values = varied[name][known]
         options = list(dict.fromkeys(str(value) for value in values))
         if _numbers(np.array(options)) is None:
             shares[name] = {o: float(true[values.astype(str) == o].mean()) for o in options}

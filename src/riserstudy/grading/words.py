@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from riserstudy.grading.names import option_name
 from riserstudy.grading.verdict import ENOUGH
-from riserstudy.records.graded import Grounds, Influence, Kind, Outcome, Premise, Settled, Share
+from riserstudy.records.graded import Grounds, Influence, Kind, Missing, Outcome, Premise, Settled, Share
 
 _HIT = {"number": ("met", "missed"), "claim": ("true", "false")}
 
@@ -35,6 +35,7 @@ def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
     yield grounds.impossible
     yield from _within(grounds.within)
     yield from _premise(grounds.premise)
+    yield from _missing(grounds.missing)
     yield from _settled(grounds.settled)
     for outcome in grounds.outcomes:
         yield _outcome(kind, unit, outcome)
@@ -54,6 +55,8 @@ def decided_by(grounds: Grounds) -> str:
         return f"too few samples ({grounds.share.draws} of {ENOUGH})"
     if grounds.because == "base case":
         return "the base case"
+    if grounds.because == "missing values" and grounds.missing:
+        return f"what {grounds.missing.cases} cases would say in which nothing is found"
     if grounds.because == "inputs":
         names = [influence.name for influence in grounds.decided_by]
         return listed(names) if names else "no single input or pair"
@@ -116,6 +119,12 @@ def _premise(premise: Premise | None) -> Iterator[str]:
     else:
         among = f"none of {premise.samples} samples"
         yield f"What it takes for granted is so in {among}; judged by the base case."
+
+
+def _missing(missing: Missing | None) -> Iterator[str]:
+    """How many cases are left out."""
+    if missing is not None:
+        yield f"Left out, as nothing is found there: {missing.cases} of {missing.of} cases."
 
 
 def _settled(settled: Settled | None) -> Iterator[str]:

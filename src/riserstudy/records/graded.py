@@ -9,8 +9,9 @@ from pydantic import ConfigDict, TypeAdapter
 
 Kind = Literal["number", "claim"]
 Verdict = Literal["reproduced", "calibrated", "holds", "fails", "depends", "not reproducible"]
-#: why a verdict depends: on open inputs, on a base case that is none of the many, or on too few samples
-Because = Literal["inputs", "base case", "too few samples"]
+#: why a verdict depends: on open inputs, on a base case that is none of the many, on too few samples, or on
+#: what cases would say in which nothing is found
+Because = Literal["inputs", "base case", "too few samples", "missing values"]
 Place = dict[str, Any]  # value by axis
 
 
@@ -28,7 +29,7 @@ class Case:
     ----------
     place : its sample and its cell on the axes that are judged, by axis.
     base, judged : whether it is the base case, and whether it counts in the share.
-    met : whether the number is met, or the claim true.
+    met : whether the number is met, or the claim true; None where nothing is found, which is never judged.
     margin : how far it is from where that would turn, -1 to 1; None where that is not known.
     calibrated : whether a value fitted to a printed number is behind it.
     rests_on : simulated studies (paper/name) with the axes by whose values, those of ``place``, its points
@@ -40,7 +41,7 @@ class Case:
     place: Place
     base: bool
     judged: bool
-    met: bool
+    met: bool | None
     margin: float | None
     calibrated: bool
     rests_on: dict[str, list[str]]
@@ -103,6 +104,14 @@ class Premise(Travelling):
 
 
 @dataclass(frozen=True)
+class Missing(Travelling):
+    """In how many of the cases nothing is found, so that they are left out."""
+
+    cases: int
+    of: int
+
+
+@dataclass(frozen=True)
 class Settled(Travelling):
     """After how many samples the verdict was certain, None where all leave it open; at which confidence."""
 
@@ -125,6 +134,7 @@ class Grounds(Travelling):
     explained : share of the variance that these explain together, 0 where none stands out from chance;
         None where that was not asked, or where inputs have total effects.
     premise, settled : None where there is no premise, and where samples are few.
+    missing : None where something is found in every case.
     outcomes : of the base case, where it is told, and of further cases.
     note : of the paper's file.
     """
@@ -136,6 +146,7 @@ class Grounds(Travelling):
     decided_by: list[Influence] = field(default_factory=list)
     explained: float | None = None
     premise: Premise | None = None
+    missing: Missing | None = None
     settled: Settled | None = None
     outcomes: list[Outcome] = field(default_factory=list)
     note: str = ""

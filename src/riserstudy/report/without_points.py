@@ -69,7 +69,7 @@ def cases_of(db: sqlite3.Connection, verdict: Verdict) -> Iterable[Case]:
     asked = "select place, base, judged, met, margin, calibrated, rests_on from margins"
     rows = db.execute(f"{asked} where paper = ? and id = ?", verdict)
     for place, base, judged, met, margin, calibrated, rests_on in rows:
-        flags = bool(base), bool(judged), bool(met)
+        flags = bool(base), bool(judged), None if met is None else bool(met)
         behind = json.loads(rests_on)
         yield Case(*verdict, json.loads(place), *flags, margin, bool(calibrated), behind)
 
