@@ -25,7 +25,6 @@ TIME, SURGE = "time (s)", "surge of the platform (m)"
 SHOWN = 100.0  # s
 LOW = 218.0  # m above the conductor's foot, a tenth up the riser
 DEGREES = 180.0 / np.pi
-PASSED = 0.25  # deg, by which an angle is past its largest
 AS_ONE = "as one"  # of platform and riser
 UFJ_LIMIT = 12.0  # degrees, of Table 4
 viridis = colormaps["viridis"]
@@ -59,7 +58,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
     )
     says(
         figure,
-        f"The platform is 100 m away after {first:.0f} s along the environment, {later:.0f} s against it",
+        f"With unlimited thrust the platform reaches 100 m after {first:.0f} s along, {later:.0f} s against",
     )
     axes[0].set_ylabel(SURGE)
     axes[2].set_ylabel("speed of the platform (m/s)")
@@ -98,6 +97,7 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
         for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
             run = shown.sel(case=f"{kind}_{heading}")
+            run = _until_the_stop(ax, run, "riser_force_x", 1e-6)
             printed, exact = run["riser_force_x"] / 1e6, run["riser_reaction_x"] / 1e6
             ax.plot(run["time"], printed, color=colour, label=f"{label}, T sin θ as printed")
             ax.plot(run["time"], exact, ":", color=colour, label=f"{label}, exact reaction")
@@ -116,13 +116,30 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     against = (
         float(driveoff["riser_force_x"].sel(case="ref_180", time=slice(0.0, SHOWN)).max()) / 1e6
     )
-    says(
-        figure,
-        f"The riser drives (+) for {until:.0f} s at 0°; at 180° its force is at most {against:.2f} MN",
-    )
+    inhibits = "always inhibits" if against < 0.0 else "does not always inhibit"
+    says(figure, f"The riser drives the platform for {until:.0f} s at 0° and {inhibits} it at 180°")
     axes[0].set_ylabel("force of the riser on the platform (MN)")
     key_below(figure, axes[0], 3)
     return figure
+
+
+def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Dataset:
+    """A run until the telescopic joint meets its end, where a cross is drawn at a quantity.
+
+    The paper does not mention a stop; behind it the curves are those of an assumption.
+    """
+    end = float(first_crossing(run["stroke"], LIMITS["telescopic joint"].most))
+    if not np.isfinite(end):
+        return run
+    kept = run.sel(time=slice(0.0, end))
+    last = scale * float(kept[name].isel(time=-1))
+    key = "stroke ends (assumed stop)" if not _has_key(ax, "stroke ends (assumed stop)") else None
+    ax.plot([end], [last], "x", color="black", markersize=8, label=key)
+    return kept
+
+
+def _has_key(ax: Axes, label: str) -> bool:
+    return label in ax.get_legend_handles_labels()[1]
 
 
 def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
@@ -130,9 +147,14 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
     figure, axes = panels(1, 2, 3.8, sharey=True)
     shown = driveoff.sel(time=slice(0.0, SHOWN))
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
-        used = shares(shown.sel(case=f"{kind}_0"))
+        run = shown.sel(case=f"{kind}_0")
+        used = shares(run)
+        stress = run["riser_stress"] / LIMITS["conductor"].most
+        run = _until_the_stop(
+            ax, run.assign(share=used.sel(limit="telescopic joint", drop=True)), "share", 1.0
+        )
+        used, stress = (part.sel(time=run["time"]) for part in (used, stress))
         _limits(ax, used)
-        stress = shown["riser_stress"].sel(case=f"{kind}_0") / LIMITS["conductor"].most
         ax.plot(stress["time"], stress, color=COLOURS[5], label="riser, 386 MPa too (assumed)")
         ax.plot([deadline], [1.0], "o", color="black", label=f"printed: 12° at {deadline:g} s")
         ax.set_title(title, loc="right", fontsize="small")
@@ -141,10 +163,10 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
     late = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(limit="upper flex joint")
     says(
         figure,
-        f"First comes the {first_limit(times).item()!s}, after {float(times.min()):.0f} s; what is at the "
-        f"bottom begins {float(late):.0f} s after the upper flex joint",
+        f"The {first_limit(times).item()!s} reaches its limit first, after {float(times.min()):.0f} s; "
+        f"the bottom responds {float(late):.0f} s later",
     )
-    axes[0].set_ylabel("share of the limit that is used (-)")
+    axes[0].set_ylabel("utilisation of the limit (-)")
     key_below(figure, axes[0], 3)
     return figure
 
@@ -235,12 +257,17 @@ def _slowest_in_time(disconnect: xr.Dataset) -> str:
     """Of each scenario the longest disconnect that is in time whatever the direction."""
     in_time = (disconnect["red_circle_outcome"] != TOO_LATE).all("environment_heading")
     longest = disconnect["eds_time"].where(in_time).max("eds_time")
+    radius = disconnect["red_circle_radius"].min("environment_heading")
     tried = float(disconnect["eds_time"].max())
     said = []
     for scenario, time in zip(longest["scenario"].values, longest.values, strict=True):
+        if not np.isfinite(time):
+            said.append(f"none ({scenario})")
+            continue
         more = " or more" if time == tried else ""
-        said.append(f"{time:g} s{more} ({scenario})" if np.isfinite(time) else f"none ({scenario})")
-    return f"Longest disconnect that is in time in every direction: {', '.join(said)}"
+        least = float(radius.sel(scenario=scenario, eds_time=time))
+        said.append(f"{time:g} s{more} ({scenario}; {least:.1f} m)")
+    return f"Longest disconnect in time, with its least red circle:\n{', '.join(said)}"
 
 
 def envelope(envelope: xr.Dataset) -> Figure:
@@ -267,17 +294,15 @@ def envelope(envelope: xr.Dataset) -> Figure:
 def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     """Gains and hull drags that meet the printed number, for three weights of the riser.
 
-    While the angle still rises then, its largest value so far is reached for the first time.
+    Where 12 degrees are passed before, or never, no line is drawn.
     """
     figure, (ax,) = panels(height=3.8)
     handles = []
     for colour, weight in zip(COLOURS, calibration["riser_weight"].values, strict=False):
-        run = calibration.sel(riser_weight=weight).transpose("hull_drag", "gain") * DEGREES
-        largest = run["ufj_angle_absmax"]
-        now = run["ufj_angle"].values
-        style: dict[str, Any] = {"levels": [UFJ_LIMIT], "colors": [colour]}
-        where = run["gain"], run["hull_drag"]
-        ax.contour(*where, largest.where(largest - now < PASSED), **style)
+        first = calibration["ufj_limit_time"].sel(riser_weight=weight)
+        first = first.transpose("hull_drag", "gain")
+        style: dict[str, Any] = {"levels": [deadline], "colors": [colour]}
+        ax.contour(first["gain"], first["hull_drag"], first.where(np.isfinite(first)), **style)
         handles += ax.plot([], [], color=colour, label=f"riser's weight in water: {weight}")
     fit = [calibration.attrs["gain"]], [calibration.attrs["hull_drag"]]
     handles += ax.plot(*fit, "o", color="black", label="fit that is used, with the wave")
@@ -287,7 +312,7 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     ax.set_ylim(float(calibration["hull_drag"].min()), 600.0)
     says(
         figure,
-        f"One printed number, many fits: on each line 12° are first reached at {deadline:g} s",
+        f"Many pairs of gain and hull drag give 12° at {deadline:g} s, the one printed number",
     )
     ax.legend(handles=handles, fontsize="small", loc="upper left")
     return figure

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.figure import Figure
 
 from riserstudy.figures.style import COLOURS, GREY, field, headline, key_below, panels
@@ -15,6 +16,7 @@ RING = 533.0  # m, arclength of the riser's top
 STROKE = 7.5  # m, either way
 TENSION = "effective tension (kN)"
 AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
+viridis = colormaps["viridis"]
 
 
 def fig13(heave_case: xr.Dataset) -> Figure:
@@ -80,7 +82,9 @@ def fig15(heave: xr.Dataset) -> Figure:
                 label=label,
                 marker=".",
             )
-        for colour, amplitude in zip(COLOURS[3:], heave["heave_amplitude"].values, strict=False):
+        amplitudes = heave["heave_amplitude"].values
+        shades = viridis(np.linspace(0.0, 0.9, len(amplitudes)))
+        for colour, amplitude in zip(shades, amplitudes, strict=True):
             curve = force.sel(heave_amplitude=amplitude)
             axes[1].plot(curve["heave_period"], curve, MODELS[model], color=GREY)
             if model == "gas law":
@@ -104,8 +108,8 @@ def fig15(heave: xr.Dataset) -> Figure:
     spread = (spread.max("heave_period") / spread.min("heave_period") - 1.0).max()
     headline(
         figure,
-        "The axial force grows with heave and hardly depends on its period: "
-        f"at most {100.0 * float(spread):.1f} % from the least to the most",
+        "The axial force grows with heave amplitude and varies with its period by at most "
+        f"{100.0 * float(spread):.1f} %",
     )
     return figure
 
@@ -147,14 +151,15 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     axes[1].set_ylabel("tension at the bottom, extremes (MN)")
     for ax in axes:
         ax.set_xlabel(AMPLITUDE)
-    slack = tension.min(("time", "stop_stiffness")) < 0.0
-    first = float(slack["heave_amplitude"].where(slack).min())
-    hardest = float(tension.max())
-    headline(
-        figure,
-        f"Where heave takes the cylinders to their stops at {STROKE:g} m the riser goes slack (from "
-        f"{first:g} m on) and is then pulled with up to {hardest:.0f} MN",
-    )
+    lowest = tension.min(("time", "stop_stiffness"))
+    negative = lowest["heave_amplitude"].values[lowest.values < 0.0]
+    touched = abs(reach).max(("time", "stop_stiffness"))
+    stopped = touched["heave_amplitude"].values[touched.values >= STROKE]
+    said = "Tension stays positive" if not negative.size else (
+        f"Effective tension becomes negative at {negative[0]:g} m of heave"
+    )  # fmt: skip
+    met = f"the stops are met at {stopped[0]:g} m" if stopped.size else "no stop is met"
+    headline(figure, f"{said}, since gas pushes a retracted piston; {met}")
     key_below(figure, axes[0], 3)
     return figure
 

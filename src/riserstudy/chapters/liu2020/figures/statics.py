@@ -43,12 +43,14 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
     tuned = f"calibrated: {ALL}"
     for line, speed in zip(("-", "--", ":"), SPEEDS, strict=True):
         curve = speed * share.sel(current_profile=tuned)
-        axes[0].plot(curve, curve["depth"], line, color="black", label=f"{speed:g} m/s, printed")
+        axes[0].plot(
+            curve, curve["depth"], line, color="black", label=f"{speed:g} m/s at the surface"
+        )
     for colour, shape in zip(COLOURS, share["current_profile"].values, strict=False):
         curve = share.sel(current_profile=shape)
         line = "--" if str(shape).startswith("calibrated") else "-"
         axes[1].plot(curve, curve["depth"], line, color=colour, label=shape)
-    titles = ("exponential, fitted to 8765 N", "1 m/s at the surface; solid: assumed")
+    titles = ("fitted to 8765 N; surface speeds printed", "1 m/s at the surface; solid: assumed")
     for ax, title in zip(axes, titles, strict=True):
         ax.set_xlabel("current speed (m/s)")
         ax.set_title(title, loc="right", fontsize="small")
@@ -57,7 +59,7 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
     axes[0].invert_yaxis()
     headline(
         figure,
-        "Only surface speeds are printed; the force of 8765 N asks for a current near the surface",
+        "The printed force of 8765 N requires a current near the surface",
     )
     key_below(figure, axes[1], 3)
     return figure
