@@ -144,7 +144,8 @@ def graded():
         "margin_high": "0.25",
     }
     _write("reproduction", [row, row | {"id": "A2", "published": "", "error": ""}])
-    case = {"base": 0, "judged": 1, "met": 1, "calibrated": 0, "rests_on": '{"plain/surge": []}'}
+    case = {"base": 0, "judged": 1, "met": 1, "same": 0, "calibrated": 0}
+    case |= {"rests_on": '{"plain/surge": []}'}
     margins = {'{"sample": 0}': "0.25", '{"sample": 1, "line": "a; b"}': "-0.5", "{}": ""}
     _write(
         "margins",

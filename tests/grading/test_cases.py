@@ -105,16 +105,16 @@ def test_a_base_case_that_is_left_out_counts_for_nothing(seed):
 
 
 def test_one_cell_off_leaves_the_other_cells_of_its_sample():
-    values = [[2.0, 0.0], [2.0, 2.0]] * 40
-    space = simulated(values, False, sample=range(80), line=LINES[1:3])
+    values = [[2.0, 0.0], [2.0, 2.0]] * 80
+    space = simulated(values, False, sample=range(160), line=LINES[1:3])
     about = {"id": "X1", "figure": "1", "statement": "s", "kind": "claim", "check": "claim"}
     item = Item(**about, reads={"runs": "base"}, over={"runs": "space"})
     datasets = {"base": simulated(2.0, False), "space": space}
     cases = graded("paper", item, check, datasets).cases
     assert regrade("claim", cases) == "depends"
-    bad = [{"sample": k, "line": LINES[2]} for k in range(0, 80, 2)]
+    bad = [{"sample": k, "line": LINES[2]} for k in range(0, 160, 2)]
     assert regrade("claim", cases, {"paper/space": bad}) == "holds"
-    mistaken = [{"sample": k, "line": LINES[1]} for k in range(0, 80, 2)]
+    mistaken = [{"sample": k, "line": LINES[1]} for k in range(0, 160, 2)]
     assert regrade("claim", cases, {"paper/space": mistaken}) == "depends"
 
 
@@ -156,9 +156,9 @@ def test_cases_come_back_from_their_table_as_they_were(tmp_path):
     rows = csv.DictReader(io.StringIO(table(cases, Case)))
     db = sqlite3.connect(":memory:")
     db.execute(
-        "create table margins (paper, id, place, base, judged, met, margin, calibrated, rests_on)"
+        "create table margins (paper, id, place, base, judged, met, same, margin, calibrated, rests_on)"
     )
-    db.executemany("insert into margins values (?, ?, ?, ?, ?, ?, ?, ?, ?)", map(_margin, rows))
+    db.executemany("insert into margins values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", map(_margin, rows))
     read = [*cases_of(db, ("paper", "X1"))]
     assert [c.place for c in read] == [c.place for c in cases]
     assert regrade(item.kind, read) == regrade(item.kind, cases)

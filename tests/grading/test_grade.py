@@ -340,7 +340,7 @@ def test_draws_are_counted_without_the_cells_that_each_is_judged_in():
         "over": {"runs": "space"},
     }
     found = row({"base": dataset(5.0), "space": space}, **about)
-    assert found.depends_on.startswith("too few samples (8 of 59); true in 24 of 24 samples")
+    assert found.depends_on == "too few samples (8 of 59): true with a, b and c"
 
 
 def test_all_readings_of_a_grid_are_enough_however_few():
@@ -476,7 +476,8 @@ def test_a_published_file_names_its_fault(tmp_path):
 
 def test_every_check_exists_and_takes_what_it_is_given():
     file = published()
-    assert {f"A{k}" for k in range(1, 13)} <= {item.id for item in file.items}
+    known = {item.id for item in file.items}
+    assert {f"A{k}" for k in range(1, 17)} - {"A10"} <= known  # A10 is part of A8
     for entry in (*file.items, *file.errata):
         if entry.check:
             function = getattr(checks, entry.check)

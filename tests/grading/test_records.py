@@ -15,14 +15,18 @@ from riserstudy.grading.rows import Row, row_of, table
 from riserstudy.grading.words import decided_by, depends_on
 from riserstudy.records.graded import (
     Case,
+    Chosen,
     Graded,
     Grounds,
     Influence,
+    Meaning,
     Missing,
     Outcome,
     Premise,
+    Reading,
     Settled,
     Share,
+    Together,
 )
 
 LETTERS = list("ab .:;,()%=|'\"\\{}[]\n\tµ°–0")
@@ -41,7 +45,15 @@ def drawn(seed):
     def share():
         samples = int(draw.integers(1, 500))
         band = draw.random(2).tolist() if samples >= 100 else [None, None]
-        return Share(int(draw.integers(0, samples + 1)), samples, maybe(samples), *band)
+        met = int(draw.integers(0, samples + 1))
+        return Share(
+            met, samples, maybe(samples), *band, same=int(draw.integers(0, samples - met + 1))
+        )
+
+    def reading():
+        place = {text(): text() if draw.integers(2) else float(draw.normal())}
+        answer = draw.choice(["true", "no difference", "false", "depends"])
+        return Reading(place, str(answer), share(), [text() for _ in range(draw.integers(2))])
 
     def influence():
         effect = float(draw.random()) if draw.integers(2) else None
@@ -51,6 +63,8 @@ def drawn(seed):
     def outcome():
         one = Outcome(text(), number(), number(), bool(draw.integers(2)))
         names = [text() for _ in range(draw.integers(3))]
+        if draw.integers(2):
+            return replace(one, readings=[reading() for _ in range(draw.integers(1, 3))])
         return replace(one, share=share(), decided_by=names) if draw.integers(2) else one
 
     def maybe(value):
@@ -64,7 +78,11 @@ def drawn(seed):
         decided_by=[influence() for _ in range(draw.integers(4))],
         explained=maybe(float(draw.random())),
         premise=maybe(Premise(3, 8)),
+        words=[Meaning(text(), float(draw.random()), bool(draw.integers(2)), 0.02)],
+        readings=[reading() for _ in range(draw.integers(3))],
         missing=maybe(Missing(2, 9)),
+        together=maybe(Together([text()], share())),
+        chosen=maybe(Chosen(text(), bool(draw.integers(2)))),
         settled=maybe(Settled(maybe(96), 128, 0.99)),
         outcomes=[outcome() for _ in range(draw.integers(3))],
         note=text(),
@@ -106,6 +124,7 @@ def test_a_case_comes_back_from_its_table():
         {"line": "a; b: c.", "x": 1.5},
         True,
         False,
+        False,
         True,
         -0.25,
         False,
@@ -114,8 +133,8 @@ def test_a_case_comes_back_from_its_table():
     (row,) = csv.DictReader(io.StringIO(table([case], Case)))
     assert json.loads(row["place"]) == case.place
     assert json.loads(row["rests_on"]) == case.rests_on
-    flags = (row["base"], row["judged"], row["met"], row["margin"], row["calibrated"])
-    assert flags == ("1", "0", "1", "-0.25", "0")
+    flags = [row[name] for name in ("base", "judged", "met", "same", "margin", "calibrated")]
+    assert flags == ["1", "0", "0", "1", "-0.25", "0"]
 
 
 def test_a_semicolon_in_a_name_stays_within_what_decides():

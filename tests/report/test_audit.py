@@ -17,7 +17,7 @@ create table points (point integer primary key, study, place, error_displacement
 create table rests_on (paper, id, study);
 create table simulated_behind (study, source);
 create table numbers_and_claims (paper, id, kind, verdict, margin);
-create table margins (paper, id, place, base, judged, met, margin, calibrated, rests_on);
+create table margins (paper, id, place, base, judged, met, same, margin, calibrated, rests_on);
 insert into numbers_and_claims values
     ('paper', 'N1', 'claim', 'depends', null), ('paper', 'N2', 'claim', 'holds', null);
 """

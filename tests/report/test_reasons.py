@@ -2,7 +2,7 @@
 
 import pytest
 
-from riserstudy.records.graded import Grounds
+from riserstudy.records.graded import Grounds, Reading, Share
 from riserstudy.report.claims import Claim
 
 PLAIN = dict.fromkeys(Claim._fields) | {
@@ -23,7 +23,10 @@ def test_a_claim_without_samples_has_a_reason(verdict):
     assert claim(verdict=verdict).why.endswith(".")
 
 
-def test_what_was_run_in_full_says_so_in_place_of_an_interval():
-    assert claim(met=101, samples=432).complete
-    assert not claim(met=101, samples=432, band=(20, 27)).complete
-    assert not claim(met=4, samples=8).complete  # too few for an interval, drawn or not
+def test_interpretations_are_the_reason_where_they_answer_differently():
+    share = Share(1, 1)
+    readings = [Reading({"flow": "a"}, "true", share), Reading({"flow": "b"}, "false", Share(0, 1))]
+    found = claim(
+        verdict="depends", kind="claim", decided_by="flow", grounds=Grounds(readings=readings)
+    )
+    assert found.why == "Flow: true with a; false with b."

@@ -11,7 +11,7 @@ CLAIM, STUDY = ("paper", "C1"), "paper/runs"
 LABELS = ["a; b", "a, speed=1.0", 'o\'clock "x"']
 TABLES = """
 create table numbers_and_claims (paper, id, kind, verdict);
-create table margins (paper, id, place, base, judged, met, margin, calibrated, rests_on);
+create table margins (paper, id, place, base, judged, met, same, margin, calibrated, rests_on);
 create table studies (study, axes, table_name);
 create table columns (table_name, column_name, role, position);
 create table "odd ""name" (point integer primary key, "line" text, "speed_2" real);
@@ -33,9 +33,9 @@ def db():
     db.executemany('insert into "odd ""name" values (?, ?, ?)', points)
     db.execute("insert into numbers_and_claims values (?, ?, 'claim', 'depends')", CLAIM)
     for label, met in zip(LABELS, (1, 0, 1), strict=True):
-        case = (json.dumps({"line": label}), label == LABELS[0], 1, met, 0.1 if met else -0.1, 0)
+        case = (json.dumps({"line": label}), label == LABELS[0], 1, met, 0, 0.1 if met else -0.1, 0)
         row = (*CLAIM, *case, json.dumps({STUDY: ["line"]}))
-        db.execute("insert into margins values (?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
+        db.execute("insert into margins values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
     return db
 
 

@@ -170,6 +170,7 @@ create table margins (            -- of each case of a number or claim
     base integer not null check (base in (0, 1)),  -- the base case
     judged integer not null check (judged in (0, 1)),  -- counts in the share
     met integer check (met in (0, 1)),  -- null where nothing is found
+    same integer not null check (same in (0, 1)),  -- not true because what it compares does not differ
     margin real,
     calibrated integer not null check (calibrated in (0, 1)),
     rests_on text not null,       -- JSON: axes by which place picks its points, by simulated study

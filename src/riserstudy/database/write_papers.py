@@ -131,7 +131,7 @@ def _share(share: Share | None) -> tuple[float | int | None, ...]:
 def _margin(row: dict[str, str]) -> tuple[str | float | None, ...]:
     """A row of margins.csv."""
     # blank where nothing is found
-    flags = (int(row[name]) if row[name] else None for name in ("base", "judged", "met"))
+    flags = (int(row[name]) if row[name] else None for name in ("base", "judged", "met", "same"))
     margin, fitted = _number(row["margin"]), int(row["calibrated"])
     return row["paper"], row["id"], row["place"], *flags, margin, fitted, row["rests_on"]
 

@@ -91,7 +91,8 @@ def regrade(
     known = not all(base) or len(base) == sum(case.base for case in cases)
     missing = [case for case in left if case.met is None]
     verdicts = {
-        _with_missing(kind, judged, missing, hit) for hit in ([all(base)] if known else [True, False])
+        _with_missing(kind, judged, missing, hit)
+        for hit in ([all(base)] if known else [True, False])
     }
     return verdicts.pop() if len(verdicts) == 1 else None
 
@@ -107,11 +108,25 @@ def _with_missing(
 
 
 def _verdict(kind: Kind, judged: Sequence[Case], base: bool) -> Verdict:
-    share = sum(bool(case.met) for case in judged) / len(judged)
+    """One verdict with every interpretation; else it depends. No share is one of interpretations."""
     calibrated = any(case.calibrated for case in judged)
-    if kind == "number":
-        return verdict_of_number(base, share, calibrated)
-    return verdict_of_claim(share, calibrated, base, samples_of(judged))
+    verdicts = set()
+    for cases in by_reading(judged):
+        share = sum(bool(case.met) for case in cases) / len(cases)
+        if kind == "number":
+            verdicts.add(verdict_of_number(base, share, calibrated))
+        else:
+            verdicts.add(verdict_of_claim(share, calibrated, base, samples_of(cases)))
+    return verdicts.pop() if len(verdicts) == 1 else "depends"
+
+
+def by_reading(cases: Iterable[Case]) -> Iterable[list[Case]]:
+    """Cases by their interpretation: their place on all axes but that of samples."""
+    groups: dict[tuple[Any, ...], list[Case]] = {}
+    for case in cases:
+        place = tuple(value for axis, value in sorted(case.place.items()) if axis != "sample")
+        groups.setdefault(place, []).append(case)
+    return groups.values()
 
 
 def samples_of(cases: Iterable[Case]) -> int | None:

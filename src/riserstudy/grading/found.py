@@ -9,8 +9,9 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.errors import InputError
+from riserstudy.grading.yardstick import Condition, plain
 
-TRUE, FALSE = 1.0, -1.0
+TRUE, NO_DIFFERENCE, FALSE = 1.0, 0.0, -1.0
 
 
 class Found(NamedTuple):
@@ -18,12 +19,14 @@ class Found(NamedTuple):
 
     ``given``: where what the claim takes for granted is so, over samples; others are not judged. Absent: all.
     ``margin``: how far the claim is from where it would turn, as `riserstudy.grading.margin` has it.
+    ``same``: where it is not true because what it compares does not differ. Absent: nowhere.
     """
 
     value: xr.DataArray
     true: xr.DataArray | None = None
     given: xr.DataArray | None = None
     margin: xr.DataArray | None = None
+    same: xr.DataArray | None = None
 
     def at(self, cell: Mapping[str, Any]) -> Found:
         """One cell of it."""
@@ -44,9 +47,12 @@ class Found(NamedTuple):
         return self.at({"sample": self.given["sample"][self.given.values]})
 
 
-def judged(value: xr.DataArray, margin: xr.DataArray, given: xr.DataArray | None = None) -> Found:
-    """A claim that is true where its margin is above zero; not a number is no answer."""
-    return Found(value, margin > 0.0, given, margin)
+def judged(
+    value: xr.DataArray, judged_by: xr.DataArray | Condition, given: xr.DataArray | None = None
+) -> Found:
+    """A claim that is true where its condition is met; a margin that is not a number is no answer."""
+    condition = judged_by if isinstance(judged_by, Condition) else plain(judged_by)
+    return Found(value, condition.margin > 0.0, given, *condition)
 
 
 def answers(found: Found) -> xr.DataArray:
@@ -54,8 +60,8 @@ def answers(found: Found) -> xr.DataArray:
 
     Returns
     -------
-    1 where it is true, -1 where it is false, not a number where value or margin are none: a missing value is
-    no "no".
+    1 where it is true, 0 where what it compares does not differ, -1 where it is false; not a number where
+    value or margin are none, since a missing value is no "no".
 
     Raises
     ------
@@ -68,8 +74,10 @@ def answers(found: Found) -> xr.DataArray:
     known = known.all([dim for dim in known.dims if dim not in found.true.dims])
     if found.margin is not None:
         known = known & np.isfinite(found.margin)
-    answer: xr.DataArray = xr.where(found.true, TRUE, FALSE).where(known)
-    return answer.transpose(*found.true.dims)
+    answer: xr.DataArray = xr.where(found.true, TRUE, FALSE)
+    if found.same is not None:
+        answer = answer.where(found.true | ~found.same, NO_DIFFERENCE)
+    return answer.where(known).transpose(*found.true.dims)
 
 
 def consistent(found: Found, paper: str, check: str) -> Found:

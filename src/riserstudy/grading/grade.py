@@ -3,22 +3,43 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.origins import origins_of
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.cases import Behind, places_of, regrade
-from riserstudy.grading.found import FALSE, TRUE, Found, answers, at_cell, consistent, judged
-from riserstudy.grading.grounds import MANY, explained, outcome_of, settled
+from riserstudy.grading.found import (
+    FALSE,
+    NO_DIFFERENCE,
+    TRUE,
+    Found,
+    answers,
+    at_cell,
+    consistent,
+    judged,
+)
+from riserstudy.grading.grounds import MANY, explained, outcome_of, settled, share_of
 from riserstudy.grading.margin import below
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
+from riserstudy.grading.readings import axes_of_readings, base_share, readings_of
 from riserstudy.grading.rows import ErratumRow
-from riserstudy.grading.verdict import error, met, tolerance
-from riserstudy.records.graded import Case, Graded, Grounds, Missing, Outcome, Premise
+from riserstudy.grading.verdict import SLACK, error, met, tolerance
+from riserstudy.records.graded import (
+    Case,
+    Chosen,
+    Graded,
+    Grounds,
+    Meaning,
+    Missing,
+    Outcome,
+    Premise,
+    Together,
+)
 
 __all__ = ["Found", "answers", "errata", "grade", "graded", "judged"]
 
@@ -29,7 +50,11 @@ ENDS = (0.05, 0.95)  # shares of the samples between which margins are told
 
 def grade(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Graded]:
     """Every number and claim of a paper, by its checks; raises as ``graded``."""
-    return [graded(file.paper, item, checks, datasets, file.called) for item in file.items]
+    by_id = {item.id: item for item in file.items}
+    return [
+        graded(file.paper, item, checks, datasets, file.called, [by_id[i] for i in item.together])
+        for item in file.items
+    ]
 
 
 def graded(
@@ -38,10 +63,12 @@ def graded(
     checks: Checks,
     datasets: Datasets,
     called: Mapping[str, str] | None = None,
+    others: Sequence[Item] = (),
 ) -> Graded:
     """One number or claim, with the grounds of its verdict and all its cases.
 
-    ``called``: what inputs are called, as in ``riserstudy.grading.names.input_name``.
+    ``called``: what inputs are called, as in ``riserstudy.grading.names.input_name``. ``others``: numbers
+    that the same case is to meet.
 
     Raises
     ------
@@ -54,15 +81,15 @@ def graded(
     if item.impossible:
         grounds = Grounds(impossible=item.impossible, note=item.note)
         return Graded(*printed, None, item.unit, None, "not reproducible", grounds)
-    asked = Asked(paper, item, checks, datasets, called)
+    asked = Asked(paper, item, checks, datasets, called, others)
     looked = asked.look(item.reads)
     base = asked.at_base(looked, item.base)
     every = asked.look(item.over) if item.over else looked
     space = every.granted() if every.granted().value.size else base
     simulated, at_base = float(base.value), _answers(item, base)
     if not math.isfinite(simulated) or bool(at_base.isnull().any()):
-        found = f"{simulated}, and no margin" if math.isfinite(simulated) else f"{simulated}"
-        raise SimulationError(f"{paper}/{item.id}: {item.check} finds {found}")
+        said = f"{simulated}, and no margin" if math.isfinite(simulated) else f"{simulated}"
+        raise SimulationError(f"{paper}/{item.id}: {item.check} finds {said}")
     cases = [*_cases(asked, base, space)]
     verdict = regrade(item.kind, cases)
     if verdict is None:
@@ -76,6 +103,9 @@ def graded(
             about = about.sel(sample=found["sample"])
         known = regrade(item.kind, [case for case in cases if case.met is not None])
         hit = bool((at_base > 0.0).all())
+        readings = readings_of(item.kind, found, about, called)
+        whole = share_of(found) if not axes_of_readings(found) else base_share(found, item.base)
+        grounds = replace(grounds, share=whole, readings=readings)
         grounds = explained(grounds, found, about, known or verdict, hit, called)
         if known != verdict:
             grounds = replace(grounds, because="missing values")
@@ -91,6 +121,7 @@ class Asked(NamedTuple):
     checks: Checks
     datasets: Datasets
     called: Mapping[str, str] | None
+    others: Sequence[Item]
 
     @property
     def about(self) -> xr.Dataset:
@@ -100,6 +131,9 @@ class Asked(NamedTuple):
     def look(self, reads: Mapping[str, str]) -> Found:
         """What its check finds in some datasets."""
         found: Found = _answer(self.item, reads, self.checks, self.datasets)
+        for other in self.others:
+            theirs: Found = _answer(other, reads, self.checks, self.datasets)
+            found = _together(self.item, found, other, theirs)
         return consistent(found, self.paper, self.item.check or "")
 
     def at_base(self, found: Found, cell: Mapping[str, Any]) -> Found:
@@ -107,6 +141,14 @@ class Asked(NamedTuple):
         if not cell:
             return found
         return at_cell(found, cell, f"config/published/{self.paper}.yaml", f"{self.item.id}.base")
+
+
+def _together(item: Item, found: Found, other: Item, theirs: Found) -> Found:
+    """A number that counts as met where another is, too."""
+    mine = _room(item, found.value) if found.margin is None else found.margin
+    room = xr.apply_ufunc(np.minimum, mine, _room(other, theirs.value))
+    on_the_bound = (room <= 0.0) & (room > -SLACK)  # is inside it, as of a number alone
+    return judged(found.value, room.where(~on_the_bound, SLACK), found.given)
 
 
 def _grounds(asked: Asked, base: Found, every: Found, found: xr.DataArray) -> Grounds:
@@ -118,10 +160,14 @@ def _grounds(asked: Asked, base: Found, every: Found, found: xr.DataArray) -> Gr
     known = found.values[found.notnull().values]
     many = found.dims == ("sample",) and known.size >= MANY
     left_out = found.size - known.size
+    alone = share_of(_met(item, granted.value)) if item.together else None
     return Grounds(
         within=item.within,
+        words=[Meaning(*word) for word in item.words],
         premise=premise,
         missing=Missing(left_out, found.size) if left_out else None,
+        together=Together(item.together, alone) if alone else None,
+        chosen=Chosen(item.chosen.what, item.chosen.varied) if item.chosen else None,
         settled=settled(known > 0.0) if many else None,
         outcomes=[*_outcomes(asked, base)],
         note=item.note,
@@ -133,7 +179,9 @@ def _outcomes(asked: Asked, base: Found) -> Iterator[Outcome]:
     item = asked.item
 
     def of(name: str, found: Found, about: xr.Dataset) -> Outcome:
-        return outcome_of(name, found.value, _answers(item, found), about, asked.called)
+        answer = _answers(item, found)
+        many = readings_of(item.kind, answer, about, asked.called)
+        return outcome_of(name, found.value, answer, about, asked.called, many)
 
     if item.published is None:
         yield of("Base case", base, asked.about)
@@ -149,6 +197,7 @@ def _cases(asked: Asked, base: Found, space: Found) -> Iterator[Case]:
     # a claim is judged over what is open, where a value fitted for the base case may be free
     judging = {*item.over.values()} if item.kind == "claim" and item.over else item.datasets
     calibrated = any("calibrated" in origins_of(datasets[name]).values() for name in judging)
+    calibrated |= item.chosen is not None and not item.chosen.varied
 
     def of(found: Found, reads: Mapping[str, str], at: Mapping[str, Any]) -> Iterator[Case]:
         behind = Behind(asked.paper, {name: datasets[name] for name in reads.values()})
@@ -158,7 +207,9 @@ def _cases(asked: Asked, base: Found, space: Found) -> Iterator[Case]:
             known = not math.isnan(one)
             here = math.nan if margin is None else float(margin.values[index])
             yield Case(
-                *(asked.paper, item.id, place, False, known, one > 0.0 if known else None),
+                *(asked.paper, item.id, place, False, known),
+                one > 0.0 if known else None,
+                one == NO_DIFFERENCE,
                 None if math.isnan(here) or not known else here,
                 calibrated,
                 behind.rests_on(place),
@@ -193,21 +244,33 @@ def _margins(
 
 def _margin(item: Item, found: Found) -> xr.DataArray | None:
     """How far a number is from the end of its tolerance, a claim from where it would turn; -1 to 1."""
-    if item.published is None or item.rounding is None:
+    if item.published is None or item.together:
         return None if found.margin is None else found.margin.clip(-1.0, 1.0)
-    off = abs(found.value - item.published)
-    return below(off, tolerance(item.published, item.rounding, item.within)).clip(-1.0, 1.0)
+    return _room(item, found.value)
+
+
+def _room(item: Item, value: xr.DataArray) -> xr.DataArray:
+    """How far a number is from the end of its tolerance; -1 to 1."""
+    published, rounding = item.published or 0.0, item.rounding or 0.0
+    return below(abs(value - published), tolerance(published, rounding, item.within)).clip(
+        -1.0, 1.0
+    )
 
 
 def _answers(item: Item, found: Found) -> xr.DataArray:
     """Where a number is met, or a claim true; as ``answers``."""
-    if item.published is None or item.rounding is None:
+    if item.published is None or item.together:
         if found.true is None:
             allowed = "allowed is `judged(value, margin)`, as of a claim; of a number, published and rounding"
             raise InputError("config/published", item.id, f"{item.check} judges no claim", allowed)
         return answers(found)
-    hits = met(found.value, item.published, item.rounding, item.within)
-    answer: xr.DataArray = xr.where(hits, TRUE, FALSE).where(found.value.notnull())
+    return _met(item, found.value)
+
+
+def _met(item: Item, value: xr.DataArray) -> xr.DataArray:
+    """Where a number is met by itself, as ``answers``."""
+    hits = met(value, item.published or 0.0, item.rounding or 0.0, item.within)
+    answer: xr.DataArray = xr.where(hits, TRUE, FALSE).where(value.notnull())
     return answer
 
 

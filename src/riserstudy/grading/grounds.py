@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from scipy.stats import binomtest
 
 from riserstudy.errors import SimulationError
+from riserstudy.grading.found import NO_DIFFERENCE
 from riserstudy.grading.names import input_name
 from riserstudy.grading.sensitivity import deciding, shares_by_option
 from riserstudy.grading.sequential import SURE, decided_after
 from riserstudy.grading.verdict import ALMOST_ALWAYS, few
-from riserstudy.records.graded import Grounds, Influence, Outcome, Settled, Share, Verdict
+from riserstudy.records.graded import Grounds, Influence, Outcome, Reading, Settled, Share, Verdict
 
 MANY = 100  # samples from which a share has an interval
 
@@ -32,7 +33,7 @@ def explained(
     base: bool,
     called: Called,
 ) -> Grounds:
-    """The grounds with the share of the samples, and where it depends what decides.
+    """The grounds, with what decides: interpretations where these answer differently, else inputs.
 
     Parameters
     ----------
@@ -41,13 +42,15 @@ def explained(
     verdict : of the cases in which something is found.
     base : whether the base case is met.
     """
-    share = share_of(found)
-    grounds = replace(grounds, share=share)
     if verdict != "depends":
         return grounds
-    if share.met / share.samples >= ALMOST_ALWAYS:  # whatever else is open, it decides nothing
-        short = base and few(share.draws)
+    shares = [reading.share for reading in grounds.readings] or [share_of(found)]
+    if all(share.met / share.samples >= ALMOST_ALWAYS for share in shares):
+        # whatever else is open, it decides nothing
+        short = base and any(few(share.draws) for share in shares)
         return replace(grounds, because="too few samples" if short else "base case")
+    if len({reading.answer for reading in grounds.readings}) > 1:
+        return replace(grounds, because="inputs", decided_by=_axes(grounds.readings, called))
     decides = deciding(found, about)
     options = shares_by_option(found, about, decides.names)
     influences = [
@@ -59,10 +62,25 @@ def explained(
     return replace(grounds, because="inputs", decided_by=influences, explained=decides.explained)
 
 
+def _axes(readings: Sequence[Reading], called: Called) -> list[Influence]:
+    """The axes on which interpretations differ; of one axis with the share under each option."""
+    axes = [*readings[0].place]
+    options = {str(r.place[axes[0]]): r.share.met / r.share.samples for r in readings}
+    by_option = options if len(axes) == 1 else {}
+    return [Influence(axis, input_name(axis, called), None, by_option) for axis in axes]
+
+
 def outcome_of(
-    name: str, value: xr.DataArray, found: xr.DataArray, about: xr.Dataset, called: Called
+    name: str,
+    value: xr.DataArray,
+    found: xr.DataArray,
+    about: xr.Dataset,
+    called: Called,
+    readings: Sequence[Reading] = (),
 ) -> Outcome:
     """One further case, of one cell or many; ``found`` and ``about`` as in ``explained``.
+
+    ``readings``: what it finds with each interpretation, where there are several.
 
     Raises
     ------
@@ -73,9 +91,12 @@ def outcome_of(
     if not bool(found.notnull().any()):
         raise SimulationError(f"{name}: nothing is found in any case")
     if not found.ndim:
-        return Outcome(name, low, high, bool(found > 0.0))
+        return Outcome(name, low, high, bool(found > 0.0), same=bool(found == NO_DIFFERENCE))
+    every = bool((found > 0.0).all())
+    if readings:
+        return Outcome(name, low, high, every, readings=[*readings])
     names = [input_name(path, called) for path in deciding(found, about).names]
-    return Outcome(name, low, high, bool((found > 0.0).all()), share_of(found), names)
+    return Outcome(name, low, high, every, share_of(found), names)
 
 
 def share_of(found: xr.DataArray) -> Share:
@@ -86,7 +107,8 @@ def share_of(found: xr.DataArray) -> Share:
     known = found.notnull()
     others = [dim for dim in found.dims if dim != "sample"]
     draws = int(known.any(others).sum()) if "sample" in found.dims else None
-    share = Share(int((found > 0.0).sum()), int(known.sum()), draws)
+    same = int((found == NO_DIFFERENCE).sum())
+    share = Share(int((found > 0.0).sum()), int(known.sum()), draws, same=same)
     if draws is None or draws < MANY:
         return share
     true = round(share.met / share.samples * draws)

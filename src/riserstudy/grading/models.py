@@ -11,6 +11,8 @@ from riserstudy.digests import defining
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.verdict import RELATIVE
+from riserstudy.grading.words_file import read_words
+from riserstudy.grading.yardstick import Word
 from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml
@@ -24,8 +26,14 @@ class PrintedNumber(Strict):
     printed: str
 
 
+class WordName(Strict):
+    """Stands for a word of size, whose bound `config/published/words.yaml` has."""
+
+    word: str
+
+
 InWords = Annotated[str, Field(min_length=1)]
-Option = str | float | list[float] | list[str] | PrintedNumber
+Option = str | float | list[float] | list[str] | PrintedNumber | WordName | Word
 
 
 class Checked(Strict):
@@ -50,6 +58,21 @@ class Checked(Strict):
         """Names of all datasets needed."""
         return set(self.reads.values())
 
+    @property
+    def words(self) -> list[Word]:
+        """Words of size that it is judged by."""
+        return [option for option in self.options.values() if isinstance(option, Word)]
+
+
+class ChosenBy(Strict):
+    """What of the base case was chosen because it gives a number or shows a claim.
+
+    ``varied``: whether samples vary it. Where they do not, meeting the number or claim is no evidence.
+    """
+
+    what: InWords
+    varied: bool
+
 
 class Item(Checked):
     """A printed number or claim.
@@ -60,6 +83,7 @@ class Item(Checked):
     one cell, or many with their range and the share of hits.
     ``impossible`` says why nothing can be compared.
     ``within``: share of the printed value that a number is to be met to, as `0.15 %`. Absent: 1 %.
+    ``together``: IDs of numbers that the same case is to meet, since the paper has them of one case.
     """
 
     figure: str
@@ -72,6 +96,8 @@ class Item(Checked):
     over: dict[str, str] = Field(default_factory=dict)
     base: dict[str, str | float] = Field(default_factory=dict)
     beside: dict[str, dict[str, str]] = Field(default_factory=dict)
+    together: list[str] = Field(default_factory=list)
+    chosen: ChosenBy | None = None
     impossible: str = ""
     note: str = ""
 
@@ -159,6 +185,18 @@ class PublishedFile(Strict):
         return self
 
     @model_validator(mode="after")
+    def _together_with_numbers(self) -> Self:
+        numbers = {item.id: item for item in self.items if item.published is not None}
+        for item in self.items:
+            for other in item.together:
+                if item.id not in numbers or other not in numbers or other == item.id:
+                    found = f"{item.id}: together: {other!r} is no other number"
+                    raise ValueError(f"{found}; allowed are {', '.join(numbers)}")
+                if set(numbers[other].reads) != set(item.reads):
+                    raise ValueError(f"{item.id}: together: {other} reads by other names")
+        return self
+
+    @model_validator(mode="after")
     def _options_name_numbers(self) -> Self:
         for entry in (*self.items, *self.errata):
             for name, option in entry.options.items():
@@ -201,10 +239,20 @@ def printed_of(config: Path, paper: str) -> PublishedFile:
     Raises
     ------
     InputError
-        When its file cannot be meant.
+        When its file cannot be meant, or names a word that is not in the table of words.
     """
     path = published_path(config, paper)
-    return check(PublishedFile, read_yaml(path, keep=True), path)
+    file = check(PublishedFile, read_yaml(path, keep=True), path)
+    _look_up_words(file, config)
+    return file
+
+
+def _look_up_words(file: PublishedFile, config: Path) -> None:
+    """Put bounds in the place of names of words."""
+    for entry in (*file.items, *file.errata):
+        for name, option in entry.options.items():
+            if isinstance(option, WordName):
+                entry.options[name] = read_words(config).word(option.word)
 
 
 def read_published(config: Path, paper: str, known: Any) -> PublishedFile:

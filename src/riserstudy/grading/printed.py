@@ -12,6 +12,7 @@ from typing import Any
 
 from riserstudy.errors import InputError
 from riserstudy.grading.models import PrintedInput, PublishedFile, printed_of, published_path
+from riserstudy.grading.words_file import read_words
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import plain_values
 
@@ -32,19 +33,27 @@ def with_printed(
 ) -> dict[str, Any]:
     """Settings of a figure or a derived dataset, ``{printed: N1}`` replaced by that number of the paper.
 
+    ``{word: smaller}`` is replaced by the bound of that word.
+
     ``file`` is what the paper printed, where it has been read.
 
     Raises
     ------
     InputError
-        When the paper has no such number.
+        When the paper has no such number, or the table no such word.
     """
-    if not any(_names_a_number(value) for value in settings.values()):
+    if any(_names(value, "word") for value in settings.values()):
+        words = read_words(config)
+        settings = {
+            name: words.word(value["word"]).bound if _names(value, "word") else value
+            for name, value in settings.items()
+        }
+    if not any(_names(value, "printed") for value in settings.values()):
         return settings
     file = file or printed_of(config, paper)
     try:
         return {
-            name: file.number(value["printed"]) if _names_a_number(value) else value
+            name: file.number(value["printed"]) if _names(value, "printed") else value
             for name, value in settings.items()
         }
     except ValueError as error:
@@ -52,8 +61,8 @@ def with_printed(
         raise InputError(config / "studies" / f"{paper}.yaml", "with", found, allowed) from None
 
 
-def _names_a_number(value: Any) -> bool:
-    return isinstance(value, dict) and list(value) == ["printed"]
+def _names(value: Any, what: str) -> bool:
+    return isinstance(value, dict) and list(value) == [what]
 
 
 def printed_as(inputs: Iterable[PrintedInput], path: str, value: Any) -> PrintedInput | None:

@@ -44,8 +44,8 @@ def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
 
     Parameters
     ----------
-    outcome : above zero where it is one, over ``sample`` and any other dimensions; cells that are not a number
-        are left out.
+    outcome : above zero where it is one, over ``sample`` and any other dimensions; cells that are not a
+        number are left out.
     about : holds what each sample assumed, as variables ``assumed_...`` with the path as long_name.
     """
     known, hits = _known_hits(outcome)

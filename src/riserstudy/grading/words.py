@@ -2,12 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from riserstudy.grading.names import option_name
 from riserstudy.grading.verdict import ENOUGH
-from riserstudy.records.graded import Grounds, Influence, Kind, Missing, Outcome, Premise, Settled, Share
+from riserstudy.records.graded import (
+    Chosen,
+    Grounds,
+    Influence,
+    Kind,
+    Meaning,
+    Missing,
+    Outcome,
+    Premise,
+    Reading,
+    ReadingAnswer,
+    Settled,
+    Share,
+    Together,
+)
 
+MANY, NAMED = 12, 6  # of more interpretations than that, only so few are named
 _HIT = {"number": ("met", "missed"), "claim": ("true", "false")}
 
 
@@ -20,7 +35,8 @@ def note(kind: Kind, unit: str, grounds: Grounds) -> str:
     unit : of what is simulated.
     """
     share = [] if grounds.because else share_in_words(kind, grounds)
-    options = [_by_option(kind, influence) for influence in grounds.decided_by]
+    by = [] if grounds.readings else grounds.decided_by
+    options = [_by_option(kind, influence) for influence in by]
     parts = (*share, *_influence(grounds), *options, *_further(kind, unit, grounds))
     return " ".join(text for text in parts if text)
 
@@ -34,8 +50,11 @@ def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
     """All but shares and what decides."""
     yield grounds.impossible
     yield from _within(grounds.within)
+    yield from _meanings(grounds.words)
     yield from _premise(grounds.premise)
     yield from _missing(grounds.missing)
+    yield from _together(grounds.together)
+    yield from _chosen(grounds.chosen)
     yield from _settled(grounds.settled)
     for outcome in grounds.outcomes:
         yield _outcome(kind, unit, outcome)
@@ -44,15 +63,48 @@ def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
 
 def depends_on(kind: Kind, grounds: Grounds) -> str:
     """What decides and in how many samples it is met; "" where the verdict does not depend."""
-    if not grounds.because or not grounds.share:
+    if not grounds.because:
         return ""
-    return f"{decided_by(grounds)}; {_share(grounds.share, _HIT[kind][0])}"
+    if grounds.readings:
+        return f"{decided_by(grounds)}: {by_reading(kind, grounds.readings)}"
+    return f"{decided_by(grounds)}; {_share(grounds.share, _HIT[kind][0])}" if grounds.share else ""
+
+
+def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
+    """What is found with which interpretation: first what is certain, then shares within interpretations."""
+    true, false = _HIT[kind]
+    words: dict[ReadingAnswer, str] = {
+        "true": true,
+        "no difference": "no difference",
+        "false": false,
+    }
+    parts, many = [], len(readings) > MANY
+    for answer, word in words.items():
+        names = [reading_name(r) for r in readings if r.answer == answer]
+        if names and many and len(names) > NAMED:
+            parts.append(f"{word} with {len(names)} of {len(readings)}")
+        elif names:
+            parts.append(f"{word} with {listed(names)}")
+    for reading in readings:
+        if reading.answer == "depends":
+            by = f", decided by {listed(reading.decided_by)}" if reading.decided_by else ""
+            parts.append(f"{_share(reading.share, true)} with {reading_name(reading)}{by}")
+    return "; ".join(parts)
+
+
+def reading_name(reading: Reading) -> str:
+    """An interpretation by its place on the axes."""
+    return " / ".join(
+        option_name(value) if isinstance(value, str) else f"{value:g}"
+        for value in reading.place.values()
+    )
 
 
 def decided_by(grounds: Grounds) -> str:
     """What decides; "" where the verdict does not depend."""
-    if grounds.because == "too few samples" and grounds.share:
-        return f"too few samples ({grounds.share.draws} of {ENOUGH})"
+    if grounds.because == "too few samples":
+        shares = [reading.share for reading in grounds.readings] or [grounds.share or Share(0, 1)]
+        return f"too few samples ({min(share.draws or 0 for share in shares)} of {ENOUGH})"
     if grounds.because == "base case":
         return "the base case"
     if grounds.because == "missing values" and grounds.missing:
@@ -78,7 +130,9 @@ def margin_in_words(margin: float, low: float | None, high: float | None) -> str
 
 
 def share_in_words(kind: Kind, grounds: Grounds) -> list[str]:
-    """In how many samples it is met, as a sentence; none where nothing is sampled."""
+    """In how many samples, or with which interpretations, it is met; none where nothing is sampled."""
+    if grounds.readings:
+        return [f"{_capital(by_reading(kind, grounds.readings))}."]
     return [f"{_capital(_share(grounds.share, _HIT[kind][0]))}."] if grounds.share else []
 
 
@@ -109,6 +163,18 @@ def _within(share: float | None) -> Iterator[str]:
         yield f"To be met within {100 * share:g} %."
 
 
+def _meanings(words: Iterable[Meaning]) -> Iterator[str]:
+    """What words of size mean."""
+    for word in words:
+        bound, band = f"{100 * word.bound:g} %", f"{100 * word.band:g} %"
+        if word.most:
+            yield f'"{_capital(word.word)}" means by {bound} at most.'
+        elif word.bound == word.band:
+            yield f'"{_capital(word.word)}" means by {bound} or more; less is no difference.'
+        else:
+            yield f'"{_capital(word.word)}" means by {bound} or more; less than {band} is no difference.'
+
+
 def _premise(premise: Premise | None) -> Iterator[str]:
     """How many samples a claim with a premise is judged by."""
     if premise is None:
@@ -127,6 +193,23 @@ def _missing(missing: Missing | None) -> Iterator[str]:
         yield f"Left out, as nothing is found there: {missing.cases} of {missing.of} cases."
 
 
+def _together(together: Together | None) -> Iterator[str]:
+    """With which numbers it is judged, and how often it is met alone."""
+    if together is None:
+        return
+    others, alone = listed(together.others), together.alone
+    of = "samples" if alone.draws is not None else "interpretations"
+    yield f"Judged together with {others}; alone it is met in {alone.met} of {alone.samples} {of}."
+
+
+def _chosen(chosen: Chosen | None) -> Iterator[str]:
+    """What of the base case was chosen by it."""
+    if chosen is None:
+        return
+    then = "samples vary it" if chosen.varied else "nothing varies it, so this proves nothing"
+    yield f"The base case was chosen to give this, by {chosen.what}; {then}."
+
+
 def _settled(settled: Settled | None) -> Iterator[str]:
     """When the verdict was certain."""
     if settled is None:
@@ -142,10 +225,13 @@ def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
     """The base case or a further case, of one cell or many."""
     true, false = _HIT[kind]
     of = f" {unit}" if unit not in ("", "1") else ""
-    if outcome.share is None:
-        return f"{outcome.name}: {outcome.low:.3g}{of}, {true if outcome.met else false}."
-    by = f", decided by {listed(outcome.decided_by)}" if outcome.decided_by else ""
     cells = f"{outcome.low:.3g} to {outcome.high:.3g}{of}"
+    if outcome.readings:
+        return f"{outcome.name}: {cells}, {by_reading(kind, outcome.readings)}."
+    if outcome.share is None:
+        answer = "no difference" if outcome.same else true if outcome.met else false
+        return f"{outcome.name}: {outcome.low:.3g}{of}, {answer}."
+    by = f", decided by {listed(outcome.decided_by)}" if outcome.decided_by else ""
     return f"{outcome.name}: {cells}, {_share(outcome.share, true)}{by}."
 
 
@@ -154,7 +240,9 @@ def _share(share: Share, word: str) -> str:
     percent = f"{100 * share.met / share.samples:.0f} %"
     if share.low is not None and share.high is not None:
         percent += f", {100 * share.low:.0f} to {100 * share.high:.0f} %"
-    return f"{word} in {share.met} of {share.samples} samples ({percent})"
+    same = f", no difference in {share.same}" if share.same else ""
+    of = "samples" if share.draws is not None else "interpretations"
+    return f"{word} in {share.met} of {share.samples} {of} ({percent}){same}"
 
 
 def _capital(text: str) -> str:

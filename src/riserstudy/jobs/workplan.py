@@ -23,6 +23,7 @@ from riserstudy.figures import module_of_plot
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.models import PublishedFile, published_path, read_published
 from riserstudy.grading.printed import with_printed
+from riserstudy.grading.words_file import words_path
 from riserstudy.jobs.plan_checks import refuse_settings, refuse_unprinted, warnings
 from riserstudy.numerics.measure import module_of
 from riserstudy.numerics.reference.folder import references
@@ -313,8 +314,9 @@ class Workplan:
         return frozenset().union(*map(sources_behind, (GRADE, *modules)))
 
     def grade_digest(self, paper: str) -> str:
-        """The printed numbers and claims, and the code that grades."""
-        printed = digest([published_path(self.config, paper)])
+        """The printed numbers and claims, the words they are judged by, and the code that grades."""
+        files = [published_path(self.config, paper), words_path(self.config)]
+        printed = digest([path for path in files if path.exists()])
         return f"{printed}-{digest(self.grade_code(paper))}"
 
     @property

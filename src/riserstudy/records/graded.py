@@ -13,6 +13,8 @@ Verdict = Literal["reproduced", "calibrated", "holds", "fails", "depends", "not 
 #: what cases would say in which nothing is found
 Because = Literal["inputs", "base case", "too few samples", "missing values"]
 Place = dict[str, Any]  # value by axis
+#: what almost all samples of an interpretation say; of a number, whether it is met
+ReadingAnswer = Literal["true", "no difference", "false", "depends"]
 
 
 class Travelling:
@@ -30,6 +32,7 @@ class Case:
     place : its sample and its cell on the axes that are judged, by axis.
     base, judged : whether it is the base case, and whether it counts in the share.
     met : whether the number is met, or the claim true; None where nothing is found, which is never judged.
+    same : whether a claim is not true because what it compares does not differ.
     margin : how far it is from where that would turn, -1 to 1; None where that is not known.
     calibrated : whether a value fitted to a printed number is behind it.
     rests_on : simulated studies (paper/name) with the axes by whose values, those of ``place``, its points
@@ -42,6 +45,7 @@ class Case:
     base: bool
     judged: bool
     met: bool | None
+    same: bool
     margin: float | None
     calibrated: bool
     rests_on: dict[str, list[str]]
@@ -51,6 +55,7 @@ class Case:
 class Share(Travelling):
     """How many samples meet a number or claim, counted in every cell that they are judged in.
 
+    ``same``: of the samples, those in which what a claim compares does not differ.
     ``draws``: of what is open, without cells; None where all combinations of readings are judged.
     ``low``, ``high``: 95 % interval of the share, 0 to 1; None where draws are few, or none are.
     """
@@ -60,6 +65,30 @@ class Share(Travelling):
     draws: int | None = None
     low: float | None = None
     high: float | None = None
+    same: int = 0
+
+
+@dataclass(frozen=True)
+class Reading(Travelling):
+    """What is found with one interpretation, at its place on the axes of interpretations.
+
+    ``share``: of its samples. ``decided_by``: names of inputs, where it depends on these.
+    """
+
+    place: Place
+    answer: ReadingAnswer
+    share: Share
+    decided_by: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Meaning(Travelling):
+    """A word of size in a claim: its bound, an upper one (``most``) or a lower one, and its dead band."""
+
+    word: str
+    bound: float
+    most: bool
+    band: float
 
 
 @dataclass(frozen=True)
@@ -84,7 +113,8 @@ class Influence(Travelling):
 class Outcome(Travelling):
     """What the base case or a further case finds; ``low`` and ``high`` are one value where it has one cell.
 
-    ``share``, ``decided_by`` (names of inputs): of a case of many cells.
+    ``share``, ``decided_by`` (names of inputs): of a case of many cells. ``readings``: as of ``Grounds``,
+    in place of these. ``same``: as of a ``Case``.
     """
 
     name: str
@@ -93,6 +123,8 @@ class Outcome(Travelling):
     met: bool
     share: Share | None = None
     decided_by: list[str] = field(default_factory=list)
+    same: bool = False
+    readings: list[Reading] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -112,6 +144,22 @@ class Missing(Travelling):
 
 
 @dataclass(frozen=True)
+class Together(Travelling):
+    """IDs of numbers that are judged with one, in the same case; how often it is met alone."""
+
+    others: list[str]
+    alone: Share
+
+
+@dataclass(frozen=True)
+class Chosen(Travelling):
+    """What of the base case was chosen because it gives this; whether samples vary it."""
+
+    what: str
+    varied: bool
+
+
+@dataclass(frozen=True)
 class Settled(Travelling):
     """After how many samples the verdict was certain, None where all leave it open; at which confidence."""
 
@@ -128,25 +176,33 @@ class Grounds(Travelling):
     ----------
     impossible : why nothing is compared; "" where something is.
     within : share of the printed value to which it is to be met, where that is stricter than 1 %.
-    share : of the samples that meet it; None where nothing is sampled.
+    words : words of size that a claim is judged by.
+    share : of the samples that meet it, with the interpretation of the base case where there are several;
+        None where nothing is sampled, or the base case is of none.
+    readings : what is found with each interpretation; empty where there is one only.
     because : why it depends; None where it does not.
     decided_by : the inputs that decide, the most important first.
     explained : share of the variance that these explain together, 0 where none stands out from chance;
         None where that was not asked, or where inputs have total effects.
     premise, settled : None where there is no premise, and where samples are few.
     missing : None where something is found in every case.
+    together : None where it is judged alone. chosen : None where nothing was chosen by it.
     outcomes : of the base case, where it is told, and of further cases.
     note : of the paper's file.
     """
 
     impossible: str = ""
     within: float | None = None
+    words: list[Meaning] = field(default_factory=list)
     share: Share | None = None
+    readings: list[Reading] = field(default_factory=list)
     because: Because | None = None
     decided_by: list[Influence] = field(default_factory=list)
     explained: float | None = None
     premise: Premise | None = None
     missing: Missing | None = None
+    together: Together | None = None
+    chosen: Chosen | None = None
     settled: Settled | None = None
     outcomes: list[Outcome] = field(default_factory=list)
     note: str = ""

@@ -7,19 +7,19 @@ from collections import Counter
 from typing import Any, NamedTuple
 
 from riserstudy.grading.names import option_name
-from riserstudy.grading.words import margin_in_words, remarks
-from riserstudy.records.graded import Grounds, Influence
+from riserstudy.grading.words import by_reading, margin_in_words, remarks
+from riserstudy.records.graded import Grounds, Influence, Kind
 from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
     "reproduced": "within the printed rounding or 1 %, with nothing fitted",
     "calibrated": "met with an input that was fitted to a printed number",
-    "holds": "true in the base case and in at least 95 % of samples of the unspecified inputs, 59 or more",
-    "depends": "decided by an input that the paper does not give",
+    "holds": "true in the base case and in at least 95 % of samples of the unspecified inputs, 59 or more, "
+    "with every interpretation",
+    "depends": "decided by an input that the paper does not give, or by how a sentence is interpreted",
     "fails": "a number that no sample meets, a claim true in at most 5 %",
     "not reproducible": "the paper does not say enough",
 }
-ENOUGH = 100  # samples from which a share has an interval, where they are draws
 #: columns of the database that a claim has under the same name
 AS_IT_IS = (
     *("paper", "id", "figure", "kind", "statement", "published", "simulated", "unit", "error"),
@@ -44,7 +44,7 @@ class Claim(NamedTuple):
     paper: str
     id: str
     figure: str
-    kind: str
+    kind: Kind
     statement: str
     published: float | None
     simulated: float | None
@@ -72,15 +72,18 @@ class Claim(NamedTuple):
         return 100.0 * self.met / self.samples
 
     @property
-    def complete(self) -> bool:
-        """Whether its samples are all combinations of readings: enough for an interval, and none is told."""
-        return self.band is None and (self.samples or 0) >= ENOUGH
+    def _by_reading(self) -> str:
+        """What is found with which interpretation, after what decides."""
+        found = by_reading(self.kind, self.grounds.readings)
+        return f"{self.decided_by}: {found}" if self.decided_by else found
 
     @property
     def why(self) -> str:
         """One short reason for the verdict."""
         if self.verdict == "not reproducible":
             return sentence(self.grounds.impossible or "the paper does not say enough")
+        if self.grounds.readings:
+            return sentence(self._by_reading)
         if self.verdict == "depends":
             if self.grounds.because == "too few samples":
                 return f"True in {self.met} of {self.samples} samples: {self.decided_by}."

@@ -66,12 +66,20 @@ def without_points(
 
 def cases_of(db: sqlite3.Connection, verdict: Verdict) -> Iterable[Case]:
     """Cases of a number or claim, as grading wrote them."""
-    asked = "select place, base, judged, met, margin, calibrated, rests_on from margins"
+    asked = "select place, base, judged, met, same, margin, calibrated, rests_on from margins"
     rows = db.execute(f"{asked} where paper = ? and id = ?", verdict)
-    for place, base, judged, met, margin, calibrated, rests_on in rows:
-        flags = bool(base), bool(judged), None if met is None else bool(met)
-        behind = json.loads(rests_on)
-        yield Case(*verdict, json.loads(place), *flags, margin, bool(calibrated), behind)
+    for place, base, judged, met, same, margin, calibrated, rests_on in rows:
+        yield Case(
+            *verdict,
+            json.loads(place),
+            bool(base),
+            bool(judged),
+            None if met is None else bool(met),
+            bool(same),
+            margin,
+            bool(calibrated),
+            json.loads(rests_on),
+        )
 
 
 def places(db: sqlite3.Connection, study: str, points: Iterable[int]) -> list[Place]:

@@ -16,12 +16,14 @@ from riserstudy.chapters.fem_riser.along import (
     stress_factor,
     without_drift,
 )
+from riserstudy.grading.words_file import read_words
 from riserstudy.model.sea import current_table, profile
 from riserstudy.scene.load import read_scene
 from riserstudy.scene.units import to_si
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[3] / "config"
+CHANGE = read_words(CONFIG).word("increases")
 BASE = "config/scenes/fem_riser/base.yaml"
 
 
@@ -174,17 +176,17 @@ def measured(**by_length):
     return xr.Dataset(rows, {"length": [500.0, 1000.0, 1500.0]})
 
 
-def test_a_trend_needs_every_step_and_together_every_claim():
+def test_a_trend_needs_a_difference_and_together_every_claim():
     rows = {
         "vibration": [3.0, 2.0, 1.0], "stress": [3.0, 2.0, 1.0], "deflection": [1.0, 2.0, 3.0],
         "angle": [1.0, 2.0, 3.0], "deflection_place": [0.5] * 3,
         "stress_from_bottom": [0.05] * 3, "stress_from_top": [0.01] * 3,
         "angle_from_bottom": [0.0] * 3, "angle_from_top": [0.0] * 3,
     }  # fmt: skip
-    assert bool(checks.together(measured(**rows), 0.1, 0.1).true)
-    for name, values in (("stress", [3.0, 2.0, 2.0]), ("deflection_place", [0.3] * 3),
+    assert bool(checks.together(measured(**rows), 0.1, 0.1, CHANGE).true)
+    for name, values in (("stress", [3.0, 2.0, 2.99]), ("deflection_place", [0.3] * 3),
                          ("angle_from_top", [0.2] * 3)):  # fmt: skip
-        found = checks.together(measured(**(rows | {name: values})), 0.1, 0.1)
+        found = checks.together(measured(**(rows | {name: values})), 0.1, 0.1, CHANGE)
         assert not bool(found.true)
         assert float(found.value) == 5.0
 

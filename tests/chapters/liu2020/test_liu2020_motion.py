@@ -13,9 +13,12 @@ from riserstudy.chapters.liu2020.claims import WITHOUT, baselines, waves_on_the_
 from riserstudy.chapters.liu2020.derived import motion as liu2020_motion
 from riserstudy.chapters.liu2020.derived.motion import lag_at, rao_readings, section, storm
 from riserstudy.dataset.variables import attributes, density
+from riserstudy.grading.words_file import read_words
 from riserstudy.study.read import read_study
 
 CONFIG = Path(__file__).parents[3] / "config"
+WORD = read_words(CONFIG).word
+BY = (WORD("smaller"), WORD("lags"))
 SYSTEM = CONFIG / "scenes/liu2020/system.yaml"
 DEPTHS = (100.0, 200.0, 300.0, 400.0)
 
@@ -143,12 +146,16 @@ def test_a_moment_that_falls_over_one_grid_of_periods_may_rise_within_it():
     moment = xr.DataArray(
         [[9.0, 9.5, 8.0, 6.0, 7.0, 1.0]], {"roll_amplitude": [4.0], "roll_period": periods}
     )
-    found = claims.falls_with_period(moment.to_dataset(name="largest_bending_moment"))
+    found = claims.falls_with_period(
+        moment.to_dataset(name="largest_bending_moment"), WORD("decreases")
+    )
     shares = dict(zip(found.true["grid"].values, found.true.values, strict=True))
     assert shares == {"5, 10, 20 s": True, "6, 12, 20 s": True, "5, 8, 12, 20 s": True}
     assert float(found.value.sel(grid="5, 8, 12, 20 s")) == pytest.approx(8.0 / 9.0)
     rising = moment.assign_coords(roll_period=periods[::-1]).sortby("roll_period")
-    found = claims.falls_with_period(rising.to_dataset(name="largest_bending_moment"))
+    found = claims.falls_with_period(
+        rising.to_dataset(name="largest_bending_moment"), WORD("decreases")
+    )
     assert not bool(found.true.any())
 
 
@@ -158,7 +165,9 @@ def test_surge_is_largest_by_peak_and_by_mean_share():
             list(stress.values()), {"motion": list(stress), "wave_period": [5.0, 10.0, 20.0]}
         )
         runs = {"stress_amplitude": table, "stress_share": table / table.sum("motion")}
-        return bool(claims.surge_largest(xr.Dataset(runs), at_least=0.02).true)
+        return bool(
+            claims.surge_largest(xr.Dataset(runs), WORD("larger"), WORD("non-negligible")).true
+        )
 
     assert judged(surge=[9.0, 2.0, 5.0], heave=[0.0, 1.0, 3.0], pitch=[1.0, 3.0, 1.0])
     assert not judged(surge=[9.0, 2.0, 5.0], heave=[0.0, 1.0, 10.0], pitch=[1.0, 3.0, 1.0])
@@ -211,7 +220,7 @@ def readings(**true):
 
 
 def test_which_claim_is_true_under_which_baseline_is_computed():
-    told = baselines(*readings(Q2=(10, 4, 0, 10), Q8=(3, 10, 10, 10), Q9=(0, 10, 1, 5)))
+    told = baselines(*readings(Q2=(10, 4, 0, 10), Q8=(3, 10, 10, 10), Q9=(0, 10, 1, 5)), *BY)
     models = "constant {} %, vertical force at the ring {} %, 232 t carried to the upper flex joint {} %, "
     models += "riser's top on the platform {} %"
     shares = ((100, 40, 0, 100), (30, 100, 100, 100), (0, 100, 10, 50))
@@ -223,7 +232,7 @@ def test_which_claim_is_true_under_which_baseline_is_computed():
 
 
 def test_no_baseline_is_named_where_none_makes_both_true():
-    told = baselines(*readings(Q2=(9, 10, 10, 0), Q8=(10, 9, 0, 10), Q9=(10, 10, 10, 10)))
+    told = baselines(*readings(Q2=(9, 10, 10, 0), Q8=(10, 9, 0, 10), Q9=(10, 10, 10, 10)), *BY)
     assert told["both"] == "none"
 
 

@@ -14,9 +14,21 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from riserstudy.grading.grade import Found, judged
-from riserstudy.grading.margin import above, below, everywhere, least, rising
+from riserstudy.grading.margin import above, below, everywhere
+from riserstudy.grading.yardstick import (
+    Condition,
+    Word,
+    alike,
+    all_along,
+    all_of,
+    growing,
+    less,
+    more,
+    plain,
+)
 
 FloatArray = NDArray[np.float64]
+DRAWN = 8.0  # m, either way: the range of the piston in Figs 5, 6 and 9
 
 
 # Fig 8: how much the tensioner takes off
@@ -34,7 +46,7 @@ def falls_convex(law: xr.Dataset) -> Found:
     """Force falls and its slope rises everywhere; value: steepest over flattest slope."""
 
     def slopes(x: FloatArray, f: FloatArray) -> tuple[float, float]:
-        slope = np.diff(f) / np.diff(x)
+        slope = CubicSpline(x, f)(np.linspace(-DRAWN, DRAWN, 161), 1)
         steepness = slope.min() / slope.max()
         falling = -slope.max() / abs(slope).max()
         convex = float(above(slope[1:], slope[:-1]).min())
@@ -48,16 +60,16 @@ def secant_falls(law: xr.Dataset) -> Found:
 
     def secants(x: FloatArray, f: FloatArray) -> tuple[float, float]:
         curve = CubicSpline(x, f)
-        at = np.append(np.linspace(-8, -0.1, 80), np.linspace(0.1, 8, 80))
+        at = np.append(np.linspace(-DRAWN, -0.1, 80), np.linspace(0.1, DRAWN, 80))
         secant = np.abs((curve(at) - curve(0.0)) / at)
         return float(secant[0] / secant[-1]), float(below(secant[1:], secant[:-1]).min())
 
     return _of_curves(secants, law, "gas law")
 
 
-def line_differs(law: xr.Dataset, at_least: float) -> Found:
+def line_differs(law: xr.Dataset, visibly: Word) -> Found:
     """The least-squares line leaves the gas law; value: largest gap over the force at X = 0."""
-    at = np.linspace(-8, 8, 161)
+    at = np.linspace(-DRAWN, DRAWN, 161)
 
     def curve(x: FloatArray, f: FloatArray) -> FloatArray:
         return np.append(CubicSpline(x, f)(at), CubicSpline(x, f)(0.0))
@@ -73,7 +85,7 @@ def line_differs(law: xr.Dataset, at_least: float) -> Found:
         for model in ("gas law", "linear")
     )
     gap = abs(line - gas).isel(X=slice(None, -1)).max("X") / gas.isel(X=-1)
-    return judged(gap, above(gap, at_least))
+    return judged(gap, above(gap, visibly.bound))
 
 
 def _of_curves(
@@ -100,39 +112,45 @@ def _curves(law: xr.Dataset, model: str) -> tuple[xr.DataArray, xr.DataArray]:
 # Figs 10 to 14: the response
 
 
-def agree(gas: xr.Dataset, linear: xr.Dataset, amplitude: float, at_most: float) -> Found:
-    """Heave with both models agrees within a share of its swing; value: largest difference over it."""
-    apart = _apart(gas, linear, amplitude)
-    return judged(apart.min("compared"), below(apart, at_most))
+def agree(gas: xr.Dataset, linear: xr.Dataset, amplitude: float, well: Word) -> Found:
+    """Heave with both models agrees within a share of its swing; value: largest difference over it.
+
+    Of two comparisons the one that agrees better.
+    """
+    apart = _apart(gas, linear, amplitude).min("compared")
+    return judged(apart, below(apart, well.bound))
 
 
 def differ(
-    gas: xr.Dataset, linear: xr.Dataset, amplitude: float, at_least: float, asymmetry: float
+    gas: xr.Dataset, linear: xr.Dataset, amplitude: float, significantly: Word, asymmetric: Word
 ) -> Found:
     """Heave with both models differs, and that with the gas law is asymmetric; value: as `agree`."""
-    apart = _apart(gas, linear, amplitude)
-    up, down = _sides(_model(gas, "gas law"))
-    index = (up / down).sel(heave_amplitude=amplitude, drop=True)
-    margin = least(above(apart, at_least), above(index, asymmetry))
-    return judged(apart.min("compared"), margin)
+    apart = _apart(gas, linear, amplitude).min("compared")
+    up, down = (x.sel(heave_amplitude=amplitude, drop=True) for x in _sides(_model(gas, "gas law")))
+    sides = more(up, down, asymmetric)
+    return judged(apart, all_of(above(apart, significantly.bound), sides))
 
 
-def asymmetry_grows(runs: xr.Dataset, amplitudes: list[float] | None = None) -> Found:
-    """S rises from each amplitude to the next; value: S at the largest."""
+def asymmetry_grows(
+    runs: xr.Dataset, increases: Word, amplitudes: list[float] | None = None
+) -> Found:
+    """S rises with amplitude and never falls; value: S at the largest."""
     up, down = _sides(_model(runs, "gas law"), amplitudes)
     index = up / down
-    return judged(index.isel(heave_amplitude=-1, drop=True), rising(index, "heave_amplitude"))
+    grows = growing(index, "heave_amplitude", increases)
+    return judged(index.isel(heave_amplitude=-1, drop=True), grows)
 
 
-def upper_side_larger(runs: xr.Dataset) -> Found:
-    """x_p > x_n at all amplitudes, and both grow with it; value: x_p - x_n at the largest (m)."""
+def upper_side_larger(runs: xr.Dataset, larger: Word) -> Found:
+    """x_p exceeds x_n at the largest amplitude, and at none is below it; value: x_p - x_n there (m)."""
     up, down = _sides(_model(runs, "gas law"))
-    growing = [rising(side, "heave_amplitude") for side in (up, down)]
-    larger = everywhere(above(up, down), "heave_amplitude")
-    return judged((up - down).isel(heave_amplitude=-1, drop=True), least(larger, *growing))
+    difference, last = above(up, down), {"heave_amplitude": -1}
+    never_below = plain(everywhere(difference, "heave_amplitude") + larger.band)
+    at_last = more(up.isel(last, drop=True), down.isel(last, drop=True), larger)
+    return judged((up - down).isel(last, drop=True), all_of(at_last, never_below))
 
 
-def pushed_in_harder(runs: xr.Dataset, amplitudes: list[float]) -> Found:
+def pushed_in_harder(runs: xr.Dataset, smaller: Word, amplitudes: list[float]) -> Found:
     """Towards the negative side displacement is smaller and the tensioner's force changes more.
 
     Judged for the piston's displacement X and the riser's x; value: change of force at the lowest place
@@ -150,11 +168,13 @@ def pushed_in_harder(runs: xr.Dataset, amplitudes: list[float]) -> Found:
     for away in ways.values():
         inward, outward = (_when(force, away, sign) for sign in (-1.0, 1.0))
         ratios.append(inward / abs(outward))
-        smaller = above(away.max("time"), -away.min("time"))
-        harder.append(everywhere(least(smaller, above(inward, abs(outward))), "heave_amplitude"))
+        less_far = less(-away.min("time"), away.max("time"), smaller)
+        both = all_of(less_far, more(inward, abs(outward), smaller))
+        harder.append(all_along(both, "heave_amplitude"))
     names = xr.DataArray(list(ways), dims="displacement", name="displacement")
     ratio = xr.concat(ratios, names).isel(heave_amplitude=-1, drop=True)
-    return judged(ratio, xr.concat(harder, names))
+    condition = Condition(*(xr.concat(parts, names) for parts in zip(*harder, strict=True)))
+    return judged(ratio, condition)
 
 
 def _when(force: xr.DataArray, away: xr.DataArray, sign: float) -> xr.DataArray:
@@ -163,42 +183,50 @@ def _when(force: xr.DataArray, away: xr.DataArray, sign: float) -> xr.DataArray:
     return force.isel(time=farthest).drop_vars("time")
 
 
-def keeps_more_tension(gas: xr.Dataset, linear: xr.Dataset, amplitude: float) -> Found:
-    """The riser's smallest tension is larger with the gas law; value: by how much (MN)."""
+def keeps_more_tension(
+    gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float], larger: Word
+) -> Found:
+    """The riser's smallest tension is larger with the gas law, at each amplitude; value: by how much (MN)."""
     smallest = [
-        _model(runs, model)["effective_tension_min"]
-        .sel(heave_amplitude=amplitude, drop=True)
-        .min("s_node")
+        _model(runs, model)["effective_tension_min"].sel(heave_amplitude=amplitudes).min("s_node")
         for model, runs in (("gas law", gas), ("linear", linear))
     ]
-    more = (smallest[0] - smallest[1]) / 1e6
-    return judged(more, above(*smallest))
+    gained = (smallest[0] - smallest[1]) / 1e6
+    return judged(gained, more(smallest[0], smallest[1], larger))
+
+
+def keeps_the_ring_pulled(runs: xr.Dataset, amplitude: float) -> Found:
+    """The cylinders pull at the ring all the time; value: their least pull over that at rest."""
+    pull = _model(runs, "gas law")["tensioner_force"].sum("cylinder", skipna=False)
+    least = pull.sel(heave_amplitude=amplitude, drop=True).min("time")
+    at_rest = _rest(_model(runs, "gas law"))["tensioner_force_static"].sum("cylinder")
+    return judged(least / at_rest, above(least / at_rest, 0.0, over=1.0))
 
 
 def caused_by_the_law(
-    gas: xr.Dataset, linear: xr.Dataset, amplitude: float, asymmetry: float, at_most: float
+    gas: xr.Dataset, linear: xr.Dataset, amplitude: float, asymmetric: Word, symmetric: Word
 ) -> Found:
     """The gas law's response is asymmetric and a line's is not; value: S of the gas law over the line's."""
     sides = [_sides(_model(runs, m)) for m, runs in (("gas law", gas), ("linear", linear))]
     curved, straight = ((up / down).sel(heave_amplitude=amplitude, drop=True) for up, down in sides)
-    margin = least(above(curved, asymmetry), below(abs(straight - 1.0), at_most))
-    return judged(curved / straight, margin)
+    condition = all_of(more(curved, 1.0, asymmetric), alike(straight, 1.0, symmetric))
+    return judged(curved / straight, condition)
 
 
 def apart_at_large_amplitudes(
-    gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float]
+    gas: xr.Dataset, linear: xr.Dataset, larger: Word, amplitudes: list[float]
 ) -> Found:
     """Both models differ more, over the swing, at the larger amplitude; value: ratio of the differences."""
     small, large = (_apart(gas, linear, amplitude).min("compared") for amplitude in amplitudes)
-    return judged(large / small, above(large, small))
+    return judged(large / small, more(large, small, larger))
 
 
-def grows_with_the_bend(volumes: xr.Dataset) -> Found:
+def grows_with_the_bend(volumes: xr.Dataset, increases: Word) -> Found:
     """S rises as the gas volume falls, which bends the law; value: S of the least over the most."""
     top = volumes.isel(s_node=-1, drop=True).sortby("gas_volume", ascending=False)
     index = (top["z_max"] - top["z_static"]) / (top["z_static"] - top["z_min"])
     ratio = index.isel(gas_volume=-1, drop=True) / index.isel(gas_volume=0, drop=True)
-    return judged(ratio, rising(index, "gas_volume"))
+    return judged(ratio, growing(index, "gas_volume", increases))
 
 
 def _apart(gas: xr.Dataset, linear: xr.Dataset, amplitude: float) -> xr.DataArray:

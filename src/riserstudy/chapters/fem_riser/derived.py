@@ -107,9 +107,21 @@ def map_trends(map_500: xr.Dataset, map_1000: xr.Dataset, map_1500: xr.Dataset) 
     return _joined({"length": _over_length(map_500, map_1000, map_1500)})
 
 
-def reading_trends(readings: xr.Dataset) -> xr.Dataset:
-    """Measures over the buoyant factor and its reading."""
-    return _joined({"factor": measures(readings)})
+def reading_trends(readings: xr.Dataset, readings_literal: xr.Dataset) -> xr.Dataset:
+    """Measures over the buoyant factor and its reading.
+
+    R4, the ratio to the weight of riser and mud with the share carried by blocks, is R3 with the share left.
+    """
+    literal = measures(readings_literal).rename(weight_left="buoyant_factor")
+    literal = literal.assign_coords(buoyant_factor=1.0 - literal["buoyant_factor"])
+    literal = literal.assign_coords(buoyant_factor=literal["buoyant_factor"].round(9))
+    both = [measures(readings), literal.assign_coords(reading="R4").expand_dims("reading")]
+    return _joined({"factor": xr.concat(both, "reading", coords="minimal", compat="override")})
+
+
+def rest(at_rest: xr.Dataset) -> xr.Dataset:
+    """Measures of the softest cases once they are at rest."""
+    return _joined({"case": measures(at_rest)})
 
 
 def drift_trends(top_drift: xr.Dataset) -> xr.Dataset:

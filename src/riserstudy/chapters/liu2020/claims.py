@@ -10,6 +10,7 @@ import xarray as xr
 from riserstudy.grading.grade import Found, answers, judged
 from riserstudy.grading.margin import above, below, everywhere, least, rising
 from riserstudy.grading.verdict import ALMOST_ALWAYS
+from riserstudy.grading.yardstick import Condition, Word, all_along, all_of, growing, less
 
 #: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
 WITHOUT = [
@@ -28,6 +29,7 @@ GRIDS = {
 }
 INCH, DEGREES = 0.0254, 180.0 / np.pi  # m, a radian
 LENGTH = 533.0  # m of riser
+STEEPEST, GRAVITY = 0.142, 9.81  # height over length of a wave that breaks (Michell); m/s2
 WET = 220.0 / 15.24  # kg/m in water, of a joint of Table 1
 
 # Table 2 and the constant tension
@@ -41,10 +43,10 @@ def constant_tension(readings: xr.Dataset) -> Found:
 # Fig 10: the check riser
 
 
-def codes_agree(codes: xr.Dataset, at_most: float) -> Found:
+def codes_agree(codes: xr.Dataset, nearly_same: Word) -> Found:
     """Three methods give nearly the same displacement; value: largest difference over the largest."""
     apart = codes["codes_apart"]
-    return judged(apart, below(apart, at_most))
+    return judged(apart, below(apart, nearly_same.bound))
 
 
 # Figs 11 and 12: statics
@@ -62,57 +64,85 @@ def opposes(readings: xr.Dataset) -> Found:
     return judged(force.sel(surface_speed=1.0, drop=True), everywhere(margin, "surface_speed"))
 
 
-def moves_less(readings: xr.Dataset) -> Found:
+def moves_less(readings: xr.Dataset, smaller: Word) -> Found:
     """With tensioners the riser moves less in every current; value: ratio to the other at 1 m/s."""
-    return _less_on_tensioners(readings["largest_displacement"])
+    return _less_on_tensioners(readings["largest_displacement"], smaller)
 
 
-def bends_less_near_the_top(readings: xr.Dataset) -> Found:
+def bends_less_near_the_top(readings: xr.Dataset, smaller: Word) -> Found:
     """Within 60 m below the ring the riser bends less on the tensioners; value: ratio at 1 m/s."""
-    return _less_on_tensioners(readings["largest_bending_moment_near_ring"])
+    return _less_on_tensioners(readings["largest_bending_moment_near_ring"], smaller)
 
 
-def bends_less(readings: xr.Dataset) -> Found:
+def bends_less(readings: xr.Dataset, smaller: Word) -> Found:
     """The largest moment is smaller on the tensioners; value: ratio at 1 m/s."""
-    return _less_on_tensioners(readings["largest_bending_moment"])
+    return _less_on_tensioners(readings["largest_bending_moment"], smaller)
 
 
-def _less_on_tensioners(values: xr.DataArray) -> Found:
-    ratio = values.sel(tensioner_model="gas law", drop=True) / values.sel(tensioner_model=WITHOUT)
-    margin = everywhere(below(ratio, 1.0), "surface_speed")
-    return judged(ratio.sel(surface_speed=1.0, drop=True), margin)
+def _less_on_tensioners(values: xr.DataArray, smaller: Word) -> Found:
+    on, without = values.sel(tensioner_model="gas law", drop=True), _without(values)
+    condition = all_along(less(on, without, smaller), "surface_speed")
+    return judged((on / without).sel(surface_speed=1.0, drop=True), condition)
+
+
+def simple_model_differs(readings: xr.Dataset, larger: Word) -> Found:
+    """A pull carried to the upper flex joint gives other statics; value: largest difference."""
+    apart = []
+    for name in ("largest_displacement", "largest_bending_moment"):
+        gas, simple = (
+            readings[name].sel(tensioner_model=model, drop=True)
+            for model in ("gas law", WITHOUT[2])
+        )
+        apart.append(abs(above(gas, simple)).max("surface_speed"))
+    most = xr.concat(apart, "of").max("of")
+    return judged(most, Condition(most - larger.bound, most < larger.band))
+
+
+def _without(values: xr.DataArray) -> xr.DataArray:
+    """Values of the riser without tensioners, as it may be meant."""
+    return values.sel(tensioner_model=WITHOUT)
 
 
 # Figs 13 to 15: heave
 
 
-def uniform(
-    heave: xr.Dataset, amplitude: float, period: float, at_most: float, lag: float
-) -> Found:
-    """Axial force repeats itself, alike at both ends in amplitude and phase (degrees).
+def uniform(heave: xr.Dataset, amplitude: float, period: float, same: Word) -> Found:
+    """Axial force repeats itself, alike at both ends in amplitude, and in phase by as much of an amplitude.
 
     Value: largest relative difference, of the ends and of the last two periods.
     """
     run = heave.sel(heave_amplitude=amplitude, heave_period=period, drop=True)
     apart = abs(run["axial_force_amplitude_top"] / run["axial_force_amplitude"] - 1.0)
     worst = apart.where(apart > run["settling"], run["settling"])
-    together = below(abs(run["axial_force_lag"]), np.deg2rad(lag))
-    return judged(worst, least(below(worst, at_most), together))
+    together = below(
+        abs(run["axial_force_lag"]), same.bound
+    )  # a lag of x rad is x of the amplitude
+    return judged(worst, least(below(worst, same.bound), together))
 
 
-def amplitude_not_period(heave: xr.Dataset, at_most: float) -> Found:
-    """Force grows with every step of heave, and changes little with period; value: largest spread."""
-    force = heave["axial_force_amplitude"]
-    spread = (force.max("heave_period") / force.min("heave_period") - 1.0).max("heave_amplitude")
-    grows = everywhere(rising(force, "heave_amplitude"), "heave_period")
-    return judged(spread, least(grows, below(spread, at_most)))
+def amplitude_not_period(heave: xr.Dataset, clearly: Word, little: Word) -> Found:
+    """Force grows clearly with heave, and changes little with period; value: largest spread.
+
+    Of heaves that a platform can have: no larger than waves of that period at which they break.
+    """
+    force, steepest = heave["axial_force_amplitude"], 0.5 * STEEPEST
+    length = GRAVITY * heave["heave_period"] ** 2 / (2.0 * np.pi)
+    possible = force.where(force["heave_amplitude"] <= steepest * length)
+    spread = 1.0 - possible.min("heave_period") / possible.max("heave_period")
+    grows = []
+    for period in possible["heave_period"].values:
+        curve = possible.sel(heave_period=period, drop=True).dropna("heave_amplitude", how="all")
+        if curve.sizes["heave_amplitude"] > 1:
+            grows.append(growing(curve, "heave_amplitude", clearly))
+    most = spread.max("heave_amplitude")
+    return judged(most, all_of(*grows, below(most, little.bound)))
 
 
-def not_negligible(heave: xr.Dataset, amplitude: float, period: float, at_least: float) -> Found:
+def not_negligible(heave: xr.Dataset, amplitude: float, period: float, felt: Word) -> Found:
     """The axial force varies by a share of the tension; value: the share."""
     share = heave["axial_force_share"]
     share = share.sel(heave_amplitude=amplitude, heave_period=period, drop=True)
-    return judged(share, above(share, at_least))
+    return judged(share, above(share, felt.bound))
 
 
 # Figs 16 to 18: surge
@@ -125,25 +155,38 @@ def travels_down(motion: xr.Dataset) -> Found:
     return judged(passed, rising(arrival, "depth"))
 
 
-def seems_the_same(surge: xr.Dataset, at_most: float) -> Found:
+def seems_the_same(surge: xr.Dataset, same: Word) -> Found:
     """Displacement is nearly that without tensioners; value: their difference over it, root mean square."""
-    apart = surge["displacement_apart"].sel(tensioner_model=WITHOUT)
-    return judged(apart, below(apart, at_most))
+    apart = _without(surge["displacement_apart"])
+    return judged(apart, below(apart, same.bound))
 
 
-def surges_less(surge: xr.Dataset) -> Found:
+def surges_less(surge: xr.Dataset, smaller: Word) -> Found:
     """With tensioners every depth moves less; value: largest ratio to the other model."""
     moved = surge["displacement_amplitude"]
-    ratio = moved.sel(tensioner_model="gas law", drop=True) / moved.sel(tensioner_model=WITHOUT)
-    return judged(ratio.max("depth"), everywhere(below(ratio, 1.0), "depth"))
+    on, without = moved.sel(tensioner_model="gas law", drop=True), _without(moved)
+    return judged((on / without).max("depth"), all_along(less(on, without, smaller), "depth"))
 
 
-def lags(surge: xr.Dataset) -> Found:
-    """With tensioners every depth comes later; value: least lag behind the other model (degrees)."""
+def lags(surge: xr.Dataset, later: Word) -> Found:
+    """With tensioners every depth comes later; value: least lag behind the other model (degrees).
+
+    A lag of x rad makes a difference of x of the amplitude, which is what a word bounds.
+    """
     lag = surge["displacement_lag"]
-    behind = lag.sel(tensioner_model="gas law", drop=True) - lag.sel(tensioner_model=WITHOUT)
-    smallest = ((behind + np.pi) % (2.0 * np.pi) - np.pi).min("depth")
-    return judged(smallest * DEGREES, above(smallest, 0.0, over=np.pi))
+    behind = lag.sel(tensioner_model="gas law", drop=True) - _without(lag)
+    behind = (behind + np.pi) % (2.0 * np.pi) - np.pi
+    by_depth = Condition(behind - later.bound, abs(behind) < later.band)
+    return judged(behind.min("depth") * DEGREES, all_along(by_depth, "depth"))
+
+
+def flexibility_makes_the_lag(surge: xr.Dataset, later: Word) -> Found:
+    """The riser lags more on gas than on a constant pull; value: least of four depths (degrees)."""
+    lag = surge["displacement_lag"]
+    gas, constant = (lag.sel(tensioner_model=name, drop=True) for name in ("gas law", "constant"))
+    behind = (gas - constant + np.pi) % (2.0 * np.pi) - np.pi
+    by_depth = Condition(behind - later.bound, abs(behind) < later.band)
+    return judged(behind.min("depth") * DEGREES, all_along(by_depth, "depth"))
 
 
 # Figs 19 and 20: roll
@@ -166,35 +209,37 @@ def bending_stress(roll: xr.Dataset, amplitude: float, period: float) -> Found:
     return Found(xr.concat([stress, 2.0 * stress], names))
 
 
-def grows_with_amplitude(roll: xr.Dataset) -> Found:
+def grows_with_amplitude(roll: xr.Dataset, increases: Word) -> Found:
     """Moment rises with roll amplitude at every period; value: least ratio of neighbours."""
     moment = roll["largest_bending_moment"]
     ratio = moment / moment.shift(roll_amplitude=1)
     smallest = ratio.min(["roll_amplitude", "roll_period"])
-    return judged(smallest, above(smallest, 1.0))
+    grows = growing(moment, "roll_amplitude", increases)
+    return judged(smallest, all_along(grows, "roll_period"))
 
 
-def falls_with_period(roll: xr.Dataset) -> Found:
-    """Moment falls from each period of a grid to the next; value: largest ratio of neighbours.
+def falls_with_period(roll: xr.Dataset, decreases: Word) -> Found:
+    """Moment falls over the periods of a grid and never rises; value: largest ratio of neighbours.
 
     Judged over each of the grids that Fig 20 may have, as far as its periods are there.
     """
     moment = roll["largest_bending_moment"]
     there = [name for name, grid in GRIDS.items() if set(grid) <= set(moment["roll_period"].values)]
-    steps = []
+    names, steps, falls = xr.DataArray(there, dims="grid", name="grid"), [], []
     for name in there:
         chosen = moment.sel(roll_period=GRIDS[name])
         ratio = chosen / chosen.shift(roll_period=1)
         steps.append(ratio.max(["roll_amplitude", "roll_period"]))
-    most = xr.concat(steps, xr.DataArray(there, dims="grid", name="grid"))
-    return judged(most, below(most, 1.0))
+        falls.append(all_along(growing(chosen, "roll_period", decreases, -1.0), "roll_amplitude"))
+    condition = Condition(*(xr.concat(parts, names) for parts in zip(*falls, strict=True)))
+    return judged(xr.concat(steps, names), condition)
 
 
 # Figs 23 and 24: response in waves
 
 
-def surge_largest(rao: xr.Dataset, at_least: float) -> Found:
-    """Surge has the largest peak and the largest mean share over periods; others are not nothing.
+def surge_largest(rao: xr.Dataset, larger: Word, felt: Word) -> Found:
+    """Surge has the largest peak and the largest mean share over periods; others are not negligible.
 
     Value: mean share of surge.
     """
@@ -202,10 +247,9 @@ def surge_largest(rao: xr.Dataset, at_least: float) -> Found:
     # periods stand closer where lateral modes answer
     share = rao["stress_share"].integrate("wave_period") / float(period.max() - period.min())
     surge, others = {"motion": "surge"}, {"motion": ["heave", "pitch"]}
-    largest = [below(x.sel(others), x.sel(surge, drop=True)) for x in (peak, share)]
-    felt = above(share.sel(others), at_least)
-    margin = everywhere(least(*largest, felt), "motion")
-    return judged(share.sel(surge, drop=True), margin)
+    largest = [less(x.sel(others), x.sel(surge, drop=True), larger) for x in (peak, share)]
+    condition = all_of(*largest, above(share.sel(others), felt.bound))
+    return judged(share.sel(surge, drop=True), all_along(condition, "motion"))
 
 
 # errata
@@ -304,12 +348,18 @@ def left_out(roll: xr.Dataset, heave: xr.Dataset) -> dict[str, Any]:
     return changes | {name: facts[name] for name in ("pistons", "pistons_slow")}
 
 
-def baselines(readings: xr.Dataset, surge: xr.Dataset) -> dict[str, Any]:
+def baselines(
+    readings: xr.Dataset, surge: xr.Dataset, smaller: Word, later: Word
+) -> dict[str, Any]:
     """Shares of samples in which static (Q2) and dynamic claims (Q8, Q9) are true, by baseline.
 
     Named are the baselines with which Q2 and Q8 are both almost always true.
     """
-    claims = {"Q2": moves_less(readings), "Q8": surges_less(surge), "Q9": lags(surge)}
+    claims = {
+        "Q2": moves_less(readings, smaller),
+        "Q8": surges_less(surge, smaller),
+        "Q9": lags(surge, later),
+    }
     shares: dict[str, dict[str, float]] = {}
     for claim, claim_shares in claims.items():
         answer = answers(claim_shares)

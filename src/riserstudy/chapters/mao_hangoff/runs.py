@@ -22,6 +22,11 @@ def moments(runs: xr.Dataset) -> xr.DataArray:
     return abs(runs["bending_moment"].sel(time=STATED, drop=True))
 
 
+def moments_over_time(runs: xr.Dataset) -> xr.DataArray:
+    """Size of the bending moment over time and s (N m)."""
+    return abs(runs["bending_moment"])
+
+
 def largest(runs: xr.Dataset) -> xr.DataArray:
     """Largest moment M (N m)."""
     return moments(runs).max("s")

@@ -18,11 +18,11 @@ from riserstudy.chapters.mao_hangoff.runs import (
     with_printed_lmrp,
 )
 from riserstudy.grading.grade import Found, judged
-from riserstudy.grading.margin import above, below, everywhere, least, rising
+from riserstudy.grading.margin import above, everywhere
+from riserstudy.grading.yardstick import Word, alike, all_along, all_of, growing, more
 
 SETTLED = 70.0  # s, by then every ramp of the heave has ended
 STEADY = 0.9  # of the motion at the heave's period, which counts as one frequency
-SMALL = 0.05  # change that counts as small
 FIRST = 40.0  # s, end of the first phase, the second time of Fig 9c
 
 
@@ -32,11 +32,11 @@ def one_frequency(heave: xr.Dataset, depths: list[float]) -> Found:
     return judged(share, above(share, STEADY))
 
 
-def amplitude_grows_with_depth(heave: xr.Dataset, depths: list[float]) -> Found:
-    """Amplitude a grows from depth to depth; value: deepest over first."""
+def amplitude_grows_with_depth(heave: xr.Dataset, depths: list[float], increases: Word) -> Found:
+    """Amplitude a grows with depth; value: deepest over first."""
     a = harmonic(with_printed_lmrp(_z_at(heave, depths)), heave)["amplitude"]
     ratio = a.isel(depth=-1, drop=True) / a.isel(depth=0, drop=True)
-    return judged(ratio, rising(a, "depth"))
+    return judged(ratio, growing(a, "depth", increases))
 
 
 def level_rises(heave: xr.Dataset, depth: float) -> Found:
@@ -46,57 +46,57 @@ def level_rises(heave: xr.Dataset, depth: float) -> Found:
     return judged(rate, above(rate, 0.0, over=fit["amplitude"]))
 
 
-def amplitude_follows(heave: xr.Dataset, axis: str, sign: float) -> Found:
+def amplitude_follows(heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """Amplitude a of the LMRP rises or falls along an axis, at one frequency; value: last over first."""
     fit = lmrp_motion(heave)
     steady = everywhere(above(fit["share"], STEADY), axis)
     a = fit["amplitude"]
-    return judged(last_over_first(a, axis), least(rising(a, axis, sign), steady))
+    return judged(last_over_first(a, axis), all_of(growing(a, axis, change, sign), steady))
 
 
-def amplitude_hardly_changes(heave: xr.Dataset, axis: str) -> Found:
+def amplitude_hardly_changes(heave: xr.Dataset, axis: str, small: Word) -> Found:
     """Amplitude a of the LMRP changes little along an axis; value: last over first."""
-    return _hardly_changes(lmrp_motion(heave)["amplitude"], axis)
+    return _hardly_changes(lmrp_motion(heave)["amplitude"], axis, small)
 
 
-def rise_follows(heave: xr.Dataset, axis: str, sign: float) -> Found:
+def rise_follows(heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """The LMRP's largest rise grows or falls along an axis; value: last over first."""
     rise = largest_rise(heave["z"].isel(s=0, drop=True))
-    return judged(last_over_first(rise, axis), rising(rise, axis, sign))
+    return judged(last_over_first(rise, axis), growing(rise, axis, change, sign))
 
 
-def rise_hardly_changes(heave: xr.Dataset, axis: str) -> Found:
+def rise_hardly_changes(heave: xr.Dataset, axis: str, small: Word) -> Found:
     """The LMRP's largest rise changes little along an axis; value: last over first."""
-    return _hardly_changes(largest_rise(heave["z"].isel(s=0, drop=True)), axis)
+    return _hardly_changes(largest_rise(heave["z"].isel(s=0, drop=True)), axis, small)
 
 
-def _hardly_changes(values: xr.DataArray, axis: str) -> Found:
-    ratio = last_over_first(values, axis)
-    return judged(ratio, below(abs(ratio - 1.0), SMALL))
+def _hardly_changes(values: xr.DataArray, axis: str, small: Word) -> Found:
+    first, last = (values.isel({axis: end}, drop=True) for end in (0, -1))
+    return judged(last / first, alike(last, first, small))
 
 
-def lows_deeper_at_first(heave: xr.Dataset, depths: list[float]) -> Found:
+def lows_deeper_at_first(heave: xr.Dataset, depths: list[float], lower: Word) -> Found:
     """In the first phase depths reach lower below rest than the top does; value: the least over the top's."""
     z = with_printed_lmrp(_z_at(heave, [0.0, *depths]))
     fallen = (z.isel(time=0) - z.sel(time=slice(0.0, FIRST))).max("time")
-    shallowest = (fallen.sel(depth=depths) / fallen.sel(depth=0.0, drop=True)).min("depth")
-    return judged(shallowest, above(shallowest, 1.0))
+    deep, top = fallen.sel(depth=depths), fallen.sel(depth=0.0, drop=True)
+    deeper = all_along(more(deep, top, lower), "depth")
+    return judged((deep / top).min("depth"), deeper)
 
 
-def amplitude_largest_at_0_degrees(heave: xr.Dataset, considerably: float) -> Found:
+def amplitude_largest_at_0_degrees(heave: xr.Dataset, considerably: Word) -> Found:
     """The LMRP's amplitude a at 0 deg is considerably above that at 45 and 90 deg; value: 90 over 0 deg."""
     return _largest_at_0_degrees(lmrp_motion(heave)["amplitude"], considerably)
 
 
-def rise_largest_at_0_degrees(heave: xr.Dataset, considerably: float) -> Found:
+def rise_largest_at_0_degrees(heave: xr.Dataset, considerably: Word) -> Found:
     """The LMRP's largest rise at 0 deg is considerably above those at 45 and 90 deg; value: 90 over 0 deg."""
     return _largest_at_0_degrees(largest_rise(heave["z"].isel(s=0, drop=True)), considerably)
 
 
-def _largest_at_0_degrees(values: xr.DataArray, considerably: float) -> Found:
+def _largest_at_0_degrees(values: xr.DataArray, considerably: Word) -> Found:
     at0, at45, at90 = (at_angle(values, angle) for angle in (0, 45, 90))
-    margin = least(above(at0, considerably * at45), above(at0, considerably * at90))
-    return judged(at90 / at0, margin)
+    return judged(at90 / at0, all_of(more(at0, at45, considerably), more(at0, at90, considerably)))
 
 
 def largest_rise(z: xr.DataArray) -> xr.DataArray:

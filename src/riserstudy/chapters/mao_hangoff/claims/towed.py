@@ -24,6 +24,7 @@ from riserstudy.chapters.mao_hangoff.runs import (
 from riserstudy.chapters.mao_hangoff.towed import displacement
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere, least, rising
+from riserstudy.grading.yardstick import Word, all_of, growing, less, more
 
 SURFACE_ZONE = 150.0  # m below the joint, where C_D is large
 TIMES = [10.0, 40.0, 70.0, 100.0, 130.0]  # s, of Fig 9c
@@ -56,12 +57,16 @@ def all_numbers(
 # Fig 9: the base case
 
 
-def grows_with_depth(runs: xr.Dataset) -> Found:
-    """Distance grows from node to node at 130 s; value: x over the largest distance."""
+def grows_with_depth(runs: xr.Dataset, same: Word) -> Found:
+    """Distance grows with depth at 130 s, but for no difference; value: x over the largest distance."""
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
-    value = away.isel(s=0, drop=True) / away.max("s")
-    falls = below(away.diff("s"), 1e-9, over=away.max("s"))
-    return judged(value, everywhere(falls, "s"))
+    largest_above = (
+        away.sortby("s", ascending=False).rolling(s=away.sizes["s"], min_periods=1).max()
+    )
+    short = (largest_above - away) / away.max("s")
+    return judged(
+        away.isel(s=0, drop=True) / away.max("s"), everywhere(below(short, same.bound), "s")
+    )
 
 
 def upright_at_the_lmrp(runs: xr.Dataset, at_most: float) -> Found:
@@ -108,37 +113,38 @@ def lower_half_moves_more(runs: xr.Dataset) -> Found:
 # Figs 10 to 14: what changes with what
 
 
-def distance_and_moment_follow(runs: xr.Dataset, axis: str, sign: float) -> Found:
+def distance_and_moment_follow(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """Both x and M rise (sign 1) or fall (-1) along an axis; value: last x over first."""
     x, m = distance(runs), largest(runs)
-    return judged(last_over_first(x, axis), least(rising(x, axis, sign), rising(m, axis, sign)))
+    both = all_of(*(growing(values, axis, change, sign) for values in (x, m)))
+    return judged(last_over_first(x, axis), both)
 
 
-def distance_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
+def distance_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """Distance x rises or falls along an axis; value: last over first."""
     x = distance(runs)
-    return judged(last_over_first(x, axis), rising(x, axis, sign))
+    return judged(last_over_first(x, axis), growing(x, axis, change, sign))
 
 
-def moment_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
+def moment_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """M rises or falls along an axis; value: last over first."""
     m = largest(runs)
-    return judged(last_over_first(m, axis), rising(m, axis, sign))
+    return judged(last_over_first(m, axis), growing(m, axis, change, sign))
 
 
-def top_moment_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
+def top_moment_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """M rises or falls along an axis, and is near the top at its end; value: last over first."""
     over_s = moments(runs)
     m = over_s.max("s")
     depth = float(over_s["s"][-1]) - over_s.isel({axis: 0}, drop=True).idxmax("s")
-    margin = least(rising(m, axis, sign), below(depth, SURFACE_ZONE))
-    return judged(last_over_first(m, axis), margin)
+    condition = all_of(growing(m, axis, change, sign), below(depth, SURFACE_ZONE))
+    return judged(last_over_first(m, axis), condition)
 
 
-def joint_angle_follows(runs: xr.Dataset, axis: str, sign: float) -> Found:
+def joint_angle_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """The angle of the flex joint at 130 s rises or falls along an axis; value: last over first."""
     angle = abs(runs["ufj_angle"].sel(time=STATED, drop=True))
-    return judged(last_over_first(angle, axis), rising(angle, axis, sign))
+    return judged(last_over_first(angle, axis), growing(angle, axis, change, sign))
 
 
 def change_near_the_lmrp(runs: xr.Dataset) -> Found:
@@ -171,27 +177,30 @@ def change_arises_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
     return judged(share, above(share, at_least))
 
 
-def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float) -> Found:
+def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """x, M and a all rise or fall along an axis; value: last x over first."""
-    return _all_follow(runs, lmrp_motion(heave)["amplitude"], axis, sign)
+    return _all_follow(runs, lmrp_motion(heave)["amplitude"], axis, sign, change)
 
 
-def all_rise_with(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float) -> Found:
+def all_rise_with(
+    runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, change: Word
+) -> Found:
     """The same with the LMRP's largest rise in place of a."""
-    return _all_follow(runs, largest_rise(heave["z"].isel(s=0, drop=True)), axis, sign)
+    return _all_follow(runs, largest_rise(heave["z"].isel(s=0, drop=True)), axis, sign, change)
 
 
-def _all_follow(runs: xr.Dataset, axial: xr.DataArray, axis: str, sign: float) -> Found:
+def _all_follow(
+    runs: xr.Dataset, axial: xr.DataArray, axis: str, sign: float, change: Word
+) -> Found:
     x, m = distance(runs), largest(runs)
-    margin = least(*(rising(values, axis, sign) for values in (x, m, axial)))
-    return judged(last_over_first(x, axis), margin)
+    every = all_of(*(growing(values, axis, change, sign) for values in (x, m, axial)))
+    return judged(last_over_first(x, axis), every)
 
 
-def loads_small_at_the_lmrp(loads: xr.Dataset, at_most: float) -> Found:
-    """The load on the riser at the LMRP is a share of that at the joint at most; value: their ratio."""
-    ratio = abs(loads["load_at_lmrp"] / loads["load_at_joint"])
-    ratio = with_printed_lmrp(ratio)
-    return judged(ratio, below(ratio, at_most))
+def loads_small_at_the_lmrp(loads: xr.Dataset, smaller: Word) -> Found:
+    """The load on the riser at the LMRP is smaller than that at the joint; value: their ratio."""
+    low, high = (abs(with_printed_lmrp(loads[f"load_at_{place}"])) for place in ("lmrp", "joint"))
+    return judged(low / high, less(low, high, smaller))
 
 
 def other_way_at_90_degrees(runs: xr.Dataset) -> Found:
@@ -202,16 +211,17 @@ def other_way_at_90_degrees(runs: xr.Dataset) -> Found:
     return judged(at90 / at0, least(same, below(at90 / at0, 0.0, over=1.0)))
 
 
-def falls_with_angle(runs: xr.Dataset, considerably: float) -> Found:
+def falls_with_angle(runs: xr.Dataset, considerably: Word, declines: Word) -> Found:
     """Distance x falls from 0 over 45 to 90 deg, 0 deg considerably largest; value: x at 90 over 0 deg."""
     x = distance(runs)
     at0, at45, at90 = (at_angle(x, angle) for angle in (0, 45, 90))
-    margin = least(above(at0, considerably * at45), above(at45, at90))
-    return judged(at90 / at0, margin)
+    both = all_of(more(at0, at45, considerably), more(at45, at90, declines))
+    return judged(at90 / at0, both)
 
 
-def grows_beyond_90_degrees(runs: xr.Dataset) -> Found:
+def grows_beyond_90_degrees(runs: xr.Dataset, increases: Word) -> Found:
     """Distance x grows from 90 over 135 to 180 deg; value: x at 180 over 90 deg."""
     x = distance(runs)
     at90, at135, at180 = (at_angle(x, angle) for angle in (90, 135, 180))
-    return judged(at180 / at90, least(above(at135, at90), above(at180, at135)))
+    both = all_of(more(at135, at90, increases), more(at180, at135, increases))
+    return judged(at180 / at90, both)

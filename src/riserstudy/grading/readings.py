@@ -1,0 +1,91 @@
+"""Answers by interpretation: a share is one of samples within one, never one of interpretations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riserstudy.grading.cases import places_of
+from riserstudy.grading.grounds import share_of
+from riserstudy.grading.names import input_name
+from riserstudy.grading.sensitivity import deciding
+from riserstudy.grading.verdict import ALMOST_ALWAYS, ALMOST_NEVER
+from riserstudy.records.graded import Kind, Place, Reading, ReadingAnswer, Share
+
+
+def axes_of_readings(found: xr.DataArray) -> list[str]:
+    """Axes on which every value is an interpretation: all but samples."""
+    return [str(dim) for dim in found.dims if dim != "sample" and found.sizes[dim] > 1]
+
+
+def readings_of(
+    kind: Kind, found: xr.DataArray, about: xr.Dataset, called: Mapping[str, str] | None
+) -> list[Reading]:
+    """What is found with each interpretation; none where there is one only.
+
+    Without samples interpretations differ on the fewest axes that tell the answer.
+
+    Parameters
+    ----------
+    found : as ``riserstudy.grading.found.answers``.
+    about : as in ``riserstudy.grading.sensitivity.deciding``.
+    """
+    axes = axes_of_readings(found)
+    if axes and "sample" not in found.dims:
+        axes = _that_tell(found, axes)
+        found = found.isel({dim: 0 for dim in found.dims if dim not in axes}, drop=True)
+    return [*_each(kind, found, axes, about, called)] if axes else []
+
+
+def _each(
+    kind: Kind,
+    found: xr.DataArray,
+    axes: Sequence[str],
+    about: xr.Dataset,
+    called: Mapping[str, str] | None,
+) -> Iterator[Reading]:
+    beginnings = found.isel({dim: 0 for dim in found.dims if dim not in axes}, drop=True)
+    for _, place in places_of(beginnings.transpose(*axes)):
+        here = found.sel(place)
+        if not bool(here.notnull().any()):
+            continue
+        share = share_of(here)
+        answer = answer_of(kind, share)
+        names: list[str] = []
+        if answer == "depends":
+            names = [input_name(path, called) for path in deciding(here, about).names]
+        yield Reading(place, answer, share, names)
+
+
+def answer_of(kind: Kind, share: Share) -> ReadingAnswer:
+    """What a share of samples says: almost all of one answer, or that it depends."""
+    true, same = share.met / share.samples, share.same / share.samples
+    if true >= ALMOST_ALWAYS:
+        return "true"
+    if same >= ALMOST_ALWAYS:
+        return "no difference"
+    never = share.met == 0 if kind == "number" else true <= ALMOST_NEVER
+    return "false" if never else "depends"
+
+
+def base_share(found: xr.DataArray, base: Place) -> Share | None:
+    """The share of samples within the interpretation of the base case, where there are both."""
+    axes = axes_of_readings(found)
+    if "sample" not in found.dims or any(axis not in base for axis in axes):
+        return None
+    return share_of(found.sel({axis: base[axis] for axis in axes}))
+
+
+def _that_tell(found: xr.DataArray, axes: Sequence[str]) -> list[str]:
+    """The fewest axes whose values tell the answer, whatever the others are."""
+    for count in range(1, len(axes)):
+        for some in combinations(axes, count):
+            others = [axis for axis in axes if axis not in some]
+            spread: Any = found.max(others) - found.min(others)
+            if not bool(np.any(spread.values > 0.0)):
+                return [*some]
+    return [*axes]

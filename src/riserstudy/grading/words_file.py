@@ -1,0 +1,86 @@
+"""config/published/words.yaml: what words of size mean in claims, alike for all papers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.errors import InputError
+from riserstudy.grading.yardstick import Word
+from riserstudy.scene.base import Strict
+from riserstudy.scene.check import check
+from riserstudy.scene.load import read_yaml
+from riserstudy.scene.units import Percent
+
+NAME = "words.yaml"
+
+
+class WordOfSize(Strict):
+    """A bound: ``at_least`` of a change, or ``at_most``; ``also``: words with the same bound."""
+
+    at_least: Percent | None = None
+    at_most: Percent | None = None
+    also: list[str] = Field(default_factory=list)
+    because: str
+
+    @model_validator(mode="after")
+    def _one_bound(self) -> Self:
+        if (self.at_least is None) == (self.at_most is None):
+            raise ValueError("needs one of at_least and at_most")
+        return self
+
+
+class WordsFile(Strict):
+    """Words of size. ``no_difference``: share of the larger of two values below which they do not differ."""
+
+    no_difference: Percent
+    because: str
+    words: dict[str, WordOfSize]
+
+    @model_validator(mode="after")
+    def _each_word_once(self) -> Self:
+        names = [name for word, of in self.words.items() for name in (word, *of.also)]
+        if twice := sorted({name for name in names if names.count(name) > 1}):
+            raise ValueError(f"word {twice[0]!r} stands twice")
+        for word, of in self.words.items():
+            if of.at_least is not None and of.at_least < self.no_difference:
+                raise ValueError(f"words.{word}: a change of less than no_difference is none")
+        return self
+
+    def word(self, name: str) -> Word:
+        """A word by its name.
+
+        Raises
+        ------
+        InputError
+            When it is not in the table.
+        """
+        for first, of in self.words.items():
+            if name in (first, *of.also):
+                most = of.at_most is not None
+                bound = (of.at_most if most else of.at_least) or 0.0
+                return Word(name, bound, most, self.no_difference)
+        known = sorted(word for first, of in self.words.items() for word in (first, *of.also))
+        raise InputError(NAME, "words", f"no word {name!r}", f"allowed are {', '.join(known)}")
+
+
+def words_path(config: Path) -> Path:
+    """The file of the words."""
+    return config / "published" / NAME
+
+
+def read_words(config: Path) -> WordsFile:
+    """The table of words.
+
+    Raises
+    ------
+    InputError
+        When there is none, or when it cannot be meant.
+    """
+    path = words_path(config)
+    if not path.exists():
+        allowed = "write no_difference, because and words, as the table of riserstudy has them"
+        raise InputError(path, "words", "no table of words", allowed)
+    return check(WordsFile, read_yaml(path), path)
