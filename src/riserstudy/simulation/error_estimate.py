@@ -66,7 +66,7 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     histories = _histories(coarse.arrays, fine.arrays)
     if vibration.SINCE in fine.facts:
         times = coarse.arrays["time"], fine.arrays["time"]
-        return vibration.apart(histories, times, fine.facts)
+        return vibration.apart(histories, _places(coarse.arrays, fine.arrays), times, fine.facts)
     for name, fields in (
         ("displacement", ("x", "y", "z")),
         ("tension", ("effective_tension",)),
@@ -145,11 +145,10 @@ def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
     if "time" not in coarse or "time" not in fine:
         return {}
     low, up = map(_told, (coarse, fine), _every(coarse, fine))
+    places = _places(coarse, fine)
     if len(fine["s"]) == len(fine["s_node"]):
-        places = coarse["s_node"]
         up = _at(up, places)
     else:
-        places = fine["s"]
         low = _at(low, places)
     pairs: dict[str, tuple[Array, Array]] = {}
     for field in HISTORIES:
@@ -157,6 +156,11 @@ def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
             away = [curve_of(run).straight(_zero(run, field), places) for run in (coarse, fine)]
             pairs[field] = low[field] - away[0], up[field] - away[1]
     return pairs
+
+
+def _places(coarse: Arrays, fine: Arrays) -> Array:
+    """Where histories of both runs are compared (m): the coarse one's nodes or the fine one's stations."""
+    return coarse["s_node"] if len(fine["s"]) == len(fine["s_node"]) else fine["s"]
 
 
 def _told(arrays: Arrays, every: int) -> Arrays:

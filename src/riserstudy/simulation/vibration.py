@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.signal import detrend
 
 from riserstudy.model.vortex_lift import ramp_of, shedding_period
 from riserstudy.scene.models import Scene
@@ -30,7 +31,7 @@ def since(scene: Scene) -> float | None:
 
 
 def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: dict[str, Any]) -> None:
-    """Enter a run's vibration into its facts: since when, largest root mean square, where, frequency.
+    """Enter a run's vibration into its facts: since when, root mean square, where it is largest, frequency.
 
     Steps (s) or outputs too long for its vortices are warned of; of the latter no frequency is taken.
     ``arrays``: histories (times, s), m.
@@ -46,23 +47,49 @@ def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: dict[str, 
         )
     late = arrays["time"] >= start
     parts = [arrays[name][late] for name in ("x", "y")]
-    rms = np.sqrt(sum(part.var(axis=0) for part in parts))
+    rms = np.sqrt(sum(map(_vibration, parts)))
     most = int(rms.argmax())
     facts[SINCE] = start
-    facts["vibration_rms"], facts["vibration_rms_s"] = float(rms[most]), float(arrays["s"][most])
+    facts["vibration_rms"] = _along(rms**2, arrays["s"])
+    facts["vibration_rms_max"], facts["vibration_rms_max_s"] = (
+        float(rms[most]),
+        float(arrays["s"][most]),
+    )
+    facts["vibration_scatter"] = _scatter(parts, arrays["s"])
     if interval > period / OUTPUTS:
         facts["warnings"].append(
             f"riser.viv: outputs {interval:.3g} s apart show no frequency of vortices with periods down to "
             f"{period:.3g} s: take analysis.output.interval of {period / OUTPUTS:.2g} s"
         )
         return
-    motion = max(parts, key=lambda part: float(part[:, most].var()))[:, most]
+    motion = max(parts, key=lambda part: float(_vibration(part[:, [most]])[0]))[:, most]
     facts[FREQUENCY] = frequency(arrays["time"][late], motion)
 
 
+def _vibration(motion: Array) -> Array:
+    """Mean squares of a motion (times, places) about a straight line in time, on which it may still drift."""
+    return np.asarray(detrend(motion, axis=0).var(axis=0))
+
+
+def _along(squares: Array, s: Array) -> float:
+    """Root mean square along the riser of squares at places."""
+    return float(np.sqrt(np.trapezoid(squares, s) / (s[-1] - s[0]))) if len(s) > 1 else 0.0
+
+
+def _scatter(parts: list[Array], s: Array) -> float:
+    """By how much root mean squares at places differ between the halves of a time, over their size (1)."""
+    half = len(parts[0]) // 2
+    first, second = (
+        np.sqrt(sum(_vibration(part[span]) for part in parts))
+        for span in (slice(None, half), slice(half, None))
+    )
+    size = _along(0.5 * (first**2 + second**2), s)
+    return _along((second - first) ** 2, s) / size if size > 0.0 else 0.0
+
+
 def frequency(time: Array, motion: Array) -> float:
-    """Frequency (Hz) of a motion (times,) by its upward crossings of its mean; 0 with fewer than two."""
-    away = motion - motion.mean()
+    """Frequency (Hz) of a motion (times,) by upward crossings of its mean line; 0 for fewer than two."""
+    away = detrend(motion)
     up = np.flatnonzero((away[:-1] < 0.0) & (away[1:] >= 0.0))
     if len(up) < 2:
         return 0.0
@@ -71,38 +98,53 @@ def frequency(time: Array, motion: Array) -> float:
 
 
 def apart(
-    pairs: dict[str, tuple[Array, Array]], times: tuple[Array, Array], facts: dict[str, Any]
+    pairs: dict[str, tuple[Array, Array]],
+    places: Array,
+    times: tuple[Array, Array],
+    facts: dict[str, Any],
 ) -> dict[str, float]:
     """Relative differences of the statistics of two runs of a vibration, by quantity.
 
-    Displacement: the largest of those of root mean square and of mean, each of its largest anywhere, and of
-    frequency where the vibration is largest. Tension and moment: of mean and root mean square.
+    Displacement: the largest of those of the root mean square over time and riser, of means, over the
+    largest mean anywhere, and of the frequency where the vibration is largest. Moment: of its root mean
+    square over time and riser. Tension: of its mean and root mean square at every place.
 
     Parameters
     ----------
     pairs : histories of both runs, (times, places), by field.
+    places : of both (m).
     times : of both runs (s).
     facts : of the finer run.
     """
     low_late, up_late = (time >= facts[SINCE] for time in times)
     late = {name: (low[low_late], up[up_late]) for name, (low, up) in pairs.items()}
     out = {}
-    places = [late[name] for name in ("x", "y", "z") if name in late]
-    if places:
+    moved = [late[name] for name in ("x", "y", "z") if name in late]
+    if moved:
         out["displacement"] = max(
-            _relative([(low.std(axis=0), up.std(axis=0)) for low, up in places]),
-            _relative([(low.mean(axis=0), up.mean(axis=0)) for low, up in places]),
-            _in_frequency(places, times[0][low_late], times[1][up_late])
+            _of_size(
+                places,
+                np.sum([_vibration(low) for low, _ in moved], axis=0),
+                np.sum([_vibration(up) for _, up in moved], axis=0),
+            ),
+            _relative([(low.mean(axis=0), up.mean(axis=0)) for low, up in moved]),
+            _in_frequency(moved, times[0][low_late], times[1][up_late])
             if FREQUENCY in facts
             else 0.0,
         )
-    for name, field in (("tension", "effective_tension"), ("moment", "bending_moment")):
-        if field in late:
-            low, up = late[field]
-            rms = [np.sqrt((values**2).mean(axis=0)) for values in (low, up)]
-            means = low.mean(axis=0), up.mean(axis=0)
-            out[name] = _relative([(rms[0], rms[1]), means])
+    if "bending_moment" in late:
+        out["moment"] = _of_size(places, *((run**2).mean(axis=0) for run in late["bending_moment"]))
+    if "effective_tension" in late:
+        low, up = late["effective_tension"]
+        rms = [np.sqrt((run**2).mean(axis=0)) for run in (low, up)]
+        out["tension"] = _relative([(rms[0], rms[1]), (low.mean(axis=0), up.mean(axis=0))])
     return out
+
+
+def _of_size(places: Array, low: Array, up: Array) -> float:
+    """Relative difference of the root mean squares along the riser, of mean squares at places (m)."""
+    coarse, fine = (_along(squares, places) for squares in (low, up))
+    return abs(coarse - fine) / fine if fine > 0.0 else 0.0
 
 
 def _relative(pairs: list[tuple[Array, Array]]) -> float:
@@ -112,9 +154,9 @@ def _relative(pairs: list[tuple[Array, Array]]) -> float:
     return off / scale if scale > 0.0 else 0.0
 
 
-def _in_frequency(places: list[tuple[Array, Array]], low_time: Array, up_time: Array) -> float:
+def _in_frequency(moved: list[tuple[Array, Array]], low_time: Array, up_time: Array) -> float:
     """Relative difference of the frequencies where the finer run vibrates most."""
-    low, up = max(places, key=lambda pair: float(pair[1].std(axis=0).max()))
-    most = int(up.std(axis=0).argmax())
+    low, up = max(moved, key=lambda pair: float(_vibration(pair[1]).max()))
+    most = int(_vibration(up).argmax())
     ours, other = frequency(up_time, up[:, most]), frequency(low_time, low[:, most])
     return abs(other - ours) / ours if ours > 0.0 else 0.0
