@@ -46,7 +46,7 @@ def test_a_run_loads_no_library_that_it_has_no_use_for(tmp_path):
     )
     run = [sys.executable, "-c", said, "run", SURGE, "-o", str(tmp_path / "out.nc"), *QUICK]
     done = subprocess.run(run, capture_output=True, text=True, check=True)
-    assert done.stdout.splitlines()[1:] == [""]
+    assert done.stdout.splitlines()[1:] == [f"written: {tmp_path / 'out.nc'}", ""]
 
 
 def test_accuracy_and_settings_reach_the_run(command, tmp_path):
@@ -241,7 +241,8 @@ def test_cost_tells_what_accuracy_takes(command, tmp_path):
         "cost", SURGE, "--set", "analysis.duration=10 s", "--plot", picture
     )
     assert code == 0, complaint
-    lines = said.splitlines()
+    *lines, written = said.splitlines()
+    assert written == f"written: {picture}"
     requests = [line[:9].strip() for line in lines[1:]]
     assert requests == ["5 %", "1 %", "default", "0.2 %", "0.05 %"]
     segments = [int(line[9:].split()[2]) for line in lines[1:]]
@@ -270,7 +271,7 @@ def test_effects_tells_what_is_on_and_what_could_be(command):
     assert "added mass" in out
     assert "could be" in next(line for line in out.splitlines() if "needs current" in line)
     assert "needs top.tensioners" not in out
-    assert "Free in the plane of x and z (platform.surge)." in out
+    assert "Degrees of freedom: in the plane of x and z (platform.surge)." in out
     code, whole, _ = command("effects", SURGE, "--all", "--times")
     assert code == 0
     assert "needs top.tensioners" in whole

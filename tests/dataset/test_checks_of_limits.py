@@ -2,14 +2,15 @@
 
 import csv
 import json
+import re
 
 import numpy as np
 import pytest
 
 from riserstudy import simulate
 from riserstudy.cli import main
+from riserstudy.dataset.limit_lines import lines
 from riserstudy.dataset.limits import use
-from riserstudy.dataset.tables import as_lines
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 
@@ -32,6 +33,10 @@ HUNG = {
     ],
     "analysis": {},
 }  # fmt: skip
+
+
+def as_lines(rows):
+    return [line.text for line in lines(rows)]
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +67,7 @@ def test_what_is_missing_is_named_and_never_passes(rows):
     assert (stroke["verdict"], stroke["missing"]) == ("not evaluated", "top.tensioners")
     assert stress["verdict"] == "not evaluated"
     assert "outer_diameter of section 'lower'" in stress["missing"]
-    assert "not evaluated: top.tensioners" in as_lines(rows)[4]
+    assert any("not evaluated: top.tensioners" in text for text in as_lines(rows))
 
 
 def test_a_limit_says_which_sections_it_takes_and_what_where_they_meet(rows):
@@ -71,8 +76,8 @@ def test_a_limit_says_which_sections_it_takes_and_what_where_they_meet(rows):
     assert one["takes"] == ""
     assert stress["takes"].endswith("where walls meet, the larger")
     said = as_lines(rows)
-    assert said[0].startswith("connected: smallest effective_tension (lower to upper):")
-    assert said[1].startswith("drilling: largest effective_tension at lower:")
+    assert "connected: smallest effective_tension: lower to upper" in said
+    assert any(text.startswith("drilling: largest effective_tension at lower ") for text in said)
 
 
 def walls(thickness):
@@ -110,7 +115,7 @@ def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
         return 0
 
     assert status(HUNG["limits"][:1]) == 0
-    assert "use 50 %" in capsys.readouterr().out
+    assert " 50 % " in capsys.readouterr().out
     assert status(HUNG["limits"][:2]) == 1
     assert status(HUNG["limits"][4:]) == 4
     assert status([{"output": "colour", "largest": "1 m", "mode": "drilling"}]) == 2
@@ -226,12 +231,11 @@ def test_a_range_of_sections_that_is_none_is_refused(at, said):
 def test_a_floor_of_zero_tells_its_margin_and_no_share(floor):
     limits = [{"output": "effective_tension", "smallest": floor, "mode": "connected"}]
     rows = json.loads(simulate(SceneFile("hung.yaml", HUNG | {"limits": limits})).attrs["limits"])
-    (line,) = as_lines(rows)
-    assert "margin 500 kN: within" in line
-    assert "use" not in line
+    line = as_lines(rows)[1]
+    assert re.search(r"margin 500 kN .*within$", line)
+    assert "%" not in line
     slack = {"demand": -400e3, "utilisation": float("inf"), "verdict": "exceeded"}
-    (line,) = as_lines([rows[0] | slack])
-    assert "margin -400 kN: exceeded" in line
+    assert re.search(r"margin -400 kN .*exceeded$", as_lines([rows[0] | slack])[1])
 
 
 @pytest.mark.parametrize(
@@ -242,7 +246,7 @@ def test_a_use_by_rounding_is_printed_as_none(share, said):
         "output": "x", "at": "", "mode": "drilling", "side": "largest", "allowable": 1.0, "demand": share,
         "utilisation": share, "s": None, "time": None, "verdict": "within", "missing": "", "origin": "given",
     }  # fmt: skip
-    assert f", use {said}:" in as_lines([row])[0]
+    assert f" {said} " in as_lines([row])[1]
 
 
 @pytest.mark.parametrize("ramp", [10.0, 25.0, 200.0])
@@ -262,4 +266,32 @@ def test_a_mean_over_time_leaves_out_what_grows(ramp):
     at = run["x"].interp(s=250.0)
     later = at["time"] >= (ramp if ramp < 80.0 else 0.0)
     assert row["demand"] == pytest.approx(abs(float(at.where(later).mean())), rel=1e-6, abs=1e-9)
-    assert ("when ramps are over" in as_lines([row])[0]) == (ramp < 80.0)
+    assert any("when ramps are over" in text for text in as_lines([row])) == (ramp < 80.0)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_limit_that_governs_stands_first_and_none_is_lost(seed):
+    """Exceeded before kept, more used before less, what could not be evaluated last."""
+    rng = np.random.default_rng(seed)
+    rows = []
+    for k in range(9):
+        use = None if rng.random() < 0.2 else float(rng.uniform(0.0, 2.0))
+        verdict = "not evaluated" if use is None else "exceeded" if use > 1.0 else "within"
+        rows.append(
+            {
+                "output": "lfj_angle", "at": f"place {k}", "mode": "drilling", "side": "largest",
+                "allowable": 0.02, "demand": None if use is None else 0.02 * use, "utilisation": use,
+                "s": None, "time": None, "verdict": verdict, "missing": "" if use else "a joint",
+                "origin": "given", "takes": "",
+            }
+        )  # fmt: skip
+    head, *table = lines(rows)[: len(rows) + 1]
+    assert head.text.split()[0] == "limit"
+    uses = [line.use for line in table]
+    known = [use for use in uses if not np.isnan(use)]
+    assert known == sorted(
+        (row["utilisation"] for row in rows if row["demand"] is not None), reverse=True
+    )
+    assert all(np.isnan(use) for use in uses[len(known) :])
+    for k in range(9):
+        assert sum(f"place {k} " in line.text for line in table) == 1

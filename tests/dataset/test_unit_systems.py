@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from riserstudy.dataset.limit_lines import lines
 from riserstudy.dataset.table import OF_ROW, Table
-from riserstudy.dataset.tables import as_lines, in_units
+from riserstudy.dataset.tables import in_units
 from riserstudy.dataset.unit_systems import UnitSystem, read_in, reading_in, systems
 from riserstudy.dataset.variables import attributes, variables
 from riserstudy.figures.grid import label, read
@@ -85,10 +86,9 @@ def test_a_limit_is_printed_in_the_units_that_are_asked_for():
         "demand": 677908.974, "utilisation": 0.5, "s": 30.48, "time": None, "verdict": "within",
         "missing": "", "origin": "given",
     }  # fmt: skip
-    (us,) = as_lines([row], UnitSystem.US)
-    assert "500 kip ft at s = 100 ft, allowable 1000 kip ft" in us
-    (plain,) = as_lines([row])
-    assert "677.91 kN m at s = 30.48 m" in plain
+    us, plain = (lines([row], system)[1].text for system in (UnitSystem.US, UnitSystem.FIELD))
+    assert "500 kip ft  1000 kip ft  50 %  s = 100 ft" in us
+    assert "677.9 kN m  1356 kN m  50 %  s = 30.48 m" in plain
 
 
 def test_a_plot_reads_values_and_says_their_unit_in_one_system():

@@ -1,6 +1,6 @@
 """The commands of ``riserstudy``, thin: each calls what it is named for.
 
-A command is a function in the module of its group and a line in ``COMMANDS``, in the order of the help.
+A command is a function, an entry of ``GROUPS``, and an example.
 """
 
 from __future__ import annotations
@@ -14,41 +14,25 @@ import typer
 
 import riserstudy
 from riserstudy.cli import analyse, design, files, leave, outputs, results, seas, simulate, tune
+from riserstudy.cli.examples import EXAMPLES
 from riserstudy.errors import RiserStudyError, shown
 
 OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothing refers to
 
-COMMANDS = (
-    simulate.run,
-    simulate.check,
-    outputs.plot,
-    outputs.table,
-    outputs.statistics,
-    simulate.rerun,
-    analyse.cost,
-    analyse.effects,
-    analyse.advise,
-    analyse.modes,
-    tune.tune,
-    design.tension,
-    design.operability,
-    design.envelope,
-    design.viv,
-    leave.watch_circles,
-    leave.recoil,
-    seas.seas,
-    seas.downtime,
-    files.draw,
-    files.import_deck,
-    files.export_deck,
-    files.new,
-    files.schema,
-    results.results,
-    results.sql,
-    results.verify,
-    results.prune,
-    results.diff,
-)
+#: commands by what they are for, in the order of the help
+GROUPS: dict[str, tuple[Any, ...]] = {
+    "Simulate": (simulate.run, simulate.check, analyse.modes, tune.tune, simulate.rerun),
+    "Inspect": (
+        outputs.plot, outputs.table, outputs.statistics, files.draw,
+        analyse.cost, analyse.effects, analyse.advise,
+    ),
+    "Design": (
+        design.tension, design.operability, design.envelope, design.viv,
+        leave.watch_circles, leave.recoil, seas.seas, seas.downtime,
+    ),
+    "Files": (files.import_deck, files.export_deck, files.new, files.schema),
+    "Results": (results.results, results.sql, results.verify, results.prune, results.diff),
+}  # fmt: skip
 NAMES: dict[Any, str] = {
     files.import_deck: "import",
     files.export_deck: "export",
@@ -76,11 +60,13 @@ def about(
         typer.Option("--version", is_eager=True, callback=_version, help="print the version"),
     ] = False,
 ) -> None:
-    """Simulate deepwater drilling risers, and look at what was simulated."""
+    """Simulate deepwater drilling risers and check them against limits."""
 
 
-for command in COMMANDS:
-    app.command(NAMES.get(command))(command)
+for group, commands in GROUPS.items():
+    for command in commands:
+        name = NAMES.get(command, command.__name__)
+        app.command(name, rich_help_panel=group, epilog=f"Example: {EXAMPLES[name]}")(command)
 
 
 def main() -> None:

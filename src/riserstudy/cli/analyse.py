@@ -15,6 +15,7 @@ from riserstudy.cli.shared import (
     compile_kernels,
     recipe_lines,
     scene_of,
+    wrote,
 )
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 
@@ -25,9 +26,9 @@ def cost(
     plot: PlotOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Say what 5, 1, 0.2 and 0.05 % of error cost for a scene, before a grid of it is launched.
+    """Estimate the run time of a scene for tolerances of 5, 1, 0.2 and 0.05 %.
 
-    The row ``default`` is a scene without a request: 0.2 % of displacement, 1 % of moment and tension. For
+    The row ``default`` is a scene without a tolerance: 0.2 % of displacement, 1 % of moment and tension. For
     more than 20 min of an irregular sea the recipe for long records follows.
     """
     file = scene_of(scene, settings)
@@ -39,7 +40,7 @@ def cost(
     prices: list[requests.Price] = []
     for price in requests.prices(file, progress=True):
         if not prices:  # a scene that is refused has no table
-            print("  request  estimated  segments       step   time")
+            print("tolerance  estimated  segments  time step   time")
         prices.append(price)
         step = f"{price.step:7.3g} s" if price.step else "   none  "
         asked = "default" if price.requested is None else f"{100 * price.requested:.3g} %"
@@ -49,6 +50,7 @@ def cost(
         print(line)
     if plot is not None:
         requests.plot(prices, str(file.tree["title"]), plot)
+        wrote(plot)
 
 
 def effects(
@@ -61,9 +63,9 @@ def effects(
         bool, typer.Option("--times", help="also what share of a run each takes")
     ] = False,
 ) -> None:
-    """Say which effects a scene has, because of which line, and which it could call for.
+    """List the effects of a scene with the lines that include them, and effects that it could include.
 
-    ``advise`` says what each changes and costs.
+    ``advise`` estimates what each changes and costs.
     """
     from rich.console import Console
     from rich.table import Table
@@ -90,9 +92,9 @@ def effects(
     console.print(table)
     off = sum(not row.on and row.name not in could for row in rows)
     counts = f"{sum(row.on for row in rows)} of {len(rows)} effects are on"
-    more = "" if every or not off else f"; --all lists {off} that need more than this scene has"
-    console.print(f"{counts}{more}.", highlight=False)
-    console.print(f"Free {solved_for(file)}.", highlight=False)
+    more = "" if every or not off else f" Use --all to list {off} that need more input."
+    console.print(f"{counts}.{more}", highlight=False)
+    console.print(f"Degrees of freedom: {solved_for(file)}.", highlight=False)
     for line in price.said[:1] if times else []:
         console.print(line, highlight=False)
 
@@ -105,7 +107,7 @@ def _needs(missing: str) -> str:
 
 
 def advise(scene: SceneArgument, settings: SetOption = None) -> None:
-    """Say which effects a scene could do without at its accuracy, and which missing one would matter."""
+    """Recommend effects to remove or add, within the tolerance of a scene."""
     from rich.console import Console
     from rich.table import Table
 
@@ -144,7 +146,7 @@ def modes(
     ] = None,
     force: ForceOption = False,
 ) -> None:
-    """Natural frequencies about the static equilibrium."""
+    """Compute natural frequencies and mode shapes about the static equilibrium."""
     from rich.console import Console
     from rich.table import Table
 
@@ -165,3 +167,4 @@ def modes(
         from riserstudy.study.collect import write_dataset
 
         write_dataset(dataset, output)
+        wrote(output)

@@ -18,6 +18,7 @@ from riserstudy.cli.shared import (
     quantity,
     scene_of,
     show,
+    wrote,
 )
 from riserstudy.cli.targets import ForceOption, check_output
 from riserstudy.errors import InputError
@@ -56,7 +57,7 @@ def tension(
     csv: CsvOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Compute the smallest tension at which no point of a riser is slack, and the window of the setting.
+    """Compute the minimum top tension, and the window of the tension setting.
 
     By the formula and by the engine, which replaces tensioners by a constant tension. The window lies
     between the minimum tension, or the tension that lifts the LMRP off with --overpull, and the --share of
@@ -96,6 +97,7 @@ def tension(
         from riserstudy.dataset import tables
 
         tables.write_csv(rows.table(), csv)
+        wrote(csv)
     if rows.missing:
         raise typer.Exit(4)
 
@@ -113,7 +115,7 @@ def operability(
     ] = None,
     settings: SetOption = None,
 ) -> None:
-    """Say between which offsets of the platform each limit of a scene is kept, on risers at rest.
+    """Compute the static offset range within which each limit is met.
 
     Exit status 4 where one could not be evaluated.
     """
@@ -207,7 +209,7 @@ def viv(
     plot: PlotOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Screen a riser in a current for vortex-induced vibration: modes, where, how large, what drag becomes.
+    """Screen a riser in a current for vortex-induced vibration: modes, places, amplitudes, drag.
 
     By the modes about the static equilibrium and reduced velocities alone: nothing is simulated over time.
     The amplitude of a mode is that at which drag takes what lift gives, each mode by itself.
@@ -236,6 +238,7 @@ def viv(
         from riserstudy.figures.vortex_frequencies import vortex_frequencies
 
         save(vortex_frequencies(found, str(file.tree["title"])), plot)
+        wrote(plot)
 
 
 def _tell(said: str) -> None:
@@ -277,6 +280,6 @@ def _between(low: float, high: float, missing: str) -> str:
     if missing:
         return f"not evaluated: {missing}"
     if math.isnan(low):
-        return "kept at no offset"
+        return "met at no offset"
     ends = ["not reached" if math.isinf(end) else f"{end:+.1f} m" for end in (low, high)]
     return f"{ends[0]} to {ends[1]}"

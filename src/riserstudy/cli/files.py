@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from riserstudy.cli.shared import SceneArgument, SetOption, scene_of
+from riserstudy.cli.shared import SceneArgument, SetOption, scene_of, wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
@@ -23,13 +23,14 @@ def draw(
     settings: SetOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Draw a scene to scale: what is there, what it is free to do, what acts on it."""
+    """Draw a scene to scale: parts, degrees of freedom, loads."""
     file = scene_of(scene, settings)
     check_output(output, ("figure",), file.files, force)
     from riserstudy.figures import save
     from riserstudy.schematic import schematic
 
     save(schematic(file.scene()), output)
+    wrote(output)
 
 
 def import_deck(
@@ -52,7 +53,7 @@ def import_deck(
     ] = None,
     force: ForceOption = False,
 ) -> None:
-    """Make a scene of a deck, the OrcaFlex text model of a vertical riser, or a table of a platform's RAOs.
+    """Convert an OrcaFlex text model of a vertical riser to a scene, or platform RAOs to a table.
 
     Everything that is not in the scene is named; what would make it another riser is refused.
     """
@@ -79,7 +80,7 @@ def export_deck(
     settings: SetOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Write a scene as a deck, the OrcaFlex text model of its riser, so that another program can repeat it.
+    """Write a scene as the OrcaFlex text model of its riser.
 
     Everything of the scene that is not in the deck, or is otherwise in it, is named.
     """
@@ -129,7 +130,7 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
 def new(
     folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER"), Writes()],
 ) -> None:
-    """Make a folder for a study of one's own: Snakefile, configuration, an example to change."""
+    """Make a folder for your own study: Snakefile, configuration, an example to change."""
     from riserstudy.study.new import new_study
 
     new_study(folder)

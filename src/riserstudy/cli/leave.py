@@ -19,8 +19,9 @@ from riserstudy.cli.shared import (
     say_warnings,
     scene_of,
     show,
+    wrote,
 )
-from riserstudy.cli.simulate import announce, limit_lines
+from riserstudy.cli.simulate import announce, show_limits
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
@@ -62,10 +63,10 @@ def recoil(
     dataset = simulate(file)
     say_warnings(dataset)
     show(recoil_table.recoil(file.scene(), dataset), csv)
-    for line in limit_lines(dataset):
-        print(line)
+    show_limits(dataset)
     if output is not None:
         write_dataset(dataset, output)
+        wrote(output)
     if "clearance_min" not in dataset.attrs:
         raise typer.Exit(4)
 
@@ -130,6 +131,7 @@ def watch_circles(
     show(found.table, csv)
     if output is not None:
         write_dataset(dataset, output)
+        wrote(output)
     if found.missing:
         raise typer.Exit(4)
 

@@ -17,6 +17,7 @@ from riserstudy.cli.shared import (
     place_of,
     say_warnings,
     scene_of,
+    wrote,
 )
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem, reading_in
@@ -47,7 +48,7 @@ def plot(
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
-    """Draw one run: ranges along the riser with its limits, time series, or its shape."""
+    """Plot one run: ranges along the riser with its limits, time series, or its shape."""
     from riserstudy.dataset.diff import opened
     from riserstudy.dataset.place import place
     from riserstudy.figures import save
@@ -57,6 +58,7 @@ def plot(
     check_output(output, ("figure",), [dataset], force)
     with reading_in(units):
         save(draw(kind.value, of_run.isel(place(of_run, place_of(at))), of), output)
+    wrote(output)
 
 
 class TableKind(StrEnum):
@@ -118,6 +120,7 @@ def table(
         workbook.write_workbook(made, output)
     else:
         tables.write_csv(next(iter(made.values())), output)
+    wrote(output)
 
 
 def _run_of(source: Path) -> tuple[Any, Any]:
@@ -153,7 +156,7 @@ def statistics(
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.SI,
 ) -> None:
-    """Statistics in an irregular sea as CSV: mean, deviation, most probable extremes; Gumbel over seeds."""
+    """Compute statistics in an irregular sea: mean, deviation, most probable extremes, Gumbel over seeds."""
     from riserstudy.dataset import statistics_tables, tables
     from riserstudy.dataset.diff import opened
     from riserstudy.dataset.place import place
@@ -180,6 +183,7 @@ def statistics(
         made = statistics_tables.of_a_run(run, begin, times["--exposure"])
         _tell_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
     tables.write_csv(tables.in_units(made, units), output)
+    wrote(output)
 
 
 SHORT = 10.0  # records that an exposure may last before a warning is given

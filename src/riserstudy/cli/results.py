@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from riserstudy.cli.shared import wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
@@ -109,6 +110,7 @@ def _show(
         from riserstudy.csv_files import write_csv
 
         write_csv(csv, answer.columns, answer.rows)
+        wrote(csv)
         return
     lines = [show.as_json(answer)] if as_json else show.as_table(answer, units)
     try:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import CsvOption, PlotOption, check_tables, quantity, show
+from riserstudy.cli.shared import CsvOption, PlotOption, check_tables, quantity, show, wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
@@ -62,6 +62,7 @@ def seas(
         print(line)
     if output is not None:
         write_record(found, output)
+        wrote(output)
 
 
 def downtime(
@@ -121,6 +122,7 @@ def downtime(
         from riserstudy.figures.calendar import calendar
 
         save(calendar(found.by_month(), f"{record.name}: hours with {' and '.join(limit)}"), plot)
+        wrote(plot)
 
 
 def described(record: xr.Dataset) -> list[str]:

@@ -125,6 +125,13 @@ def show(table: Table, csv: Path | None) -> None:
         print(line)
     if csv is not None:
         tables.write_csv(table, csv)
+        wrote(csv)
+
+
+def wrote(*paths: Path) -> None:
+    """Print what a command has written."""
+    for path in paths:
+        print(f"written: {path}")
 
 
 def quantity(option: str, text: str, unit: str) -> float:

@@ -20,6 +20,7 @@ from riserstudy.cli.shared import (
     recipe_lines,
     say_warnings,
     scene_of,
+    wrote,
 )
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
@@ -28,6 +29,7 @@ from riserstudy.errors import InputError
 WORTH_TELLING = 10.0  # seconds of a run, from which on it is announced
 WORTH_A_RECIPE = 60.0  # seconds of a run, from which on a cheaper one is offered
 
+NEAR = 0.8  # share of a limit from which on its line is coloured
 SAME_AS_STORED = 1e-9  # relative, of what is stored to ten digits
 
 
@@ -46,11 +48,15 @@ def run(
     settings: SetOption = None,
     accuracy: Annotated[
         str | None,
-        typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT"),
+        typer.Option(
+            help="tolerance, for which mesh and time step are chosen: 1%", metavar="PERCENT"
+        ),
     ] = None,
     patience: Annotated[
         str | None,
-        typer.Option(help="take the best result after so long: 30, '10 min'", metavar="SECONDS"),
+        typer.Option(
+            help="time limit; the best result so far is written: 30, '10 min'", metavar="SECONDS"
+        ),
     ] = None,
     force: ForceOption = False,
     units: Annotated[
@@ -87,8 +93,8 @@ def run(
     print(_summary(dataset))
     for line in _recoil(file, dataset):
         print(line)
-    for line in limit_lines(dataset, units or UnitSystem.FIELD):
-        print(line)
+    show_limits(dataset, units or UnitSystem.FIELD)
+    wrote(output)
 
 
 def _recoil(file: Any, dataset: Any) -> list[str]:
@@ -124,11 +130,19 @@ def announce(file: Any) -> None:
             print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
 
-def limit_lines(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> list[str]:
-    """A line a limit of the scene."""
-    from riserstudy.dataset.tables import as_lines
+def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
+    """Print the limits of the scene as a table, the one that governs first; on terminals in colours."""
+    rows = json.loads(dataset.attrs.get("limits", "[]"))
+    if not rows:
+        return
+    from rich.console import Console
 
-    return as_lines(json.loads(dataset.attrs.get("limits", "[]")), units)
+    from riserstudy.dataset.limit_lines import lines
+
+    console = Console(markup=False, highlight=False, soft_wrap=True)
+    for line in lines(rows, units):
+        style = "bold red" if line.use > 1.0 else "yellow" if line.use > NEAR else None
+        console.print(line.text, style=style)
 
 
 def _summary(dataset: Any) -> str:
@@ -146,11 +160,15 @@ def check(
     settings: SetOption = None,
     accuracy: Annotated[
         str | None,
-        typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT"),
+        typer.Option(
+            help="tolerance, for which mesh and time step are chosen: 1%", metavar="PERCENT"
+        ),
     ] = None,
     units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
-    """Hold a scene against its limits: demand, allowable, use, where and when.
+    """Check a scene against its limits.
+
+    A table with the governing limit first: value, allowable, use, place and time.
 
     Exit status 1 where one is exceeded, else 4 where one could not be evaluated.
     """
@@ -165,8 +183,7 @@ def check(
     announce(file)
     dataset = simulate(file)
     say_warnings(dataset)
-    for line in limit_lines(dataset, units):
-        print(line)
+    show_limits(dataset, units)
     verdicts = {row["verdict"] for row in json.loads(dataset.attrs["limits"])}
     if verdicts & {EXCEEDED, UNKNOWN}:
         raise typer.Exit(1 if EXCEEDED in verdicts else 4)
@@ -182,7 +199,7 @@ def rerun(
     ] = None,
     force: ForceOption = False,
 ) -> None:
-    """Run a point of a dataset anew, from what the dataset says of itself alone, and compare.
+    """Rerun one point from its dataset and compare.
 
     ``-o`` writes all of the run, with what its study does not keep. Exit status 1 where a variable changed by
     more than 1e-9 of its largest magnitude; of large histories ten digits are stored.
@@ -202,6 +219,7 @@ def rerun(
         print(f"{change:9.2g}  {name}")
     if output is not None:
         write_dataset(outcome.run, output)
+        wrote(output)
     changed = sum(change > SAME_AS_STORED for change in outcome.changes.values())
     where = ", ".join(f"{axis}={value}" for axis, value in outcome.place.items())
     print(f"{changed} of {len(outcome.changes)} variables changed{' at ' if where else ''}{where}")

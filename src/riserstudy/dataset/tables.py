@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from riserstudy.csv_files import write_csv as write_whole
 from riserstudy.dataset.stack_up import stack_up
@@ -12,7 +12,6 @@ from riserstudy.dataset.table import OF_ROW, Cell, Table, heads
 from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
-from riserstudy.scene.limits import UNITS
 from riserstudy.scene.models import Scene
 
 if TYPE_CHECKING:
@@ -74,10 +73,6 @@ def limits(dataset: xr.Dataset) -> Table:
     return Table(names, units, [[row.get(name, "") for name in names] for row in rows])
 
 
-BEYOND = 1e3  # share of a limit from which on none is told
-ROUNDING = 1e-6  # share of a limit that is none
-
-
 def in_units(table: Table, system: UnitSystem) -> Table:
     """A table with its values in the units of a system, which its heads and its column ``unit`` name."""
     whole = [read_in(unit, system) for unit in table.units]
@@ -102,29 +97,6 @@ def in_units(table: Table, system: UnitSystem) -> Table:
     return Table(table.columns, units, [converted(row) for row in table.rows])
 
 
-def as_lines(rows: list[dict[str, Any]], system: UnitSystem = UnitSystem.FIELD) -> list[str]:
-    """Limits as one readable line each: demand, allowable, use, where and when, or what is missing."""
-    lines = []
-    along = read_in("m", system)
-    for row in rows:
-        factor, unit = read_in(UNITS[row["output"]], system)
-        place = f" at {row['at']}" if row["at"] else ""
-        takes = f" ({row['takes']})" if row.get("takes") else ""
-        what = f"{row['mode']}: {row['side']} {row['output']}{place}{takes}"
-        allowed = f"allowable {factor * row['allowable']:.5g} {unit} ({row['origin']})"
-        if row["demand"] is None:
-            lines.append(f"{what}: not evaluated: {row['missing']}; {allowed}")
-            continue
-        where = "" if row["s"] is None else f" at s = {along.factor * row['s']:.5g} {along.unit}"
-        when = "" if row["time"] is None else f" at t = {row['time']:.5g} s"
-        text = f"{factor * row['demand']:.5g} {unit}{where}{when}, {allowed}, {_use(row, system)}"
-        verdict = row["verdict"] + (
-            f"; not known everywhere for want of {row['missing']}" if row["missing"] else ""
-        )
-        lines.append(f"{what}: {text}: {verdict}")
-    return lines
-
-
 def in_columns(table: Table) -> list[str]:
     """A table as aligned lines: names with their units, then the rows, numbers to five digits."""
     heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
@@ -143,17 +115,6 @@ def in_columns(table: Table) -> list[str]:
 
 def _plain(cell: Cell) -> bool:
     return cell is None or not isinstance(cell, str)
-
-
-def _use(row: dict[str, Any], system: UnitSystem) -> str:
-    """Share of a limit that is used; of a floor of zero, of which there are no shares, the margin."""
-    if row["side"] == "smallest" and row["allowable"] == 0.0:
-        factor, unit = read_in(UNITS[row["output"]], system)
-        return f"margin {factor * row['demand']:.5g} {unit}"
-    if not row["utilisation"] < BEYOND:
-        return "use beyond all"
-    share = row["utilisation"]
-    return f"use {100.0 * share if share > ROUNDING else 0.0:.4g} %"
 
 
 def write_csv(table: Table, target: Path) -> None:

@@ -1,0 +1,51 @@
+"""Every command has an example in its help, and says what it has written."""
+
+import shlex
+
+import pytest
+import typer
+
+from riserstudy.cli import app, main
+from riserstudy.cli.examples import EXAMPLES
+
+COMMANDS = typer.main.get_command(app).commands
+SCENE = """\
+title: hung
+riser:
+  - {name: pipe, length: 250 m, axial_stiffness: 5e9 N, submerged_weight: 1 kN/m}
+bottom: {hold: wellhead, elevation: 0 m}
+top: {z: free, tension: 1 MN}
+analysis: {mesh: {elements: 10}}
+"""
+
+
+def test_every_command_has_an_example():
+    assert set(EXAMPLES) == set(COMMANDS)
+
+
+def test_the_help_has_five_groups():
+    assert [*dict.fromkeys(of.rich_help_panel for of in COMMANDS.values())] == [
+        *("Simulate", "Inspect", "Design", "Files", "Results")
+    ]
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_an_example_is_a_command_line_that_is_understood(name):
+    """All its options exist, and all that it needs are there."""
+    words = shlex.split(EXAMPLES[name].partition(" > ")[0])
+    assert words[:2] == ["riserstudy", name]
+    context = COMMANDS[name].make_context(name, words[2:])
+    assert context.params
+    assert EXAMPLES[name] in " ".join(COMMANDS[name].epilog.split())
+
+
+@pytest.mark.parametrize(
+    "command, target", [("draw", "a.png"), ("run", "a.nc"), ("table", "a.csv")]
+)
+def test_a_command_that_succeeds_names_the_file(command, target, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "scene.yaml").write_text(SCENE)
+    monkeypatch.setattr("sys.argv", ["riserstudy", command, "scene.yaml", "-o", target])
+    main()
+    assert capsys.readouterr().out.splitlines()[-1] == f"written: {target}"
+    assert (tmp_path / target).stat().st_size > 0
