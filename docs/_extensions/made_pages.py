@@ -89,8 +89,9 @@ def _validated() -> xr.Dataset:
 
 
 def gallery(names: str) -> str:
-    """Figures with what they show and the lines that draw them."""
-    return "\n".join(_figure(*name.split("/")) for name in names.split())
+    """Figures as a grid, each with what it shows; its command and code unfold."""
+    figures = "\n".join(_figure(*name.split("/")) for name in names.split())
+    return f"::::::{{container}} exhibits\n{figures}\n::::::"
 
 
 def _figure(paper: str, name: str) -> str:
@@ -104,16 +105,22 @@ def _figure(paper: str, name: str) -> str:
 
 **{paper}/{name}**: {caption}.
 
+```{{raw}} html
+<details><summary>command and code</summary>
+```
+
 ```sh
 snakemake {paper}_{name}
 ```
 
-::::{{container}} lines
 ```{{literalinclude}} ../src/{source}
 :pyobject: {name}
 :language: python
 ```
-::::
+
+```{{raw}} html
+</details>
+```
 :::::
 """
 

@@ -15,7 +15,10 @@ from PIL import Image
 
 from riserstudy import load_scene
 from riserstudy.figures.style import COLOURS, GREY
+from riserstudy.report.hero import hero
+from riserstudy.report.motion import motion_of
 from riserstudy.schematic import COLUMNS, FLOOR, HEIGHT, WIDTH, schematic
+from riserstudy.study.read import read_studies
 from theory_drawings import drawings
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -31,10 +34,31 @@ def main() -> None:
     rcParams["svg.hashsalt"] = "riserstudy"  # the same drawing is the same file
     for name, figure in drawings().items():
         figure.savefig(IMAGES / f"{name}.svg", metadata={"Date": None}, transparent=False)
+    (IMAGES / "drive_off.svg").write_text(drive_off(), "utf-8")
     for name in gallery():
         shrunk(name, THUMBNAIL, IMAGES / "gallery" / f"{name.replace('/', '_')}.png")
     for name, width in PAGES.items():
         shrunk(name, width, IMAGES / f"{Path(name).name}.png")
+
+
+STYLE = """<style>.water{fill:#4a8fc4;opacity:.18}.bed{fill:#8a949c;opacity:.6}
+.riser{fill:none;stroke:#c9503f;stroke-width:2.6;stroke-linejoin:round}
+.rest{fill:none;stroke:#8a949c;stroke-dasharray:4 3}.rig{fill:#55606a}
+@media (prefers-color-scheme: dark){.rig{fill:#c8d0d8}}</style>"""
+
+
+def drive_off() -> str:
+    """The run in motion of Liu et al. (2017) as a small SVG that plays by itself."""
+    shown = read_studies(ROOT / "config", "liu2017").in_motion
+    if shown is None:
+        raise LookupError("liu2017 shows no run in motion")
+    with xr.open_dataset(ROOT / f"results/liu2017/{shown.study}.nc") as data:
+        found = hero([("liu2017", motion_of(shown, data))])
+    if found is None:
+        raise LookupError(f"liu2017/{shown.study}: its top does not travel over a foot that stands")
+    head, _, rest = found[1].svg.partition(">")
+    head = head.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ')
+    return f"{head}>{STYLE}{rest}\n"
 
 
 def shrunk(name: str, width: int, target: Path) -> None:

@@ -1,4 +1,4 @@
-"""Drawings of the theory page: a segment with its forces, flow across a pipe, a gas tensioner."""
+"""Drawings of the theory and conventions pages: segments, flow across a pipe, a tensioner, signs."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ def drawings() -> dict[str, Figure]:
         "theory_segments": segments(),
         "theory_flow": flow(),
         "theory_tensioner": tensioner(),
+        "conventions": conventions(),
     }
 
 
@@ -38,6 +39,46 @@ def _arrow(ax: Axes, start: Point, end: Point, colour: str, label: str = "") -> 
     )  # fmt: skip
     if label:
         ax.annotate(label, end, (5, 3), textcoords="offset points", color=colour)
+
+
+def conventions() -> Figure:
+    """A riser whose top is displaced along +x, with axes, arclength, angles and end forces."""
+    figure = Figure((6.4, 4.9), layout="constrained")
+    (ax,) = _empty(figure, 9.0, 6.6)
+    z = np.linspace(0.0, 5.0, 60)
+    x = 2.2 + 2.6 * (0.62 * z / 5.0 + 0.38 * np.sin(0.5 * np.pi * z / 5.0))
+    ax.plot(x, z + 0.5, color="black", lw=3)
+    ax.add_patch(Rectangle((1.75, -0.1), 0.9, 0.6, color="0.7"))
+    ax.plot([0.3, 8.6], [0.5, 0.5], color=GREY, lw=0.8)
+    ax.plot([0.3, 8.6], [5.3, 5.3], color=BLUE, lw=0.8)
+    ax.text(8.6, 5.36, "surface", color=BLUE, ha="right", fontsize="small")
+    ax.text(8.6, 0.56, "seabed", color="0.4", ha="right", fontsize="small")
+    for k, name in ((0, "LFJ"), (-1, "UFJ")):
+        at = (float(x[k]), float(z[k] + 0.5))
+        up = 1.3 if k == 0 else -1.3
+        ax.plot([at[0], at[0]], [at[1], at[1] + up], ":", color=GREY)
+        ax.annotate(
+            f"{name} angle > 0",
+            at,
+            (14, 8 if k == 0 else -22),
+            textcoords="offset points",
+            color=ORANGE,
+        )
+    along = np.array((x[-1] - x[-4], z[-1] - z[-4]))
+    along /= np.hypot(*along)
+    top = np.array((x[-1], z[-1] + 0.5))
+    _arrow(ax, tuple(top), tuple(top + 0.95 * along), GREEN, "$T_e > 0$")
+    middle = (float(x[25]), float(z[25] + 0.5))
+    ax.annotate("$s$, from the lower end", middle, (-128, 0), textcoords="offset points")
+    ax.annotate(
+        "$M < 0$: leans less\nwith increasing $s$", middle, (22, -16), textcoords="offset points",
+        color=BLUE, fontsize="small",
+    )  # fmt: skip
+    _arrow(ax, (6.4, 1.4), (7.6, 1.4), "black", "$+x$")
+    _arrow(ax, (6.4, 1.4), (6.4, 2.6), "black", "$+z$")
+    _arrow(ax, (2.2, 5.75), (4.7, 5.75), "black")
+    ax.text(2.2, 5.9, "offset > 0")
+    return figure
 
 
 def segments() -> Figure:
