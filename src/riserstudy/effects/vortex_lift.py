@@ -129,8 +129,9 @@ def _shed(lift, s, i, n, speed):
     mean_v, mine = _mean_square(lift, s, lift.first + OF_VELOCITY, i, y_v, speed)
     mean_a, _ = _mean_square(lift, s, lift.first + OF_ACCELERATION, i, y_a, speed)
     least = LEAST * speed
-    square_v = mean_v + least * least
-    square_a = mean_a + (least * f0 * turn) ** 2
+    # stages of high order may leave a little less than nothing of a mean square that was none
+    square_v = max(mean_v, 0.0) + least * least
+    square_a = max(mean_a, 0.0) + (least * f0 * turn) ** 2
     p, r = y_v / sqrt(square_v), -y_a / sqrt(square_a)
     size = sqrt(p * p + r * r + FLAT * FLAT)
 

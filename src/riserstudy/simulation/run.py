@@ -103,6 +103,7 @@ def march(
 
         return solve_small_angle(scene, mesh, step)
     started = clock.perf_counter()
+    vibration.since(scene)  # refuses before statics
     rest = rest or Rest(scene, mesh)
     model, arrays = rest.model, dict(rest.arrays)
     facts: dict[str, Any] = {

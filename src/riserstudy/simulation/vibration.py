@@ -12,22 +12,37 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import detrend
 
+from riserstudy.errors import SimulationError
 from riserstudy.model.vortex_lift import ramp_of, shedding_period
 from riserstudy.scene.models import Scene
 
 Array = NDArray[np.float64]
 SINCE, FREQUENCY = "vibration_since", "vibration_frequency"  # among the facts of a run
 LATER = 0.5  # of the time after all ramps, over which statistics are taken
+FEWEST = 16  # outputs from which statistics are made
 STEPS, OUTPUTS = 20, 4  # a period of the vortices, at least
 
 
 def since(scene: Scene) -> float | None:
-    """Time from which on a run's vibration is judged (s); None where none is called for."""
+    """Time from which on a run's vibration is judged (s); None where none is called for.
+
+    Raises
+    ------
+    SimulationError
+        When too little of the run is left after its ramps.
+    """
     duration = scene.analysis.duration
     if duration is None or not any(section.viv for section in scene.riser):
         return None
     built_up = max(ramp_of(scene), scene.built_up)
-    return built_up + (1.0 - LATER) * max(duration - built_up, 0.0)
+    start = built_up + (1.0 - LATER) * (duration - built_up)
+    if scene.analysis.output and duration - start < FEWEST * scene.analysis.output.interval:
+        raise SimulationError(
+            "riser.viv: vibration is judged over the second half of what is left after all ramps, which end "
+            f"at {built_up:.4g} s: until analysis.duration of {duration:.4g} s that holds fewer than "
+            f"{FEWEST} outputs. Run longer, give riser.viv.ramp, or a shorter analysis.output.interval"
+        )
+    return start
 
 
 def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: dict[str, Any]) -> None:
