@@ -92,6 +92,8 @@ def test_without_samples_interpretations_are_told_by_the_fewest_axes_that_decide
     found = graded("own", item, lambda _: check, {"space": space})
     assert found.grounds.share is None
     assert row_of(found).depends_on == "flow: true with b; false with a and c"
+    never = graded("own", item, lambda _: check, {"space": space.assign(x=space["x"] * 0.0 + 2.0)})
+    assert row_of(never).note.startswith("False with all 24 interpretations. ")
     space["x"][0, 0, 0] = 0.5
     answer = answers(check(space))
     assert len(readings_of("claim", answer, space, None)) == values.size  # none of them is left out

@@ -81,7 +81,9 @@ def base_share(found: xr.DataArray, base: Place) -> Share | None:
 
 
 def _that_tell(found: xr.DataArray, axes: Sequence[str]) -> list[str]:
-    """The fewest axes whose values tell the answer, whatever the others are."""
+    """The fewest axes whose values tell the answer, whatever the others are; all of one answer."""
+    if float(found.max()) == float(found.min()):
+        return [*axes]
     for count in range(1, len(axes)):
         for some in combinations(axes, count):
             others = [axis for axis in axes if axis not in some]

@@ -81,7 +81,9 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     parts, many = [], len(readings) > MANY
     for answer, word in words.items():
         names = [reading_name(r) for r in readings if r.answer == answer]
-        if names and many and len(names) > NAMED:
+        if many and len(names) == len(readings):
+            parts.append(f"{word} with all {len(names)} interpretations")
+        elif names and many and len(names) > NAMED:
             parts.append(f"{word} with {len(names)} of {len(readings)}")
         elif names:
             parts.append(f"{word} with {listed(names)}")

@@ -11,6 +11,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
+from riserstudy.chapters.mao_hangoff.claims.at_some_time import (
+    distance_at_some_time,
+    moment_at_some_phase,
+    numbers_at_some_time,
+)
 from riserstudy.chapters.mao_hangoff.claims.errata import load_power, readings_near, variants
 from riserstudy.chapters.mao_hangoff.claims.heave import (
     harmonic,
@@ -487,3 +492,35 @@ def test_everything_is_graded(datasets):
     # What must come out whatever the numbers, in every sample: one heave has one frequency.
     assert all(case.met for case in cases["C7"])
     assert "{" not in table(errata(file, datasets, checks_of(PAPER)), ErratumRow)
+
+
+def passing(start, rate, moment, heave):
+    """Two LMRP masses over time: distances that grow at a rate, a moment that swings with the heave."""
+    t = np.arange(100.0, 201.0)
+    x = np.zeros((2, t.size, 2))
+    x[:, :, 0] = -(start + rate * (t - 130.0))  # the LMRP, behind a top that stands
+    size = moment + heave * np.sin(2.0 * np.pi * t / 10.0)
+    bending = 1e3 * np.repeat(np.repeat(size[None, :, None], 2, 0), 2, 2)
+    dims = ("lmrp_mass", "time", "s")
+    coords = {"lmrp_mass": [120.0, 140.0], "time": t, "s": [0.0, 1.0]}
+    return xr.Dataset({"x": (dims, x), "bending_moment": (dims, bending)}, coords)
+
+
+def test_a_number_without_a_time_is_met_where_a_run_passes_it():
+    later = passing(58.2, 0.2, 52.0, 0.0)  # 62.7 m at 152.5 s
+    found = distance_at_some_time(later, 62.7, 0.01)
+    assert bool(found.true)
+    assert float(found.value) == pytest.approx(62.7, abs=0.11)
+    assert not bool(distance_at_some_time(passing(58.2, 0.01, 52.0, 0.0), 62.7, 0.01).true)
+    assert bool(numbers_at_some_time(later, 58.2, 62.7, 52.0, 0.02).true)
+    assert not bool(
+        numbers_at_some_time(passing(50.0, 0.2, 52.0, 0.0), 58.2, 62.7, 52.0, 0.02).true
+    )
+
+
+def test_a_moment_is_met_at_some_phase_where_the_cycle_passes_it():
+    found = moment_at_some_phase(passing(58.2, 0.2, 53.4, 2.4), 52.0, 0.01)
+    assert bool(found.true)
+    assert float(found.value) == pytest.approx(53.4, rel=0.01)
+    assert not bool(moment_at_some_phase(passing(58.2, 0.2, 55.4, 1.4), 52.0, 0.01).true)
+    assert bool(moment_at_some_phase(passing(58.2, 0.2, 55.4, 1.4), 53.9, 0.01).true)

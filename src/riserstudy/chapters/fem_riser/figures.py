@@ -251,7 +251,6 @@ def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
 def _envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figure:
     """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and drift, which (a) is freed of."""
     figure, axes = panels(1, 4, 4.2, sharey=True)
-    largest: list[str] = []  # amplitudes
     for colour, (name, runs) in zip(colours, cases.items(), strict=True):
         factor = stress_factor(runs) / 1e6
         period = period_of(runs)
@@ -273,7 +272,6 @@ def _envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Fig
             vibration = amplitude_at(x, period)
             axes[3].plot(vibration, x["s"], line, color=colour, linewidth=0.9)
             if solver == BEAM:
-                largest.append(f"{float(vibration.max()):.3g}")
                 span = float(x["time"][-1] - x["time"][0])
                 axes[3].plot(
                     span * abs(drift_rate(x, period)), x["s"], ":", color=colour, linewidth=1.2
@@ -282,7 +280,6 @@ def _envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Fig
         ax.set_xlabel(label)
     axes[3].set_xscale("log")
     axes[3].set_xlim(left=1e-4)
-    axes[3].set_title(f"largest vibration: {', '.join(largest)} m", loc="right", fontsize="small")
     axes[0].set_ylabel(HEIGHT)
     axes[0].set_ylim(bottom=0.0)
     axes[0].plot([], [], color=GREY, linewidth=0.8, linestyle="--", label="lumped masses")

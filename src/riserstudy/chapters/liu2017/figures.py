@@ -25,6 +25,7 @@ TIME, SURGE = "time (s)", "surge of the platform (m)"
 SHOWN = 100.0  # s
 LOW = 218.0  # m above the conductor's foot, a tenth up the riser
 DEGREES = 180.0 / np.pi
+PASSED = 0.03  # deg, by which an angle is past its largest: half a second after it
 AS_ONE = "as one"  # of platform and riser
 UFJ_LIMIT = 12.0  # degrees, of Table 4
 viridis = colormaps["viridis"]
@@ -294,15 +295,17 @@ def envelope(envelope: xr.Dataset) -> Figure:
 def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     """Gains and hull drags that meet the printed number, for three weights of the riser.
 
-    Where 12 degrees are passed before, or never, no line is drawn.
+    While the angle still rises then, its largest value so far is reached for the first time; where it has
+    passed its largest value, 12 degrees are reached before or never, and no line is drawn.
     """
     figure, (ax,) = panels(height=3.8)
     handles = []
     for colour, weight in zip(COLOURS, calibration["riser_weight"].values, strict=False):
-        first = calibration["ufj_limit_time"].sel(riser_weight=weight)
-        first = first.transpose("hull_drag", "gain")
-        style: dict[str, Any] = {"levels": [deadline], "colors": [colour]}
-        ax.contour(first["gain"], first["hull_drag"], first.where(np.isfinite(first)), **style)
+        run = calibration.sel(riser_weight=weight).transpose("hull_drag", "gain") * DEGREES
+        largest = run["ufj_angle_absmax"]
+        style: dict[str, Any] = {"levels": [UFJ_LIMIT], "colors": [colour]}
+        still_rising = largest - run["ufj_angle"].values < PASSED
+        ax.contour(run["gain"], run["hull_drag"], largest.where(still_rising), **style)
         handles += ax.plot([], [], color=colour, label=f"riser's weight in water: {weight}")
     fit = [calibration.attrs["gain"]], [calibration.attrs["hull_drag"]]
     handles += ax.plot(*fit, "o", color="black", label="fit that is used, with the wave")

@@ -138,6 +138,18 @@ def varied_roll(roll_variants: xr.Dataset) -> xr.Dataset:
     return _rolled(roll_variants, "largest bending moment under roll, in variants of the riser")
 
 
+def roll_ways(roll_geometry: xr.Dataset) -> xr.Dataset:
+    """The same over (geometry, tensioner_model, roll_amplitude, roll_period)."""
+    return _rolled(roll_geometry, "largest bending moment under roll, by what turns the riser")
+
+
+def roll_about_joint(roll_geometry: xr.Dataset) -> xr.Dataset:
+    """The same on the cylinders, the platform turning about the upper flex joint."""
+    geometry = next(str(g) for g in roll_geometry["geometry"].values if "in the flex joint" in g)
+    runs = roll_geometry.sel(geometry=geometry, tensioner_model="gas law", drop=True)
+    return _rolled(runs, "largest bending moment under roll about the upper flex joint")
+
+
 def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
     """Largest moment on the curve; settled motion bends as far to one side as to the other."""
     high = runs["bending_moment_max"].max("s_node")

@@ -142,7 +142,8 @@ def baselines(
     share = (compared[0].sel(tensioner_model=list(BASELINES)) > less[1]).mean("sample")
     most = [str(m) for m in BASELINES if float(share.sel(tensioner_model=m)) >= ALMOST_ALWAYS]
     headline(
-        figure, f"At rest the riser moves less on tensioners than with: {', '.join(most) or 'none'}"
+        figure,
+        f"At rest the riser moves more than on tensioners only with: {', '.join(most) or 'none'}",
     )
     key_below(figure, axes[0], 4)
     return figure
@@ -215,7 +216,7 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     ax.legend(fontsize="small")
     headline(
         figure,
-        f"The moment falls with the roll period between lateral resonances, the largest at "
+        f"Lateral resonances interrupt the fall of the moment, most at "
         f"{float(of_paper.idxmax('roll_period')):g} s",
     )
     return figure
@@ -323,7 +324,7 @@ def waves(waves: xr.Dataset) -> Figure:
     lines = (("-", 1.5), ("-", 5.0), ("-", 3.0), ("-", 1.2))
     for colour, (line, width), reading in zip(COLOURS, lines, stress["waves"].values, strict=False):
         curve = stress.sel(waves=reading)
-        label = reading if "alone" in reading else f"on the riser too, {reading}"
+        label = reading if "alone" in reading else f"on the riser, {reading}"
         ax.plot(curve["wave_period"], curve, line, color=colour, linewidth=width, label=label)
     ax.set_xlabel(WAVE)
     ax.set_ylabel("stress amplitude (MPa)")

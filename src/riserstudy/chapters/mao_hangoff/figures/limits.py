@@ -96,7 +96,8 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         ax.set_ylabel("heave amplitude (m)")
     _bar(figure, axes[:2], norm, "range of top tension (MN)")
     lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
-    most = float(tension_limits["heave_amplitude"].max())
+    amplitudes = tension_limits["heave_amplitude"].values
+    most = float(amplitudes.max())
     for ax, wanted in zip(axes[2:], PERIODS, strict=True):
         hard = lost.sel(mode="hard").sel(heave_period=wanted, method="nearest")
         _cells(ax, hard, Normalize(0.0, most))
@@ -109,8 +110,8 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         "orange: tension is lost, on the scale of the blue; dash: not in the grid's amplitudes",
         fontsize="small",
     )
-    loses = (f"{word} {_loses(lost.sel(mode=mode), most)}" for mode, word in HUNG.items())
-    headline(figure, f"Heave that loses tension: {', '.join(loses)}")
+    loses = (f"{word} {_loses(lost.sel(mode=mode), amplitudes)}" for mode, word in HUNG.items())
+    headline(figure, f"Tension is lost: {', '.join(loses)}")
     return figure
 
 
@@ -121,13 +122,16 @@ def _bar(figure: Figure, of: list[Axes], norm: Normalize, label: str) -> None:
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _loses(lost: xr.DataArray, most: float) -> str:
-    """The least heave that loses tension, and of which riser."""
+def _loses(lost: xr.DataArray, amplitudes: NDArray[np.float64]) -> str:
+    """Between which heaves of the grid the first riser loses tension, and which riser that is."""
     if bool(lost.isnull().all()):
-        return f"none up to {most:g} m"
+        return f"nowhere up to {amplitudes.max():g} m of heave"
     at = lost.where(lost == lost.min()).stack(point=lost.dims).dropna("point")[0]
     length, mass, period = (float(at[n]) for n in ("riser_length", "lmrp_mass", "heave_period"))
-    return f"from {float(at):.1f} m on ({length:g} m with {mass:g} t at {period:g} s)"
+    grid = np.append(0.0, np.sort(amplitudes))
+    above = int(np.searchsorted(grid, float(at)))
+    between = f"between {grid[above - 1]:g} and {grid[above]:g} m of heave"
+    return f"first {between} ({length:g} m with {mass:g} t at {period:g} s)"
 
 
 def _cells(
