@@ -25,6 +25,7 @@ from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.grid import Point
 from riserstudy.study.models import Numbers
+from riserstudy.study.quick_tune import quick_tune
 from riserstudy.study.setting import Setting
 from riserstudy.study.simulate_points import Count, attempt, fill, tells_error
 from riserstudy.study.study import Study
@@ -58,7 +59,7 @@ def tuned_for(study: Study, say: Say) -> Settings:
     """Settings for a study; none where requests are cheaper, or no setting serves."""
     count, seed = study.tuned_at
     try:
-        found = tune(study, None, count, seed, say)
+        found = quick_tune(study, seed, say) if count == 1 else tune(study, None, count, seed, say)
     except SimulationError as error:
         accuracy = study.base.tree["analysis"].get("accuracy") or ""
         return Settings(None, str(error), accuracy, count, 0, seed, None, None)

@@ -31,7 +31,10 @@ from riserstudy.study.models import (
 )
 from riserstudy.study.store import canonical
 
-LEAST_TUNED, MOST_TUNED, ONE_TUNED_IN = 2, 12, 16  # points that settings are tuned at
+TUNED_AT, FEW = (
+    12,
+    1000,
+)  # points that settings are tuned at; of a study, below which it is one of them
 ALL_OF = 16  # values of an axis, up to which each is looked at for the kernels that it needs
 
 
@@ -164,11 +167,11 @@ class Study:
 
     @property
     def tuned_at(self) -> tuple[int, int]:
-        """Number of points that a job tunes its settings at, and the seed of their draw."""
+        """Number of points that settings are tuned at, one of a small study, and the seed of their draw."""
         at = self.model.settings
         if isinstance(at, TuneAt):
             return at.points, at.seed
-        return max(LEAST_TUNED, min(MOST_TUNED, len(self.grid) // ONE_TUNED_IN)), 1
+        return 1 if len(self.grid) < FEW else TUNED_AT, 1
 
     @property
     def tables(self) -> dict[str, str]:

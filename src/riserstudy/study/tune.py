@@ -183,11 +183,20 @@ class Tuner:
                 f"{where} a request misses the accuracy ({found}), so that nothing can be compared with it; "
                 "tune to a larger --accuracy"
             )
-        work = sum(map(_work, asked.facts["refinements"]))
+        work = sum(map(work_of, asked.facts["refinements"]))
         return Place(index, file, best, unsure, work)
 
     def _over(self, error: dict[str, float]) -> float:
         return max(error.get(name, 0.0) / limit for name, limit in self.target.items())
+
+    @property
+    def words(self) -> str:
+        """The accuracy in words."""
+        return str(self.asked.get("analysis.accuracy") or _percent(self.target))
+
+    def work(self, setting: Setting, places: list[Place]) -> float:
+        """Segments times Newton iterations (1) of a setting at some points together."""
+        return sum(self._tried(setting, place)[1] for place in places)
 
     def excess(self, setting: Setting, place: Place) -> float:
         """Error of a setting at a point, relative to the accuracy; infinite where it fails."""
@@ -207,7 +216,7 @@ class Tuner:
                 coarse, fine = sorted((result, place.best), key=lambda one: len(one.arrays["l0"]))
                 error = difference(coarse, fine)
                 sums = {name: off + place.unsure.get(name, 0.0) for name, off in error.items()}
-                self.known[key] = (self._over(sums), _work(result.facts))
+                self.known[key] = (self._over(sums), work_of(result.facts))
         return self.known[key]
 
     def _suffices(self, setting: Setting, places: list[Place]) -> float:
@@ -219,7 +228,7 @@ class Tuner:
             if self.excess(setting, place) > ENOUGH:
                 places.insert(0, places.pop(k))
                 return math.inf
-        return sum(self._tried(setting, place)[1] for place in places)
+        return self.work(setting, places)
 
     def cheapest(self, places: list[Place]) -> Setting:
         """The setting of least work that suffices at all points.
@@ -282,14 +291,14 @@ class Tuner:
     def worth(self, setting: Setting, places: list[Place], checks: list[Place]) -> Tuned:
         """What a setting errs by and costs, compared with requests and with what the study had."""
         asked = sum(place.asked for place in places)
-        work = sum(self._tried(setting, place)[1] for place in places)
+        work = self.work(setting, places)
         own = None
         if self.own:
             had = [self._tried(self.own, place) for place in places + checks]
             theirs = sum(one for _, one in had[: len(places)])
             own = self.own, max(off for off, _ in had), theirs / asked
         return Tuned(
-            str(self.asked.get("analysis.accuracy") or _percent(self.target)),
+            self.words,
             setting,
             [place.index for place in places],
             [place.index for place in checks],
@@ -321,6 +330,6 @@ def _percent(error: dict[str, float]) -> str:
     return ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in error.items())
 
 
-def _work(spent: dict[str, Any]) -> float:
-    """Segments times Newton iterations: what a run costs, the same on every machine."""
+def work_of(spent: dict[str, Any]) -> float:
+    """Segments times Newton iterations (1): what a run costs, the same on every machine."""
     return float(spent["elements"]) * float(spent["newton_iterations"])

@@ -1,0 +1,145 @@
+"""Tune a small study at one point: what tuning costs is shared by few points, so it must cost little.
+
+The reference is a run on the request's mesh halved, by the fourth-order method, which leaves a third of what
+that changes. Of meshes and steps every second is looked at. Points are held against the request by the errors
+that they estimate, which are larger than the true ones; so mesh and step are then made finer until a few
+corners do estimate less.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from riserstudy.errors import SimulationError
+from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.refine import Refinement, run
+from riserstudy.simulation.run import single
+from riserstudy.simulation.starting_mesh import massless
+from riserstudy.study.corners import corners
+from riserstudy.study.grid import Index
+from riserstudy.study.setting import FINER, SHORTER, Setting, layers_of, meshes, steps
+from riserstudy.study.study import Study
+from riserstudy.study.tune import FREE, Place, Say, Tuned, Tuner, check_tunable, work_of
+
+LONGER = (
+    2.0  # times the step of a request, whose method is of second order; with events it is of fourth
+)
+LEFT = 3.0  # halving a mesh leaves one in so many of what it changes: second order
+METHODS = ("ESDIRK4", "generalised-alpha")
+HELD_OUT = 2  # corners that are held against the setting
+ENOUGH = 0.9  # of the accuracy: error that these estimate, at most
+TWICE = 4  # segments of which a mesh has so many times some: it is halved twice for its error
+ROUNDS = 6  # of finer settings
+
+
+@dataclass
+class QuickTuner(Tuner):
+    """A study and an accuracy, tuned at one point after the other."""
+
+    def place(self, index: Index) -> Place:
+        """A point, and a run on the request's mesh halved, by the fourth-order method.
+
+        Raises
+        ------
+        SimulationError
+            When it cannot be completed.
+        """
+        self.say(f"a request and a finer run at index {index}")
+        file = self.study.grid.file(index).with_values(FREE, "tune")
+        scene = file.with_values(self.asked, "--accuracy").scene()
+        refinement = Refinement(scene)
+        asked = refinement.result()
+        mesh = refinement.finest_mesh if massless(scene) else refinement.finest_mesh.halved()
+        analysis = scene.analysis.model_copy(update={"method": "ESDIRK4"})
+        step = asked.facts["step"] * (1.0 if scene.events else LONGER)
+        best = single(scene.model_copy(update={"analysis": analysis}), mesh, step)
+        unsure = {name: off / LEFT for name, off in difference(asked, best).items()}
+        return Place(index, file, best, unsure, sum(map(work_of, asked.facts["refinements"])))
+
+    def cheapest(self, places: list[Place]) -> Setting:
+        """The setting of least work among every second mesh and step along the border of those that suffice.
+
+        Raises
+        ------
+        SimulationError
+            When none takes less than requests.
+        """
+        scenes = [place.file.scene() for place in places]
+        best, least = None, sum(place.asked for place in places)
+        finest = max(place.best.facts["elements"] for place in places) // 2
+        counts = [_halvable(count) for count in meshes(scenes, finest)[::-2][::-1]]
+        layers = layers_of(scenes, None)[-1]
+        for method in METHODS:
+            every = [[Setting(n, layers, h, method) for h in steps(scenes)[::2]] for n in counts]
+            found, work = self._along_border(every, places, least)
+            if work < least:
+                best, least = found, work
+        if best is None:
+            raise SimulationError(f"{self.study.where}: no setting takes less than requests")
+        return best
+
+    def estimated(self, setting: Setting, index: Index) -> float:
+        """Largest error that a point estimates with a setting, over the accuracy (1); infinite where it fails."""
+        file = self.study.grid.file(index).with_values(FREE, "tune")
+        try:
+            result = run(file.with_values(setting.values, "tune").scene())
+        except SimulationError:
+            return math.inf
+        error = result.facts["error_estimate"]
+        return self._over(error) if error else math.inf
+
+
+def finer(setting: Setting) -> Setting:
+    """The setting with the next finer mesh and the next shorter step."""
+    elements = setting.elements
+    if elements >= TWICE:  # fewer are a massless spring
+        elements = _halvable(elements * FINER)
+    return replace(setting, elements=elements, step=float(f"{setting.step / SHORTER:.2g}"))
+
+
+def _halvable(elements: float) -> int:
+    """So many segments, or a few more: a mesh whose error is estimated by its halves, and theirs."""
+    return TWICE * math.ceil(elements / TWICE) if elements >= TWICE else round(elements)
+
+
+def quick_tune(study: Study, seed: int, say: Say = lambda _: None) -> Tuned:
+    """A setting for a small study, and what it is worth.
+
+    Raises
+    ------
+    InputError
+        When there is nothing to tune.
+    SimulationError
+        When the point cannot be run, or no setting that takes less than requests suffices.
+    """
+    check_tunable(study, 1)
+    tuner = QuickTuner(study, None, say)
+    index, *checks = corners(study, 1 + HELD_OUT, seed)
+    place = tuner.place(index)
+    setting = tuner.cheapest([place])
+    left = [index, *checks]
+    errors: dict[Index, float] = {}
+    for _ in range(ROUNDS):
+        while left and max(errors.values(), default=0.0) <= ENOUGH:
+            errors[left[0]] = tuner.estimated(setting, left[0])
+            left = left[1:]
+        if max(errors.values()) <= ENOUGH:
+            break
+        setting = finer(setting)
+        worst = max(errors, key=lambda one: errors[one])
+        left = [worst, *left, *(one for one in errors if one != worst)]
+        errors = {}
+    work = tuner.work(setting, [place]) if not left else math.inf
+    if work >= place.asked:
+        raise SimulationError(f"{study.where}: no setting takes less than requests")
+    return Tuned(
+        accuracy=tuner.words,
+        setting=setting,
+        points=[index],
+        checked=checks,
+        error=tuner.excess(setting, place),
+        held_out=max(errors.values()),
+        work=work / place.asked,
+        own=None,
+    )
