@@ -80,7 +80,7 @@ class QuickTuner(Tuner):
         return best
 
     def estimated(self, setting: Setting, index: Index) -> float:
-        """Largest error that a point estimates with a setting, over the accuracy (1); infinite where it fails."""
+        """Largest error that a point estimates with a setting, over the accuracy (1); infinite: it fails."""
         file = self.study.grid.file(index).with_values(FREE, "tune")
         try:
             result = run(file.with_values(setting.values, "tune").scene())
