@@ -41,6 +41,16 @@ def run(gain, nodes):
     return Result(arrays, FACTS)
 
 
+def test_a_vibration_is_kept_of_the_points_that_have_one():
+    study, results = grid(), [run(gain, 5) for gain in GAINS.ravel()]
+    assert "vibration_rms" not in dataset_of(study, results)
+    for k, result in enumerate(results[:3]):
+        results[k] = Result(result.arrays, FACTS | {"vibration_rms": 0.1 * k})
+    kept = dataset_of(study, results)["vibration_rms"]
+    np.testing.assert_array_equal(kept, [[0.0, 0.1], [0.2, np.nan]])
+    assert kept.attrs["units"] == "m"
+
+
 def test_numbers_are_put_at_every_path_of_their_axis():
     axis = Numbers(path=["wave.period", "platform.heave.period"], unit="s", values=[9.0])
     assert axis.overrides(9.0) == {"wave.period": "9.0 s", "platform.heave.period": "9.0 s"}

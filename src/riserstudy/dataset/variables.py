@@ -56,6 +56,12 @@ OF_POINTS = frozenset(
     )
 )
 
+#: the same of points whose scene calls for vortex-induced vibration
+OF_VIBRATION = (
+    *("vibration_rms", "vibration_rms_max", "vibration_rms_max_s"),
+    *("vibration_frequency", "vibration_scatter"),
+)
+
 DATA_FILES = ("variables.yaml",)
 #: dimensions and variables of natural modes, where a study asks for them
 OF_MODES = frozenset(

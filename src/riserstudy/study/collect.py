@@ -17,7 +17,7 @@ from riserstudy.dataset.extremes import OVER, as_variables, of_runs
 from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities
 from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.dataset.result import Result
-from riserstudy.dataset.variables import attributes, cf_unit
+from riserstudy.dataset.variables import OF_VIBRATION, attributes, cf_unit
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
 from riserstudy.simulation.curve import at_stations, curve_of
@@ -140,6 +140,9 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     flat = flat.assign(told)
     for name, extract in FACTS.items():
         flat[name] = ("point", [extract(r.facts) for r in results])
+    for name in OF_VIBRATION:
+        if any(name in r.facts for r in results):
+            flat[name] = ("point", [r.facts.get(name, float("nan")) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])
     dataset = xr.Dataset(coords={n: flat[n] for n in (*SHARED, OVER) if n in flat.variables})
     for coordinate in dataset.coords:
@@ -258,7 +261,7 @@ FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
     "effects": lambda f: "\n".join(f["effects"]),
 }
 #: facts that joining takes; those of a point are many more
-NEEDED = frozenset((*FACTS, "error_estimate", "audit"))
+NEEDED = frozenset((*FACTS, *OF_VIBRATION, "error_estimate", "audit"))
 FACT_ATTRIBUTES = {
     "wall_seconds": {"units": "s", "long_name": "wall time of the simulation"},
     "solve_seconds": {"units": "s", "long_name": "time of the run alone, or of all refinements"},
