@@ -18,6 +18,7 @@ from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
 from riserstudy.figures import save
+from riserstudy.figures.drawn import headline
 from riserstudy.grading.grade import errata, grade
 from riserstudy.grading.models import read_published
 from riserstudy.grading.printed import with_printed
@@ -144,6 +145,42 @@ def test_every_panel_shows_something_with_units(paper, name):
     assert written
     for label in written:
         assert UNIT.search(label), label
+
+
+def spoken(title):
+    """Words of a title without numbers, units and what is in brackets."""
+    plain = re.sub(r"\([^)]*\)|\$[^$]*\$", " ", title)
+    units = {
+        "%",
+        "°",
+        "s",
+        "m",
+        "km",
+        "mm",
+        "t",
+        "h",
+        "kn",
+        "kN",
+        "MN",
+        "kN m",
+        "MPa",
+        "m/s",
+        "kg/m³",
+        "×",
+    }
+    return [
+        word
+        for word in plain.split()
+        if word not in units and not re.fullmatch(r"[-+−±]?\d[\d.,]*[°%;:,]?", word)
+    ]
+
+
+@pytest.mark.parametrize("paper, name", FIGURES)
+def test_a_title_states_one_finding_in_few_words(paper, name):
+    """A dozen words, and at most three numbers: conditions belong to panels and captions."""
+    title = headline(drawn(paper, name))
+    assert len(spoken(title)) <= 14, title
+    assert len(re.findall(r"(?<![\w.])\d+(?:\.\d+)?", title)) <= 5, title
 
 
 @pytest.mark.parametrize("paper, name", FIGURES)

@@ -81,7 +81,7 @@ def fig09(quasi_static: xr.Dataset) -> Figure:
     ax.set_ylabel("force of four cylinders (MN)")
     ax.legend(fontsize="small")
     _per_cylinder(ax, "force of one cylinder (MN)")
-    headline(figure, "The least-squares line over -8 to 8 m leaves the gas law most at its ends")
+    headline(figure, "The least-squares line deviates most from the gas law at its ends")
     return figure
 
 
@@ -176,8 +176,7 @@ def fig08(
     axes[-1].set_xlim(0, 104)
     headline(
         figure,
-        "No reading takes 30 % off the swing of tension and 50 % off that of heave: both are k_r x, "
-        "so that they fall alike",
+        "No interpretation gives both reductions: tension and heave decrease in proportion",
     )
     key_below(figure, axes[0], 2)
     return figure
@@ -212,12 +211,10 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
     apart = abs(straight["heave"].reset_coords(drop=True) - curved).max("time")
     share = 100.0 * apart / (curved.max("time") - curved.min("time"))
     closest = share.sel(heave_amplitude=NAMED[0]).idxmin("line").item()
-    near, far = (share.sel(heave_amplitude=amplitude) for amplitude in NAMED)
+    far = share.sel(heave_amplitude=NAMED[1])
     headline(
         figure,
-        f"Settled at 3 m the {closest} leaves the gas law by {float(near.min()):.0f} % of the swing, other "
-        f"lines by up to {float(near.max()):.0f} %; at 10 m they do by {float(far.min()):.0f} to "
-        f"{float(far.max()):.0f} %",
+        f"At 3 m the {closest} is best; at 10 m every line deviates by {float(far.min()):.0f} % or more",
     )
     key_below(figure, axes[1], 3)
     return figure
@@ -248,7 +245,7 @@ def settled_response(steady: xr.Dataset) -> Figure:
     axes[0].set_xlim(0, 20)
     headline(
         figure,
-        "Without start-up ringing: high crests and flat lows, which a linear tensioner does not have",
+        "The gas law gives high crests and flat troughs, a linear tensioner neither",
     )
     return figure
 
@@ -287,8 +284,7 @@ def _four(runs: xr.Dataset, quantity: str, label: str) -> Figure:
     axes[-1].set_xlim(0, 100)
     headline(
         figure,
-        f"The larger the platform's heave, the less symmetric the riser's {quantity}; "
-        "start-up ringing of 2.6 s hides it where heave is small",
+        f"The riser's {quantity} becomes less symmetric as the platform's heave increases",
     )
     return figure
 
@@ -345,14 +341,12 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
     axes[0].set_ylabel("displacement from equilibrium (m)")
     key_below(figure, axes[0], 2)
     far = asymmetry.sel(reading="steady").isel(heave_amplitude=-1)
-    parts = [
-        f"{float(far['displacement_up'].sel(tensioner_model=model)):.2f} m up and "
-        f"{float(far['displacement_down'].sel(tensioner_model=model)):.2f} m down {words}"
-        for model, words in (("gas law", "with the gas law"), ("linear", "with a linear tensioner"))
-    ]
+    up, down = (
+        float(far[f"displacement_{way}"].sel(tensioner_model="gas law")) for way in ("up", "down")
+    )
     headline(
         figure,
-        f"Settled at {float(far['heave_amplitude']):g} m the riser moves {parts[0]}, {parts[1]}",
+        f"With the gas law the riser moves {up:.1f} m up and {down:.1f} m down",
     )
     return figure
 
@@ -382,8 +376,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     curved, straight = (float(far.sel(tensioner_model=model)) for model in MODELS)
     headline(
         figure,
-        f"Settled at {float(far['heave_amplitude']):g} m the asymmetry index is {curved:.2f} with the gas "
-        f"law, {straight:.2f} with a linear tensioner",
+        f"The asymmetry index reaches {curved:.2f} with the gas law, {straight:.2f} with a line",
     )
     return figure
 
@@ -414,8 +407,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
     grows = (index.diff("heave_amplitude") > 0.0).all("heave_amplitude")
     headline(
         figure,
-        f"Asymmetry grows with every step of the amplitude in {int(grows.sum())} of {grows.size} samples "
-        "of the unspecified inputs",
+        f"Asymmetry increases with every amplitude step in {int(grows.sum())} of {grows.size} samples",
     )
     return figure
 
@@ -474,7 +466,7 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
     key_below(figure, ax, 3)
     headline(
         figure,
-        "No one measure is reduced by 30 % in tension and 50 % in heave; two measures of one run are",
+        f"No single measure decreases by {100.0 * tension:g} % in tension and {100.0 * heave:g} % in heave",
     )
     return figure
 
@@ -506,13 +498,13 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
     index = index.max("heave_amplitude")
     near = index.where(abs(index["heave_period"] - resonance) < 0.5 * resonance, drop=True)
     far = index.where(index["heave_period"] > 1.5 * resonance, drop=True)
-    first, second = _name_peak(axes[1], near), _name_peak(axes[1], far)
+    _name_peak(axes[1], near)
+    second = _name_peak(axes[1], far)
     axes[0].set_yscale("log")
     key_below(figure, axes[0], 2)
     headline(
         figure,
-        f"The riser resonates at {resonance:g} s; with the gas law its asymmetry is largest near "
-        f"{first:g} s and {second:g} s, of the periods simulated",
+        f"The riser resonates at {resonance:g} s; its asymmetry peaks again near {second:g} s",
     )
     return figure
 
@@ -552,9 +544,9 @@ def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
     key_below(figure, axes[0], 2)
     far = riser_mass.isel(s_node=-1).sel(heave_amplitude=5.0)
     swing = far["z_max"] - far["z_min"]
-    swings = ", ".join(
-        f"{float(swing.sel(mass_place=place)):.2f} m with its mass {place}"
+    ranges = " or ".join(
+        f"{float(swing.sel(mass_place=place)):.2f} m ({place})"
         for place in swing["mass_place"].values
     )
-    headline(figure, f"Settled at 5 m the riser swings {swings}")
+    headline(figure, f"The place of the mass sets the range: {ranges}")
     return figure

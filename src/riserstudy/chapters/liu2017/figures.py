@@ -59,7 +59,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
     )
     says(
         figure,
-        f"With unlimited thrust the platform reaches 100 m after {first:.0f} s along, {later:.0f} s against",
+        f"The platform reaches 100 m after {first:.0f} s along the environment, {later:.0f} s against it",
     )
     axes[0].set_ylabel(SURGE)
     axes[2].set_ylabel("speed of the platform (m/s)")
@@ -84,7 +84,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
     low = float(after.sel(s=LOW, method="nearest"))
     says(
         figure,
-        f"After 20 s the top is drawn {float(after.isel(s=-1)):.0f} m away, a tenth up the riser {low:.2f} m",
+        f"The lower riser lags: {low:.2f} m when the top is {float(after.isel(s=-1)):.0f} m away",
     )
     axes[0].set_ylabel("elevation above the wellhead (m)")
     axes[1].legend(fontsize="small", loc="lower left")
@@ -188,7 +188,7 @@ def losses(losses: xr.Dataset) -> Figure:
     end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
     says(
         figure,
-        f"In a drift-off the stroke ends after {end:.0f} s; the conductor follows in {stress - end:.0f} s",
+        f"In a drift-off stroke-out occurs at {end:.0f} s, the conductor limit {stress - end:.0f} s later",
     )
     axes[0].set_ylabel("share of the limit that is used (-)")
     axes[0].set_ylim(bottom=0.0)
@@ -258,17 +258,12 @@ def _slowest_in_time(disconnect: xr.Dataset) -> str:
     """Of each scenario the longest disconnect that is in time whatever the direction."""
     in_time = (disconnect["red_circle_outcome"] != TOO_LATE).all("environment_heading")
     longest = disconnect["eds_time"].where(in_time).max("eds_time")
-    radius = disconnect["red_circle_radius"].min("environment_heading")
-    tried = float(disconnect["eds_time"].max())
-    said = []
-    for scenario, time in zip(longest["scenario"].values, longest.values, strict=True):
-        if not np.isfinite(time):
-            said.append(f"none ({scenario})")
-            continue
-        more = " or more" if time == tried else ""
-        least = float(radius.sel(scenario=scenario, eds_time=time))
-        said.append(f"{time:g} s{more} ({scenario}; {least:.1f} m)")
-    return f"Longest disconnect in time, with its least red circle:\n{', '.join(said)}"
+    if bool(longest.isnull().any()):
+        never = longest["scenario"].values[np.isnan(longest.values)]
+        return f"No tested disconnect is in time in every direction ({', '.join(map(str, never))})"
+    worst = longest.isel(scenario=int(np.argmin(longest.values)))
+    least, scenario = float(worst), worst["scenario"].item()
+    return f"The disconnect must take at most {least:g} s ({scenario})"
 
 
 def envelope(envelope: xr.Dataset) -> Figure:
@@ -286,7 +281,7 @@ def envelope(envelope: xr.Dataset) -> Figure:
     end, then = (float(still.sel(limit=name)) for name in ("telescopic joint", "conductor"))
     says(
         figure,
-        f"At rest the stroke ends {end:.0f} m away; the conductor follows {then - end:.0f} m further",
+        f"Stroke-out occurs at {end:.0f} m of static offset, the conductor limit at {then:.0f} m",
     )
     key_below(figure, ax, 3)
     return figure
@@ -351,8 +346,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
     ]
     says(
         figure,
-        "Solved in turns with the riser instead of as one, the platform is off by at most "
-        f"{ends[0]} to {ends[1]}",
+        f"Separate solution shifts the platform by {ends[0]} to {ends[1]}",
     )
     key_below(figure, axes[0], 2)
     return figure
@@ -385,8 +379,7 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     least, most = (float(then.quantile(q)) for q in (0.05, 0.95))
     says(
         figure,
-        f"Over the unspecified inputs the upper flex joint is at {least:.0f} to {most:.0f}° "
-        f"after {deadline:g} s (0°, 90 % of the samples)",
+        f"At the published time the UFJ angle is {least:.0f}° to {most:.0f}° in 90 % of samples",
     )
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint (deg)")

@@ -57,8 +57,7 @@ def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
     share = 100.0 * float(swing.isel(depth=0) / law.isel(depth=0).mean())
     headline(
         figure,
-        f"Heave of 2 m in 15 s: an amplitude of {float(swing.min()):.0f} to {float(swing.max()):.0f} kN "
-        f"along the riser, {share:.0f} % of the tension",
+        f"Heave gives a tension amplitude of up to {float(swing.max()):.0f} kN, {share:.0f} % of the tension",
     )
     key_below(figure, ax, 3)
     return figure
@@ -108,7 +107,7 @@ def fig15(heave: xr.Dataset) -> Figure:
     spread = (spread.max("heave_period") / spread.min("heave_period") - 1.0).max()
     headline(
         figure,
-        "The axial force grows with heave amplitude and varies with its period by at most "
+        "Heave amplitude sets the axial force; the period changes it by at most "
         f"{100.0 * float(spread):.1f} %",
     )
     return figure
@@ -159,7 +158,7 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
         f"Effective tension becomes negative at {negative[0]:g} m of heave"
     )  # fmt: skip
     met = f"the stops are met at {stopped[0]:g} m" if stopped.size else "no stop is met"
-    headline(figure, f"{said}, since gas pushes a retracted piston; {met}")
+    headline(figure, f"{said}; {met}")
     key_below(figure, axes[0], 3)
     return figure
 

@@ -239,8 +239,7 @@ def fig21(rao_table: xr.Dataset) -> Figure:
     still, most = (float(x) for x in (_stillest(rao_table), _heaviest(rao_table)))
     headline(
         figure,
-        f"Generic units in place of the paper's: at {still:.1f} s waves cancel in surge, at {most:.1f} s "
-        "heave resonates (medium unit)",
+        f"The medium generic unit surges least at {still:.1f} s and heaves most at {most:.1f} s",
     )
     return figure
 
@@ -257,8 +256,7 @@ def fig22(rao_table: xr.Dataset) -> Figure:
     pitch = rao_table["rao_pitch"].sel(platform_unit="medium")
     headline(
         figure,
-        "Generic units in place of the paper's: they pitch most in waves of "
-        f"{float(pitch.idxmax('wave_period')):.1f} s (medium unit)",
+        f"The medium generic unit pitches most in waves of {float(pitch.idxmax('wave_period')):.1f} s",
     )
     return figure
 
@@ -332,7 +330,7 @@ def waves(waves: xr.Dataset) -> Figure:
     ratio = stress.sel(waves="stretched to the surface") / stress.sel(waves="on the platform alone")
     headline(
         figure,
-        f"Waves on the riser itself raise its stress by a factor of up to {float(ratio.max()):.0f}, at "
+        f"Waves on the riser raise its stress up to {float(ratio.max()):.0f} times, at "
         f"{float(ratio.idxmax('wave_period')):g} s",
     )
     key_below(figure, ax, 2)

@@ -100,8 +100,7 @@ def fig10(codes: xr.Dataset) -> Figure:
     apart = 100.0 * float(codes["codes_apart"].max())
     headline(
         figure,
-        f"Three methods agree to {apart:.1f} %, two of them (black) for small slopes; contents and current "
-        "profile, both assumed, decide the size",
+        f"Three methods agree to {apart:.1f} % of the displacement",
     )
     key_below(figure, axes[0], 3)
     return figure

@@ -64,13 +64,10 @@ def _how_near(
     """How many come within a share of each number and of all three, and what the nearest misses by."""
     three = misses[list(NUMBERS)].to_dataarray("number")
     worst = three.max("number")
-    near = [int((three.sel(number=name) <= within).sum()) or "none" for name in NUMBERS]
-    every = int((worst <= within).sum()) or "none"
-    return (
-        f"Of {worst.size} {what}, within {100 * within:g} % of the printed {heavy:g} m: {near[0]}, "
-        f"{light:g} m: {near[1]}, {moment:g} kN m: {near[2]}, all three: {every}; the nearest "
-        f"misses one of them by {100 * float(worst.min()):.0f} %"
-    )
+    every = int((worst <= within).sum())
+    if every:
+        return f"{every} of {worst.size} {what} meet all three published values"
+    return f"No {what[:-1]} meets all three values; the nearest misses by {100 * float(worst.min()):.0f} %"
 
 
 def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str]) -> None:

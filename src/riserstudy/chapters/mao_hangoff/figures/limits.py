@@ -64,20 +64,10 @@ def _governs(which: int, names: list[str]) -> str:
 def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
     """Where the limits allow the least speed, and where the most, and which of them governs."""
     speed = speed_limits["speed_limit"]
-    ends = (_place(speed, speed == edge) for edge in (speed.min(), speed.max()))
     which = sorted(set(speed_limits["governing_limit"].values.astype(int).ravel().tolist()) - {-1})
     held = " or ".join(names[k] for k in which)
-    return f"Speed limited by {held or 'nothing'} (assumed): {' and '.join(ends)}"
-
-
-def _place(speed: xr.DataArray, where: xr.DataArray) -> str:
-    """One speed of a grid, with its riser and current."""
-    one = speed.where(where, drop=True).stack(point=speed.dims).dropna("point")[0]
-    length, mass, current = (
-        float(one[name]) for name in ("riser_length", "lmrp_mass", "current_speed")
-    )
-    flow = f"against {current:g} m/s" if current else "in still water"
-    return f"{float(one):.1f} kn for {length:g} m with {mass:g} t {flow}"
+    low, high = float(speed.min()), float(speed.max())
+    return f"The {held or 'grid'} limits the speed to {low:.1f} to {high:.1f} kn"
 
 
 def hang_off(tension_limits: xr.Dataset) -> Figure:

@@ -57,10 +57,10 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
 def _answer(quickest: list[str]) -> str:
     """In how many scenes which method is the quickest at the target; "" of those where none reaches it."""
     wins = Counter(name for name in quickest if name).most_common()
-    said = [f"{name} in {count} of {len(quickest)} scenes" for name, count in wins]
-    if none := quickest.count(""):
-        said.append(f"no method in {none}")
-    return f"Quickest at an error of {100 * TARGET:g} %: {', '.join(said)}"
+    if not wins:
+        return f"No method reaches an error of {100 * TARGET:g} %"
+    name, count = wins[0]
+    return f"{name} is fastest at {100 * TARGET:g} % in {count} of {len(quickest)} scenes"
 
 
 def _scene(ax: Axes, of: xr.Dataset) -> str:
@@ -162,4 +162,5 @@ def _met(accuracy: xr.Dataset) -> str:
     worst = _largest(accuracy, "reached")
     judged = np.isfinite(worst)
     kept = int((worst[judged] <= accuracy["requested"].values[judged]).sum())
-    return f"{kept} of {judged.sum()} requests err no more than they allow"
+    many = f"All {kept}" if kept == judged.sum() else f"{kept} of {judged.sum()}"
+    return f"{many} runs meet their tolerance"

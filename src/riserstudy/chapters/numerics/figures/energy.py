@@ -44,8 +44,8 @@ def answer(energy: xr.Dataset) -> str:
     by = most["numerical"].max("case")
     worst = str(by["method"].values[int(np.nanargmax(by.values))])
     return (
-        f"The balance of energy closes to {100 * float(most['unexplained'].max()):.1g} %; "
-        f"{worst} dissipates the most by itself, {100 * float(by.max()):.2g} %"
+        f"Energy balances close to {100 * float(most['unexplained'].max()):.1g} %; "
+        f"{worst.split()[0]} dissipates up to {100 * float(by.max()):.2g} %"
     )
 
 

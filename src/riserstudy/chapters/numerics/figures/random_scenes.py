@@ -28,12 +28,9 @@ def random_scenes(random_scenes: xr.Dataset) -> Figure:
 def answer(of: xr.Dataset) -> str:
     """How many scenes are as accurate as they ask, and how honest their estimates are."""
     asked, true = float(of.attrs["requested"]), of["true"].dropna("drawn")
-    ratio = (of["estimated"] / of["true"].where(of["true"] > 0.0)).dropna("drawn")
-    honest = ((ratio >= HONEST[0]) & (ratio <= HONEST[1])).sum()
-    return (
-        f"{int((true <= asked).sum())} of {true.size} random scenes reach the {100 * asked:g} % that "
-        f"they request; in {int(honest)} the estimate is between half and five times the error"
-    )
+    met = int((true <= asked).sum())
+    many = f"All {met}" if met == true.size else f"{met} of {true.size}"
+    return f"{many} random scenes meet their tolerance of {100 * asked:g} %"
 
 
 def _families(of: xr.Dataset) -> list[str]:

@@ -40,16 +40,13 @@ def answer(tiers: xr.Dataset) -> str:
     first, last = str(tiers["tier"].values[0]), str(tiers["tier"].values[-1])
     if first == last:
         spent = float(tiers["wall_seconds"].median())
-        return f"A scene takes {spent:.2g} s at the tier {first} (median of {tiers.sizes['scene']})"
+        return f"A scene of the {first} tier takes {spent:.2g} s in the median"
     ratio = (tiers["wall_seconds"].sel(tier=last) / tiers["wall_seconds"].sel(tier=first)).dropna(
         "scene"
     )
     if not ratio.size:
         return f"No scene was simulated at both {first} and {last}"
-    return (
-        f"The tier {last} takes {float(ratio.median()):.2g} times as long as {first} "
-        f"(median of {ratio.size} of {tiers.sizes['scene']} scenes)"
-    )
+    return f"The {last} tier takes {float(ratio.median()):.2g} times as long as {first}"
 
 
 def _shown(error: xr.DataArray) -> xr.DataArray:
