@@ -13,6 +13,7 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
 from riserstudy.database.build import build
@@ -445,3 +446,60 @@ def test_tables_can_be_read_by_day_and_night(browser, scheme):
     browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
     assert len(found) > 10
     assert min(found) > 4.5  # what WCAG asks of text
+
+
+def test_a_folded_chapter_opens_for_what_leads_into_it(browser):
+    chapter = browser.find_element(By.CSS_SELECTOR, "details.chapter")
+    figure = chapter.find_element(By.CSS_SELECTOR, "figure[id]").get_attribute("id")
+    section = chapter.find_element(By.XPATH, "..").get_attribute("id")
+    for name in (figure, section):
+        browser.execute_script("arguments[0].open = false", chapter)
+        link = browser.find_elements(By.CSS_SELECTOR, f'a[href="#{name}"]')
+        browser.execute_script(
+            "const a = arguments[0] ?? Object.assign(document.createElement('a'), {href: arguments[1]});"
+            "document.querySelector('main').append(a.isConnected ? '' : a); a.click();",
+            *((link[0], "") if link else (None, f"#{name}")),
+        )
+        wait(browser, lambda: chapter.get_property("open"))
+
+
+def test_a_link_jumps_at_once(browser):
+    """The place is in view before the browser draws the next frame."""
+    script = """
+        scrollTo(0, 0);
+        const figures = document.querySelectorAll("figure[id]");
+        const place = figures[figures.length - 1];
+        const a = document.createElement("a");
+        a.href = "#" + place.id;
+        document.querySelector("main").append(a);
+        a.click();
+        const done = arguments[0];
+        requestAnimationFrame(() => requestAnimationFrame(() => done(place.getBoundingClientRect().top)));
+    """
+    top = browser.execute_async_script(script)
+    assert -50.0 < top < browser.execute_script("return innerHeight")
+
+
+def test_enlarged_figures_have_captions_and_neighbours_and_are_worked_by_keyboard(browser):
+    first = browser.find_element(By.CSS_SELECTOR, "button.enlarge")
+    browser.execute_script("arguments[0].focus()", first)
+    ActionChains(browser).send_keys(Keys.ENTER).perform()
+    large = wait(browser, lambda: browser.find_element(By.CSS_SELECTOR, "dialog[open] img"))
+    caption = browser.find_element(By.CSS_SELECTOR, "dialog .caption").text
+    assert len(caption) > 10
+    before = large.get_attribute("alt"), caption
+    ActionChains(browser).send_keys(Keys.ARROW_RIGHT).perform()
+    wait(
+        browser,
+        lambda: (
+            (
+                large.get_attribute("alt"),
+                browser.find_element(By.CSS_SELECTOR, "dialog .caption").text,
+            )
+            != before
+        ),
+    )
+    ActionChains(browser).send_keys(Keys.ARROW_LEFT).perform()
+    wait(browser, lambda: large.get_attribute("alt") == before[0])
+    ActionChains(browser).send_keys(Keys.ESCAPE).perform()
+    wait(browser, lambda: not browser.find_elements(By.CSS_SELECTOR, "dialog[open]"))

@@ -18,5 +18,6 @@ check python workflow/scripts/lint_workflow.py
 check lint-imports
 check python workflow/scripts/check_docstrings.py
 check codespell
+check python workflow/scripts/check_words.py
 check sphinx-build -q -W -b dummy docs build/checked-docs
 exit $status

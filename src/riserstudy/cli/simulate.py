@@ -224,6 +224,6 @@ def rerun(
     where = ", ".join(f"{axis}={value}" for axis, value in outcome.place.items())
     print(f"{changed} of {len(outcome.changes)} variables changed{' at ' if where else ''}{where}")
     if outcome.engines[0] != outcome.engines[1]:
-        print(f"made by engine {outcome.engines[0]}, run anew by {outcome.engines[1]}")
+        print(f"made by engine {outcome.engines[0]}, rerun by {outcome.engines[1]}")
     if changed:
         raise typer.Exit(1)

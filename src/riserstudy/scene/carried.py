@@ -20,7 +20,7 @@ class DampingRatio(Strict):
 
 
 class Carried(Strict):
-    """Straight lines that carry all that hangs on them, in place of ``linear``.
+    """Straight lines that carry the suspended weight, in place of ``linear``.
 
     At mid-stroke the working cylinders together pull the weight in water of riser, contents and bodies;
     the pull would double over ``doubles_over`` of reach.
