@@ -177,7 +177,7 @@ def spoken(title):
 
 @pytest.mark.parametrize("paper, name", FIGURES)
 def test_a_title_states_one_finding_in_few_words(paper, name):
-    """A dozen words, and at most three numbers: conditions belong to panels and captions."""
+    """About a dozen words and two numbers: conditions belong to panels and captions."""
     title = headline(drawn(paper, name))
     assert len(spoken(title)) <= 14, title
     assert len(re.findall(r"(?<![\w.])\d+(?:\.\d+)?", title)) <= 5, title

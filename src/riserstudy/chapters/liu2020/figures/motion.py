@@ -143,7 +143,7 @@ def baselines(
     most = [str(m) for m in BASELINES if float(share.sel(tensioner_model=m)) >= ALMOST_ALWAYS]
     headline(
         figure,
-        f"At rest the riser moves more than on tensioners only with: {', '.join(most) or 'none'}",
+        f"Larger static displacement than on tensioners only with: {', '.join(most) or 'none'}",
     )
     key_below(figure, axes[0], 4)
     return figure
