@@ -148,8 +148,7 @@ def fig12(
         _near_the_ring(ax, statics_tuned.sel(calibration=calibration, surface_speed=1.0))
     headline(
         figure,
-        "Near the ring a vertical force bends the riser "
-        f"{1.0 / ratio[VERTICAL]:.0f} times as much as tensioners do",
+        f"Near the ring a vertical force gives {1.0 / ratio[VERTICAL]:.0f} times the tensioners' moment",
     )
     return figure
 
