@@ -222,9 +222,9 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     assert found["A10"].said == [
         "Base case: 3, true.",
         "As in A1.",
-        "Margin to the threshold +10 %, in nine of ten cases -2 to +30 %.",
+        "Margin to the threshold: +10 % (90 % range −2 to +30 %).",
     ]
-    assert found["A2"].said == ["Base case: 1.5, true.", "Margin to the threshold +25 %."]
+    assert found["A2"].said == ["Base case: 1.5, true.", "Margin to the threshold: +25 %."]
     assert found["B0"].said == []
     assert found["A10"].why == "Decided by the flow; U: m/s."
     assert found["A4"].why == "No single input or pair decides it."

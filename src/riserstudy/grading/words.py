@@ -125,10 +125,16 @@ def listed(names: Iterable[str]) -> str:
 
 def margin_in_words(margin: float, low: float | None, high: float | None) -> str:
     """How far a verdict is from turning; a difference over the larger of the two that are compared."""
-    text = f"Margin to the threshold {100 * margin:+.0f} %"
+    text = f"Margin to the threshold: {_signed(margin)} %"
     if low is None or high is None:
         return f"{text}."
-    return f"{text}, in nine of ten cases {100 * low:+.0f} to {100 * high:+.0f} %."
+    return f"{text} (90 % range {_signed(low)} to {_signed(high)} %)."
+
+
+def _signed(share: float) -> str:
+    """A share in per cent with its sign; what rounds to nothing has none."""
+    percent = round(100.0 * share)
+    return f"{percent:+d}".replace("-", "−") if percent else "0"
 
 
 def share_in_words(kind: Kind, grounds: Grounds) -> list[str]:
