@@ -141,6 +141,12 @@ def test_steps_and_outputs_too_long_for_the_vortices_are_told():
     assert "vibration_frequency" not in run_of.facts
 
 
+def test_a_run_with_few_outputs_after_its_ramps_is_not_judged():
+    short = simulated(scene(analysis__output__interval="0.5 s"))
+    assert any("is not judged" in line for line in short.facts["warnings"])
+    assert "vibration_rms" not in short.facts
+
+
 @pytest.mark.parametrize(
     "changes, says",
     [

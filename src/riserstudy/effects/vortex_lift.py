@@ -229,7 +229,7 @@ register(
         (taken_out("vortex-induced vibration", "riser[*].viv", "lateral"),),
         example={
             "riser[0].viv": {"model": "synchronisation", "diameter": "0.5 m", "coefficient": 1.2}
-            | {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 1}
+            | {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 1, "ramp": "0.1 s"}
         },
     ),
     string=force,

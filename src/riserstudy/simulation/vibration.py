@@ -29,18 +29,17 @@ def since(scene: Scene) -> float | None:
     Raises
     ------
     SimulationError
-        When too little of the run is left after its ramps.
+        When a run is over before its ramps are.
     """
     duration = scene.analysis.duration
     if duration is None or not any(section.viv for section in scene.riser):
         return None
     built_up = max(ramp_of(scene), scene.built_up)
     start = built_up + (1.0 - LATER) * (duration - built_up)
-    if scene.analysis.output and duration - start < FEWEST * scene.analysis.output.interval:
+    if duration <= built_up:
         raise SimulationError(
-            "riser.viv: vibration is judged over the second half of what is left after all ramps, which end "
-            f"at {built_up:.4g} s: until analysis.duration of {duration:.4g} s that holds fewer than "
-            f"{FEWEST} outputs. Run longer, give riser.viv.ramp, or a shorter analysis.output.interval"
+            f"riser.viv: ramps end at {built_up:.4g} s, and analysis.duration of {duration:.4g} s is over by "
+            "then. Run longer, or give riser.viv.ramp"
         )
     return start
 
@@ -61,6 +60,12 @@ def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: dict[str, 
             f"step of {period / (2 * STEPS):.2g} s"
         )
     late = arrays["time"] >= start
+    if int(late.sum()) < FEWEST:
+        facts["warnings"].append(
+            f"riser.viv: fewer than {FEWEST} outputs after {start:.4g} s: the vibration is not judged. Run "
+            "longer, or with a shorter analysis.output.interval"
+        )
+        return
     parts = [arrays[name][late] for name in ("x", "y")]
     rms = np.sqrt(sum(map(_vibration, parts)))
     most = int(rms.argmax())
