@@ -11,8 +11,8 @@ from riserstudy.digests import defining
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.verdict import RELATIVE
+from riserstudy.grading.word import Word
 from riserstudy.grading.words_file import read_words
-from riserstudy.grading.yardstick import Word
 from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml

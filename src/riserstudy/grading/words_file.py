@@ -8,7 +8,7 @@ from typing import Self
 from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
-from riserstudy.grading.yardstick import Word
+from riserstudy.grading.word import Word
 from riserstudy.scene.base import Strict
 from riserstudy.scene.check import check
 from riserstudy.scene.load import read_yaml

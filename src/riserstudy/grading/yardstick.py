@@ -12,18 +12,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.grading.margin import Value, above
-
-
-class Word(NamedTuple):
-    """A word with its bound, a difference over the larger of the two values that are compared.
-
-    ``most``: whether the bound is an upper one. ``band``: below this difference there is none.
-    """
-
-    name: str
-    bound: float
-    most: bool
-    band: float
+from riserstudy.grading.word import Word
 
 
 class Condition(NamedTuple):
