@@ -15,9 +15,9 @@ from scipy.interpolate import CubicSpline
 
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere
+from riserstudy.grading.word import Word
 from riserstudy.grading.yardstick import (
     Condition,
-    Word,
     alike,
     all_along,
     all_of,

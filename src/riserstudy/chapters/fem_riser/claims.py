@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below
-from riserstudy.grading.yardstick import Condition, Word, all_along, all_of, growing
+from riserstudy.grading.word import Word
+from riserstudy.grading.yardstick import Condition, all_along, all_of, growing
 
 FloatArray = NDArray[np.float64]
 LUMPED, BEAM = "lumped masses", "Hermite beam"

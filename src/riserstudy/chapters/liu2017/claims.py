@@ -14,7 +14,8 @@ from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, 
 from riserstudy.dataset.crossing import at_time, first_crossing
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere, least
-from riserstudy.grading.yardstick import Condition, Word, all_of, less, more, more_on_the_whole
+from riserstudy.grading.word import Word
+from riserstudy.grading.yardstick import Condition, all_of, less, more, more_on_the_whole
 
 TARGET = 100.0  # m, the false position
 TENSION, STRENGTH = 3.02e6, 386e6  # N, Pa, both printed; the latter read as the riser's, too

@@ -10,7 +10,8 @@ import xarray as xr
 from riserstudy.grading.grade import Found, answers, judged
 from riserstudy.grading.margin import above, below, everywhere, least, rising
 from riserstudy.grading.verdict import ALMOST_ALWAYS
-from riserstudy.grading.yardstick import Condition, Word, all_along, all_of, growing, less, more
+from riserstudy.grading.word import Word
+from riserstudy.grading.yardstick import Condition, all_along, all_of, growing, less, more
 
 #: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
 WITHOUT = [

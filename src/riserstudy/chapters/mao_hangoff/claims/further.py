@@ -7,7 +7,8 @@ import xarray as xr
 from riserstudy.chapters.mao_hangoff.runs import distance, moments_over_time, with_printed_lmrp
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, everywhere
-from riserstudy.grading.yardstick import Word, all_along, growing, more, more_on_the_whole
+from riserstudy.grading.word import Word
+from riserstudy.grading.yardstick import all_along, growing, more, more_on_the_whole
 
 UNSTEADY = (70.0, 130.0)  # s, in which the riser is towed at full speed
 

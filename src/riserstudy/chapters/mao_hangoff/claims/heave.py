@@ -19,7 +19,8 @@ from riserstudy.chapters.mao_hangoff.runs import (
 )
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, everywhere
-from riserstudy.grading.yardstick import Word, alike, all_along, all_of, growing, more
+from riserstudy.grading.word import Word
+from riserstudy.grading.yardstick import alike, all_along, all_of, growing, more
 
 SETTLED = 70.0  # s, by then every ramp of the heave has ended
 STEADY = 0.9  # of the motion at the heave's period, which counts as one frequency

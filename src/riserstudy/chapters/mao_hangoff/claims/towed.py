@@ -24,7 +24,8 @@ from riserstudy.chapters.mao_hangoff.runs import (
 from riserstudy.chapters.mao_hangoff.towed import displacement
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere, least, rising
-from riserstudy.grading.yardstick import Word, all_of, growing, less, more
+from riserstudy.grading.word import Word
+from riserstudy.grading.yardstick import all_of, growing, less, more
 
 SURFACE_ZONE = 150.0  # m below the joint, where C_D is large
 TIMES = [10.0, 40.0, 70.0, 100.0, 130.0]  # s, of Fig 9c
