@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import detrend
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.vortex_lift import ramp_of, shedding_period
@@ -88,7 +87,14 @@ def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: dict[str, 
 
 def _vibration(motion: Array) -> Array:
     """Mean squares of a motion (times, places) about a straight line in time, on which it may still drift."""
-    return np.asarray(detrend(motion, axis=0).var(axis=0))
+    return np.asarray(_about_a_line(motion).var(axis=0))
+
+
+def _about_a_line(motion: Array) -> Array:
+    """A motion (times, places) less the straight line in time that fits it best."""
+    time = np.arange(len(motion)) - 0.5 * (len(motion) - 1)
+    away = motion - motion.mean(axis=0)
+    return np.asarray(away - np.multiply.outer(time, time @ away / (time @ time)))
 
 
 def _along(squares: Array, s: Array) -> float:
@@ -109,7 +115,7 @@ def _scatter(parts: list[Array], s: Array) -> float:
 
 def frequency(time: Array, motion: Array) -> float:
     """Frequency (Hz) of a motion (times,) by upward crossings of its mean line; 0 for fewer than two."""
-    away = detrend(motion)
+    away = _about_a_line(motion)
     up = np.flatnonzero((away[:-1] < 0.0) & (away[1:] >= 0.0))
     if len(up) < 2:
         return 0.0

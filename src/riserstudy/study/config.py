@@ -18,7 +18,7 @@ class TierModel(Strict):
 
 #: rules beside which each paper gets one of its own name
 RULES = {
-    *("all", "compile", "compiled", "shard", "simulate", "measure", "derive", "figure"),
+    *("all", "compile", "compiled", "shard", "simulate", "tune", "measure", "derive", "figure"),
     *("figures", "grade", "reproduction", "database", "report", "everything"),
 }
 
