@@ -173,7 +173,8 @@ def test_a_table_shows_units_and_csv_holds_all_digits(command, tmp_path):
     assert code == 0
     assert out.splitlines()[0].split() == ["period", "(s)", "x_max", "(m)"]
     asked = ["results", "plain/surge", "--columns", "x_max"]
-    assert command(*asked, "--csv", tmp_path / "a.csv")[:2] == (0, "")
+    written = f"written: {tmp_path / 'a.csv'}\n"
+    assert command(*asked, "--csv", tmp_path / "a.csv")[:2] == (0, written)
     with (tmp_path / "a.csv").open(newline="") as file:
         written = [float(row["x_max"]) for row in DictReader(file)]
     assert written == [row["x_max"] for row in rows(command, *asked)]
