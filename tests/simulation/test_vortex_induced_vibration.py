@@ -161,6 +161,14 @@ def test_what_it_cannot_do_is_refused(changes, says):
         scene(**changes).scene()
 
 
+@pytest.mark.parametrize("name, other", [("ramp", "9 s"), ("seed", 2)])
+def test_sections_begin_together(name, other):
+    halves = [{"name": part} | PIPE | {"length": "6.5 m"} for part in ("below", "above")]
+    halves[1] = halves[1] | {"viv": PIPE["viv"] | {name: other}}
+    with pytest.raises(InputError, match=f"riser.viv.{name} must be the same"):
+        SceneFile("test", copy.deepcopy(SCENE) | {"riser": halves}, {}).scene()
+
+
 @pytest.mark.parametrize("hertz", [0.7, 1.3])
 def test_a_frequency_is_that_of_a_sine(hertz):
     time = np.arange(0.0, 60.0, 0.05)  # a line fitted to part of a period leans

@@ -14,6 +14,7 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
 from riserstudy.model.sea import fastest_current
 from riserstudy.scene.models import Scene
+from riserstudy.scene.riser import VortexInducedVibration
 
 FloatArray = NDArray[np.float64]
 VORTICES = 10  # over which lift comes up where the scene does not say
@@ -32,11 +33,11 @@ def vortex_lift(of: Layout) -> Iterator[Effect]:
          v.frequencies[2] - v.frequencies[1], v.memory] if v else [0.0] * 5
         for v in sections
     ]  # fmt: skip
-    diameter, *shedding = at_nodes(
+    diameter, *frequencies = at_nodes(
         of.mesh, np.array(columns), np.array([bool(v) for v in sections])
     )
     record = VortexLift(
-        scale, scale, np.zeros((3, of.last + 1)), diameter, np.array(shedding),
+        scale, scale, np.zeros((3, of.last + 1)), diameter, np.array(frequencies),
         ramp_of(of.scene), 0, np.zeros((VARIABLES, of.last + 1)),
     )  # fmt: skip
     yield Effect("vortex-induced vibration", record, "riser.viv")
@@ -54,11 +55,16 @@ def at_nodes(mesh: Mesh, values: FloatArray, there: NDArray[np.bool_]) -> FloatA
     return out / np.where(weight > 0.0, weight, 1.0)
 
 
+def shedding(scene: Scene) -> list[VortexInducedVibration]:
+    """What sections shed vortices by; ramp and seed are the same in all of them."""
+    return [section.viv for section in scene.riser if section.viv]
+
+
 def ramp_of(scene: Scene) -> float:
     """Time over which lift comes up (s)."""
-    shedding = [section.viv for section in scene.riser if section.viv]
-    if shedding[0].ramp is not None:
-        return shedding[0].ramp
+    ramp = shedding(scene)[0].ramp
+    if ramp is not None:
+        return ramp
     if scene.current is None:
         raise TypeError("no ramp and no current")  # refused by the scene
     return VORTICES * shedding_period(scene, 1)
@@ -66,21 +72,19 @@ def ramp_of(scene: Scene) -> float:
 
 def shedding_period(scene: Scene, which: int = 2) -> float:
     """Shortest period of vortices in the current (s), by one of the three frequencies; infinite for none."""
-    shedding = [section.viv for section in scene.riser if section.viv]
-    if scene.current is None or not shedding:
+    if scene.current is None or not shedding(scene):
         return math.inf
     speed = fastest_current(scene.current, scene.water)
     if speed == 0.0:
         return math.inf
-    return min(v.diameter / (v.frequencies[which] * speed) for v in shedding)
+    return min(v.diameter / (v.frequencies[which] * speed) for v in shedding(scene))
 
 
 def first_phases(scene: Scene, mesh: Mesh, model: Model) -> None:
     """Give a model the phases that its lift begins with: smooth along the riser, whatever the mesh."""
     if not len(model.s.internal):
         return
-    seed = next(section.viv.seed for section in scene.riser if section.viv)
-    random = np.random.default_rng(seed)
+    random = np.random.default_rng(shedding(scene)[0].seed)
     share = mesh.s / mesh.s[-1]
     for k, turn in enumerate(random.uniform(0.0, 2.0 * np.pi, WAVES)):
         model.s.internal[PHASE] += np.pi * np.sqrt(2.0 / WAVES) * np.cos(np.pi * k * share + turn)

@@ -125,8 +125,9 @@ def _viv(scene: Parts) -> None:
         raise ValueError("riser.viv: explicit stepping has no phases; take an implicit method")
     if any(s.viv.ramp is None for s in shedding if s.viv) and not scene.current:
         raise ValueError("riser.viv.ramp is needed where there is no current to take it from")
-    if len({s.viv.ramp for s in shedding if s.viv}) > 1:
-        raise ValueError("riser.viv.ramp must be the same in all sections")
+    for name in ("ramp", "seed"):
+        if not alike(getattr(s.viv, name) for s in shedding):
+            raise ValueError(f"riser.viv.{name} must be the same in all sections")
 
 
 def _vessel_and_soil(scene: Parts, bends: bool) -> None:

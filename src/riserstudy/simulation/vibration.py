@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
-from riserstudy.model.vortex_lift import ramp_of, shedding_period
+from riserstudy.model.vortex_lift import ramp_of, shedding, shedding_period
 from riserstudy.scene.models import Scene
 
 Array = NDArray[np.float64]
@@ -31,7 +31,7 @@ def since(scene: Scene) -> float | None:
         When a run is over before its ramps are.
     """
     duration = scene.analysis.duration
-    if duration is None or not any(section.viv for section in scene.riser):
+    if duration is None or not shedding(scene):
         return None
     built_up = max(ramp_of(scene), scene.built_up)
     start = built_up + (1.0 - LATER) * (duration - built_up)
@@ -70,10 +70,8 @@ def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: dict[str, 
     most = int(rms.argmax())
     facts[SINCE] = start
     facts["vibration_rms"] = _along(rms**2, arrays["s"])
-    facts["vibration_rms_max"], facts["vibration_rms_max_s"] = (
-        float(rms[most]),
-        float(arrays["s"][most]),
-    )
+    facts["vibration_rms_max"] = float(rms[most])
+    facts["vibration_rms_max_s"] = float(arrays["s"][most])
     facts["vibration_scatter"] = _scatter(parts, arrays["s"])
     if interval > period / OUTPUTS:
         facts["warnings"].append(
