@@ -8,6 +8,11 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
+from riserstudy.scene.check import check
+from riserstudy.scene.load import read_yaml
+from riserstudy.study.models import StudyFile
+from riserstudy.study.study import Study
+
 STUDY = """\
 paper: example
 studies:
@@ -140,3 +145,20 @@ def shared_kernels(cache):
 
 if __name__ == "__main__":
     main(Path(sys.argv[1]))
+
+
+def studies_in(folder, paper, text):
+    """Take studies by name from a text, with the riser's scene in a folder of their own."""
+    (folder / "scenes").mkdir()
+    (folder / "studies").mkdir()
+    (folder / "scenes/riser.yaml").write_text(SCENE)
+    (folder / "scenes/current.csv").write_text(CURRENT)
+    path = folder / f"studies/{paper}.yaml"
+    path.write_text(text)
+
+    def made(name):
+        return Study(
+            paper, name, check(StudyFile, read_yaml(path), path).studies[name], folder, "standard"
+        )
+
+    return made

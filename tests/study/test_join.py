@@ -4,11 +4,7 @@ import pytest
 import short_study
 import xarray as xr
 
-from riserstudy.scene.check import check
-from riserstudy.scene.load import read_yaml
 from riserstudy.study import join
-from riserstudy.study.models import StudyFile
-from riserstudy.study.study import Study
 
 STUDIES = """\
 paper: parts
@@ -59,20 +55,7 @@ studies:
 def study_of(tmp_path, monkeypatch):
     """A study by its name, in a store of its own."""
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "cache"))
-    for name, text in {
-        "scenes/riser.yaml": short_study.SCENE,
-        "scenes/current.csv": short_study.CURRENT,
-        "studies/parts.yaml": STUDIES,
-    }.items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text(text)
-
-    def made(name):
-        path = tmp_path / "studies/parts.yaml"
-        model = check(StudyFile, read_yaml(path), path).studies[name]
-        return Study("parts", name, model, tmp_path, "standard")
-
-    return made
+    return short_study.studies_in(tmp_path, "parts", STUDIES)
 
 
 @pytest.mark.parametrize(

@@ -13,15 +13,12 @@ from riserstudy.dataset.behind import file_behind
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.jobs.plan_checks import refuse_settings
 from riserstudy.model.mesh import prescribed
-from riserstudy.scene.check import check
-from riserstudy.scene.load import read_yaml
 from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.study import settings, store
 from riserstudy.study.corners import others
 from riserstudy.study.join import write_study
-from riserstudy.study.models import StudyFile
 from riserstudy.study.rerun import rerun
 from riserstudy.study.setting import Setting
 from riserstudy.study.settings import (
@@ -33,7 +30,6 @@ from riserstudy.study.settings import (
     write_settings,
 )
 from riserstudy.study.simulate_points import attempt
-from riserstudy.study.study import Study
 
 STUDIES = """\
 paper: settings
@@ -88,20 +84,7 @@ def settings_of(setting):
 def study_of(tmp_path, monkeypatch):
     """A study by its name, in a store of its own."""
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "cache"))
-    for name, text in {
-        "scenes/riser.yaml": short_study.SCENE,
-        "scenes/current.csv": short_study.CURRENT,
-        "studies/settings.yaml": STUDIES,
-    }.items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text(text)
-
-    def made(name):
-        path = tmp_path / "studies/settings.yaml"
-        model = check(StudyFile, read_yaml(path), path).studies[name]
-        return Study("settings", name, model, tmp_path, "standard")
-
-    return made
+    return short_study.studies_in(tmp_path, "settings", STUDIES)
 
 
 @pytest.mark.parametrize(
