@@ -4,6 +4,7 @@ import copy
 
 import numpy as np
 import pytest
+from random_rigs import rig, written
 
 from riserstudy.errors import SimulationError
 from riserstudy.scene.load import SceneFile
@@ -123,3 +124,22 @@ def test_without_flow_nothing_moves(case):
 def test_a_run_that_ends_before_its_ramps_is_refused():
     with pytest.raises(SimulationError, match=r"riser.viv: ramps end at .* Run longer"):
         simulated({"riser[0].viv.diameter": "12 m"}, "TR-BDF2")
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_random_rigs_on_inclined_tensioners_vibrate_and_account_for_their_energy(seed):
+    tree = rig(seed, spatial=bool(seed % 2), conductor=seed % 3 == 0)
+    assert tree["top"]["tensioners"]["arrangement"]
+    for section in tree["riser"]:
+        if section.get("drag"):
+            own = {"diameter": section["drag"]["diameter"], "ramp": 10.0}
+            section["viv"] = VIV | own | {"frequencies": [0.11, 0.18, 0.26]}
+    tree["analysis"] = {
+        "duration": 80.0,
+        "step": 0.1,
+        "mesh": {"elements": 80},
+        "output": {"interval": 0.5},
+    }
+    found = run(SceneFile("rig.yaml", written(tree)).scene(), estimated=False)
+    assert found.facts["audit"]["unexplained_share"] < 1e-3
+    assert 0.0 < found.facts["vibration_rms_max"] < 2.0
