@@ -19,6 +19,7 @@ from riserstudy.dataset.extremes import (
     NAMES,
     OF_A_RUN,
     OVER,
+    WHERE,
     Statistic,
     Variable,
     elsewhere,
@@ -86,7 +87,7 @@ def read_dataset(path: Path) -> Contents:
         with netCDF4.Dataset(path) as file:
             file.set_auto_mask(False)
             attributes = {name: file.getncattr(name) for name in file.ncattrs()}
-            coordinates = {n: file[n][:] for n in OF_A_RUN if n in file.variables}
+            coordinates = {n: file[n][:] for n in WHERE if n in file.variables}
             grids = [(grid, [*told_once(grid.variables, coordinates)]) for grid in _grids(file)]
             grids[0][1].extend(_told(file, grids[0][0]))
             return Contents(attributes, grids)

@@ -25,7 +25,8 @@ WHERE = {"s_node": "s", "s": "s", "time": "time", "cylinder": "cylinder"}
 
 OF_ENVELOPES = {"max": np.positive, "min": np.negative, "absmax": np.abs}  # largest at the extreme
 OVER = "statistic"  # the dimension of a dataset that has one value each, "bending_moment max"
-OF_A_RUN = ("time", "s", "s_node", "cylinder")  # dimensions that are no axes of a grid
+#: dimensions that are no axes of a grid
+OF_A_RUN = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")
 NAMES = {kind: f"{kind}_of_statistic" for kind in ("value", *dict.fromkeys(WHERE.values()))}
 
 
@@ -84,7 +85,7 @@ def of_runs(runs: xr.Dataset) -> list[Statistic]:
         for name, within in dims.items()
         if within and not elsewhere(name, within, dims)
     ]
-    coordinates = {name: runs[name].values for name in OF_A_RUN if name in runs.coords}
+    coordinates = {name: runs[name].values for name in WHERE if name in runs.coords}
     return [_timed(of, runs) for of in told_once(variables, coordinates)]
 
 

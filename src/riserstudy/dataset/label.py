@@ -7,6 +7,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from riserstudy.dataset.limits import checked
 from riserstudy.dataset.variables import ENDINGS, attributes
 from riserstudy.digests import engine_digest
@@ -24,7 +26,7 @@ S_DIGITS = 9  # decimals of arclengths (m), by which a node is selected
 
 def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> xr.Dataset:
     """Label the arrays of a run, and say what they are; with the effects that are off, and why."""
-    dataset = labelled(result)
+    dataset = with_details(labelled(result), file)
     for label in dataset.variables:
         dataset[label].attrs = attributes(str(label))
     dataset.attrs = {
@@ -40,6 +42,14 @@ def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> 
         rows = checked(file, file.scene(), result.facts)
         dataset.attrs["limits"] = json.dumps([row._asdict() for row in rows])
     return dataset
+
+
+def with_details(dataset: xr.Dataset, file: SceneFile) -> xr.Dataset:
+    """The dataset with the names of the details of fatigue that its scene has."""
+    if "detail" not in dataset.dims:
+        return dataset
+    names = [str(detail["name"]) for detail in file.tree["fatigue"]["details"]]
+    return dataset.assign_coords(detail=names)
 
 
 def labelled(result: Result) -> xr.Dataset:
@@ -60,6 +70,8 @@ def coordinates(arrays: dict[str, Any]) -> dict[str, Any]:
     }
     if (force := arrays.get("tensioner_force_static")) is not None:
         coords["cylinder"] = ("cylinder", list(range(len(force))))
+    if (rate := arrays.get("damage_rate")) is not None:
+        coords["wall_angle"] = ("wall_angle", np.arange(rate.shape[1]) * (360.0 / rate.shape[1]))
     if "time" not in arrays:
         coords["s"] = ("s", coords["s_node"][1])
     return coords
@@ -82,6 +94,8 @@ def quantities(arrays: dict[str, Any]) -> dict[str, tuple[tuple[str, ...], str]]
 
 def dimensions(name: str, values: Any) -> tuple[str, ...]:
     """Dimensions of an array of a run, by its name and shape."""
+    if name == "damage_rate":
+        return ("detail", "wall_angle", "s_node")
     if name.startswith("tensioner_"):
         return ("time", "cylinder")[-values.ndim :]
     if name.endswith(tuple(ENDINGS)):

@@ -25,6 +25,8 @@ DIMENSIONS = (
     "s",
     "s_node",
     "cylinder",
+    "detail",
+    "wall_angle",
     "point",
     "limit",
     "statistic",
@@ -36,6 +38,7 @@ OF_RUNS = frozenset(
         "joint_stroke",
         *("shear_force", "von_mises_stress", "lower_end_tension"),
         *("tensioner_stroke", "tensioner_force", "largest_stress"),
+        "damage_rate",
         *("lift", "lift_rate"),
         *("platform_surge", "platform_sway", "platform_yaw", "thrust_moment"),
         *("platform_speed_x", "riser_reaction_x", "environment_force_x", "thrust_x"),
@@ -61,6 +64,9 @@ OF_VIBRATION = (
     *("vibration_rms", "vibration_rms_max", "vibration_rms_max_s"),
     *("vibration_frequency", "vibration_scatter"),
 )
+
+#: the same of points whose scene has details of fatigue
+OF_FATIGUE = ("error_damage",)
 
 DATA_FILES = ("variables.yaml",)
 #: dimensions and variables of natural modes, where a study asks for them

@@ -19,7 +19,8 @@ from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.figures.style import key_below, panels
 
-WITHIN_A_RUN = ("time", "s", "s_node", "cylinder")  # dimensions that are no axes of the grid
+#: dimensions that are no axes of the grid
+WITHIN_A_RUN = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")
 MOST = 7  # curves or panels that a figure shows apart
 ENDINGS = ("_max", "_min")
 SIZE = "_absmax"  # the largest, whatever its sign

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.scene.alike import alike
 from riserstudy.scene.analysis import MOST_PERIODS
+from riserstudy.scene.fatigue import fatigue_fits
 from riserstudy.scene.forcing import Shape
 from riserstudy.scene.geometry import closes, covered
 from riserstudy.scene.limit_inputs import limits_fit
@@ -84,6 +85,7 @@ def fit(scene: Parts) -> None:
     closes(scene)
     covered(scene)
     limits_fit(scene)
+    fatigue_fits(scene)
     _disconnect(scene)
     _events(scene)
 

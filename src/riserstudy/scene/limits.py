@@ -83,7 +83,7 @@ class Limit(Strict):
     @property
     def place(self) -> str:
         """Where it holds, in words; "" all along the riser."""
-        return " to ".join(self.at) if isinstance(self.at, list) else self.at or ""
+        return place_of(self.at)
 
     def sections(self, names: Sequence[str]) -> list[str]:
         """Those of a riser's sections, named from below, that it is about.
@@ -93,20 +93,7 @@ class Limit(Strict):
         ValueError
             When there is no such section, or the last of several is below the first.
         """
-        ends = self.at if isinstance(self.at, list) else [section_of(self.at or "")]
-        if not self.at:
-            return list(names)
-        if missing := [end for end in ends if end not in names]:
-            raise ValueError(
-                f"no section {missing[0]!r}; allowed are {', '.join(map(repr, names))}"
-            )
-        first, last = names.index(ends[0]), names.index(ends[-1])
-        last += names[last] + ABOVE in names
-        if first > last:
-            raise ValueError(
-                f"{ends[0]!r} is above {ends[-1]!r}; allowed is the lowest section first"
-            )
-        return list(names[first : last + 1])
+        return sections_at(self.at, names)
 
     def places(self, names: Sequence[str]) -> list[str]:
         """Where a value of a run may be that it is about, as extremes of runs name places."""
@@ -125,6 +112,31 @@ class Limit(Strict):
     def allowable(self) -> float:
         """In the SI unit of the output: N, N m, Pa, m or rad."""
         return to_si(getattr(self, self.side), UNITS[self.output])
+
+
+def place_of(at: str | list[str] | None) -> str:
+    """A place along the riser in words; "" for all of it."""
+    return " to ".join(at) if isinstance(at, list) else at or ""
+
+
+def sections_at(at: str | list[str] | None, names: Sequence[str]) -> list[str]:
+    """Those of a riser's sections, named from below, that a place is at.
+
+    Raises
+    ------
+    ValueError
+        When there is no such section, or the last of several is below the first.
+    """
+    ends = at if isinstance(at, list) else [section_of(at or "")]
+    if not at:
+        return list(names)
+    if missing := [end for end in ends if end not in names]:
+        raise ValueError(f"no section {missing[0]!r}; allowed are {', '.join(map(repr, names))}")
+    first, last = names.index(ends[0]), names.index(ends[-1])
+    last += names[last] + ABOVE in names
+    if first > last:
+        raise ValueError(f"{ends[0]!r} is above {ends[-1]!r}; allowed is the lowest section first")
+    return list(names[first : last + 1])
 
 
 def section_of(place: str) -> str:

@@ -13,6 +13,7 @@ from riserstudy.scene.base import ALONG_X, POSITIVE, Strict
 from riserstudy.scene.buoyancy import Buoyancy
 from riserstudy.scene.disconnect import Disconnect
 from riserstudy.scene.ends import Body, Bottom, Top
+from riserstudy.scene.fatigue import Fatigue
 from riserstudy.scene.forcing import Current, Platform, Water
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.riser import RigidBody, Section
@@ -40,6 +41,7 @@ class Parts(Strict):
     wave: RegularWave | IrregularSea | None = None
     limits: Annotated[list[Limit], Field(min_length=1)] | None = None
     disconnect: Disconnect | None = None
+    fatigue: Fatigue | None = None
     analysis: Analysis
 
     @property

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
+NEAR = 1e-5  # share of a segment, the same of meshes whose nodes are rounded
 SAME = 1e-9  # share of the length within which a place is a node
 
 
@@ -73,6 +74,18 @@ class Curve(NamedTuple):
             for k in range(3):
                 side[rows, slopes.node[:, k] - rows + 1] += slopes.weight[:, k]
         return out
+
+
+def between_nodes(s: FloatArray, values: FloatArray, places: FloatArray) -> FloatArray:
+    """Values over nodes (m), (..., nodes), at places (m): straight between nodes, and theirs at a node.
+
+    So what is not a number beyond a node does not reach it.
+    """
+    e = np.clip(np.searchsorted(s, places, "right") - 1, 0, len(s) - 2)
+    share = (places - s[e]) / (s[e + 1] - s[e])
+    between = (1.0 - share) * values[..., e] + share * values[..., e + 1]
+    between = np.where(share < NEAR, values[..., e], between)
+    return np.asarray(np.where(share > 1.0 - NEAR, values[..., e + 1], between))
 
 
 def curve_of(arrays: Arrays) -> Curve:

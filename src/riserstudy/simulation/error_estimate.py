@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
 #: quantities whose errors an accuracy bounds, and by which mesh and step are chosen
-CONTROLLED = ("displacement", "tension", "moment")
+CONTROLLED = ("displacement", "tension", "moment", "damage")
 HISTORIES = ("x", "y", "z", "effective_tension", "bending_moment")
 MOST_FALL = 8.0  # of successive differences that an estimate trusts: third order
 FLAT = 1e-9  # curvature that is none (1/m): a strain of 5e-10 at the wall of a riser a metre thick
@@ -66,7 +66,8 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     histories = _histories(coarse.arrays, fine.arrays)
     if vibration.SINCE in fine.facts:
         times = coarse.arrays["time"], fine.arrays["time"]
-        return vibration.apart(histories, _places(coarse.arrays, fine.arrays), times, fine.facts)
+        places = _places(coarse.arrays, fine.arrays)
+        return vibration.apart(histories, places, times, fine.facts) | _damage(coarse, fine)
     for name, fields in (
         ("displacement", ("x", "y", "z")),
         ("tension", ("effective_tension",)),
@@ -91,7 +92,16 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     if scale > UPRIGHT:
         off = max(float(np.abs(up - low).max()) for low, up in angles)
         differences["angle"] = off / scale if off > UPRIGHT else 0.0
-    return differences
+    return differences | _damage(coarse, fine)
+
+
+def _damage(coarse: Result, fine: Result) -> dict[str, float]:
+    """Relative difference of fatigue damage, where a scene has details."""
+    if "damage_rate" not in fine.arrays or "damage_rate" not in coarse.arrays:
+        return {}
+    from riserstudy.simulation.damage import apart
+
+    return {"damage": apart(coarse.arrays, fine.arrays)}
 
 
 def _angles(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:

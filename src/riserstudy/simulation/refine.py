@@ -26,7 +26,7 @@ from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_stepping import steps_in
 from riserstudy.simulation.watch import Tell, Watch, size
 
-DISPLACEMENT, MOMENT = 0.002, 0.01  # default accuracy
+DISPLACEMENT, MOMENT, DAMAGE = 0.002, 0.01, 0.05  # default accuracy
 RUNS = 16  # halvings of mesh or step, at most
 SEGMENTS = 50_000  # of the finest mesh, at most
 FALL = 1.5  # of differences, by which halving must bring them down to be repeated
@@ -73,8 +73,17 @@ def run(
         else as_asked(scene, estimated, watch)
     )
     result.facts["wall_seconds"] = watch.spent
+    if scene.fatigue:
+        _with_outputs(result)
     _doubt(result, scene)
     return result
+
+
+def _with_outputs(result: Result) -> None:
+    """Add what outputs lose of the damage to its estimated error."""
+    error = result.facts.get("error_estimate", {})
+    if "damage" in error:
+        error["damage"] += max(row["error_of_outputs"] for row in result.facts["fatigue"])
 
 
 def _doubt(result: Result, scene: Scene) -> None:
@@ -106,6 +115,12 @@ def allowed(accuracy: float | None) -> dict[str, float]:
     return {"displacement": accuracy or DISPLACEMENT, "moment": moment, "tension": moment}
 
 
+def allowed_of(scene: Scene) -> dict[str, float]:
+    """Relative error that a scene requests, by quantity; of damage where it has details of fatigue."""
+    accuracy = scene.analysis.accuracy
+    return allowed(accuracy) | ({"damage": accuracy or DAMAGE} if scene.fatigue else {})
+
+
 def _exact(result: Result) -> Result:
     """A run that nothing coarser can be compared with."""
     result.facts["error_estimate"] = {}
@@ -123,7 +138,7 @@ class Refinement:
     def __init__(self, scene: Scene, watch: Watch | None = None) -> None:
         a = scene.analysis
         self.scene, self.watch = scene, watch or Watch()
-        self.target = allowed(a.accuracy)
+        self.target = allowed_of(scene)
         self.meshes = [coarsest_mesh(scene)]  # each the halves of the one before
         self.step = _longest_step(scene) if a.duration else None
         self.ways = [] if massless(scene) else ["mesh"]

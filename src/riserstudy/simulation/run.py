@@ -104,6 +104,10 @@ def march(
         return solve_small_angle(scene, mesh, step)
     started = clock.perf_counter()
     vibration.since(scene)  # refuses before statics
+    if scene.fatigue:
+        from riserstudy.simulation import damage  # which loads what counts cycles
+
+        damage.since(scene)
     rest = rest or Rest(scene, mesh)
     model, arrays = rest.model, dict(rest.arrays)
     facts: dict[str, Any] = {
@@ -122,12 +126,16 @@ def march(
         facts["coupling"] = {"scheme": "as one"}
     if scene.analysis.duration is not None and step is not None and scene.analysis.output:
         whole = everywhere or fits(scene.analysis.output, scene.analysis.duration, mesh)
+        if scene.fatigue and not whole:
+            raise damage.too_large()
         arrays |= in_motion(
             scene, model, mesh, step, whole, arrays, facts, watch or Watch(), extremes
         )
         vibration.enter(scene, step, arrays, facts)
     audit.finite(arrays)
     audit.tension(scene, arrays, facts)
+    if scene.fatigue:
+        damage.enter(scene, mesh, arrays, facts)
     if len(model.s.dof) - len(model.s.dim) == 3:
         arrays["mesh_moment_static"] = rest.moment
     facts["solve_seconds"] = clock.perf_counter() - started
@@ -138,6 +146,10 @@ def finish(scene: Scene, mesh: Mesh, result: Result) -> Result:
     """Enter forces, stresses, extremes and what there is to tell of strokes into a run of `march`."""
     started = clock.perf_counter()
     arrays, facts = result.arrays, result.facts
+    if scene.fatigue:
+        from riserstudy.simulation.damage import refuse_coarse
+
+        refuse_coarse(scene, facts)
     if rig := scene.top.tensioners:
         facts["warnings"] += outputs.of_tensioners(rig, arrays)
         if "tensioner_stroke" in arrays:

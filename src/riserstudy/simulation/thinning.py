@@ -22,7 +22,7 @@ def thinned(scene: Scene, step: float | None) -> tuple[Scene, bool]:
     output = scene.analysis.output
     if output is None or step is None or scene.analysis.solver == "hermite":
         return scene, False
-    if since(scene) is not None:  # frequencies take all outputs
+    if scene.fatigue or since(scene) is not None:  # cycles and frequencies take all outputs
         return scene, False
     often = min(period(scene) / A_PERIOD, STEPS * step) / output.interval
     if often < 2.0:

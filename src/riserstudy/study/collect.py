@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Callable, Collection
 from importlib.metadata import version
@@ -14,13 +15,20 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.complete import complete
 from riserstudy.dataset.extremes import OVER, as_variables, of_runs
-from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities
+from riserstudy.dataset.label import (
+    UNLABELLED,
+    coordinates,
+    dimensions,
+    history,
+    quantities,
+    with_details,
+)
 from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import OF_VIBRATION, attributes, cf_unit
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
-from riserstudy.simulation.curve import at_stations, curve_of
+from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
 from riserstudy.study import store
 from riserstudy.study.grid import Point
 from riserstudy.study.limits import add_limits
@@ -110,7 +118,7 @@ def _once(shared: dict[Any, Any], value: Any) -> Any:
     return shared.setdefault(key, value)
 
 
-SHARED = ("time", "s", "s_node", "cylinder")  # dimensions of runs
+SHARED = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")  # dimensions of runs
 
 
 def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
@@ -137,12 +145,15 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     )
     order = np.argsort([k for of in places for k in of])
     flat = flat.isel(point=order, missing_dims="ignore")  # nothing to keep: no points either
-    flat = flat.assign(told)
+    flat = with_details(flat.assign(told), study.base)
     for name, extract in FACTS.items():
         flat[name] = ("point", [extract(r.facts) for r in results])
     for name in OF_VIBRATION:
         if any(name in r.facts for r in results):
             flat[name] = ("point", [r.facts.get(name, float("nan")) for r in results])
+    if any("damage" in r.facts.get("error_estimate", {}) for r in results):
+        errors = [r.facts.get("error_estimate", {}).get("damage", math.nan) for r in results]
+        flat["error_damage"] = ("point", errors)
     flat["point_key"] = ("point", [p.key for p in study.plan])
     dataset = xr.Dataset(coords={n: flat[n] for n in (*SHARED, OVER) if n in flat.variables})
     for coordinate in dataset.coords:
@@ -230,7 +241,11 @@ def laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
     everywhere = "time" in own and len(own["s"]) == len(own["s_node"])
     laid = at_stations(own, places) if everywhere and HISTORIES.intersection(own) else {}
     for name, values in own.items():
-        if dimensions(name, values) == ("s_node",) and not name.startswith(UNLABELLED):
+        if dimensions(name, values)[-1:] != ("s_node",) or name.startswith(UNLABELLED):
+            continue
+        if name == "damage_rate":
+            laid[name] = between_nodes(own["s_node"], values, places)
+        else:
             between = curve.straight if name.startswith("effective_tension") else curve.cubic
             laid[name] = between(values, places)
     whole = {}

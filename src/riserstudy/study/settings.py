@@ -20,7 +20,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.folders import write_whole
-from riserstudy.simulation.refine import allowed
+from riserstudy.simulation.refine import allowed_of
 from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.grid import Point
@@ -183,7 +183,7 @@ def _by_nearest(study: Study, points: list[Point], serves: dict[int, bool]) -> l
 
 def exceeds(study: Study, facts: dict[str, Any]) -> bool:
     """Whether a run estimates an error above what a study requests; not where it estimates none."""
-    target = allowed(study.base.scene().analysis.accuracy)
+    target = allowed_of(study.base.scene())
     error = facts.get("error_estimate", {})
     return any(error.get(name, 0.0) > limit for name, limit in target.items())
 

@@ -20,7 +20,7 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.refine import Refinement, allowed, run
+from riserstudy.simulation.refine import Refinement, allowed_of, run
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless
 from riserstudy.study.corners import corners, others
@@ -153,8 +153,7 @@ class Tuner:
         own = (self.study.base.tree.get("analysis") or {}).get("accuracy")
         wanted = self.accuracy or own
         self.asked = {"analysis.accuracy": wanted} if wanted else {}
-        analysis = free.with_values(self.asked, "--accuracy").scene().analysis
-        self.target = allowed(analysis.accuracy)
+        self.target = allowed_of(free.with_values(self.asked, "--accuracy").scene())
 
     def place(self, index: Index) -> Place:
         """A point with a run to compare others with.

@@ -1,0 +1,198 @@
+"""Fatigue: details of the wall, their S-N curves, and where they are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.scene import units as u
+from riserstudy.scene.base import POSITIVE, WHOLE, Strict
+from riserstudy.scene.limit_inputs import wall_lacks
+from riserstudy.scene.limits import ENDS, place_of, sections_at
+
+if TYPE_CHECKING:
+    from riserstudy.scene.parts import Parts
+
+DATA_FILES = ("sn_curves.yaml",)
+A_PERIOD = 8  # outputs, at least: fewer cut the peaks of stress off
+
+
+class SNCurve(NamedTuple):
+    """Lines log10 N = log_a - m log10 S, S in MPa; the one with more cycles counts, as beyond the knee."""
+
+    exponents: tuple[float, ...]  # one or two, rising
+    log_a: tuple[float, ...]
+    reference_thickness: float  # m
+    thickness_exponent: float
+
+    def times(self, thickness: float) -> float:
+        """Factor (1) on the stress range of a thickness (m); below that of reference there is none."""
+        over = max(thickness / self.reference_thickness, 1.0)
+        return math.pow(over, self.thickness_exponent)
+
+
+class Slope(Strict):
+    """A line of an S-N curve: log10 of cycles is log_a less exponent times log10 of the range in MPa."""
+
+    exponent: Annotated[float, POSITIVE]
+    log_a: Annotated[float, Field(gt=0, lt=40)]
+
+
+class OwnCurve(Strict):
+    """An S-N curve of your own, of one or two lines; beyond their crossing the flatter one counts.
+
+    The range grows by (thickness / reference_thickness)^thickness_exponent above the reference thickness.
+    """
+
+    slopes: Annotated[list[Slope], Field(min_length=1, max_length=2)]
+    reference_thickness: Annotated[u.Length, POSITIVE]
+    thickness_exponent: Annotated[float, Field(ge=0, le=1)]
+
+    @model_validator(mode="after")
+    def _rising(self) -> Self:
+        exponents = [slope.exponent for slope in self.slopes]
+        if exponents != sorted(set(exponents)):
+            raise ValueError("slopes: exponents must rise: the second line is that of small ranges")
+        return self
+
+    @property
+    def numbers(self) -> SNCurve:
+        """What damage is computed with."""
+        return SNCurve(
+            tuple(slope.exponent for slope in self.slopes),
+            tuple(slope.log_a for slope in self.slopes),
+            self.reference_thickness,
+            self.thickness_exponent,
+        )
+
+
+class StandardCurve(Strict):
+    """An S-N curve of DNV-RP-C203 by its class, B1 to W3, and environment.
+
+    Numbers and their source are in `scene/sn_curves.yaml` of the package. Editions differ: compare
+    them with the one that you must use, and give a curve of your own where they differ.
+    """
+
+    detail_class: str
+    environment: Literal["air", "seawater with cathodic protection"]
+
+    @model_validator(mode="after")
+    def _known(self) -> Self:
+        if self.detail_class not in (known := sn_curves()["curves"]):
+            raise ValueError(
+                f"detail_class {self.detail_class!r} is not known; allowed are {', '.join(known)}"
+            )
+        return self
+
+    @property
+    def numbers(self) -> SNCurve:
+        """What damage is computed with."""
+        table = sn_curves()
+        row = dict(zip(table["columns"], table["curves"][self.detail_class], strict=True))
+        first = row["log_a_air" if self.environment == "air" else "log_a_seawater"]
+        return SNCurve(
+            (row["first_exponent"], row["second_exponent"]),
+            (first, row["log_a_second"]),
+            u.to_si(table["reference_thickness"], "m"),
+            row["thickness_exponent"],
+        )
+
+
+class Detail(Strict):
+    """A detail whose fatigue damage is computed: welds of the wall, a connector, a weld of the wellhead.
+
+    ``at``: sections of the riser as limits name them; absent: all. ``face``: of the wall, whose stress is
+    that of wall tension and bending. In its place ``stress_per_moment`` gives the stress of a detail at one
+    end of a section by the bending moment there, such as `0.02 MPa/kN/m`; tension is then left out.
+    ``stress_concentration`` multiplies this nominal stress. Absent thickness: that of the section's wall.
+    Damage times ``safety_factor`` is the factored damage.
+    """
+
+    name: Annotated[str, Field(min_length=1)]
+    at: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = None
+    face: Literal["outside", "inside"] | None = None
+    stress_per_moment: Annotated[u.StressPerMoment, POSITIVE] | None = None
+    curve: StandardCurve | OwnCurve
+    stress_concentration: Annotated[float, POSITIVE]
+    thickness: Annotated[u.Length, POSITIVE] | None = None
+    safety_factor: Annotated[float, Field(ge=1)]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if (self.face is None) == (self.stress_per_moment is None):
+            raise ValueError("give one of face and stress_per_moment")
+        if self.stress_per_moment and not place_of(self.at).startswith(ENDS):
+            raise ValueError(f"stress_per_moment: allowed with 'at: {ENDS[0]}' a section")
+        if self.stress_per_moment and self.thickness is None:
+            raise ValueError("stress_per_moment needs thickness")
+        return self
+
+    def sections(self, names: Sequence[str]) -> list[str]:
+        """Those of a riser's sections, named from below, that have it; ValueError where there is none."""
+        return sections_at(self.at, names)
+
+
+class Fatigue(Strict):
+    """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
+
+    ``angles``: places round the wall at which it is summed, the first on the side of +x. Between two of them
+    damage may be larger than at both: for ranges to the power m by up to cos(pi / angles)^-m.
+    """
+
+    angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]
+    details: Annotated[list[Detail], Field(min_length=1)]
+
+
+@cache
+def sn_curves() -> dict[str, Any]:
+    """The table of S-N curves, with its source and edition."""
+    from riserstudy.scene.load import read_yaml  # which is built on this module
+
+    table: dict[str, Any] = read_yaml(Path(__file__).with_name(DATA_FILES[0]))
+    return table
+
+
+def fatigue_fits(scene: Parts) -> None:
+    """See that a scene tells what the damage of its details needs.
+
+    Raises
+    ------
+    ValueError
+        Field, what was found and what is allowed.
+    """
+    if scene.fatigue is None:
+        return
+    a = scene.analysis
+    if a.duration is None or a.output is None:
+        raise ValueError("fatigue needs analysis.duration: statics have no cycles")
+    if a.solver:
+        raise ValueError("fatigue: not with analysis.solver; leave out the solver")
+    if scene.events or scene.top.tension_loss:
+        raise ValueError("fatigue: not with events such as a disconnect, which do not recur")
+    shortest = scene.shortest_period
+    if shortest and a.output.interval > shortest / A_PERIOD:
+        raise ValueError(
+            f"fatigue: analysis.output.interval of {a.output.interval:g} s cuts the peaks of stress off; "
+            f"allowed are {A_PERIOD} outputs in the shortest period, {shortest / A_PERIOD:.3g} s"
+        )
+    names = [section.name for section in scene.riser]
+    known: set[str] = set()
+    for k, detail in enumerate(scene.fatigue.details):
+        where = f"fatigue.details[{k}]"
+        if detail.name in known:
+            raise ValueError(f"{where}.name: {detail.name!r} is there before; give another")
+        known.add(detail.name)
+        try:
+            there = detail.sections(names)
+        except ValueError as fault:
+            raise ValueError(f"{where}.at: {fault}") from None
+        if detail.face is None:
+            continue
+        lacking = [lack for s in scene.riser if s.name in there for lack in wall_lacks(scene, s)]
+        if lacking:
+            raise ValueError(f"{where}: stress of the wall lacks {lacking[0]}; give it")

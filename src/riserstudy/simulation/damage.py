@@ -1,0 +1,293 @@
+r"""Fatigue damage of the wall over a run: stress round the wall, rainflow counting, the sum of Miner.
+
+.. math:: \sigma(\varphi) = \frac{T_w}{A}
+          - \frac{r}{I}\,(\cos\varphi\, M\cdot e_2 - \sin\varphi\, M\cdot e_1),
+          \qquad T_w = T_e + p_i A_i - p_o A_o
+
+at places round the wall that turn with the pipe: e_1 and e_2 are the axes x and y turned by the shortest
+way that takes the vertical to the tangent. So a scene that is turned about the vertical has the same damage,
+turned.
+The range of a cycle, with its stress concentration and thickness, lasts N cycles by the S-N curve, and
+
+.. math:: D = \sum_i \frac{n_i}{N_i},\qquad \dot D = D / T_{sim}
+
+Cycles are those of rainflow counting; what is left of it, which no later load closes, counts as half
+cycles, as ASTM E1049 has it. Mean stress does not count, as in curves of welds.
+
+References
+----------
+Amzallag and others 1994, Standardization of the rainflow counting method for fatigue analysis,
+International Journal of Fatigue 16, 287-293; ASTM E1049, Standard practices for cycle counting in fatigue
+analysis. Counting is that of the library fatpack.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import fatpack
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import SimulationError
+from riserstudy.model.mesh import Mesh
+from riserstudy.scene.fatigue import Detail, Fatigue, SNCurve
+from riserstudy.scene.limits import ENDS, place_of
+from riserstudy.scene.models import Scene
+from riserstudy.simulation import vibration
+from riserstudy.simulation.curve import between_nodes
+from riserstudy.simulation.wall_stress import Wall, nodes_of, pressures, wall_of
+
+Array = NDArray[np.float64]
+Arrays = dict[str, Array]
+YEAR = 365.25 * 86400.0  # s
+MEGA = 1e6  # Pa in the unit of S-N curves
+CUT_OFF = 0.1  # share of damage lost between outputs from which on a run is refused
+ORDER = 4.0  # by which halving the interval of outputs reduces what is lost of the peaks
+
+
+class Cycles(NamedTuple):
+    """Stress ranges (Pa) and their counts, 1 or one half, both (n,)."""
+
+    ranges: Array
+    counts: Array
+
+
+def rainflow(stress: Array) -> Cycles:
+    """Cycles of a history (times,), Pa, closed ones and those of the residue, which are half cycles."""
+    points = turning_points(stress)
+    if len(points) < 2:
+        return Cycles(np.empty(0), np.empty(0))
+    closed, left = fatpack.find_rainflow_cycles(points.tolist())
+    whole = np.abs(closed[:, 1] - closed[:, 0]) if len(closed) else np.empty(0)
+    half = np.abs(np.diff(left))
+    counts = np.concatenate([np.ones(len(whole)), np.full(len(half), 0.5)])
+    return Cycles(np.concatenate([whole, half]), counts)
+
+
+def turning_points(values: Array) -> Array:
+    """First and last of some values (n,), and those between at which they turn."""
+    moved = np.append(True, np.diff(values) != 0.0)
+    steps = values[moved]
+    turns = np.diff(steps[:-1]) * np.diff(steps[1:]) < 0.0
+    inner = np.concatenate([[True], turns, [True]]) if len(steps) > 1 else np.ones(len(steps), bool)
+    return np.asarray(steps[inner])
+
+
+def damage(cycles: Cycles, curve: SNCurve, concentration: float, thickness: float) -> float:
+    """Palmgren and Miner's sum (1) of cycles of nominal stress in a thickness (m)."""
+    ranges = cycles.ranges[cycles.ranges > 0.0]
+    if not len(ranges):
+        return 0.0
+    size = np.log10(ranges * (concentration * curve.times(thickness) / MEGA))
+    lines = [a - m * size for m, a in zip(curve.exponents, curve.log_a, strict=True)]
+    return float((cycles.counts[cycles.ranges > 0.0] * 10.0 ** -np.max(lines, axis=0)).sum())
+
+
+def since(scene: Scene) -> float:
+    """Time from which on cycles count (s): all ramps are over, and vibrations built up.
+
+    Raises
+    ------
+    SimulationError
+        When a run is over before that.
+    """
+    a = scene.analysis
+    if a.duration is None or a.output is None:
+        raise TypeError("fatigue without time")  # asked before
+    start = max(a.output.start or 0.0, scene.built_up, vibration.since(scene) or 0.0)
+    if a.duration <= start:
+        raise SimulationError(
+            f"fatigue: cycles count from {start:.4g} s on, when all ramps are over, and analysis.duration of "
+            f"{a.duration:.4g} s is over by then. Run longer"
+        )
+    return start
+
+
+class Part(NamedTuple):
+    """A detail where it is on one section: nodes, and what makes its stress."""
+
+    detail: int
+    nodes: range
+    wall: Wall | None  # None of a stress per moment
+    shares: tuple[float, float]  # of tension and moment
+    radius: float  # m
+    thickness: float  # m
+
+
+def enter(scene: Scene, mesh: Mesh, arrays: Arrays, facts: dict[str, Any]) -> None:
+    """Enter damage a year along the riser, ``damage_rate``, and each detail's largest into a run.
+
+    The array is (details, angles, nodes), 1/year, not a number where a detail is not.
+
+    Raises
+    ------
+    SimulationError
+        When the run is too short.
+    """
+    of = scene.fatigue
+    if of is None:
+        return
+    start = since(scene)
+    first = int(np.searchsorted(arrays["time"], start))
+    time = float(arrays["time"][-1] - arrays["time"][first])
+    histories = {name: arrays[name][first:] for name in USED if name in arrays}
+    sides = _Sides(scene, mesh, histories, of.angles)
+    every = [*parts(scene, mesh, of)]
+    rates = np.full((len(of.details), of.angles, len(arrays["s_node"])), np.nan)
+    for node in range(rates.shape[-1]):
+        here = [part for part in every if node in part.nodes]
+        for angle in range(of.angles):
+            twin = sides.twin(angle)
+            found = _at(here, of, sides, node, angle) if twin == angle else rates[:, twin, node]
+            rates[:, angle, node] = found * (YEAR / time if twin == angle else 1.0)
+    arrays["damage_rate"] = rates
+    facts["fatigue"] = []
+    for k, detail in enumerate(of.details):
+        angle, node = map(int, np.unravel_index(int(np.nanargmax(rates[k])), rates.shape[1:]))
+        here = [part for part in every if part.detail == k and node in part.nodes]
+        often, seldom = (_at(here, of, sides, node, angle, step)[k] for step in (1, 2))
+        facts["fatigue"].append({
+            "detail": detail.name,
+            "since": start,
+            "time": time,
+            "largest_rate": float(rates[k, angle, node]),
+            "s": float(arrays["s_node"][node]),
+            "angle": 360.0 * angle / of.angles,
+            "safety_factor": detail.safety_factor,
+            "error_of_outputs": abs(often - seldom) / (ORDER - 1.0) / often if often else 0.0,
+        })  # fmt: skip
+
+
+def _at(
+    here: list[Part], of: Fatigue, sides: _Sides, node: int, angle: int, step: int = 1
+) -> Array:
+    """Damage (1) of all details at a place, by one of ``step`` outputs; not a number where there is none.
+
+    Where two walls meet it is that of the one which has more.
+    """
+    found = np.full(len(of.details), np.nan)
+    counted: dict[Any, Cycles] = {}
+    for part in here:
+        detail = of.details[part.detail]
+        alike = (part.wall, part.shares, part.radius, detail.stress_per_moment)
+        if alike not in counted:
+            counted[alike] = rainflow(sides.stress(part, detail, node, angle)[::step])
+        worth = damage(
+            counted[alike], detail.curve.numbers, detail.stress_concentration, part.thickness
+        )
+        found[part.detail] = np.fmax(found[part.detail], worth)
+    return found
+
+
+def too_large() -> SimulationError:
+    """What is said of a run whose histories at all nodes do not fit into memory."""
+    return SimulationError(
+        "fatigue: histories at all nodes do not fit into memory. Take a longer analysis.output.interval, "
+        "fewer segments, or several shorter runs with other seeds"
+    )
+
+
+USED = ("time", "z", "x", "y", "effective_tension", "bending_moment", "mesh_moment")
+
+
+def parts(scene: Scene, mesh: Mesh, of: Fatigue) -> Iterator[Part]:
+    """The parts of all details, section by section."""
+    names = [section.name for section in scene.riser]
+    for k, detail in enumerate(of.details):
+        where = place_of(detail.at)
+        for name in detail.sections(names):
+            section = scene.riser[names.index(name)]
+            nodes = range(len(mesh.s))[nodes_of(mesh, names.index(name))]
+            if where.startswith(ENDS[0]):
+                nodes = nodes[:1]
+            elif where.startswith(ENDS[1]):
+                nodes = nodes[-1:]
+            if detail.face is None:
+                yield Part(k, nodes, None, (0.0, 1.0), 0.0, detail.thickness or 0.0)
+                continue
+            wall = wall_of(section)
+            radius = wall.outer if detail.face == "outside" else wall.inner
+            thickness = detail.thickness or wall.outer - wall.inner
+            yield Part(k, nodes, wall, section.pipe_shares, radius, thickness)
+
+
+class _Sides:
+    """Stresses round the wall at nodes, from histories of a run."""
+
+    def __init__(self, scene: Scene, mesh: Mesh, histories: Arrays, angles: int) -> None:
+        self.tension = histories["effective_tension"]
+        self.inside, self.outside = pressures(scene, mesh, histories["z"])
+        self.angles = angles
+        self.components = _components(histories)
+
+    def twin(self, angle: int) -> int:
+        """The first of the places round the wall with the same stress: in a plane both sides are alike."""
+        return angle if self.components[1] is not None else min(angle, self.angles - angle)
+
+    def stress(self, part: Part, detail: Detail, node: int, angle: int) -> Array:
+        """History (times,) of the nominal stress of a detail (Pa)."""
+        phi = math.tau * angle / self.angles
+        first, second = self.components
+        bent = math.cos(phi) * first[:, node]
+        if second is not None:
+            bent = bent - math.sin(phi) * second[:, node]
+        if part.wall is None:
+            return np.asarray(-(detail.stress_per_moment or 0.0) * bent)
+        wall, (axial, bending) = part.wall, part.shares
+        own = axial * self.tension[:, node] + math.pi * (
+            self.inside[:, node] * wall.inner**2 - self.outside[:, node] * wall.outer**2
+        )
+        return np.asarray(own / wall.area - bending * bent * (part.radius / wall.second_moment))
+
+
+def _components(histories: Arrays) -> tuple[Array, Array | None]:
+    """Moments about the axes y and x as they turn with the pipe, (times, nodes) each; one in a plane."""
+    if "mesh_moment" not in histories:
+        still = np.zeros_like(histories["effective_tension"])
+        return histories.get("bending_moment", still), None
+    moment = np.moveaxis(histories["mesh_moment"], 1, 0)
+    way = np.stack([np.gradient(histories[axis], axis=1) for axis in "xyz"])
+    a, b, c = way / np.linalg.norm(way, axis=0)
+    mx, my, mz = moment
+    # e = v - (t.v) / (1 + t.z) (z + t), of v = x and v = y
+    along = (mz + a * mx + b * my + c * mz) / (1.0 + c)
+    return my - b * along, mx - a * along
+
+
+def refuse_coarse(scene: Scene, facts: dict[str, Any]) -> None:
+    """See that outputs are close enough for the peaks of stress.
+
+    Raises
+    ------
+    SimulationError
+        When they lose a tenth of a detail's damage: how far apart they may be.
+    """
+    for row in facts.get("fatigue", []):
+        if row["error_of_outputs"] > CUT_OFF and scene.analysis.output:
+            interval = scene.analysis.output.interval
+            needed = interval * math.sqrt(0.5 * CUT_OFF / row["error_of_outputs"])
+            raise SimulationError(
+                f"fatigue: outputs every {interval:g} s lose about {100 * row['error_of_outputs']:.0f} % of "
+                f"the damage of {row['detail']!r}. Take an analysis.output.interval of {needed:.2g} s"
+            )
+
+
+def apart(coarse: Arrays, fine: Arrays) -> float:
+    """Relative difference of the damage of two runs: the largest over details.
+
+    At the nodes of the coarse run and at every angle, over the largest of the detail; and of its largest.
+    """
+    low, up = coarse["damage_rate"], fine["damage_rate"]
+    found = 0.0
+    for one, other in zip(low, up, strict=True):
+        most = float(np.nanmax(other))
+        if not most > 0.0:
+            continue
+        there = between_nodes(fine["s_node"], other, coarse["s_node"])
+        off = np.abs(there - one)
+        largest = abs(most - float(np.nanmax(one)))
+        found = max(found, largest / most, float(np.nanmax(off)) / most)
+    return found
