@@ -38,6 +38,20 @@ TABLES = {
 }
 #: a table that each place of a scene could read
 HEADINGS = [",".join(f"{names[0]} (m)" for names in place.columns) for place in PLACES]
+WELD = {
+    "fatigue.angles": 8,
+    "fatigue.details": [
+        {
+            "name": "weld",
+            "at": "lower end of riser",
+            "stress_per_moment": "1 MPa/kN/m",
+            "thickness": "25 mm",
+            "curve": {"detail_class": "D", "environment": "air"},
+            "stress_concentration": 1.0,
+            "safety_factor": 3.0,
+        }
+    ],
+}
 RECORD = "time,hs (m)\n2001-01-01 00:00,1\n2001-01-01 01:00,3\n"
 OPERATORS = "8 0 1 0.5 0 0.5 0\n12 0 1 0.7 0 0.7 0\n"  # of WAMIT: surge at two periods
 #: parameters that are read, by what the help calls them
@@ -49,9 +63,10 @@ INPUTS = {
     "NEW": "run.nc",
     "STUDY.yaml": "study.yaml",
     "RECORD.csv": "record.csv",
+    "STUDY.nc": "damage.nc",
     "STATEMENT": "select path from files",
 }
-READ_BY_OPTION = {"--results", "--config"}  # folders
+READ_BY_OPTION = {"--results", "--config", "--scatter", "--seas", "--without"}
 #: options that a command needs, and what its scene lacks of what it is about
 NEEDED = {
     "tension": [
@@ -152,7 +167,9 @@ def inputs(tmp_path_factory):
     from riserstudy.simulation.simulate import simulate
     from riserstudy.study.collect import write_dataset
 
-    write_dataset(simulate(read_scene(folder / "scene.yaml")), folder / "run.nc")
+    scene = read_scene(folder / "scene.yaml")
+    write_dataset(simulate(scene), folder / "run.nc")
+    write_dataset(simulate(scene.with_values(WELD, "test")), folder / "damage.nc")
     return folder
 
 

@@ -13,7 +13,18 @@ from typing import Annotated, Any
 import typer
 
 import riserstudy
-from riserstudy.cli import analyse, design, files, leave, outputs, results, seas, simulate, tune
+from riserstudy.cli import (
+    analyse,
+    design,
+    fatigue,
+    files,
+    leave,
+    outputs,
+    results,
+    seas,
+    simulate,
+    tune,
+)
 from riserstudy.cli.examples import EXAMPLES
 from riserstudy.errors import RiserStudyError, shown
 
@@ -28,7 +39,7 @@ GROUPS: dict[str, tuple[Any, ...]] = {
     ),
     "Design": (
         design.tension, design.operability, design.envelope, design.viv,
-        leave.watch_circles, leave.recoil, seas.seas, seas.downtime,
+        leave.watch_circles, leave.recoil, seas.seas, seas.downtime, fatigue.fatigue,
     ),
     "Files": (files.import_deck, files.export_deck, files.new, files.schema),
     "Results": (results.results, results.sql, results.verify, results.prune, results.diff),

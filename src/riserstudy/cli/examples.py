@@ -26,6 +26,7 @@ EXAMPLES = {
     "recoil": "riserstudy recoil disconnect.yaml --csv recoil.csv",
     "seas": "riserstudy seas hindcast.csv -o seas.nc",
     "downtime": "riserstudy downtime seas.nc --limit 'hs <= 2.5 m' --window '24 h'",
+    "fatigue": "riserstudy fatigue results/mine/seas.nc --scatter scatter.csv --plot fatigue.png",
     "import": "riserstudy import deck.yml -o riser.yaml",
     "export": "riserstudy export riser.yaml -o deck.yml",
     "new": "riserstudy new my_study",

@@ -29,15 +29,26 @@ def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
     index = {}
     for axis in axes:
         values = dataset[axis].values.tolist()
-        allowed = f"allowed are {', '.join(map(str, values))}"
         if axis not in at and len(values) > 1:
+            allowed = f"allowed are {', '.join(map(str, values))}"
             raise InputError("--at", axis, "not given", allowed)
-        wanted = at.get(axis, str(values[0]))
-        matching = [k for k, value in enumerate(values) if _is(value, wanted)]
-        if not matching:
-            raise InputError("--at", axis, wanted, allowed)
-        index[axis] = matching[0]
+        index[axis] = value_of(dataset, axis, at.get(axis, str(values[0])))
     return index
+
+
+def value_of(dataset: xr.Dataset, axis: str, wanted: str) -> int:
+    """Index of the value of an axis that a text names.
+
+    Raises
+    ------
+    InputError
+        When the axis has no such value.
+    """
+    values = dataset[axis].values.tolist()
+    matching = [k for k, value in enumerate(values) if _is(value, wanted)]
+    if not matching:
+        raise InputError("--at", axis, wanted, f"allowed are {', '.join(map(str, values))}")
+    return matching[0]
 
 
 def _is(value: Any, text: str) -> bool:

@@ -44,6 +44,7 @@ Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 YEAR = 365.25 * 86400.0  # s
 MEGA = 1e6  # Pa in the unit of S-N curves
+NONE = 1e-6  # damage a year that is none, of which errors do not count: a life of a million years
 CUT_OFF = 0.1  # share of damage lost between outputs from which on a run is refused
 ORDER = 4.0  # by which halving the interval of outputs reduces what is lost of the peaks
 
@@ -157,7 +158,7 @@ def enter(scene: Scene, mesh: Mesh, arrays: Arrays, facts: dict[str, Any]) -> No
             "s": float(arrays["s_node"][node]),
             "angle": 360.0 * angle / of.angles,
             "safety_factor": detail.safety_factor,
-            "error_of_outputs": abs(often - seldom) / (ORDER - 1.0) / often if often else 0.0,
+            "error_of_outputs": _lost(often, seldom) if rates[k, angle, node] >= NONE else 0.0,
         })  # fmt: skip
 
 
@@ -180,6 +181,11 @@ def _at(
         )
         found[part.detail] = np.fmax(found[part.detail], worth)
     return found
+
+
+def _lost(often: float, seldom: float) -> float:
+    """Share of damage that outputs lose, from that by all of them and by every second one."""
+    return abs(often - seldom) / (ORDER - 1.0) / often
 
 
 def too_large() -> SimulationError:
@@ -284,7 +290,7 @@ def apart(coarse: Arrays, fine: Arrays) -> float:
     found = 0.0
     for one, other in zip(low, up, strict=True):
         most = float(np.nanmax(other))
-        if not most > 0.0:
+        if most < NONE:
             continue
         there = between_nodes(fine["s_node"], other, coarse["s_node"])
         off = np.abs(there - one)

@@ -1,0 +1,167 @@
+"""Fatigue over years: damage of a study's sea states by how often each occurs."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from riserstudy.cli.shared import (
+    AtOption,
+    CsvOption,
+    PlotOption,
+    check_tables,
+    place_of,
+    show,
+    wrote,
+)
+from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    from riserstudy.fatigue.years import Years
+
+
+def fatigue(
+    study: Annotated[
+        Path,
+        typer.Argument(
+            help="dataset of a study, or of a run, with damage_rate", metavar="STUDY.nc"
+        ),
+    ],
+    scatter: Annotated[
+        Path | None,
+        typer.Option(
+            help="how often sea states occur: hs (m),tp (s),share (%)", metavar="TABLE.csv"
+        ),
+    ] = None,
+    seas: Annotated[
+        Path | None,
+        typer.Option(help="record of sea states in place of a table", metavar="RECORD"),
+    ] = None,
+    gamma: Annotated[
+        float,
+        typer.Option(
+            min=1.0, max=7.0, help="of a record, by which zero-crossing become peak periods"
+        ),
+    ] = 3.3,
+    calm: Annotated[
+        bool, typer.Option("--calm", help="count seas below the lowest simulated value as that")
+    ] = False,
+    at: AtOption = None,
+    without: Annotated[
+        Path | None,
+        typer.Option(
+            help="the same study without vortex-induced vibration, whose share is then computed",
+            metavar="STUDY.nc",
+        ),
+    ] = None,
+    csv: CsvOption = None,
+    along: Annotated[
+        Path | None,
+        typer.Option(help="also write the damage along the riser here", metavar="OUT.csv"),
+        Writes("table"),
+    ] = None,
+    by_sea: Annotated[
+        Path | None,
+        typer.Option(help="also write the damage by sea state here", metavar="OUT.csv"),
+        Writes("table"),
+    ] = None,
+    plot: PlotOption = None,
+    force: ForceOption = False,
+) -> None:
+    """Sum fatigue damage over the sea states that occur: damage a year, life, and the seas that bring half.
+
+    Each detail of the scene where its damage is largest, unfactored and factored. Sea states outside of those
+    simulated are refused.
+    """
+    reads = [path for path in (study, scatter, seas, without) if path]
+    check_tables(csv, reads, force)
+    for path, option in ((along, "--along"), (by_sea, "--by-sea")):
+        if path is not None:
+            check_output(path, ("table",), reads, force, option)
+    if plot is not None:
+        check_output(plot, ("figure",), reads, force, "--plot")
+    if scatter and seas:
+        raise InputError("--seas", str(seas), "with --scatter", "allowed is one of both")
+    from riserstudy.dataset.tables import write_csv
+    from riserstudy.fatigue import tables
+
+    years = _summed(study, scatter, seas, gamma, at, calm)
+    for line in years.said:
+        print(line)
+    if not math.isnan(years.error_runs):
+        known = sum(math.isfinite(sea.error) for sea in years.seas)
+        print(
+            f"estimated error of damage in runs: {100 * years.error_runs:.2g} %, each by its damage, known "
+            f"of {known} of {len(years.seas)} sea states"
+        )
+    show(tables.of_details(years), csv)
+    if years.axes:
+        print(f"half of the damage of {years.worst[years.governing].detail}:")
+        for line in _in_columns(tables.by_sea(years, all_of_them=False)):
+            print(line)
+    if years.by_vibration > 0.0:
+        print(
+            f"sea states with vortex-induced vibration simulated bring {100 * years.by_vibration:.3g} % of it"
+        )
+    if without is not None:
+        _tell_without(years, _summed(without, scatter, seas, gamma, at, calm))
+    for path, table in ((along, tables.along(years)), (by_sea, tables.by_sea(years))):
+        if path is not None:
+            write_csv(table, path)
+            wrote(path)
+    if plot is not None:
+        from riserstudy.figures import save
+        from riserstudy.figures.fatigue import fatigue as drawn
+
+        save(drawn(years), plot)
+        wrote(plot)
+
+
+def _summed(
+    path: Path,
+    scatter: Path | None,
+    seas: Path | None,
+    gamma: float,
+    at: list[str] | None,
+    calm: bool,
+) -> Years:
+    import numpy as np
+
+    from riserstudy.dataset.diff import opened
+    from riserstudy.fatigue.occurrence import Occurrence, of_record, of_table
+    from riserstudy.fatigue.years import axes_of, over_years
+
+    dataset = opened(path)
+    axes = axes_of(dataset)
+    if scatter:
+        occurs = of_table(scatter, dataset, axes)
+    elif seas:
+        from riserstudy.seas.record import read_record, with_peak_period
+
+        occurs = of_record(with_peak_period(read_record(seas), gamma), axes)
+    elif axes:
+        raise InputError("--scatter", "", "not given", "allowed is a table, or --seas RECORD")
+    else:
+        occurs = Occurrence({}, np.ones(1), ("the run's sea state all the time",))
+    return over_years(dataset, occurs, place_of(at), calm)
+
+
+def _in_columns(table: Any) -> list[str]:
+    from riserstudy.dataset.tables import in_columns
+
+    return [f"  {line}" for line in in_columns(table)]
+
+
+def _tell_without(years: Years, without: Years) -> None:
+    """Print what vortex-induced vibration brings of each detail's damage."""
+    rest = {of.detail: of.rate for of in without.worst}
+    for of in years.worst:
+        if of.detail in rest and of.rate > 0.0:
+            share = 1.0 - rest[of.detail] / of.rate
+            print(
+                f"vortex-induced vibration brings {100 * share:.3g} % of the damage of {of.detail}"
+            )

@@ -1,0 +1,1 @@
+"""Fatigue over years: damage of a study's sea states by how often each occurs."""

@@ -1,0 +1,217 @@
+"""How often sea states occur: a scatter table, or the hours of a record, in the axes of a study."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import InputError
+from riserstudy.scene.text import read_text
+from riserstudy.scene.units import to_si
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+LARGEST_TABLE = 10**7  # bytes
+HOURS = 8766.0  # of a year of 365.25 days
+WHOLE = 0.005  # by which shares of a table may exceed one: they are rounded
+WEIGHTS = {"share": "%", "time": "h", "count": ""}  # columns that say how often, with their units
+_HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*")
+#: names that a column of a table or of a record may have for an axis, in lower case
+ALSO = (
+    ("hs", "h_s", "hm0", "swh", "significant_height", "significant_wave_height", "wave_height"),
+    ("tp", "t_p", "peak_period", "wave_period"),
+    ("current", "current_speed", "surface_current_speed"),
+)
+
+
+class Occurrence(NamedTuple):
+    """Sea states and how often each occurs: values by axis, (n,) each, and shares of all time, (n,)."""
+
+    values: dict[str, Array]
+    shares: Array
+    said: tuple[str, ...]  # what was left out or added up, a line each
+
+
+def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
+    """Sea states of a scatter table in long form, a row each.
+
+    Its header names axes of the study with their units, and one of ``share (%)``, ``time (h)``, hours a
+    year, and ``count``: ``hs (m),tp (s),share (%)``.
+
+    Raises
+    ------
+    InputError
+        With row and column: no unit, no number, nothing or too much that says how often, shares above 100 %.
+    """
+    rows = list(csv.reader(io.StringIO(read_text(path, LARGEST_TABLE))))
+    rows = [row for row in rows if any(cell.strip() for cell in row)]
+    if len(rows) < 2:
+        raise InputError(path, "", "no rows", "allowed is a header and a row for each sea state")
+    weight, factors = None, {}
+    for k, text in enumerate(rows[0]):
+        name, unit = _head(path, text)
+        if name in WEIGHTS:
+            if weight is not None:
+                raise InputError(path, name, "a second column that says how often", "give one")
+            if unit != WEIGHTS[name]:
+                allowed = f"allowed is {name} ({WEIGHTS[name]})".replace(" ()", " without a unit")
+                raise InputError(path, name, f"unit {unit!r}", allowed)
+            weight = k
+        elif (axis := axis_of(name, axes)) is None:
+            allowed = f"allowed are {', '.join([*axes, *WEIGHTS])}"
+            raise InputError(path, text.strip(), "no axis of the study", allowed)
+        else:
+            factors[k] = axis, _factor(path, text, unit, study[axis].attrs.get("units", ""))
+    if weight is None:
+        raise InputError(path, "", "says nowhere how often", "add share (%), time (h) or count")
+    columns: dict[str, list[float]] = {axis: [] for axis, _ in factors.values()}
+    often = []
+    for number, row in enumerate(rows[1:], start=2):
+        if len(row) != len(rows[0]):
+            raise InputError(
+                f"{path}, row {number}", "", f"{len(row)} cells", f"allowed are {len(rows[0])}"
+            )
+        for k, (axis, factor) in factors.items():
+            columns[axis].append(factor * _number(path, number, rows[0][k], row[k]))
+        often.append(_number(path, number, rows[0][weight], row[weight]))
+        if often[-1] < 0.0:
+            raise InputError(
+                f"{path}, row {number}", rows[0][weight], row[weight], "allowed is 0 and more"
+            )
+    name = _head(path, rows[0][weight])[0]
+    shares = np.array(often) / {"share": 100.0, "time": HOURS, "count": sum(often) or 1.0}[name]
+    return Occurrence(
+        {axis: np.array(values) for axis, values in columns.items()}, shares, _summed(path, shares)
+    )
+
+
+def of_record(record: xr.Dataset, axes: list[str]) -> Occurrence:
+    """Sea states of a record, hour by hour, each its part of all hours that have every quantity.
+
+    Raises
+    ------
+    InputError
+        When nothing of the record is an axis of the study.
+    """
+    columns = {}
+    for name in record.data_vars:
+        if axis := axis_of(str(name), axes):
+            columns[axis] = record[name].values
+    if not columns:
+        allowed = (
+            f"allowed is a study with an axis such as significant_height, not {', '.join(axes)}"
+        )
+        raise InputError("--seas", "", "nothing of the record is an axis of the study", allowed)
+    table = np.stack(list(columns.values()), axis=1)
+    whole = np.isfinite(table).all(axis=1)
+    found, counts = np.unique(table[whole], axis=0, return_counts=True)
+    lacking = int((~whole).sum())
+    said = (f"{lacking} rows of the record lack a value and do not count",) if lacking else ()
+    return Occurrence(
+        {axis: found[:, k] for k, axis in enumerate(columns)}, counts / counts.sum(), said
+    )
+
+
+def axis_of(name: str, axes: list[str]) -> str | None:
+    """The axis of a study that a column is about, by its name or another usual one."""
+    if name in axes:
+        return name
+    alike = next((names for names in ALSO if name in names), ())
+    ends = tuple(f"_{one}" for one in alike)  # of a sweep: wave_significant_height
+    return next(
+        (a for a in axes if a.lower() in alike or (ends and a.lower().endswith(ends))), None
+    )
+
+
+def _head(path: Path, text: str) -> tuple[str, str]:
+    match = _HEAD.fullmatch(text)
+    if match is None:
+        raise InputError(path, text.strip(), "no name of a column", "allowed is as in 'hs (m)'")
+    return match["name"].strip().lower().replace(" ", "_"), (match["unit"] or "").strip()
+
+
+def _factor(path: Path, text: str, unit: str, of_axis: str) -> float:
+    """What one of a column's unit is in that of an axis, which is CF's."""
+    if not unit:
+        allowed = f"allowed is a unit behind the name, as in '{text.strip()} ({of_axis})'"
+        raise InputError(path, text.strip(), "no unit", allowed)
+    try:
+        return to_si(f"1 {unit}", _plain(of_axis))
+    except ValueError as fault:
+        raise InputError(path, text.strip(), str(fault), f"as in {of_axis}") from None
+
+
+def _plain(unit: str) -> str:
+    """A unit of CF as texts with units have it: ``kN s2 m-2`` becomes ``kN*s^2*m^-2``."""
+    return "*".join(re.sub(r"(?<=[A-Za-z])(-?\d+)$", r"^\1", part) for part in unit.split())
+
+
+def _number(path: Path, row: int, column: str, cell: str) -> float:
+    try:
+        value = float(cell)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise InputError(f"{path}, row {row}", column.strip(), repr(cell), "allowed is a number")
+    return value
+
+
+def _summed(path: Path, shares: Array) -> tuple[str, ...]:
+    total = float(shares.sum())
+    if total > 1.0 + WHOLE:
+        raise InputError(
+            path, "", f"shares of the time add to {100 * total:.4g} %", "allowed are up to 100 %"
+        )
+    if not total > 0.0:
+        raise InputError(path, "", "nothing occurs", "allowed are shares above 0")
+    if total < 1.0 - WHOLE:
+        return (f"{100 * (1 - total):.3g} % of the time is not in {path.name} and does no damage",)
+    return ()
+
+
+def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
+    """Sea states within the range that a study simulates.
+
+    Parameters
+    ----------
+    grid : values of the study by axis, rising.
+    calm : count values below the smallest simulated one as that; else they are refused like those above.
+
+    Raises
+    ------
+    InputError
+        When a state that occurs is outside of the range: axis, share of the time and largest value.
+    """
+    values, said = dict(of.values), [*of.said]
+    for axis, places in grid.items():
+        there = values[axis][of.shares > 0.0]
+        low, high = float(places[0]), float(places[-1])
+        slack = 1e-9 * max(abs(low), abs(high))
+        below, above = values[axis] < low - slack, values[axis] > high + slack
+        if calm and below.any():
+            said.append(
+                f"{axis} below {low:g}, {100 * of.shares[below].sum():.3g} % of the time, counts as {low:g}"
+            )
+            values[axis] = np.maximum(values[axis], low)
+            below[:] = False
+        outside = (below | above) & (of.shares > 0.0)
+        if outside.any():
+            raise InputError(
+                "sea states",
+                axis,
+                f"{100 * of.shares[outside].sum():.3g} % of the time is outside of {low:g} to {high:g}, "
+                f"which the study simulates: from {there.min():g} to {there.max():g}",
+                f"simulate more values of {axis}"
+                + ("" if above.any() else ", or count calmer ones as the calmest by --calm"),
+            )
+    return Occurrence(values, of.shares, tuple(said))

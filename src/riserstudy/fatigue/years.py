@@ -1,0 +1,302 @@
+"""Damage over years: sums over sea states, where it is largest, and which seas bring it."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.dataset.behind import scene_behind
+from riserstudy.dataset.place import value_of
+from riserstudy.errors import InputError
+from riserstudy.fatigue.occurrence import Occurrence, within
+from riserstudy.fatigue.response import ORDER, Response, in_parts
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+PLACES = ("detail", "wall_angle", "s_node")
+VIBRATION = "vortex-induced vibration"  # among the effects of a point
+HALF = 0.5
+
+
+class Worst(NamedTuple):
+    """A detail where its damage over the years is largest."""
+
+    detail: str
+    s: float  # m
+    angle: float  # degree
+    rate: float  # 1/year, unfactored
+    safety_factor: float
+    error_between: float  # relative, of the seas between simulated ones; NaN where it is not known
+    chance: float  # relative standard error by seeds; NaN of fewer than two
+
+    @property
+    def factored(self) -> float:
+        """Damage a year times the safety factor."""
+        return self.rate * self.safety_factor
+
+    @property
+    def life(self) -> float:
+        """Years until factored damage is one."""
+        return 1.0 / self.factored if self.factored > 0.0 else math.inf
+
+
+class Sea(NamedTuple):
+    """A simulated sea state, with all that occurs nearest to it."""
+
+    values: tuple[float, ...]  # of the axes
+    share: float  # of the time
+    damage: float  # 1/year, unfactored, where the damage of the governing detail is largest
+    vibrates: bool  # whether vortex-induced vibration is simulated there
+    error: float  # estimated relative error of damage of its runs; NaN where it is not known
+
+
+class Years(NamedTuple):
+    """Damage a year of all details, and the sea states that bring that of the one that governs."""
+
+    rates: Array  # (details, angles, places) 1/year, unfactored
+    s: Array  # (places,) m
+    worst: list[Worst]
+    governing: int
+    seas: list[Sea]  # those that bring most first
+    axes: list[tuple[str, str]]  # of the sea states, with their units
+    error_runs: (
+        float  # estimated relative error of runs, each by its damage; NaN where none is known
+    )
+    said: tuple[str, ...]
+
+    @property
+    def half(self) -> list[Sea]:
+        """The sea states that together bring half of the damage, those that bring most first."""
+        total, found = sum(sea.damage for sea in self.seas), []
+        for sea in self.seas:
+            found.append(sea)
+            if sum(one.damage for one in found) >= HALF * total:
+                break
+        return found
+
+    @property
+    def by_vibration(self) -> float:
+        """Share of the damage in sea states in which vortex-induced vibration is simulated."""
+        total = sum(sea.damage for sea in self.seas)
+        some = sum(sea.damage for sea in self.seas if sea.vibrates)
+        return some / total if total > 0.0 else 0.0
+
+
+def axes_of(study: xr.Dataset) -> list[str]:
+    """Axes of a study; none of a single run.
+
+    Raises
+    ------
+    InputError
+        When it holds no damage.
+    """
+    if "damage_rate" not in study:
+        allowed = "allowed is a study or run of a scene with 'fatigue:', which keeps damage_rate"
+        raise InputError(_name(study), "damage_rate", "not there", allowed)
+    return [str(dim) for dim in study["damage_rate"].dims if dim not in PLACES]
+
+
+def over_years(
+    study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], calm: bool = False
+) -> Years:
+    """Damage a year of a study's details in the sea states that occur.
+
+    Seeds count alike. Between simulated sea states the fourth root of damage is straight; what that misses is
+    estimated by leaving every second one out.
+
+    Parameters
+    ----------
+    study : a dataset with ``damage_rate`` over axes, detail, wall_angle and s_node.
+    at : value of each axis that is neither one of seas nor of seeds, as text.
+    calm : count seas below the lowest simulated value as that.
+
+    Raises
+    ------
+    InputError
+        When an axis is left open, or sea states are outside of what is simulated.
+    """
+    axes = axes_of(study)
+    study = _at(study, axes, occurs, at)
+    seeds = [axis for axis in axes if axis in study.dims and _is_seed(study, axis)]
+    for axis in axes:
+        if axis in study.dims and axis not in seeds and axis not in occurs.values:
+            known = ", ".join(map(str, study[axis].values.tolist()))
+            raise InputError("--at", axis, "not given, nor in the table", f"allowed are {known}")
+    grid = {axis: study[axis].values.astype(float) for axis in occurs.values}
+    study = study.sortby([*grid])
+    grid = {axis: np.sort(places) for axis, places in grid.items()}
+    occurs = within(occurs, grid, calm)
+    every = study["damage_rate"].transpose(*seeds, *grid, *PLACES)
+    rates = every.mean(seeds).values if seeds else every.values
+    if np.isnan(every.values).all(axis=(-3, -2, -1)).any():
+        allowed = "allowed is a study whose points are all complete"
+        raise InputError(_name(study), "damage_rate", "points without numbers", allowed)
+    response = Response(grid, np.nan_to_num(rates))
+    total = in_parts(response, occurs.values, occurs.shares)
+    total[np.isnan(rates).all(axis=tuple(range(len(grid))))] = np.nan
+    runs = every.values.reshape(-1, *rates.shape) if seeds else every.values[None]
+    worst = _worst(study, response, occurs, total, runs)
+    governing = max(range(len(worst)), key=lambda k: worst[k].factored)
+    found = _seas(study, response, occurs, _place(total[governing], governing))
+    return Years(
+        total,
+        study["s_node"].values,
+        worst,
+        governing,
+        found,
+        [(axis, str(study[axis].attrs.get("units", ""))) for axis in grid],
+        _error_of(found),
+        occurs.said,
+    )
+
+
+def _at(
+    study: xr.Dataset, axes: list[str], occurs: Occurrence, at: Mapping[str, str]
+) -> xr.Dataset:
+    """The study at what is given, and at the only value of axes that have one."""
+    if unknown := [axis for axis in at if axis not in axes]:
+        raise InputError("--at", unknown[0], "no axis", f"allowed are {', '.join(axes) or 'none'}")
+    for axis in axes:
+        if axis in at:
+            if axis in occurs.values:
+                raise InputError("--at", axis, "in the table, too", "allowed is one of both")
+            study = study.isel({axis: value_of(study, axis, at[axis])})
+        elif study.sizes[axis] == 1 and axis not in occurs.values:
+            study = study.isel({axis: 0})
+    return study
+
+
+def _is_seed(study: xr.Dataset, axis: str) -> bool:
+    """Whether an axis sets seeds of the sea or of vortices and nothing else."""
+    sets = json.loads(study[axis].attrs.get("sets", "{}"))
+    paths = {path for one in sets.values() for path in one}
+    return bool(paths) and all(path.endswith(".seed") for path in paths)
+
+
+def _place(rates: Array, detail: int) -> tuple[int, int, int]:
+    angle, node = np.unravel_index(int(np.nanargmax(rates)), rates.shape)
+    return detail, int(angle), int(node)
+
+
+def _worst(
+    study: xr.Dataset, response: Response, occurs: Occurrence, total: Array, runs: Array
+) -> list[Worst]:
+    """Each detail where its damage is largest, with what is not known of it."""
+    factors = _safety_factors(study)
+    found = []
+    for k, factor in enumerate(factors):
+        place = _place(total[k], k)
+        rate = float(total[place])
+        here = Response(response.grid, response.rates[(..., *place)])
+        each = [
+            float(
+                in_parts(Response(response.grid, run[(..., *place)]), occurs.values, occurs.shares)
+            )
+            for run in runs
+        ]
+        chance = math.nan
+        if len(each) > 1 and rate > 0.0:
+            chance = float(np.std(each, ddof=1) / math.sqrt(len(each)) / rate)
+        found.append(
+            Worst(
+                str(study["detail"].values[k]),
+                float(study["s_node"].values[place[2]]),
+                float(study["wall_angle"].values[place[1]]),
+                rate,
+                factor,
+                _between(here, occurs, rate),
+                chance,
+            )
+        )
+    return found
+
+
+def _between(here: Response, occurs: Occurrence, rate: float) -> float:
+    """Relative error of seas between simulated ones at a place; NaN where an axis has too few values."""
+    if here.on_grid(occurs.values) or rate == 0.0:
+        return 0.0
+    error = 0.0
+    for axis in here.grid:
+        coarse = here.thinned(axis)
+        if coarse is None:
+            if len(here.grid[axis]) > 1:
+                return math.nan
+            continue
+        off = abs(float(in_parts(coarse, occurs.values, occurs.shares)) - rate)
+        error += off / (ORDER - 1.0) / rate
+    return error
+
+
+def _safety_factors(study: xr.Dataset) -> list[float]:
+    """Of the details of the scene behind a study."""
+    index = {str(axis): 0 for axis in study["point_key"].dims} if "point_key" in study else {}
+    fatigue = scene_behind(study, index).fatigue
+    if fatigue is None:
+        raise InputError(_name(study), "fatigue", "not in the scene", "run the scene again")
+    return [detail.safety_factor for detail in fatigue.details]
+
+
+def _seas(
+    study: xr.Dataset, response: Response, occurs: Occurrence, place: tuple[int, int, int]
+) -> list[Sea]:
+    """Simulated sea states with what occurs nearest to each, those that bring most damage first."""
+    here = Response(response.grid, response.rates[(..., *place)])
+    each = here.sums(occurs.values, occurs.shares)
+    nearest = [
+        np.abs(occurs.values[axis][:, None] - places).argmin(axis=1)
+        for axis, places in here.grid.items()
+    ]
+    index = np.ravel_multi_index(nearest, tuple(map(len, here.grid.values())))
+    vibrating, errors = _vibrating(study, here), _errors(study, here)
+    found = []
+    for k in np.unique(index):
+        at = np.unravel_index(int(k), tuple(map(len, here.grid.values())))
+        values = tuple(float(p[i]) for p, i in zip(here.grid.values(), at, strict=True))
+        mine = index == k
+        found.append(
+            Sea(
+                values,
+                float(occurs.shares[mine].sum()),
+                float(each[mine].sum()),
+                bool(vibrating[at]),
+                float(errors[at]),
+            )
+        )
+    return sorted(found, key=lambda sea: -sea.damage)
+
+
+def _vibrating(study: xr.Dataset, here: Response) -> NDArray[np.bool_]:
+    """Over the grid, whether vortex-induced vibration is on at a sea state."""
+    shape = tuple(map(len, here.grid.values()))
+    if "effects" not in study:
+        return np.full(shape, VIBRATION in str(study.attrs.get("effects", "")))
+    on = study["effects"].astype(str).str.contains(VIBRATION, regex=False)
+    others = [dim for dim in on.dims if dim not in here.grid]
+    return np.asarray(on.any(others).transpose(*here.grid).values)
+
+
+def _errors(study: xr.Dataset, here: Response) -> Array:
+    """Over the grid, the largest estimated relative error of damage; NaN where none was estimated."""
+    if "error_damage" not in study:
+        return np.full(tuple(map(len, here.grid.values())), math.nan)
+    error = study["error_damage"]
+    others = [dim for dim in error.dims if dim not in here.grid]
+    return np.asarray(error.max(others).transpose(*here.grid).values)
+
+
+def _error_of(seas: list[Sea]) -> float:
+    """Error of the seas that know one, each by its damage."""
+    known = [sea for sea in seas if math.isfinite(sea.error)]
+    total = sum(sea.damage for sea in known)
+    return sum(sea.error * sea.damage for sea in known) / total if total > 0.0 else math.nan
+
+
+def _name(study: xr.Dataset) -> str:
+    return str(study.encoding.get("source", "dataset"))
