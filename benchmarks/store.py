@@ -25,7 +25,8 @@ import numpy as np
 
 from riserstudy.dataset.result import Result
 from riserstudy.folders import write_whole
-from riserstudy.scene.load import SceneFile, read_yaml
+from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 from riserstudy.study import store
 from riserstudy.study.needed import needed

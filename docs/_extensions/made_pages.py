@@ -24,9 +24,9 @@ import riserstudy
 from riserstudy import effects
 from riserstudy.chapters import function_of
 from riserstudy.folders import PACKAGE
+from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.numerics.measure import measure
 from riserstudy.numerics.scenes import Setting
-from riserstudy.scene.load import read_yaml
 from riserstudy.study.read import read_studies
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -6,9 +6,9 @@ from itertools import pairwise
 import pytest
 
 from riserstudy.errors import InputError
-from riserstudy.scene.load import read_yaml
+from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.text import read_text
 from riserstudy.scene.tables import fill_in_tables
-from riserstudy.scene.text import read_text
 
 
 def link(path):

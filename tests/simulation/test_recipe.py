@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from riserstudy import load_scene, simulate
-from riserstudy.scene.load import plain_yaml
+from riserstudy.inputs.plain_yaml import plain_yaml
 from riserstudy.simulation.error_estimate import controlled
 from riserstudy.simulation.recipe import recipe
 

@@ -9,7 +9,7 @@ import pytest
 from pydantic import ValidationError
 
 from riserstudy.errors import InputError
-from riserstudy.scene.load import plain_yaml
+from riserstudy.inputs.plain_yaml import plain_yaml
 from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import StudyFile

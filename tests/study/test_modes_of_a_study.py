@@ -13,7 +13,8 @@ import riserstudy
 from riserstudy.database import prune
 from riserstudy.database.read_dataset import read_dataset
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.scene.load import plain_yaml, read_scene
+from riserstudy.inputs.plain_yaml import plain_yaml
+from riserstudy.scene.load import read_scene
 from riserstudy.study import modes as of_study
 from riserstudy.study import simulate_points, store
 from riserstudy.study.collect import dataset_of, results_of, write_dataset

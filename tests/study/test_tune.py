@@ -5,9 +5,9 @@ from datetime import date
 import pytest
 import short_study
 
+from riserstudy.inputs.check import check
+from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.model.mesh import prescribed
-from riserstudy.scene.check import check
-from riserstudy.scene.load import read_yaml
 from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.run import single
 from riserstudy.study.corners import corners, others

@@ -28,10 +28,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from riserstudy.inputs.check import check
+from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import POSITIVE, Coefficient, Strict
-from riserstudy.scene.check import check
-from riserstudy.scene.load import read_yaml
+from riserstudy.scene.base import POSITIVE, Coefficient
 
 DENSITY, GRAVITY = 1025.0, 9.81
 PERIODS = np.concatenate([np.arange(2.0, 30.0, 0.5), np.arange(30.0, 61.0, 2.0)])  # s, of tables

@@ -12,7 +12,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from riserstudy.scene.load import read_yaml
+from riserstudy.inputs.plain_yaml import read_yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -48,7 +48,8 @@ UnitsOption = Annotated[
 
 def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None) -> Any:
     """Read a scene with the values of ``--set`` and the error of ``--accuracy``, and check it."""
-    from riserstudy.scene.load import plain_yaml, read_scene
+    from riserstudy.inputs.plain_yaml import plain_yaml
+    from riserstudy.scene.load import read_scene
     from riserstudy.simulation.simulate import at_accuracy
 
     overrides: dict[str, Any] = {}

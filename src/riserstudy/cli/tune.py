@@ -60,8 +60,8 @@ def _say(what: str) -> None:
 
 def _study(path: Path, name: str | None) -> Study:
     """A study of a file that lies in a folder of its configuration."""
-    from riserstudy.scene.check import check
-    from riserstudy.scene.load import read_yaml
+    from riserstudy.inputs.check import check
+    from riserstudy.inputs.plain_yaml import read_yaml
     from riserstudy.study.models import StudyFile
     from riserstudy.study.study import Study
 

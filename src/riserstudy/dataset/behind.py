@@ -11,7 +11,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.errors import InputError
-from riserstudy.scene.load import SceneFile, plain_fault
+from riserstudy.inputs.plain_yaml import plain_fault
+from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin
 

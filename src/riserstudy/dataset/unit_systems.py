@@ -66,7 +66,7 @@ def _of_a_density(squared: str, stored: str, known: dict[str, tuple[str, float]]
 @cache
 def systems() -> dict[str, dict[str, tuple[str, float]]]:
     """For each system the units that it reads in, and how many stored units one is, by the stored unit."""
-    from riserstudy.scene.load import read_yaml  # takes long to load
+    from riserstudy.inputs.plain_yaml import read_yaml  # takes long to load
 
     tables = read_yaml(Path(__file__).with_name(DATA_FILES[0]), keep=True)
     return {

@@ -6,7 +6,7 @@ import re
 from functools import cache
 from pathlib import Path
 
-from riserstudy.scene.load import read_yaml
+from riserstudy.inputs.plain_yaml import read_yaml
 
 ENDINGS = {
     "_max": "largest ",

@@ -7,8 +7,10 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.percent import Percent
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
 
 MOST_OUTPUTS = 1_000_000
 MOST_STEPS = 1_000_000_000
@@ -79,7 +81,7 @@ class Analysis(Strict):
     start: Literal["equilibrium", "unstretched", "undeflected"] | None = None
     mesh: Mesh | None = None
     step: Annotated[u.Time, POSITIVE] | None = None
-    accuracy: Annotated[u.Percent, Field(gt=0, lt=1)] | None = None
+    accuracy: Annotated[Percent, Field(gt=0, lt=1)] | None = None
     method: Literal["explicit", "TR-BDF2", "ESDIRK4"] | GeneralisedAlpha | Newmark | None = None
     newton_tolerance: Annotated[float, Field(gt=0, le=1e-3)] | None = None
 

@@ -4,13 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
-
-
-class Strict(BaseModel):
-    """Refuses unknown keys, NaN and conversions."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+from pydantic import BeforeValidator, Field
 
 
 def _whole(value: Any) -> Any:

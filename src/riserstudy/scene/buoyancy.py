@@ -6,7 +6,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from riserstudy.scene.base import Positive, Strict
+from riserstudy.inputs.strict import Strict
+from riserstudy.scene.base import Positive
 from riserstudy.scene.riser import Section
 
 #: share of the dry weight that is left along the riser, and that the top tension is a multiple of

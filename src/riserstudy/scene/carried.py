@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import POSITIVE, Strict
+from riserstudy.scene.base import POSITIVE
 
 
 class DampingRatio(Strict):

@@ -7,8 +7,9 @@ from typing import Annotated
 
 from pydantic import Field
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
 
 SAME = 1e-9  # share of a period by which a phase may be missed
 

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
 
 if TYPE_CHECKING:
     from riserstudy.scene.riser import Section

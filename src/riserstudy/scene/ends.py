@@ -7,8 +7,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
 from riserstudy.scene.tensioners import Tensioners
 
 

@@ -12,8 +12,9 @@ from typing import Annotated, Any, Union, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from riserstudy.inputs.percent import Percent
 from riserstudy.scene.models import Scene
-from riserstudy.scene.units import Percent, Unit
+from riserstudy.scene.units import Unit
 
 
 @lru_cache(100_000, typed=True)  # True is not 1; samples are those of many studies

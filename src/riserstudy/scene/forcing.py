@@ -8,8 +8,9 @@ from typing import Annotated, Generic, Literal, Self, TypeVar
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE, Positive, Strict
+from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE, Positive
 from riserstudy.scene.rao import Response
 from riserstudy.scene.sea import WindDrift
 

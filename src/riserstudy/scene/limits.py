@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from riserstudy.scene.base import Strict
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene.units import to_si
 
 #: outputs that may have a limit, and the unit that its text is read in

@@ -8,8 +8,9 @@ from typing import Annotated, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
 from riserstudy.scene.sea import Storm, Swell
 
 SHIFTS, TILTS = ("surge", "sway", "heave"), ("roll", "pitch", "yaw")

@@ -10,9 +10,10 @@ from annotated_types import Ge, Gt, Le, Lt
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from riserstudy.inputs.percent import Percent
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tables import PLACES
-from riserstudy.scene.units import Percent, Unit, usual_units
+from riserstudy.scene.units import Unit, usual_units
 
 HEAD = """\
 # Scene files

@@ -8,8 +8,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient
 from riserstudy.scene.dressed import Line, Modules
 
 RIGID = 1e3  # bending stiffness of what does not bend, over that of its neighbour

@@ -6,8 +6,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import POSITIVE, WHOLE, Positive, Strict
+from riserstudy.scene.base import POSITIVE, WHOLE, Positive
 
 
 class Wave(Strict):

@@ -14,12 +14,12 @@ from pathlib import Path, PureWindowsPath
 from typing import Any, NamedTuple
 
 from riserstudy.errors import InputError
-from riserstudy.scene.base import Strict
-from riserstudy.scene.check import check
+from riserstudy.inputs.check import check
+from riserstudy.inputs.strict import Strict
+from riserstudy.inputs.text import read_text
 from riserstudy.scene.forcing import Moved, Point, Tilted
 from riserstudy.scene.rao import MOTIONS, SHIFTS, Operator
 from riserstudy.scene.tensioners import TableRow
-from riserstudy.scene.text import read_text
 
 MOST_ROWS = 100_000
 MOST_BYTES = 10_000_000

@@ -7,9 +7,10 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.alike import ROUNDING
-from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Strict
+from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
 from riserstudy.scene.carried import Carried, DampingRatio
 
 

@@ -10,8 +10,10 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-from pydantic import BeforeValidator, GetCoreSchemaHandler, GetJsonSchemaHandler, WithJsonSchema
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, core_schema
+
+from riserstudy.inputs.percent import NUMBER
 
 if TYPE_CHECKING:
     import pint
@@ -24,7 +26,6 @@ USUAL = Path(__file__).with_name(DATA_FILES[0])
 
 CYCLES = (["hertz"], ["millihertz"])
 
-_NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 # Names, products and small exponents: pint would work out 9**9**9**9.
 _EXPONENT = r"(?:\s*(?:\^|\*\*)\s*-?\d{1,2}(?!\d))?"
 _UNIT = re.compile(rf"(?:[^\W\d]\w*+{_EXPONENT}|\){_EXPONENT}|[°%*/(\s]|1(?=\s*/))*+")
@@ -53,7 +54,7 @@ def to_si(text: str, unit: str) -> float:
             raise ValueError(f"{text!r} says neither absolute nor gauge; {allowed}")
         plain = plain[: kind.start()].strip()
         offset = ATMOSPHERE if kind.group() == "gauge" else 0.0
-    number = _NUMBER.match(plain)
+    number = NUMBER.match(plain)
     if not number:
         raise ValueError(f"{text!r} does not start with a number; {allowed}")
     name = plain[number.end() :].strip()
@@ -173,13 +174,6 @@ class Unit:
         return {"type": "string", "description": f"number with a unit, such as '1 {self.name}'"}
 
 
-def _percent(value: object) -> float:
-    if isinstance(value, str) and (m := _NUMBER.match(value)) and value[m.end() :].strip() == "%":
-        return float(m.group()) / 100.0
-    raise ValueError(f"{value!r} is no percentage; allowed is text such as '1 %'")
-
-
-Percent = Annotated[float, BeforeValidator(_percent), WithJsonSchema({"type": "string"})]
 Length = Annotated[float, Unit("m")]
 Area = Annotated[float, Unit("m^2")]
 Volume = Annotated[float, Unit("m^3")]

@@ -7,9 +7,10 @@ from typing import Annotated, Literal, Self
 
 from pydantic import model_validator
 
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.analysis import Analysis
-from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE, Strict
+from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE
 
 MOST_TURNS = 1_000_000  # of platform and riser, each some hundred microseconds and its steps
 MOST_STEPS_A_TURN = 100_000  # whose motions and forces are kept

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.errors import InputError
-from riserstudy.scene.text import read_text
+from riserstudy.inputs.text import read_text
 from riserstudy.seas.columns import COLUMNS, NAMES, Head, head, labels_of, plain
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from riserstudy.scene.base import Strict
+from riserstudy.inputs.strict import Strict
 from riserstudy.study.models import Name, Tier
 
 

@@ -6,7 +6,7 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from riserstudy.scene.base import Strict
+from riserstudy.inputs.strict import Strict
 
 Plot = Literal["lines", "heat map", "utilisation", "envelope", "time series"]
 #: axes that a grid needs

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 from pydantic import create_model
 
 from riserstudy.errors import InputError
-from riserstudy.scene.base import Strict
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene.load import SceneFile, first_step
 from riserstudy.scene.models import Scene
 from riserstudy.scene.tables import fill_in_tables

@@ -6,7 +6,8 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from riserstudy.scene.base import Positive, Strict
+from riserstudy.inputs.strict import Strict
+from riserstudy.scene.base import Positive
 
 Tiers = Literal["preview", "standard", "reference"]
 Pair = Annotated[list[Positive], Field(min_length=2, max_length=2)]

@@ -22,7 +22,7 @@ from riserstudy.dataset.variables import (
     OF_VIBRATION,
     of_runs,
 )
-from riserstudy.scene.base import Strict
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import unwrap
 from riserstudy.study.figures import NEEDS, FigureModel

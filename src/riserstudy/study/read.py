@@ -8,8 +8,8 @@ from pathlib import Path
 from riserstudy.digests import defining
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
-from riserstudy.scene.check import check
-from riserstudy.scene.load import read_yaml
+from riserstudy.inputs.check import check
+from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.study.arguments import refuse_arguments
 from riserstudy.study.figures import NEEDS, FigureModel, Plot
 from riserstudy.study.models import StudyFile, StudyModel, Tier

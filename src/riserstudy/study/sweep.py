@@ -21,7 +21,7 @@ import numpy as np
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.scene.check import check
+from riserstudy.inputs.check import check
 from riserstudy.scene.fields import in_si, value_at
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.units import factor

@@ -10,8 +10,8 @@ from ruamel.yaml import YAML
 from ruamel.yaml.comments import CommentedMap
 
 from riserstudy.errors import InputError
-from riserstudy.scene.load import MOST_BYTES
-from riserstudy.scene.text import read_text
+from riserstudy.inputs.plain_yaml import MOST_BYTES
+from riserstudy.inputs.text import read_text
 from riserstudy.study.study import Study, scene_file
 from riserstudy.study.tune import Tuned
 

@@ -9,8 +9,8 @@ import xarray as xr
 
 from riserstudy.chapters.fem_riser.along import measures
 from riserstudy.dataset.variables import attributes
+from riserstudy.inputs.check import check
 from riserstudy.model.sea import current_table, wave_number
-from riserstudy.scene.check import check
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import RegularWave
 from riserstudy.scene.units import to_si

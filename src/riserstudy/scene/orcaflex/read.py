@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 from ruamel.yaml.error import MantissaNoDotYAML1_1Warning
 
 from riserstudy.errors import InputError, InputErrors
-from riserstudy.scene.load import SceneFile, read_yaml
+from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.scene.load import SceneFile
 from riserstudy.scene.orcaflex.chain import Bearings, Roles, leave_points, roles
 from riserstudy.scene.orcaflex.constraints import turns_in
 from riserstudy.scene.orcaflex.deck import Part

@@ -1,0 +1,19 @@
+"""Shares as files have them: ``0.15 %``."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated
+
+from pydantic import BeforeValidator, WithJsonSchema
+
+NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+
+
+def _percent(value: object) -> float:
+    if isinstance(value, str) and (m := NUMBER.match(value)) and value[m.end() :].strip() == "%":
+        return float(m.group()) / 100.0
+    raise ValueError(f"{value!r} is no percentage; allowed is text such as '1 %'")
+
+
+Percent = Annotated[float, BeforeValidator(_percent), WithJsonSchema({"type": "string"})]

@@ -1,0 +1,104 @@
+"""Plain YAML: tags, aliases and duplicate keys are refused; nothing is executed."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import re
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from ruamel.yaml import YAML
+from ruamel.yaml.error import YAMLError
+
+from riserstudy.digests import digest
+from riserstudy.errors import InputError
+from riserstudy.folders import remembered
+from riserstudy.inputs.text import read_text
+
+MOST_BYTES = 1_000_000  # of an input file
+DEEPEST = 20  # nesting levels
+MANY = 1000  # brackets, which may be nested; the reader's time grows as their square
+# What tags, anchors and aliases begin with, where a value may begin.
+_SPECIAL = re.compile(r"(?:^|[\s\ufeff,\[{:?-])[!&*]")
+
+
+def read_yaml(path: Path, *, keep: bool = False) -> Any:
+    """A YAML file as plain data. Tags, aliases and duplicate keys are refused; nothing is executed.
+
+    ``keep`` keeps what was read in the cache: reading that again is a hundred times as fast.
+    """
+    text = read_text(Path(path), MOST_BYTES)
+    if not keep:
+        return plain_yaml(text, path)
+    name = f"yaml/{_reader()}-{hashlib.sha256(text.encode()).hexdigest()}"
+    return remembered(name, lambda: plain_yaml(text, path))
+
+
+@cache
+def _reader() -> str:
+    """What tells this way of reading from another."""
+    return f"{version('ruamel.yaml')}-{digest([Path(__file__)])}"
+
+
+def plain_yaml(text: str, source: object) -> Any:
+    """Plain data of YAML text; ``source`` names it in errors.
+
+    Raises
+    ------
+    InputError
+        When it is not plain YAML: no YAML, tags, anchors, names given twice, or too deep.
+    """
+    reader = YAML(typ="safe", pure=True)
+    reader.allow_duplicate_keys = False
+    try:
+        if _SPECIAL.search(text) or text.count("[") + text.count("{") > MANY:
+            _scan(text, source)  # looking at every token takes as long as reading
+        data = reader.load(text)
+    except YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        where = f"line {mark.line + 1}" if mark else ""
+        problem = getattr(error, "problem", None) or "no YAML"
+        raise InputError(source, where, str(problem), "allowed is plain YAML") from None
+    except (RecursionError, ValueError) as error:
+        raise InputError(source, "", f"cannot be read: {error}"[:200], "simplify it") from None
+    fault = plain_fault(data)
+    if fault:
+        raise InputError(source, *fault)
+    return data
+
+
+def _scan(text: str, source: object) -> None:
+    """Refuse what plain YAML has no need of, before anything is built from it."""
+    depth = 0
+    for token in YAML(typ="safe", pure=True).scan(text):
+        kind, place = type(token).__name__, f"line {token.start_mark.line + 1}"
+        if kind in ("AliasToken", "AnchorToken", "TagToken"):
+            raise InputError(source, place, "a YAML tag, anchor or alias", "write it out")
+        depth += kind.endswith("StartToken") - kind.endswith("EndToken")
+        if depth > DEEPEST + 1:  # the stream itself counts as one
+            raise InputError(source, place, "nested too deeply", f"allowed are {DEEPEST} levels")
+
+
+def plain_fault(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, str] | None:
+    """The first place that is not plain data: path, what is found and what is allowed; None without one."""
+    if depth > DEEPEST:
+        return path, "nested too deeply", f"allowed are {DEEPEST} levels"
+    if isinstance(data, dict):
+        for key, value in data.items():
+            here = f"{path}.{key}" if path else str(key)
+            if not isinstance(key, str):
+                return here, f"key {key!r} is no text", "allowed are names as keys"
+            if fault := plain_fault(value, here, depth + 1):
+                return fault
+    elif isinstance(data, list):
+        for k, value in enumerate(data):
+            if fault := plain_fault(value, f"{path}[{k}]", depth + 1):
+                return fault
+    elif isinstance(data, float) and not math.isfinite(data):
+        return path, repr(data), "allowed are finite numbers"
+    elif not isinstance(data, str | int | float | bool | None):
+        return path, f"a {type(data).__name__}", "allowed are text, numbers, lists and mappings"
+    return None
