@@ -20,8 +20,8 @@ from riserstudy.chapters.draw import draw
 from riserstudy.figures import save
 from riserstudy.figures.drawn import headline
 from riserstudy.grading.grade import errata, grade
-from riserstudy.grading.models import read_published
 from riserstudy.grading.printed import with_printed
+from riserstudy.grading.published import read_published
 from riserstudy.grading.rows import ErratumRow, Row, table
 from riserstudy.grading.rows import row_of as graded_row
 from riserstudy.report.pictures import picture_of

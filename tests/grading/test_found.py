@@ -8,7 +8,8 @@ from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.cases import regrade
 from riserstudy.grading.grade import Found, graded, judged
 from riserstudy.grading.margin import below
-from riserstudy.grading.models import Item, read_published
+from riserstudy.grading.models import Item
+from riserstudy.grading.published import read_published
 from riserstudy.grading.rows import row_of
 from riserstudy.grading.verdict import met
 from riserstudy.study.read import read_studies

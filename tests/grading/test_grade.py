@@ -16,8 +16,9 @@ from riserstudy.chapters.chang2020 import claims as checks
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.grade import Found, _answers, graded
-from riserstudy.grading.models import Item, PublishedFile, read_published
+from riserstudy.grading.models import Item, PublishedFile
 from riserstudy.grading.names import input_name, option_name
+from riserstudy.grading.published import read_published
 from riserstudy.grading.rows import ErratumRow, Row, row_of, table
 from riserstudy.grading.sensitivity import (
     correlation_ratio,

@@ -9,8 +9,8 @@ import pytest
 from riserstudy.chapters import function_of
 from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE
-from riserstudy.grading.models import printed_of
 from riserstudy.grading.printed import with_printed
+from riserstudy.grading.published import printed_of
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"

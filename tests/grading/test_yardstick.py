@@ -9,7 +9,8 @@ import xarray as xr
 
 from riserstudy.errors import InputError
 from riserstudy.grading.grade import answers, graded, judged
-from riserstudy.grading.models import Item, read_published
+from riserstudy.grading.models import Item
+from riserstudy.grading.published import read_published
 from riserstudy.grading.rows import row_of
 from riserstudy.grading.words_file import WordsFile, read_words
 from riserstudy.grading.yardstick import (

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from riserstudy.errors import InputError
-from riserstudy.grading.models import read_published
+from riserstudy.grading.published import read_published
 from riserstudy.jobs import calibrate
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study

@@ -18,7 +18,7 @@ from riserstudy.chapters.draw import draw
 from riserstudy.cli import main
 from riserstudy.errors import InputError
 from riserstudy.grading.grade import grade
-from riserstudy.grading.models import read_published
+from riserstudy.grading.published import read_published
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.study.config import RULES
 from riserstudy.study.new import TEMPLATE, new_study

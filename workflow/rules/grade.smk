@@ -9,6 +9,7 @@ rule grade:
         table="results/{paper}/reproduction.csv",
         errata="results/{paper}/errata.csv",
         margins="results/{paper}/margins.csv",
+        false="results/{paper}/false_claims.csv",
     log:
         "logs/{paper}/grade.log",
     params:
@@ -17,7 +18,7 @@ rule grade:
         "grade {wildcards.paper}"
     shell:
         "python -m riserstudy.jobs grade {wildcards.paper} {output.table:q} {output.errata:q}"
-        " {output.margins:q} {input.data:q} > {log:q} 2>&1"
+        " {output.margins:q} {output.false:q} {input.data:q} > {log:q} 2>&1"
 
 
 rule reproduction:
@@ -25,10 +26,12 @@ rule reproduction:
         tables=PLAN.graded_files(),
         errata=PLAN.graded_files(kind="errata"),
         margins=PLAN.graded_files(kind="margins"),
+        false=PLAN.graded_files(kind="false_claims"),
     output:
         table="results/reproduction.csv",
         errata="results/errata.csv",
         margins="results/margins.csv",
+        false="results/false_claims.csv",
     log:
         "logs/reproduction.log",
     message:
@@ -37,3 +40,4 @@ rule reproduction:
         "python -m riserstudy.jobs join_tables {output.table:q} {input.tables:q} > {log:q} 2>&1"
         " && python -m riserstudy.jobs join_tables {output.errata:q} {input.errata:q} >> {log:q} 2>&1"
         " && python -m riserstudy.jobs join_tables {output.margins:q} {input.margins:q} >> {log:q} 2>&1"
+        " && python -m riserstudy.jobs join_tables {output.false:q} {input.false:q} >> {log:q} 2>&1"

@@ -11,7 +11,7 @@ from riserstudy.csv_files import read_csv
 from riserstudy.database.sources import File, Sources
 from riserstudy.database.write_study import About, marks
 from riserstudy.errors import InputError
-from riserstudy.grading.models import published_path, read_published
+from riserstudy.grading.published import published_path, read_published
 from riserstudy.grading.words import decided_by
 from riserstudy.records.graded import Grounds, Share
 from riserstudy.study.models import StudyFile

@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from riserstudy.dataset.origins import origins_of
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.cases import Behind, places_of, regrade
 from riserstudy.grading.found import (
@@ -45,6 +44,8 @@ __all__ = ["Found", "answers", "errata", "grade", "graded", "judged"]
 
 Datasets = Mapping[str, xr.Dataset]
 Checks = Callable[[str], Callable[..., Any]]  # by their names
+#: attribute of a dataset without a scene: whether a value that was fitted to a published one is behind it
+FITTED = "rests_on_fitted"
 ENDS = (0.05, 0.95)  # shares of the samples between which margins are told
 
 
@@ -81,6 +82,9 @@ def graded(
     if item.impossible:
         grounds = Grounds(impossible=item.impossible, note=item.note)
         return Graded(*printed, None, item.unit, None, "not reproducible", grounds)
+    if item.not_comparable:
+        grounds = Grounds(not_comparable=item.not_comparable, note=item.note)
+        return Graded(*printed, None, item.unit, None, "not comparable", grounds)
     asked = Asked(paper, item, checks, datasets, called, others)
     looked = asked.look(item.reads)
     base = asked.at_base(looked, item.base)
@@ -196,7 +200,7 @@ def _cases(asked: Asked, base: Found, space: Found) -> Iterator[Case]:
     item, datasets = asked.item, asked.datasets
     # a claim is judged over what is open, where a value fitted for the base case may be free
     judging = {*item.over.values()} if item.kind == "claim" and item.over else item.datasets
-    calibrated = any("calibrated" in origins_of(datasets[name]).values() for name in judging)
+    calibrated = any(_rests_on_fitted(datasets[name]) for name in judging)
     calibrated |= item.chosen is not None and not item.chosen.varied
 
     def of(found: Found, reads: Mapping[str, str], at: Mapping[str, Any]) -> Iterator[Case]:
@@ -225,6 +229,15 @@ def _cases(asked: Asked, base: Found, space: Found) -> Iterator[Case]:
         alone = of(base, item.reads, item.base)
         yield from (replace(case, base=True, judged=False) for case in alone)
     yield from cases
+
+
+def _rests_on_fitted(dataset: xr.Dataset) -> bool:
+    """Whether a value that was fitted to a printed number is behind a dataset."""
+    if FITTED in dataset.attrs:
+        return bool(dataset.attrs[FITTED])
+    from riserstudy.dataset.origins import origins_of  # which knows scenes
+
+    return "calibrated" in origins_of(dataset).values()
 
 
 def _is_at(case: Case, cell: Mapping[str, Any]) -> bool:

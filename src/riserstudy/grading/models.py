@@ -1,23 +1,15 @@
-"""config/published/<paper>.yaml: numbers, claims and errata of a paper, each with an ID."""
+"""Models of numbers, claims and errata of a paper, each with an ID."""
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from riserstudy.digests import defining
-from riserstudy.errors import InputError
-from riserstudy.folders import chapter_modules
 from riserstudy.grading.verdict import RELATIVE
 from riserstudy.grading.word import Word
-from riserstudy.grading.words_file import read_words
-from riserstudy.scene.base import Strict
-from riserstudy.scene.check import check
-from riserstudy.scene.load import read_yaml
-from riserstudy.scene.units import Percent
-from riserstudy.study.arguments import refuse_arguments
+from riserstudy.inputs.percent import Percent
+from riserstudy.inputs.strict import Strict
 
 
 class PrintedNumber(Strict):
@@ -81,7 +73,8 @@ class Item(Checked):
     paper leaves open; without it the check's own dimensions are that space, and ``base`` picks the cell
     that counts as the simulated value. ``beside`` names datasets of further cases, told in the note:
     one cell, or many with their range and the share of hits.
-    ``impossible`` says why nothing can be compared.
+    ``impossible`` says why nothing can be compared, ``not_comparable`` how what is published is defined
+    otherwise than what is computed.
     ``within``: share of the printed value that a number is to be met to, as `0.15 %`. Absent: 1 %.
     ``together``: IDs of numbers that the same case is to meet, since the paper has them of one case.
     """
@@ -99,6 +92,7 @@ class Item(Checked):
     together: list[str] = Field(default_factory=list)
     chosen: ChosenBy | None = None
     impossible: str = ""
+    not_comparable: str = ""
     note: str = ""
 
     @model_validator(mode="after")
@@ -118,8 +112,8 @@ class Item(Checked):
             raise ValueError(
                 f"within: {100 * self.within:g} %; allowed is a share of a number other than zero, up to 1 %"
             )
-        if bool(self.check) == bool(self.impossible):
-            raise ValueError("needs one of check and impossible")
+        if sum(map(bool, (self.check, self.impossible, self.not_comparable))) != 1:
+            raise ValueError("needs one of check, impossible and not_comparable")
         for name, reads in {"over": self.over, **self.beside}.items():
             if reads and set(reads) != set(self.reads):
                 raise ValueError(f"{name}: needs the same arguments as reads")
@@ -226,56 +220,3 @@ class PublishedFile(Strict):
     def checks(self) -> set[str]:
         """Names of the functions that they are checked by."""
         return {entry.check for entry in (*self.items, *self.errata) if entry.check}
-
-
-def published_path(config: Path, paper: str) -> Path:
-    """The file of a paper."""
-    return config / "published" / f"{paper}.yaml"
-
-
-def printed_of(config: Path, paper: str) -> PublishedFile:
-    """All that a paper printed.
-
-    Raises
-    ------
-    InputError
-        When its file cannot be meant, or names a word that is not in the table of words.
-    """
-    path = published_path(config, paper)
-    file = check(PublishedFile, read_yaml(path, keep=True), path)
-    _look_up_words(file, config)
-    return file
-
-
-def _look_up_words(file: PublishedFile, config: Path) -> None:
-    """Put bounds in the place of names of words."""
-    for entry in (*file.items, *file.errata):
-        for name, option in entry.options.items():
-            if isinstance(option, WordName):
-                entry.options[name] = read_words(config).word(option.word)
-
-
-def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
-    """The checked file of a paper.
-
-    Raises
-    ------
-    InputError
-        When it cannot be meant, or needs a dataset that is not ``known``.
-    """
-    path = published_path(config, paper)
-    file = printed_of(config, paper)
-    for name in file.datasets:
-        if name not in known:
-            allowed = "allowed are " + ", ".join(sorted(known))
-            raise InputError(path, "reads", f"no dataset {name!r}", allowed)
-    modules = chapter_modules(paper, "claims")
-    for name in sorted(file.checks):
-        if defining(modules, name) is None:
-            found = f"chapters/{paper}/claims.py defines no function {name!r}"
-            raise InputError(path, "check", found, "define it, or say why nothing is compared")
-    for entry in (*file.items, *file.errata):
-        if entry.check:
-            given = [*entry.reads, *entry.options]
-            refuse_arguments(path, f"{entry.id}.with", paper, "claims", entry.check, given)
-    return file

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
-from riserstudy.grading.models import PrintedInput, PublishedFile, printed_of, published_path
+from riserstudy.grading.models import PrintedInput, PublishedFile
+from riserstudy.grading.published import printed_of, published_path
 from riserstudy.grading.words_file import read_words
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import plain_values

@@ -49,6 +49,7 @@ def remarks(kind: Kind, unit: str, grounds: Grounds) -> list[str]:
 def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
     """All but shares and what decides."""
     yield grounds.impossible
+    yield grounds.not_comparable
     yield from _within(grounds.within)
     yield from _meanings(grounds.words)
     yield from _premise(grounds.premise)

@@ -9,10 +9,10 @@ from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
 from riserstudy.grading.word import Word
-from riserstudy.scene.base import Strict
-from riserstudy.scene.check import check
-from riserstudy.scene.load import read_yaml
-from riserstudy.scene.units import Percent
+from riserstudy.inputs.check import check
+from riserstudy.inputs.percent import Percent
+from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.strict import Strict
 
 NAME = "words.yaml"
 

@@ -21,8 +21,9 @@ from scipy.optimize import minimize
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, RiserStudyError, SimulationError
-from riserstudy.grading.models import Item, read_published
+from riserstudy.grading.models import Item
 from riserstudy.grading.printed import with_printed
+from riserstudy.grading.published import read_published
 from riserstudy.simulation.refine import run
 from riserstudy.study.collect import dataset_of
 from riserstudy.study.read import read_studies

@@ -7,8 +7,8 @@ from functools import cache, partial
 from pathlib import Path
 
 from riserstudy.errors import InputError
-from riserstudy.grading.models import published_path
 from riserstudy.grading.printed import printed_inputs, unprinted
+from riserstudy.grading.published import published_path
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.far_values import far_values
 from riserstudy.study.study import Study

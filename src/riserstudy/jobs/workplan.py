@@ -21,15 +21,18 @@ from riserstudy.digests import defining, digest, sources_behind
 from riserstudy.errors import InputError
 from riserstudy.figures import module_of_plot
 from riserstudy.folders import chapter_modules
-from riserstudy.grading.models import PublishedFile, published_path, read_published
+from riserstudy.grading.false_claims import false_claims_path, read_false_claims
+from riserstudy.grading.models import PublishedFile
 from riserstudy.grading.printed import with_printed
+from riserstudy.grading.published import published_path, read_published
 from riserstudy.grading.words_file import words_path
+from riserstudy.inputs.check import check
+from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.jobs.plan_checks import refuse_settings, refuse_unprinted, warnings
 from riserstudy.numerics.measure import module_of
 from riserstudy.numerics.reference.folder import references
 from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
-from riserstudy.scene.check import check
-from riserstudy.scene.load import SceneFile, read_yaml
+from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.compile import marker
 from riserstudy.simulation.kernel_groups import GROUPS
 from riserstudy.study.config import RULES, Config
@@ -42,8 +45,8 @@ from riserstudy.study.study import Study, scene_file, threads_worth
 #: what joins points, derives, grades and reports
 COLLECT, DERIVE = "riserstudy.study.join", "riserstudy.chapters.derive"
 SETTINGS = "riserstudy.study.settings"
-GRADE = "riserstudy.grading.grade"
-GRADED = ("reproduction", "errata", "margins")  # tables, of each paper and of all
+GRADE = ("riserstudy.grading.grade", "riserstudy.grading.falsify")
+GRADED = ("reproduction", "errata", "margins", "false_claims")  # tables, of each paper and of all
 REPORT = "riserstudy.report"
 DATABASE = "riserstudy.database.build"
 ALL_CORES = 64  # more than there are: Snakemake gives what it has
@@ -72,7 +75,8 @@ class Workplan:
         self.files: dict[str, StudyFile] = {p: read_studies(config, p) for p in self.papers}
         self._refuse_equal_names()
         if only is None:
-            self.published  # noqa: B018  what is printed is checked before any job, too
+            for paper, printed in self.published.items():  # checked before any job, too
+                read_false_claims(config, paper, printed)
         for paper, name in self._studies if only is None else only:
             study = self.study(paper, name)
             scene_file(config / study.model.scene).scene()
@@ -311,11 +315,15 @@ class Workplan:
     def grade_code(self, paper: str) -> Set[Path]:
         """Sources of the checks, and of what makes verdicts of them."""
         modules = {_module(paper, "claims", name) for name in self.published[paper].checks}
-        return frozenset().union(*map(sources_behind, (GRADE, *modules)))
+        return frozenset().union(*map(sources_behind, (*GRADE, *modules)))
 
     def grade_digest(self, paper: str) -> str:
-        """The printed numbers and claims, the words they are judged by, and the code that grades."""
-        files = [published_path(self.config, paper), words_path(self.config)]
+        """Printed numbers and claims, false ones, the words they are judged by, and the code that grades."""
+        files = [
+            published_path(self.config, paper),
+            words_path(self.config),
+            false_claims_path(self.config, paper),
+        ]
         printed = digest([path for path in files if path.exists()])
         return f"{printed}-{digest(self.grade_code(paper))}"
 

@@ -8,7 +8,9 @@ from typing import Any, ClassVar, Literal
 from pydantic import ConfigDict, TypeAdapter
 
 Kind = Literal["number", "claim"]
-Verdict = Literal["reproduced", "calibrated", "holds", "fails", "depends", "not reproducible"]
+Verdict = Literal[
+    "reproduced", "calibrated", "holds", "fails", "depends", "not comparable", "not reproducible"
+]
 #: why a verdict depends: on open inputs, on a base case that is none of the many, on too few samples, or on
 #: what cases would say in which nothing is found
 Because = Literal["inputs", "base case", "too few samples", "missing values"]
@@ -175,6 +177,7 @@ class Grounds(Travelling):
     Attributes
     ----------
     impossible : why nothing is compared; "" where something is.
+    not_comparable : how what is published is defined otherwise than what is computed; "" where it is not.
     within : share of the printed value to which it is to be met, where that is stricter than 1 %.
     words : words of size that a claim is judged by.
     share : of the samples that meet it, with the interpretation of the base case where there are several;
@@ -192,6 +195,7 @@ class Grounds(Travelling):
     """
 
     impossible: str = ""
+    not_comparable: str = ""
     within: float | None = None
     words: list[Meaning] = field(default_factory=list)
     share: Share | None = None

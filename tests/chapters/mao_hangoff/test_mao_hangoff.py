@@ -33,8 +33,8 @@ from riserstudy.chapters.mao_hangoff.derived.towed import end_loads, reference_m
 from riserstudy.chapters.mao_hangoff.towed import at_top, displacement
 from riserstudy.errors import InputError
 from riserstudy.grading.grade import errata, grade
-from riserstudy.grading.models import read_published
 from riserstudy.grading.printed import with_printed
+from riserstudy.grading.published import read_published
 from riserstudy.grading.rows import ErratumRow, table
 from riserstudy.grading.words_file import read_words
 from riserstudy.scene.load import read_scene

@@ -1,0 +1,99 @@
+"""config/published/<paper>.yaml, read and held against datasets and the functions of a chapter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from riserstudy.digests import defining
+from riserstudy.errors import InputError
+from riserstudy.folders import chapter_modules
+from riserstudy.grading.models import Checked, Option, PrintedNumber, PublishedFile, WordName
+from riserstudy.grading.words_file import read_words
+from riserstudy.inputs.check import check
+from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.study.arguments import refuse_arguments
+
+
+def published_path(config: Path, paper: str) -> Path:
+    """The file of a paper."""
+    return config / "published" / f"{paper}.yaml"
+
+
+def printed_of(config: Path, paper: str) -> PublishedFile:
+    """All that a paper printed.
+
+    Raises
+    ------
+    InputError
+        When its file cannot be meant, or names a word that is not in the table of words.
+    """
+    path = published_path(config, paper)
+    file = check(PublishedFile, read_yaml(path, keep=True), path)
+    _look_up_words(file, config)
+    return file
+
+
+def _look_up_words(file: PublishedFile, config: Path) -> None:
+    """Put bounds in the place of names of words."""
+    for entry in (*file.items, *file.errata):
+        entry.options.update(looked_up(entry.options, file, config))
+
+
+def looked_up(
+    options: Mapping[str, Option], file: PublishedFile, config: Path
+) -> dict[str, Option]:
+    """Options with printed numbers, and bounds, in the place of their names.
+
+    Raises
+    ------
+    InputError
+        When the table of words has no such word.
+    ValueError
+        When the paper has no such number.
+    """
+    found: dict[str, Option] = {}
+    for name, option in options.items():
+        if isinstance(option, WordName):
+            option = read_words(config).word(option.word)
+        elif isinstance(option, PrintedNumber):
+            option = file.number(option.printed)
+        found[name] = option
+    return found
+
+
+def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
+    """The checked file of a paper.
+
+    Raises
+    ------
+    InputError
+        When it cannot be meant, or needs a dataset that is not ``known``.
+    """
+    path = published_path(config, paper)
+    file = printed_of(config, paper)
+    for name in file.datasets:
+        if name not in known:
+            allowed = "allowed are " + ", ".join(sorted(known))
+            raise InputError(path, "reads", f"no dataset {name!r}", allowed)
+    for entry in (*file.items, *file.errata):
+        refuse_check(path, paper, entry)
+    return file
+
+
+def refuse_check(path: Path, paper: str, entry: Checked) -> None:
+    """Refuse a check that the paper's chapter does not define, or that takes other arguments.
+
+    Raises
+    ------
+    InputError
+        With the file ``path``.
+    """
+    if not entry.check:
+        return
+    if defining(chapter_modules(paper, "claims"), entry.check) is None:
+        found = f"chapters/{paper}/claims.py defines no function {entry.check!r}"
+        raise InputError(path, "check", found, "define it, or say why nothing is compared")
+    given = [*entry.reads, *entry.options]
+    refuse_arguments(path, f"{entry.id}.with", paper, "claims", entry.check, given)

@@ -1,0 +1,86 @@
+"""How many deliberately false claims the grader accepts, as the report shows it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+from scipy.stats import binomtest
+
+from riserstudy.csv_files import read_csv
+from riserstudy.report.wording import counted
+
+NAME = "false_claims.csv"
+BELIEVED = ("holds", "reproduced", "calibrated")
+#: what is false of a claim, in words
+HOW = {
+    "opposite": "the opposite",
+    "magnitude": "a size that is far off",
+    "sign": "one sign changed",
+    "factor": "a number changed, by a factor of two at most or nearly",
+    "limit": "another limit",
+    "cases": "two cases exchanged",
+}
+
+
+class FalseClaim(NamedTuple):
+    """A false claim and its verdict; ``share``: of the samples in which it is true, "" without samples."""
+
+    paper: str
+    made_from: str
+    statement: str
+    how: str
+    share: str
+    verdict: str
+    verdict_of_that: str
+
+
+class FalseClaims(NamedTuple):
+    """All false claims, and in one sentence what the grader made of them."""
+
+    said: str
+    rows: list[FalseClaim]
+
+
+def false_claims(folder: Path) -> FalseClaims | None:
+    """What the table of a results folder holds; None where there is none, or nothing in it."""
+    path = folder / NAME
+    rows = read_csv(path) if path.exists() else []
+    if not rows:
+        return None
+    return FalseClaims(_said(rows), [_of(row) for row in rows])
+
+
+def _of(row: dict[str, str]) -> FalseClaim:
+    share = f"{row['met']} of {row['samples']}" if row["samples"] else ""
+    return FalseClaim(
+        row["paper"],
+        row["made_from"],
+        row["statement"],
+        HOW.get(row["how"], row["how"]),
+        share,
+        row["verdict"],
+        row["verdict_of_that"],
+    )
+
+
+def _said(rows: list[dict[str, str]]) -> str:
+    """How many are accepted, undecided and refused, with the 95 % interval of the rate.
+
+    References
+    ----------
+    Clopper and Pearson (1934), bounds of a share from hits among draws.
+    """
+    count = len(rows)
+    accepted = sum(row["accepted"] == "1" for row in rows)
+    failing = sum(row["verdict"] == "fails" for row in rows)
+    subtle = sum(row["subtle"] == "1" for row in rows)
+    believed = sum(row["verdict_of_that"] in BELIEVED for row in rows)
+    high = 100.0 * binomtest(accepted, count).proportion_ci(method="exact").high
+    undecided = count - failing - accepted
+    return (
+        f"Of {counted(count, 'deliberately false claim')}, {subtle} of them subtle, the grader accepts "
+        f"{accepted or 'none'}. {failing} fail, and {undecided} depend on unspecified inputs. "
+        f"The false-positive rate is {100.0 * accepted / count:.0f} % (95 % interval up to {high:.0f} %). "
+        f"The same checks accept the paper's own statement behind {believed} of them."
+    )
