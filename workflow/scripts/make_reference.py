@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 from made_parts import kept_pages, write_validation
+from riserstudy.grading import claims_schema
 from riserstudy.scene.reference import scene_reference
 from riserstudy.scene.units import USUAL, factor
 from riserstudy.study.schemas import schema_files
@@ -34,6 +35,7 @@ def made() -> dict[Path, str]:
         **kept_pages(),
         **software_metadata(),
         **{ROOT / "workflow/schemas" / name: text for name, text in schema_files().items()},
+        ROOT / "workflow/schemas/claims.schema.json": json.dumps(claims_schema(), indent=2) + "\n",
     }
 
 

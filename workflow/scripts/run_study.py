@@ -33,7 +33,10 @@ from study_progress import Progress, lasting
 ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = (sys.executable, "-m", "snakemake", "--nocolor")
 RUN_NAME = "RISERSTUDY_RUN"
-VERDICTS = ("reproduced", "calibrated", "holds", "depends", "fails", "not reproducible")
+VERDICTS = (
+    *("reproduced", "calibrated", "holds", "depends", "fails"),
+    *("not comparable", "not reproducible"),
+)
 WAIT_FOR_LOCK = 3.0  # s; a run whose `make` was killed needs less to end
 LOG_TAIL = 25  # lines
 BAD_INPUT = 2  # exit status

@@ -26,9 +26,11 @@ def table(rows: list[dict[str, str]]) -> str:
     counts: dict[tuple[str, str], Counter[str]] = {}
     for row in rows:
         counts.setdefault((row["paper"], row["kind"]), Counter())[row["verdict"]] += 1
-    lines = [f"| | {' | '.join(VERDICTS)} |", "|---" * (len(VERDICTS) + 1) + "|"]
+    found = {verdict for of in counts.values() for verdict in of}
+    columns = [verdict for verdict in VERDICTS if verdict in found]
+    lines = [f"| | {' | '.join(columns)} |", "|---" * (len(columns) + 1) + "|"]
     for (paper, kind), verdicts in counts.items():
-        cells = " | ".join(str(verdicts[verdict] or "–") for verdict in VERDICTS)
+        cells = " | ".join(str(verdicts[verdict] or "–") for verdict in columns)
         number = sum(verdicts.values())
         lines.append(f"| {paper}, {number} {kind}{'s' if number > 1 else ''} | {cells} |")
     return "\n".join(lines) + "\n"

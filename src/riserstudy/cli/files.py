@@ -138,11 +138,14 @@ def new(
 
 
 def schema(
-    kind: Annotated[str, typer.Argument(help="scene, study or config", metavar="[KIND]")] = "scene",
+    kind: Annotated[
+        str, typer.Argument(help="scene, study, config or claims", metavar="[KIND]")
+    ] = "scene",
 ) -> None:
-    """Print the JSON schema of scene, study or configuration files, for editors."""
+    """Print the JSON schema of scene, study, configuration or claims files, for editors."""
+    from riserstudy.grading import claims_schema
     from riserstudy.study.schemas import schemas
 
-    if kind not in (known := schemas()):
+    if kind not in (known := schemas() | {"claims": claims_schema()}):
         raise InputError("schema", kind, "no kind of file", f"allowed are {', '.join(known)}")
     print(json.dumps(known[kind], indent=2))

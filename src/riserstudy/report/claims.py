@@ -18,6 +18,7 @@ VERDICTS = {
     "with every interpretation",
     "depends": "decided by an input that the paper does not give, or by how a sentence is interpreted",
     "fails": "a number that no sample meets, a claim true in at most 5 %",
+    "not comparable": "what is published is defined otherwise than what is computed",
     "not reproducible": "the paper does not say enough",
 }
 #: columns of the database that a claim has under the same name
@@ -80,6 +81,8 @@ class Claim(NamedTuple):
     @property
     def why(self) -> str:
         """One short reason for the verdict."""
+        if self.verdict == "not comparable":
+            return sentence(self.grounds.not_comparable)
         if self.verdict == "not reproducible":
             return sentence(self.grounds.impossible or "the paper does not say enough")
         if self.grounds.readings:

@@ -1,0 +1,169 @@
+"""A file of numbers and claims about any model: inputs with what is open of them, and what is published.
+
+Nothing here knows risers, scenes or datasets of runs.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import Field, model_validator
+from pydantic.json_schema import GenerateJsonSchema
+
+from riserstudy.grading.models import ChosenBy, InWords, Item, WordName
+from riserstudy.grading.word import Word
+from riserstudy.grading.words_file import WordsFile
+from riserstudy.inputs.check import check
+from riserstudy.inputs.percent import Percent
+from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.strict import Strict
+
+Value = float | str
+MOST_SAMPLES = 100_000
+BASE, SAMPLES = "base", "samples"  # datasets of answers
+#: names of inputs, which are arguments
+Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,99}$")]
+
+
+class Given(Strict):
+    """An input that the source gives."""
+
+    given: Value
+    unit: str = "1"
+
+
+class Calibrated(Strict):
+    """An input that was fitted to a published number, ``to`` its ID."""
+
+    calibrated: Value
+    to: str
+    unit: str = "1"
+
+
+class Assumed(Strict):
+    """An input that the source does not give: the value of the base case, and its range or its options."""
+
+    assumed: Value
+    range: Annotated[list[float], Field(min_length=2, max_length=2)] | None = None
+    options: Annotated[list[Value], Field(min_length=2)] | None = None
+    because: InWords
+    unit: str = "1"
+
+    @model_validator(mode="after")
+    def _base_is_inside(self) -> Self:
+        if (self.range is None) == (self.options is None):
+            raise ValueError("needs one of range and options")
+        if self.options is not None and self.assumed not in self.options:
+            raise ValueError(f"assumed: {self.assumed!r} is none of its options")
+        if self.range is not None:
+            low, high = self.range
+            if isinstance(self.assumed, str) or not low <= self.assumed <= high or low == high:
+                raise ValueError(f"assumed: {self.assumed!r} is not inside its range")
+        return self
+
+
+Input = Given | Calibrated | Assumed
+
+
+class OpenClaim(Strict):
+    """A published number or claim, and the function that looks it up; fields as of ``Item``."""
+
+    id: str
+    kind: Literal["number", "claim"]
+    statement: InWords
+    check: str | None = None
+    options: dict[str, WordName | float | str] = Field(default_factory=dict, alias="with")
+    published: float | None = None
+    unit: str = "1"
+    rounding: float | None = Field(default=None, gt=0)
+    within: Percent | None = None
+    chosen: ChosenBy | None = None
+    impossible: str = ""
+    not_comparable: str = ""
+    note: str = ""
+
+
+class ClaimsFile(Strict):
+    """Inputs, and numbers and claims that are graded over what is open of these.
+
+    ``study`` names the file in tables. ``samples``: draws of all assumed inputs at once, by ``seed``.
+    ``words``: bounds of words of size, as in ``config/published/words.yaml``; absent: no claim has one.
+    """
+
+    study: InWords
+    inputs: dict[Name, Input]
+    samples: Annotated[int, Field(ge=2, le=MOST_SAMPLES)]
+    seed: Annotated[int, Field(ge=0)]
+    words: WordsFile | None = None
+    items: list[OpenClaim] = Field(min_length=1)
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        ids = [item.id for item in self.items]
+        if twice := sorted({name for name in ids if ids.count(name) > 1}):
+            raise ValueError(f"id {twice[0]!r} stands twice")
+        for name, one in self.inputs.items():
+            if isinstance(one, Calibrated) and one.to not in ids:
+                raise ValueError(f"inputs.{name}: to: no number {one.to!r}")
+        for item in self.items:
+            self.item(item)  # whose own rules hold here, too
+        return self
+
+    @property
+    def open(self) -> dict[str, Assumed]:
+        """Inputs that the source does not give."""
+        return {name: one for name, one in self.inputs.items() if isinstance(one, Assumed)}
+
+    @property
+    def fitted(self) -> bool:
+        """Whether any input was fitted to a published number."""
+        return any(isinstance(one, Calibrated) for one in self.inputs.values())
+
+    @property
+    def base(self) -> dict[str, Value]:
+        """Inputs of the base case."""
+        return {name: _value(one) for name, one in self.inputs.items()}
+
+    def item(self, claim: OpenClaim) -> Item:
+        """A number or claim as the grader takes it."""
+        same = claim.model_dump(exclude={"options", "within", "chosen"})
+        reads = {"answers": f"{claim.id} {BASE}"} if claim.check else {}
+        over = {"answers": f"{claim.id} {SAMPLES}"} if claim.check and self.open else {}
+        return Item(**same, figure="", reads=reads, over=over).model_copy(
+            update={
+                "within": claim.within,
+                "chosen": claim.chosen,
+                "options": {name: self._word(of) for name, of in claim.options.items()},
+            }
+        )
+
+    def _word(self, option: Any) -> Any:
+        if not isinstance(option, WordName):
+            return option
+        if self.words is None:
+            raise ValueError(f"word {option.word!r}: the file has no words")
+        found: Word = self.words.word(option.word)
+        return found
+
+
+def _value(one: Input) -> Value:
+    if isinstance(one, Given):
+        return one.given
+    return one.calibrated if isinstance(one, Calibrated) else one.assumed
+
+
+def read_claims(path: str | Path) -> ClaimsFile:
+    """A file of numbers and claims.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, or cannot be meant.
+    """
+    return check(ClaimsFile, read_yaml(Path(path)), path)
+
+
+def claims_schema() -> dict[str, Any]:
+    """JSON schema of the file."""
+    return {"$schema": GenerateJsonSchema.schema_dialect, **ClaimsFile.model_json_schema()}

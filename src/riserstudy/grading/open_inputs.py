@@ -1,0 +1,145 @@
+"""Grade numbers and claims over the unspecified inputs of any model that a Python function can run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from scipy.stats import qmc
+
+from riserstudy.errors import InputError
+from riserstudy.grading.found import Found, judged
+from riserstudy.grading.grade import FITTED, graded
+from riserstudy.grading.open_claims import BASE, SAMPLES, Assumed, ClaimsFile, OpenClaim, Value
+from riserstudy.grading.yardstick import Condition, plain
+from riserstudy.records.graded import Graded
+
+#: from inputs by name, and the options of a number or claim, to a number, or a value with its margin
+Check = Callable[..., Any]
+
+
+def claim(value: float, judged_by: float | Condition) -> Found:
+    """What a check returns of a claim.
+
+    Parameters
+    ----------
+    value : what is told of it, in its unit; not a number where nothing is found.
+    judged_by : a margin, which is above zero where the claim is true; or a condition in words of size, as
+        ``more``, ``less`` and ``alike`` give it.
+    """
+    condition = judged_by if isinstance(judged_by, Condition) else plain(xr.DataArray(judged_by))
+    return judged(xr.DataArray(float(value)), condition)
+
+
+def grade_claims(file: ClaimsFile, checks: Mapping[str, Check]) -> list[Graded]:
+    """Verdicts of all numbers and claims of a file.
+
+    Each check is run on the inputs of the base case, then on every sample of what is open: Sobol points,
+    spread over ranges evenly and over options with equal chance.
+
+    Parameters
+    ----------
+    checks : by name. Each takes the inputs as a mapping, and the options of its number or claim by name. Of
+        a number it returns a float, of a claim what ``claim`` makes.
+
+    Raises
+    ------
+    InputError
+        When there is no such check, or it returns neither.
+    SimulationError
+        When nothing is found in the base case.
+    """
+    draws = sampled(file)
+    found: list[Graded] = []
+    for one in file.items:
+        item = file.item(one)
+        datasets: dict[str, xr.Dataset] = {}
+        if one.check:
+            function = _function(checks, one)
+            rows = [{**file.base, **row} for row in _rows(draws)]
+            base = [_answer(function, file.base, one, item.options)]
+            datasets[f"{one.id} {BASE}"] = _dataset(base, file.fitted).isel(sample=0)
+            if rows:
+                answers = [_answer(function, row, one, item.options) for row in rows]
+                datasets[f"{one.id} {SAMPLES}"] = _dataset(answers, file.fitted, draws)
+        found.append(graded(file.study, item, lambda name: _looked_up, datasets))
+    return found
+
+
+def sampled(file: ClaimsFile) -> dict[str, NDArray[Any]]:
+    """Values of all open inputs in every sample, by name; empty where nothing is open."""
+    if not file.open:
+        return {}
+    points = qmc.Sobol(len(file.open), seed=file.seed).random(file.samples)
+    return {name: _spread(one, points[:, k]) for k, (name, one) in enumerate(file.open.items())}
+
+
+def _spread(one: Assumed, share: NDArray[np.float64]) -> NDArray[Any]:
+    """Values of an input at places between 0 and 1 of its range or its options."""
+    if one.range is not None:
+        low, high = one.range
+        return low + share * (high - low)
+    options: NDArray[Any] = np.array(one.options, dtype=object)
+    drawn: NDArray[Any] = options[(share * len(options)).astype(int)]
+    return drawn
+
+
+def _rows(draws: Mapping[str, NDArray[Any]]) -> list[dict[str, Value]]:
+    columns = [
+        [value if isinstance(value, str) else float(value) for value in c] for c in draws.values()
+    ]
+    return [dict(zip(draws, row, strict=True)) for row in zip(*columns, strict=True)]
+
+
+def _function(checks: Mapping[str, Check], one: OpenClaim) -> Check:
+    if one.check is None or one.check not in checks:
+        allowed = "allowed are " + ", ".join(checks)
+        raise InputError("items", f"{one.id}.check", f"no function {one.check!r}", allowed)
+    return checks[one.check]
+
+
+def _answer(function: Check, inputs: Mapping[str, Value], one: OpenClaim, options: Any) -> Found:
+    """What a check finds with some inputs."""
+    answer = function(inputs, **options)
+    if one.kind == "number" and isinstance(answer, int | float | np.floating):
+        return Found(xr.DataArray(float(answer)))
+    if one.kind == "claim" and isinstance(answer, Found):
+        return answer
+    allowed = "return a number, or of a claim `claim(value, margin)`"
+    raise InputError("items", f"{one.id}.check", f"{one.check} returns {answer!r}"[:120], allowed)
+
+
+def _dataset(
+    answers: list[Found], fitted: bool, draws: Mapping[str, NDArray[Any]] | None = None
+) -> xr.Dataset:
+    """Answers over samples, with what each sample assumes."""
+    columns = {
+        name: [getattr(answer, name) for answer in answers] for name in ("value", "margin", "same")
+    }
+    data: dict[str, Any] = {
+        name: ("sample", [value.item() for value in column])
+        for name, column in columns.items()
+        if column[0] is not None
+    }
+    for name, values in (draws or {}).items():
+        data[f"assumed_{name}"] = (
+            "sample",
+            np.array([str(v) for v in values]),
+            {"long_name": name},
+        )
+    return xr.Dataset(data, {"sample": np.arange(len(answers))}, {FITTED: int(fitted)})
+
+
+def _looked_up(answers: xr.Dataset, **_: Any) -> Found:
+    """What was found, out of the dataset of answers; options have been used by then."""
+    value = answers["value"].drop_vars("sample") if not answers["value"].ndim else answers["value"]
+    if "margin" not in answers:
+        return Found(value)
+    parts = [
+        answers[name] if value.ndim else answers[name].drop_vars("sample")
+        for name in ("margin", "same")
+    ]
+    return judged(value, Condition(*parts))
