@@ -14,7 +14,9 @@ from riserstudy.database.ask import opened
 from riserstudy.report import audit
 from riserstudy.report.animation import animation
 from riserstudy.report.claims import VERDICTS, Claim, read_claims
+from riserstudy.report.curves import curves
 from riserstudy.report.engine import engine
+from riserstudy.report.false_claims import false_claims
 from riserstudy.report.hero import Hero, hero
 from riserstudy.report.limits import LimitTable, limit_tables
 from riserstudy.report.motion import Motion, motion_of
@@ -95,6 +97,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         }
         tables = {p: _scenes(p, files[p], datasets, sources.config) for p in sources.papers}
         figures = _figures(db, sources, files, claims, paths, tables)
+        shown = curves(db, sources.config, claims, datasets)
         rows, warned = audit.audit(db, files), audit.warned(db)
         missed = audit.missed(db, files)
         facts = audit.run_facts(db)
@@ -120,6 +123,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         "verdicts": VERDICTS,
         "numbers": [claim for claim in claims if claim.kind == "number"],
         "claims": [claim for claim in claims if claim.kind != "number"],
+        "false_claims": false_claims(sources.folder),
         "chapters": [
             *_chapters(
                 files, claims, errata, figures, datasets, tables, _moving(motions, files, paths)
@@ -127,6 +131,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         ],
         "short": {paper: short_of(files, paper) for paper in sources.papers},
         "figures_of": _figures_of(figures),
+        "curves": shown,
         "engine": engine(measured),
         "engine_chapter": ENGINE,
         "rows": rows,
