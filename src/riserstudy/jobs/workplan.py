@@ -45,7 +45,7 @@ from riserstudy.study.study import Study, scene_file, threads_worth
 #: what joins points, derives, grades and reports
 COLLECT, DERIVE = "riserstudy.study.join", "riserstudy.chapters.derive"
 SETTINGS = "riserstudy.study.settings"
-GRADE = ("riserstudy.grading.grade", "riserstudy.grading.falsify")
+GRADE = "riserstudy.grading.falsify"  # and by it what grades
 GRADED = ("reproduction", "errata", "margins", "false_claims")  # tables, of each paper and of all
 REPORT = "riserstudy.report"
 DATABASE = "riserstudy.database.build"
@@ -315,7 +315,7 @@ class Workplan:
     def grade_code(self, paper: str) -> Set[Path]:
         """Sources of the checks, and of what makes verdicts of them."""
         modules = {_module(paper, "claims", name) for name in self.published[paper].checks}
-        return frozenset().union(*map(sources_behind, (*GRADE, *modules)))
+        return frozenset().union(*map(sources_behind, (GRADE, *modules)))
 
     def grade_digest(self, paper: str) -> str:
         """Printed numbers and claims, false ones, the words they are judged by, and the code that grades."""
