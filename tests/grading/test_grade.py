@@ -450,7 +450,7 @@ def test_the_table_has_the_columns_of_the_contract():
     [
         ({"published": None, "rounding": None}, "every number has a printed value"),
         ({"rounding": None}, "rounding"),
-        ({"check": None, "reads": {}}, "one of check and impossible"),
+        ({"check": None, "reads": {}}, "one of check, impossible and not_comparable"),
         ({"reads": {}}, "check and reads"),
         ({"over": {"other": "space"}}, "same arguments"),
         ({"beside": {"Settled": {"other": "space"}}}, "same arguments"),

@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
-from riserstudy.scene.base import POSITIVE, WHOLE, Strict
+from riserstudy.scene.base import POSITIVE, WHOLE
 from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.limits import ENDS, place_of, sections_at
 
@@ -151,8 +153,6 @@ class Fatigue(Strict):
 @cache
 def sn_curves() -> dict[str, Any]:
     """The table of S-N curves, with its source and edition."""
-    from riserstudy.scene.load import read_yaml  # which is built on this module
-
     table: dict[str, Any] = read_yaml(Path(__file__).with_name(DATA_FILES[0]))
     return table
 
