@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
-from riserstudy.scene.text import read_text
+from riserstudy.inputs.text import read_text
 from riserstudy.scene.units import to_si
 
 if TYPE_CHECKING:
