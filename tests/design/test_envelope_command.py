@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from riserstudy import load_scene, simulate
-from riserstudy.design.sea_allowances import Sea, allowances, in_sea
+from riserstudy.design.sea_allowances import allowances
+from riserstudy.study.in_sea import Sea, in_sea
 
 RISER = "config/scenes/design/riser.yaml"
 LIMITS = [

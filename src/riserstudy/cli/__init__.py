@@ -16,6 +16,7 @@ import riserstudy
 from riserstudy.cli import (
     analyse,
     design,
+    downtime,
     fatigue,
     files,
     leave,
@@ -39,7 +40,7 @@ GROUPS: dict[str, tuple[Any, ...]] = {
     ),
     "Design": (
         design.tension, design.operability, design.envelope, design.viv,
-        leave.watch_circles, leave.recoil, seas.seas, seas.downtime, fatigue.fatigue,
+        leave.watch_circles, leave.recoil, seas.seas, downtime.downtime, fatigue.fatigue,
     ),
     "Files": (files.import_deck, files.export_deck, files.new, files.schema),
     "Results": (results.results, results.sql, results.verify, results.prune, results.diff),

@@ -173,7 +173,7 @@ def envelope(
     pairs = [_sea(one) for one in sea or []]
     compile_as_needed()
     from riserstudy.design.envelope import envelope as computed
-    from riserstudy.design.sea_allowances import Sea, in_sea
+    from riserstudy.study.in_sea import Sea, in_sea
 
     seas = [Sea(*pair) for pair in pairs]
     for one in seas:

@@ -1,25 +1,18 @@
-"""Years of sea: what a record holds, and the hours that limits leave."""
+"""Records of sea states: what they hold."""
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import CsvOption, PlotOption, check_tables, quantity, show, wrote
+from riserstudy.cli.shared import wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
     import xarray as xr
-
-    from riserstudy.seas.years import Band
-
-RecordArgument = Annotated[
-    Path, typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv")
-]
 
 
 def seas(
@@ -65,66 +58,6 @@ def seas(
         wrote(output)
 
 
-def downtime(
-    record: RecordArgument,
-    limit: Annotated[
-        list[str],
-        typer.Option(help="'hs <= 2.5 m'; may be repeated: all must be met", metavar="LIMIT"),
-    ],
-    window: Annotated[
-        list[str] | None,
-        typer.Option(help="length of work in one go: '24 h'; may be repeated", metavar="TIME"),
-    ] = None,
-    ahead: Annotated[int, typer.Option("--next", min=1, help="years to come")] = 10,
-    hold_back: Annotated[
-        int,
-        typer.Option(min=0, help="last years to keep back, predicted from those before"),
-    ] = 0,
-    csv: CsvOption = None,
-    plot: PlotOption = None,
-    force: ForceOption = False,
-) -> None:
-    """Compute the hours of a record that limits on the sea leave, the windows, and the waits for them.
-
-    With bands from whole years drawn with replacement. A window ends at a gap of the record; a wait that
-    meets one counts as longer than that.
-    """
-    check_tables(csv, [record], force)
-    if plot is not None:
-        check_output(plot, ("figure",), [record], force, "--plot")
-    from riserstudy.seas.hours import hours, sea_limit
-    from riserstudy.seas.record import read_record
-
-    limits = [sea_limit(one) for one in limit]
-    lengths = [quantity("--window", one, "s") / 3600.0 for one in window or []]
-    sea = read_record(record)
-    if hold_back:
-        held_back(sea, limits, hold_back)
-    found = hours(sea, limits)
-    print(f"{found.rows} rows of {found.interval:g} h; {found.lacking} more lack a value")
-    print(f"workable: {found.share:.2%} of all; {banded(found.band)} of a mean year")
-    print(f"next {ahead} years: {banded(found.next_years(ahead))}")
-    for year in found.partial_years:
-        print(f"{year.year}: {year.recorded:.0%} recorded, left out of these bands")
-    for length in lengths:
-        of = found.of_windows(length)
-        print(
-            f"{length:g} h: {of.number} windows with {of.inside:.2%} of the hours; "
-            f"{of.starts:.2%} can start one"
-        )
-        print("  wait (h)   mean    50 %    90 %   open")
-        for name, one in found.of_waits(length):
-            p50, p90 = ("–" if math.isnan(p) else f"{p:.0f}" for p in (one.p50, one.p90))
-            print(f"  {name:8} {one.mean:6.1f}  {p50:>6}  {p90:>6}  {one.open:5d}")
-    show(found.by_month(), csv)
-    if plot is not None:
-        from riserstudy.figures import save
-        from riserstudy.figures.calendar import calendar
-
-        save(calendar(found.by_month(), f"{record.name}: hours with {' and '.join(limit)}"), plot)
-        wrote(plot)
-
-
 def described(record: xr.Dataset) -> list[str]:
     """What a record holds, in lines."""
     import numpy as np
@@ -162,31 +95,3 @@ def described(record: xr.Dataset) -> list[str]:
         if "comment" in values.attrs:
             lines.append(f"  {values.attrs['comment']}")
     return lines
-
-
-def held_back(sea: xr.Dataset, limits: list, count: int) -> None:  # type: ignore[type-arg]
-    """Predict the last years from those before, and print what came."""
-    import numpy as np
-
-    from riserstudy.seas.hours import hours
-
-    year = sea["time"].values.astype("datetime64[Y]").astype(int) + 1970
-    first = int(year.max()) - count + 1
-    before = sea.isel(time=np.flatnonzero(year < first))
-    if before.sizes["time"] < 2:
-        raise InputError("--hold-back", str(count), "nothing is left", "allowed are fewer years")
-    known, came = (
-        hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)
-    )
-    predicted = known.next_years(count)
-    said = "inside" if predicted.low <= came.band.share <= predicted.high else "outside"
-    print(
-        f"kept back from {first} on: predicted {banded(predicted)}, came {came.band.share:.2%}: {said}"
-    )
-
-
-def banded(of: Band) -> str:
-    """A share with its band."""
-    if math.isnan(of.low):
-        return f"{of.share:.2%} (of one year: no band)"
-    return f"{of.share:.2%} ({of.low:.2%} to {of.high:.2%} in nine of ten)"

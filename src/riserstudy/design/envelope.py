@@ -13,11 +13,12 @@ from riserstudy.dataset.limits import label
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.design.envelopes import SIDES, envelopes
 from riserstudy.design.operability import AtRest, Offsets, moved, offsets_at
-from riserstudy.design.sea_allowances import Sea, allowances
+from riserstudy.design.sea_allowances import allowances
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.forcing import Shape
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
+from riserstudy.study.in_sea import Sea
 
 COLUMNS = ["mode", "sea", "current", "from", "to", "limit at from", "limit at to", "note"]
 UNITS = ["", "", "m/s", "m", "m", "", "", ""]

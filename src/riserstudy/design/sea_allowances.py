@@ -3,57 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import demand_of
 from riserstudy.dataset.statistics import gumbel
-from riserstudy.errors import InputError
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
-from riserstudy.scene.sea import Storm
 from riserstudy.simulation.refine import run
+from riserstudy.study.in_sea import Sea, in_sea
 
 FloatArray = NDArray[np.float64]
 ALIKE = 1e-9  # spread of the seeds, relative to the largest, that is rounding
-
-
-class Sea(NamedTuple):
-    """An irregular sea."""
-
-    height: float  # significant (m)
-    period: float  # of the peak (s)
-
-
-def in_sea(file: SceneFile, sea: Sea, seed: int) -> SceneFile:
-    """The scene in another sea, with other phases.
-
-    Raises
-    ------
-    InputError
-        When the scene has no irregular sea, or no time.
-    """
-    scene = file.scene()
-    response = scene.platform and scene.platform.response
-    paths = ["platform.response.wave"] if response and isinstance(response.wave, Storm) else []
-    paths += ["wave"] if isinstance(scene.wave, Storm) else []
-    if not paths:
-        allowed = "Give `platform.response.wave` with significant_height, or `wave`"
-        raise InputError(file.source, "wave", "no irregular sea for --sea", allowed)
-    if scene.analysis.duration is None:
-        allowed = "Give the time of each run in a sea, such as `1 h`"
-        raise InputError(file.source, "analysis.duration", "absent", allowed)
-    values: dict[str, Any] = {}
-    for path in paths:
-        values |= {
-            f"{path}.significant_height": f"{sea.height!r} m",
-            f"{path}.peak_period": f"{sea.period!r} s",
-            f"{path}.seed": seed,
-        }
-    return file.with_values(values, "--sea")
 
 
 def allowances(

@@ -142,17 +142,46 @@ def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
     InputError
         When the record lacks a quantity that a limit names, or all of its values.
     """
+    check_limits(record, limits)
+    needed = [np.isfinite(record[one.quantity.name].values) for one in limits]
+    known = np.all(needed, axis=0)
+    if not known.any():
+        raise InputError("--limit", limits[0].quantity.name, "no values in the record", "")
+    workable = np.all([one.met(record) for one in limits], axis=0)[known]
+    return hours_of(record, known, workable)
+
+
+def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
+    """See that a record has what limits name.
+
+    Raises
+    ------
+    InputError
+        Where it has not.
+    """
     for one in limits:
         if one.quantity.name not in record:
             there = ", ".join(sorted(map(str, record.data_vars)))
             raise InputError(
                 "--limit", one.quantity.name, "not in the record", f"there are {there}"
             )
-    needed = [np.isfinite(record[one.quantity.name].values) for one in limits]
-    known = np.all(needed, axis=0)
-    if not known.any():
-        raise InputError("--limit", limits[0].quantity.name, "no values in the record", "")
-    workable = np.all([one.met(record) for one in limits], axis=0)[known]
+
+
+def met_by_rows(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:
+    """Whether each row meets all of some limits; one that lacks a value does not.
+
+    Raises
+    ------
+    InputError
+        When the record lacks a quantity that a limit names.
+    """
+    check_limits(record, limits)
+    every = np.ones(record.sizes["time"], bool)
+    return np.asarray(np.all([every, *(one.met(record) for one in limits)], axis=0))
+
+
+def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.bool_]) -> Hours:
+    """The same by which rows of a record, (rows,), are known, and which of those, (known,), are workable."""
     time = record["time"].values[known]
     interval = float(record.attrs["interval_hours"])
     apart = np.diff(time) / np.timedelta64(1, "s") / 3600.0

@@ -84,16 +84,20 @@ def read_settings(path: Path) -> Settings:
         When the file is not there, or not whole.
     """
     try:
-        held = json.loads(path.read_text("utf-8"))
-        setting = held.pop("setting")
-        if setting is not None:
-            setting["layers"] = tuple((end, float(length)) for end, length in setting["layers"])
-            setting = Setting(**setting)
-        return Settings(setting, **held)
+        return from_plain(json.loads(path.read_text("utf-8")))
     except (OSError, ValueError, TypeError, KeyError):
         raise InputError(
             path, "", "no whole settings", "delete it; the next run tunes anew"
         ) from None
+
+
+def from_plain(held: dict[str, Any]) -> Settings:
+    """Settings of plain data, as `dataclasses.asdict` makes it."""
+    setting = held["setting"]
+    if setting is not None:
+        layers = tuple((end, float(length)) for end, length in setting["layers"])
+        setting = Setting(**setting | {"layers": layers})
+    return Settings(**held | {"setting": setting})
 
 
 def with_setting(study: Study, setting: Setting) -> Study:

@@ -117,7 +117,7 @@ def sweep(
     if on_error not in ("nan", "raise"):
         raise InputError("sweep", "on_error", repr(on_error), "allowed are 'nan' and 'raise'")
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
-    study = _study(file, axes, None if keep is None else list(keep), modes)
+    study = as_study(file, axes, None if keep is None else list(keep), modes)
     points = study.plan
     for said in far_values(study):
         warnings.warn(said, stacklevel=2)
@@ -150,13 +150,19 @@ def sweep(
     return dataset
 
 
-def _study(
+def as_study(
     file: SceneFile,
     axes: Mapping[str, Values | Labelled],
     keep: list[str] | None,
     modes: int | None = None,
 ) -> Sweep:
-    """The grid as a study."""
+    """A grid over a scene as a study, with its axes as `sweep` takes them.
+
+    Raises
+    ------
+    InputError
+        When an axis cannot be meant.
+    """
     if not axes:
         raise InputError("sweep", "axes", "none", "name at least one path with its values")
     made = dict(_axis(file, path, values) for path, values in axes.items())

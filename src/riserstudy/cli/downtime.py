@@ -1,0 +1,230 @@
+"""Hours of a record of sea states that limits leave, on the sea and of a riser in it."""
+
+from __future__ import annotations
+
+import math
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from riserstudy.cli.shared import (
+    CsvOption,
+    PlotOption,
+    SetOption,
+    UnitsOption,
+    check_tables,
+    quantity,
+    scene_of,
+    show,
+    wrote,
+)
+from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.dataset.unit_systems import UnitSystem
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.seas.hours import Hours
+    from riserstudy.seas.riser_downtime import Downtime
+    from riserstudy.seas.years import Band
+
+
+def downtime(
+    record: Annotated[
+        Path, typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv")
+    ],
+    scene: Annotated[
+        Path | None,
+        typer.Option(
+            help="riser whose limits hold, with an irregular sea and a duration",
+            metavar="SCENE.yaml",
+        ),
+    ] = None,
+    limit: Annotated[
+        list[str] | None,
+        typer.Option(help="'hs <= 2.5 m'; may be repeated: all must be met", metavar="LIMIT"),
+    ] = None,
+    window: Annotated[
+        list[str] | None,
+        typer.Option(help="length of work in one go: '24 h'; may be repeated", metavar="TIME"),
+    ] = None,
+    ahead: Annotated[int, typer.Option("--next", min=1, help="years to come")] = 10,
+    hold_back: Annotated[
+        int,
+        typer.Option(min=0, help="last years to keep back, predicted from those before"),
+    ] = 0,
+    settings: SetOption = None,
+    seeds: Annotated[int, typer.Option(min=1, help="runs of each sea state")] = 5,
+    error: Annotated[
+        float,
+        typer.Option(
+            min=0.001,
+            max=0.5,
+            help="of the response between sea states, as part of what is allowed",
+        ),
+    ] = 0.05,
+    most: Annotated[int, typer.Option(min=20, help="sea states to simulate at most")] = 400,
+    cores: Annotated[
+        int | None, typer.Option(min=1, help="processes; absent: as many as cores")
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", "--output", help="write the simulated responses here (netCDF)", metavar="OUT.nc"
+        ),
+        Writes("dataset"),
+    ] = None,
+    csv: CsvOption = None,
+    plot: PlotOption = None,
+    units: UnitsOption = UnitSystem.FIELD,
+    force: ForceOption = False,
+) -> None:
+    """Compute the hours of a record that limits leave, the windows, and the waits for them.
+
+    With bands from whole years drawn with replacement. A window ends at a gap of the record; a wait that
+    meets one counts as longer than that. With --scene, limits are those of a riser: sea states of the record
+    are simulated until the response between them is known to --error, at others that are simulated too.
+    """
+    reads = [path for path in (record, scene) if path]
+    check_tables(csv, reads, force)
+    if plot is not None:
+        check_output(plot, ("figure",), reads, force, "--plot")
+    if output is not None:
+        check_output(output, ("dataset",), reads, force)
+    if not (scene or limit):
+        raise InputError("downtime", "--limit", "none", "give limits on the sea, or --scene")
+    if scene and hold_back:
+        allowed = "allowed with limits on the sea"
+        raise InputError("downtime", "--hold-back", "not with --scene", allowed)
+    from riserstudy.seas.hours import hours, sea_limit
+    from riserstudy.seas.record import read_record
+
+    limits = [sea_limit(one) for one in limit or []]
+    lengths = [quantity("--window", one, "s") / 3600.0 for one in window or []]
+    sea = read_record(record)
+    if scene:
+        file = scene_of(scene, settings)
+        made = riser_downtime(file, sea, limits, seeds, error, most, cores)
+        show_riser(made, lengths, ahead, csv, units)
+        if output is not None:
+            from riserstudy.dataset.netcdf import write_netcdf
+
+            write_netcdf(made.responses, output, {})
+            wrote(output)
+        if plot is not None:
+            from riserstudy.figures import save
+            from riserstudy.figures.governing import governing
+
+            first = made.hours.modes[0]
+            save(governing(made.responses, first.mode, first.hours.share), plot)
+            wrote(plot)
+        return
+    if hold_back:
+        held_back(sea, limits, hold_back)
+    found = hours(sea, limits)
+    print(f"{found.rows} rows of {found.interval:g} h; {found.lacking} more lack a value")
+    print(f"workable: {found.share:.2%} of all; {banded(found.band)} of a mean year")
+    show_hours(found, lengths, ahead)
+    show(found.by_month(), csv)
+    if plot is not None:
+        from riserstudy.figures import save
+        from riserstudy.figures.calendar import calendar
+
+        title = f"{record.name}: hours with {' and '.join(limit or [])}"
+        save(calendar(found.by_month(), title), plot)
+        wrote(plot)
+
+
+def riser_downtime(
+    file: Any,
+    sea: xr.Dataset,
+    limits: list[Any],
+    seeds: int,
+    error: float,
+    most: int,
+    cores: int | None,
+) -> Downtime:
+    """Simulate sea states, reporting on stderr what comes next."""
+    from riserstudy.cli.shared import compile_kernels
+    from riserstudy.seas.riser_downtime import riser_downtime as made
+    from riserstudy.simulation.compile import available_cores
+
+    compile_kernels(file.scene())
+    return made(
+        file,
+        sea,
+        limits,
+        seeds=seeds,
+        error=error,
+        most=most,
+        cores=cores or available_cores(),
+        say=_say,
+    )
+
+
+def _say(what: str) -> None:
+    print(f"riserstudy: {what}", file=sys.stderr, flush=True)
+
+
+def show_riser(
+    made: Downtime, lengths: list[float], ahead: int, csv: Path | None, units: UnitSystem
+) -> None:
+    """Print hours by mode, and the table of limits."""
+    from riserstudy.dataset.tables import in_units
+
+    for line in made.lines:
+        print(line)
+    for one in made.hours.modes:
+        print(f"{one.mode}: {one.hours.share:.2%} of {one.hours.rows} rows")
+        print(f"  {one.low:.2%} to {one.high:.2%} by what is not known of the response")
+        print(f"  {banded(one.hours.band)} of a mean year")
+        show_hours(one.hours, lengths, ahead, "  ")
+    show(in_units(made.hours.limits, units), csv)
+
+
+def show_hours(found: Hours, lengths: list[float], ahead: int, indent: str = "") -> None:
+    """Print years to come, years left out, windows and waits."""
+    print(f"{indent}next {ahead} years: {banded(found.next_years(ahead))}")
+    for year in found.partial_years:
+        print(f"{indent}{year.year}: {year.recorded:.0%} recorded, left out of these bands")
+    for length in lengths:
+        of = found.of_windows(length)
+        print(
+            f"{indent}{length:g} h: {of.number} windows with {of.inside:.2%} of the hours; "
+            f"{of.starts:.2%} can start one"
+        )
+        print(f"{indent}  wait (h)   mean    50 %    90 %   open")
+        for name, one in found.of_waits(length):
+            p50, p90 = ("–" if math.isnan(p) else f"{p:.0f}" for p in (one.p50, one.p90))
+            print(f"{indent}  {name:8} {one.mean:6.1f}  {p50:>6}  {p90:>6}  {one.open:5d}")
+
+
+def held_back(sea: xr.Dataset, limits: list, count: int) -> None:  # type: ignore[type-arg]
+    """Predict the last years from those before, and print what came."""
+    import numpy as np
+
+    from riserstudy.seas.hours import hours
+
+    year = sea["time"].values.astype("datetime64[Y]").astype(int) + 1970
+    first = int(year.max()) - count + 1
+    before = sea.isel(time=np.flatnonzero(year < first))
+    if before.sizes["time"] < 2:
+        raise InputError("--hold-back", str(count), "nothing is left", "allowed are fewer years")
+    known, came = (
+        hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)
+    )
+    predicted = known.next_years(count)
+    said = "inside" if predicted.low <= came.band.share <= predicted.high else "outside"
+    print(
+        f"kept back from {first} on: predicted {banded(predicted)}, came {came.band.share:.2%}: {said}"
+    )
+
+
+def banded(of: Band) -> str:
+    """A share with its band."""
+    if math.isnan(of.low):
+        return f"{of.share:.2%} (of one year: no band)"
+    return f"{of.share:.2%} ({of.low:.2%} to {of.high:.2%} in nine of ten)"

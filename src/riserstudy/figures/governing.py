@@ -1,0 +1,84 @@
+"""Which limit of a riser is exceeded most, over height and period of the sea."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from numpy.typing import NDArray
+
+from riserstudy.figures.style import COLOURS, headline
+from riserstudy.seas.cover import scale_of
+from riserstudy.seas.surface import Surface
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+FloatArray = NDArray[np.float64]
+CELLS = 240  # of the map in each direction
+WITHIN = "#e8e8e8"  # where all limits are met
+
+
+def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
+    """A map of the limit that is exceeded most, with the sea states that were simulated.
+
+    Parameters
+    ----------
+    responses : of `riserstudy.seas.riser_downtime.Downtime`.
+    mode, share : of which the title tells: the share (1) of the record's hours that are left.
+    """
+    surface, simulated, held = _surface(responses)
+    periods, heights = (
+        np.linspace(simulated[:, k].min(), simulated[:, k].max(), CELLS) for k in (1, 0)
+    )
+    plane = np.stack(np.meshgrid(heights, periods, indexing="ij"), axis=-1)
+    excess = _excess(responses, surface.at(plane.reshape(-1, 2))).reshape(CELLS, CELLS, -1)
+    unknown = np.isnan(excess).any(axis=-1)
+    most = np.where(unknown, 0, np.nan_to_num(excess).argmax(axis=-1))
+    shown = np.where(np.nan_to_num(excess).max(axis=-1) > 0.0, most + 1.0, 0.0)
+    shown[unknown] = np.nan
+    figure = Figure((7.2, 5.0), dpi=150, layout="constrained")
+    ax = figure.subplots()
+    labels = [str(name) for name in responses["limit"].values]
+    colours = [WITHIN, *(COLOURS[k % len(COLOURS)] for k in range(len(labels)))]
+    ax.pcolormesh(
+        periods, heights, shown, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(labels) + 0.5
+    )
+    for states, colour in ((simulated, "black"), (held, "white")):
+        ax.plot(states[:, 1], states[:, 0], "o", ms=3, mfc=colour, mec="black", mew=0.5, ls="none")
+    there = [int(k) for k in np.unique(shown[~unknown])]
+    keys: list[Patch | Line2D] = [
+        Patch(color=colours[k], label=labels[k - 1] if k else "all limits met") for k in there
+    ]
+    keys += [
+        Line2D([], [], marker="o", ls="none", ms=4, mfc=colour, mec="black", label=label)
+        for colour, label in (("black", "simulated"), ("white", "simulated to compare"))
+    ]
+    figure.legend(handles=keys, loc="outside lower center", ncols=2, fontsize="small")
+    ax.set_xlabel("peak period (s)")
+    ax.set_ylabel("significant wave height (m)")
+    headline(figure, f"{mode.capitalize()} is possible in {share:.2%} of the hours")
+    return figure
+
+
+def _surface(responses: xr.Dataset) -> tuple[Surface, FloatArray, FloatArray]:
+    """Responses between sea states, those that it stands on, and those that were compared."""
+    states = np.column_stack(
+        [responses[name].values for name in ("significant_wave_height", "peak_period")]
+    )
+    held = responses["held_out"].values.astype(bool)
+    surface = Surface(states[~held], responses["demand_of_limit"].values[~held])
+    return surface, states[~held], states[held]
+
+
+def _excess(responses: xr.Dataset, demand: FloatArray) -> FloatArray:
+    """By how much each limit is exceeded, (n, limits), as part of what is allowed."""
+    allowed = responses["allowed"].values
+    sign = np.where(responses["side"].values == "smallest", -1.0, 1.0)
+    scale = scale_of(allowed, responses["demand_of_limit"].values)
+    excess: FloatArray = sign * (demand - allowed) / scale
+    return excess

@@ -1,0 +1,182 @@
+"""Which sea states of a record to simulate, until others lie on the surface between them.
+
+It begins with the corners of the record, so that every row of it lies between simulated sea states. More are
+added where cubic and flat triangles differ most. Then some are drawn that no surface has seen, and compared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.seas.sea_states import SeaStates
+from riserstudy.seas.surface import Surface
+
+FloatArray = NDArray[np.float64]
+FIRST = 12  # sea states beside the corners to begin with
+BATCH = 6  # that are added at a time
+HELD_OUT = 16  # that are compared; half drawn among all rows, half among those near a limit
+NEAR = 0.3  # of what is allowed: how near
+Run = Callable[[FloatArray], FloatArray]
+Say = Callable[[str], None]
+
+
+class Cover(NamedTuple):
+    """Sea states that were simulated, and how far off the surface between them others are."""
+
+    states: FloatArray  # (n, 2) significant height (m), peak period (s)
+    responses: FloatArray  # (n, k) not a number where a run failed
+    held_out: NDArray[np.bool_]  # (n,) compared alone: the surface is without them
+    error: FloatArray  # (k,) largest at those, over what is allowed or over the response if that is more
+
+    @property
+    def surface(self) -> Surface:
+        """The surface."""
+        return Surface(self.states[~self.held_out], self.responses[~self.held_out])
+
+
+def cover(
+    of: SeaStates,
+    run: Run,
+    allowed: FloatArray,
+    error: float,
+    most: int,
+    seed: int = 0,
+    say: Say = lambda _: None,
+) -> Cover:
+    """Simulate sea states of a record until responses at others are known to an error.
+
+    Parameters
+    ----------
+    run : responses (m, k) of sea states (m, 2); no number where a run fails.
+    allowed : (k,) what each response may be, in its unit; of 0 the median response counts.
+    error : largest at sea states that are held out, over what is allowed, or the response if that is more.
+    most : sea states at most.
+    seed : of the draw of those that are held out.
+    say : is given what comes next.
+
+    Raises
+    ------
+    InputError
+        When the record's sea states lie on a line, so that nothing lies between them.
+    SimulationError
+        When so many do not suffice.
+    """
+    draw = np.random.default_rng(seed)
+    known = _first(of.states)
+    say(f"{len(known)} sea states that hold the record between them")
+    responses = run(of.states[known])
+    while True:
+        surface = Surface(of.states[known], responses)
+        scale = scale_of(allowed, responses)
+        more = _next(of, surface, scale, error, set(known))
+        if not len(more):
+            held = _drawn(of, surface, allowed, scale, known, draw)
+            say(f"{len(held)} sea states to compare with the surface of {len(known)}")
+            came = run(of.states[held])
+            off = _off(surface.at(of.states[held]), came, scale)
+            failed = np.isnan(came).any() and not np.isnan(off).all()
+            if not failed and np.nanmax(off, initial=0.0) <= error:
+                return _whole(of, known, responses, held, came, off)
+            worst = float(np.nanmax(off))
+            more, found = held, came
+        else:
+            worst = float(np.nanmax(surface.bend(of.states) / scale))
+            say(
+                f"{len(more)} sea states more: {worst:.1%} between flat and cubic, {len(known)} done"
+            )
+            found = run(of.states[more])
+        known, responses = [*known, *more], np.concatenate([responses, found])
+        if len(known) > most:
+            raise SimulationError(
+                f"{len(known)} sea states leave an error of {worst:.1%} where {error:.1%} is requested; "
+                "request a larger error, or allow more sea states"
+            )
+
+
+def _first(states: FloatArray) -> list[int]:
+    """Corners of the record, and those farthest from all before."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    places = (states - states.min(axis=0)) / np.maximum(np.ptp(states, axis=0), 1e-12)
+    try:
+        chosen = [int(k) for k in ConvexHull(places).vertices]
+    except QhullError:
+        allowed = "allowed are rows that differ in height and in period"
+        raise InputError("RECORD", "sea states", "all on a line", allowed) from None
+    apart = np.min([np.hypot(*(places - places[k]).T) for k in chosen], axis=0)
+    for _ in range(FIRST):
+        if apart.max() <= 0.0:
+            break
+        chosen.append(int(apart.argmax()))
+        apart = np.minimum(apart, np.hypot(*(places - places[chosen[-1]]).T))
+    return chosen
+
+
+def scale_of(allowed: FloatArray, responses: FloatArray) -> FloatArray:
+    """What errors of each response count against, (k,)."""
+    usual = np.nanmedian(np.abs(responses), axis=0)
+    scale = np.where(allowed == 0.0, usual, np.abs(allowed))
+    return np.where(scale > 0.0, scale, 1.0)
+
+
+def _off(predicted: FloatArray, came: FloatArray, scale: FloatArray) -> FloatArray:
+    """Errors (m, k), over what is allowed or over the response if that is more."""
+    return np.asarray(np.abs(predicted - came) / np.maximum(scale, np.abs(came)))
+
+
+def _next(
+    of: SeaStates, surface: Surface, scale: FloatArray, error: float, known: set[int]
+) -> list[int]:
+    """Sea states where cubic and flat triangles differ by more than the error, one a triangle."""
+    there = surface.at(of.states)
+    doubt = surface.bend(of.states) / np.maximum(scale, np.abs(there))
+    doubt = np.nan_to_num(doubt, nan=0.0).max(axis=1)
+    triangle = surface.triangle(of.states)
+    chosen: dict[int, int] = {}
+    for k in np.argsort(-doubt):
+        if doubt[k] <= error or len(chosen) == BATCH:
+            break
+        if int(k) not in known:
+            chosen.setdefault(int(triangle[k]), int(k))
+    return list(chosen.values())
+
+
+def _drawn(
+    of: SeaStates,
+    surface: Surface,
+    allowed: FloatArray,
+    scale: FloatArray,
+    known: list[int],
+    draw: np.random.Generator,
+) -> list[int]:
+    """Sea states that are not on the surface: half by their rows, half near what is allowed."""
+    free = np.ones(len(of.states), bool)
+    free[known] = False
+    near = (np.abs(surface.at(of.states) - allowed) <= NEAR * scale).any(axis=1)
+    found: list[int] = []
+    for among, count in ((free & near, HELD_OUT // 2), (free, HELD_OUT)):
+        among[found] = False
+        places = np.flatnonzero(among)
+        weights = of.rows[places] / max(of.rows[places].sum(), 1)
+        count = min(count - len(found), len(places))
+        if count > 0:
+            found += [int(k) for k in draw.choice(places, count, replace=False, p=weights)]
+    return found
+
+
+def _whole(
+    of: SeaStates,
+    known: list[int],
+    responses: FloatArray,
+    held: list[int],
+    came: FloatArray,
+    off: FloatArray,
+) -> Cover:
+    largest = np.nanmax(off, axis=0, initial=0.0)
+    flags = np.concatenate([np.zeros(len(known), bool), np.ones(len(held), bool)])
+    return Cover(of.states[[*known, *held]], np.concatenate([responses, came]), flags, largest)

@@ -1,0 +1,136 @@
+"""Hours of a record that the limits of a riser leave, by mode, and those that each limit takes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.dataset.limits import label
+from riserstudy.dataset.table import Cell, Table
+from riserstudy.scene.limits import UNITS as OUTPUT_UNITS
+from riserstudy.scene.limits import Limit
+from riserstudy.seas.cover import Cover, scale_of
+from riserstudy.seas.hours import Hours, hours_of
+from riserstudy.seas.sea_states import SeaStates
+from riserstudy.seas.surface import Surface
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+FloatArray = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+#: modes, each with those whose limits it keeps: a riser that drills is connected
+MODES = {
+    "drilling": ("drilling", "connected", "disconnect"),
+    "connected": ("connected", "disconnect"),
+    "disconnect": ("disconnect",),
+}
+NINE_IN_TEN = 1.645  # deviations of a normal distribution to both sides
+COLUMNS = ["limit", "exceeded", "alone", "allowed", "largest", "unit", "error"]
+UNITS = ["", "%", "%", "*", "*", "", "%"]
+
+
+class OfMode(NamedTuple):
+    """Hours of a mode, and between which shares they are for what is not known of the response."""
+
+    mode: str
+    hours: Hours
+    low: float
+    high: float
+
+
+class RiserHours(NamedTuple):
+    """What a record leaves a riser."""
+
+    modes: list[OfMode]
+    limits: Table  # a row a limit: rows in which it is exceeded, and in which it alone is
+    unknown: float  # share of rows beside sea states whose run failed: not workable
+
+
+class Met(NamedTuple):
+    """Which limits are met in each sea state, (n, limits): as found, at worst and at best."""
+
+    found: Flags
+    worst: Flags
+    best: Flags
+    demand: FloatArray
+
+
+def met(of: SeaStates, cover: Cover, deviation: FloatArray, limits: Sequence[Limit]) -> Met:
+    """Limits that are met in the sea states of a record.
+
+    At worst and at best the demand is off by the error of the surface and by 1.645 standard errors of seeds.
+
+    Parameters
+    ----------
+    deviation : (n, limits) standard errors at the cover's sea states, in the unit of each limit's output; not
+        a number where not known.
+    """
+    allowed = np.array([limit.allowable for limit in limits])
+    sign = np.where([limit.side == "smallest" for limit in limits], -1.0, 1.0)
+    demand = cover.surface.at(of.states)
+    kept = ~cover.held_out
+    seeds = Surface(cover.states[kept], np.nan_to_num(deviation[kept])).at(of.states)
+    scale = np.maximum(scale_of(allowed, cover.responses[kept]), np.abs(demand))
+    off = cover.error * scale + NINE_IN_TEN * np.abs(seeds)
+    excess = sign * (demand - allowed)  # not a number is not met
+    return Met(excess <= 0.0, excess + off <= 0.0, excess - off <= 0.0, demand)
+
+
+def riser_hours(
+    record: xr.Dataset,
+    of: SeaStates,
+    cover: Cover,
+    found: Met,
+    limits: Sequence[Limit],
+    also: Flags,
+) -> RiserHours:
+    """Hours by mode.
+
+    Parameters
+    ----------
+    also : (rows,) where limits on the sea itself are met.
+    """
+    known = of.state_of_row >= 0
+    state = of.state_of_row[known]
+    modes = []
+    for mode, needed in MODES.items():
+        of_mode = [k for k, limit in enumerate(limits) if limit.mode in needed]
+        if not any(limits[k].mode == mode for k in of_mode):
+            continue
+        every, worst, best = (
+            np.asarray(flags[:, of_mode].all(axis=1))[state] & also[known]
+            for flags in (found.found, found.worst, found.best)
+        )
+        hours = hours_of(record, known, every)
+        modes.append(OfMode(mode, hours, float(worst.mean()), float(best.mean())))
+    lost = np.asarray(np.isnan(found.demand).any(axis=1))
+    return RiserHours(modes, _by_limit(of, cover, found, limits, lost), float(lost[state].mean()))
+
+
+def _by_limit(
+    of: SeaStates, cover: Cover, found: Met, limits: Sequence[Limit], lost: Flags
+) -> Table:
+    """Share of rows in which each limit is exceeded, and in which no other of its mode's is."""
+    rows = of.rows / of.rows.sum()
+    exceeded = ~found.found & ~lost[:, None]
+    table: list[list[Cell]] = []
+    for k, limit in enumerate(limits):
+        among = [n for n, other in enumerate(limits) if other.mode in MODES[limit.mode]]
+        alone = exceeded[:, k] & (exceeded[:, among].sum(axis=1) == 1)
+        sided = np.nanmin if limit.side == "smallest" else np.nanmax
+        table.append(
+            [
+                label(limit),
+                100.0 * float(rows[exceeded[:, k]].sum()),
+                100.0 * float(rows[alone].sum()),
+                limit.allowable,
+                float(sided(found.demand[:, k])),
+                OUTPUT_UNITS[limit.output],
+                100.0 * float(cover.error[k]),
+            ]
+        )
+    return Table(COLUMNS, UNITS, table)

@@ -1,0 +1,48 @@
+"""Sea states of a record as points over height and period, each with the rows that have it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+FloatArray = NDArray[np.float64]
+NEEDED = ("significant_wave_height", "peak_period")
+CALM = 0.001  # m: significant height that stands for none, which no sea of a scene has
+
+
+class SeaStates(NamedTuple):
+    """Sea states that a record has, each once."""
+
+    states: FloatArray  # (n, 2): significant height (m), peak period (s)
+    rows: NDArray[np.int64]  # (n,) rows of the record that have it
+    state_of_row: NDArray[np.int64]  # (rows,) -1 where a row lacks height or period
+
+
+def sea_states(record: xr.Dataset) -> SeaStates:
+    """The sea states of a record (`riserstudy.seas.record.read_record`).
+
+    Raises
+    ------
+    InputError
+        When it has no heights and periods.
+    """
+    for name in NEEDED:
+        if name not in record:
+            there = ", ".join(sorted(map(str, record.data_vars)))
+            raise InputError("RECORD", name, "not in the record", f"there are {there}")
+    values = np.column_stack([record[name].values for name in NEEDED]).astype(float)
+    known = np.isfinite(values).all(axis=1)
+    if known.sum() < 2:
+        raise InputError("RECORD", " and ".join(NEEDED), "no two rows with both", "")
+    values[known, 0] = np.maximum(values[known, 0], CALM)
+    states, of, rows = np.unique(values[known], axis=0, return_inverse=True, return_counts=True)
+    state_of_row = np.full(len(values), -1)
+    state_of_row[known] = of.ravel()
+    return SeaStates(states, rows, state_of_row)

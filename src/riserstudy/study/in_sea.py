@@ -1,0 +1,89 @@
+"""A scene in other irregular seas, with other phases."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.sea import Storm
+
+
+class Sea(NamedTuple):
+    """An irregular sea."""
+
+    height: float  # significant (m)
+    period: float  # of the peak (s)
+
+
+def in_sea(file: SceneFile, sea: Sea, seed: int) -> SceneFile:
+    """The scene in another sea, with other phases.
+
+    Raises
+    ------
+    InputError
+        When the scene has no irregular sea, or no time.
+    """
+    return file.with_values(values_of(file, sea) | phases_of(file, seed), "sea")
+
+
+def values_of(file: SceneFile, sea: Sea) -> dict[str, Any]:
+    """What puts a scene into another sea, by path of the scene.
+
+    Raises
+    ------
+    InputError
+        When the scene has no irregular sea, or no time.
+    """
+    values: dict[str, Any] = {}
+    for path in _paths(file):
+        values[f"{path}.significant_height"] = f"{sea.height!r} m"
+        values[f"{path}.peak_period"] = f"{sea.period!r} s"
+    return values
+
+
+def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
+    """What gives the sea of a scene other phases, by path of the scene.
+
+    Raises
+    ------
+    InputError
+        When the scene has no irregular sea, or no time.
+    """
+    return {f"{path}.seed": seed for path in _paths(file)}
+
+
+def sea_of(file: SceneFile) -> Storm:
+    """The irregular sea of a scene: that of the platform, where it has one.
+
+    Raises
+    ------
+    InputError
+        When there is none, or the scene has no time.
+    """
+    return next(iter(_seas(file).values()))
+
+
+def _paths(file: SceneFile) -> list[str]:
+    return list(_seas(file))
+
+
+def _seas(file: SceneFile) -> dict[str, Storm]:
+    """Irregular seas of a scene, by path.
+
+    Raises
+    ------
+    InputError
+        When there are none, or the scene has no time.
+    """
+    scene = file.scene()
+    response = scene.platform and scene.platform.response
+    there = {"platform.response.wave": response and response.wave, "wave": scene.wave}
+    seas = {path: sea for path, sea in there.items() if isinstance(sea, Storm)}
+    if not seas:
+        allowed = "Give `platform.response.wave` with significant_height, or `wave`"
+        raise InputError(file.source, "wave", "no irregular sea", allowed)
+    if scene.analysis.duration is None:
+        allowed = "Give the time of each run in a sea, such as `1 h`"
+        raise InputError(file.source, "analysis.duration", "absent", allowed)
+    return seas

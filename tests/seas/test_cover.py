@@ -1,0 +1,135 @@
+"""Responses over the sea states of a record: what lies between simulated ones is known to what was requested."""
+
+import numpy as np
+import pytest
+
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.scene.limits import Limit
+from riserstudy.seas.cover import cover
+from riserstudy.seas.extremes import check_seeds, demand
+from riserstudy.seas.riser_hours import met, riser_hours
+from riserstudy.seas.sea_states import SeaStates, sea_states
+from riserstudy.seas.surface import Surface
+from riserstudy.seas.synthetic import synthetic
+
+LIMITS = [
+    Limit(output="ufj_angle", largest="4 rad", mode="drilling"),
+    Limit(output="effective_tension", smallest="0 N", mode="connected"),
+]
+ALLOWED = np.array([limit.allowable for limit in LIMITS])
+
+
+@pytest.fixture(scope="module")
+def record():
+    """Three years."""
+    return synthetic(3, 5)
+
+
+def resonant(natural=11.0, damping=0.5):
+    """A flex joint's angle that resonates over the period, and a tension that the height takes away."""
+
+    def run(states):
+        height, period = states.T
+        ratio = natural / period
+        amplified = 1.0 / np.sqrt((1.0 - ratio**2) ** 2 + (damping * ratio) ** 2)
+        return np.column_stack([1.0 + 0.6 * height * amplified, 500.0 - 70.0 * height])
+
+    return run
+
+
+@pytest.mark.parametrize("natural", [8.0, 11.0, 15.0])
+@pytest.mark.parametrize("error", [0.1, 0.03])
+def test_no_hour_of_the_record_is_off_by_more_than_was_requested(record, natural, error):
+    of, run = sea_states(record), resonant(natural)
+    found = cover(of, run, ALLOWED, error, 500, seed=3)
+    true = run(of.states)
+    scale = np.array([4.0, np.median(np.abs(found.responses[:, 1]))])
+    off = np.abs(found.surface.at(of.states) - true) / np.maximum(scale, np.abs(true))
+    assert off.max() <= error
+    assert found.error.max() <= error
+    assert found.held_out.sum() == 16
+
+
+def test_a_smaller_error_takes_more_sea_states(record):
+    of = sea_states(record)
+    counts = [len(cover(of, resonant(), ALLOWED, e, 500).states) for e in (0.2, 0.05, 0.02)]
+    assert counts == sorted(set(counts))
+
+
+def test_hours_are_those_of_the_response_itself_within_their_band(record):
+    of, run = sea_states(record), resonant()
+    found = cover(of, run, ALLOWED, 0.02, 500)
+    which = met(of, found, np.zeros_like(found.responses), LIMITS)
+    every = np.ones(record.sizes["time"], bool)
+    hours = riser_hours(record, of, found, which, LIMITS, every)
+    true = run(sea_states(record).states)[of.state_of_row]
+    drilling = ((true[:, 0] <= 4.0) & (true[:, 1] >= 0.0)).mean()
+    connected = (true[:, 1] >= 0.0).mean()
+    for one, share in zip(hours.modes, (drilling, connected), strict=True):
+        assert one.low <= share <= one.high
+        assert one.hours.share == pytest.approx(share, abs=2e-3)
+    assert hours.unknown == 0.0
+    assert [row[0] for row in hours.limits.rows] == [
+        "drilling: largest ufj_angle",
+        "connected: smallest effective_tension",
+    ]
+
+
+def test_beside_runs_that_fail_nothing_is_workable(record):
+    of, whole = sea_states(record), resonant()
+
+    def run(states):
+        found = whole(states)
+        found[states[:, 0] > 6.0] = np.nan
+        return found
+
+    found = cover(of, run, ALLOWED, 0.1, 500)
+    which = met(of, found, np.zeros_like(found.responses), LIMITS)
+    hours = riser_hours(record, of, found, which, LIMITS, np.ones(record.sizes["time"], bool))
+    high = record["significant_wave_height"].values > 6.0
+    assert not which.found[of.state_of_row[high]].any()
+    assert hours.unknown >= high.mean()
+
+
+def test_beyond_the_sea_states_that_were_simulated_there_is_no_number():
+    square = np.array([[1.0, 5.0], [1.0, 15.0], [4.0, 5.0], [4.0, 15.0], [2.0, 10.0]])
+    surface = Surface(square, square)
+    inside = np.array([[1.0, 5.0], [4.0, 15.0], [3.0, 7.0]])
+    np.testing.assert_allclose(surface.at(inside), inside, rtol=1e-6)
+    assert np.isnan(surface.at(np.array([[4.1, 10.0], [2.0, 16.0]]))).all()
+
+
+def test_too_few_sea_states_and_those_on_a_line_are_refused(record):
+    of = sea_states(record)
+    with pytest.raises(SimulationError, match="request a larger error"):
+        cover(of, resonant(damping=0.05), ALLOWED, 0.001, 60)
+    line = np.column_stack([np.linspace(1.0, 2.0, 9), np.linspace(5.0, 9.0, 9)])
+    with pytest.raises(InputError, match="on a line"):
+        cover(SeaStates(line, np.ones(9, int), np.arange(9)), resonant(), ALLOWED, 0.1, 60)
+
+
+@pytest.mark.parametrize("side, sign", [("largest", 1.0), ("smallest", -1.0)])
+@pytest.mark.parametrize("runs", [1.0, 6.0])
+def test_demand_is_the_fractile_of_the_largest_of_several_runs(side, sign, runs):
+    """Against the fractile of drawn extremes: the largest of so many runs, over many hours."""
+    draw = np.random.default_rng(2)
+    seeds = sign * (10.0 + draw.gumbel(0.0, 1.5, 4000))
+    hours = sign * (10.0 + draw.gumbel(0.0, 1.5, (40000, int(runs)))).max(axis=1)
+    found = demand(seeds, side, runs)
+    assert found.value == pytest.approx(sign * np.quantile(sign * hours, 0.9), rel=0.01)
+
+
+def test_the_standard_error_is_the_spread_of_demands_from_other_seeds():
+    draw = np.random.default_rng(4)
+    every = [demand(draw.gumbel(10.0, 1.5, 20), "largest", 6.0) for _ in range(400)]
+    spread = np.std([one.value for one in every])
+    assert np.mean([one.deviation for one in every]) == pytest.approx(spread, rel=0.1)
+
+
+def test_means_and_single_seeds_count_as_they_are():
+    assert demand(np.array([3.0]), "largest", 6.0).value == 3.0
+    assert demand(np.array([1.0, 2.0, 3.0, 4.0, 5.0]), "mean", 6.0).value == 3.0
+    assert demand(np.full(5, 2.5), "smallest", 6.0) == (2.5, 0.0)
+    check_seeds(1)
+    with pytest.raises(InputError, match="allowed are 1"):
+        check_seeds(3)

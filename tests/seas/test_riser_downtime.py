@@ -1,0 +1,176 @@
+"""Hours that a riser's limits leave of a record: its demands are those of runs, and its hours follow them."""
+
+import json
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy import load_scene, simulate
+from riserstudy.errors import InputError
+from riserstudy.seas.hours import sea_limit
+from riserstudy.seas.record import write_record
+from riserstudy.seas.riser_downtime import riser_downtime
+from riserstudy.seas.synthetic import synthetic
+from riserstudy.study.in_sea import Sea, in_sea
+
+RISER = "config/scenes/design/riser.yaml"
+STORM = {"significant_height": "3 m", "peak_period": "10 s", "peak_enhancement": 2}
+LIMITS = [
+    {"output": "ufj_angle", "largest": "0.6 deg", "mode": "drilling"},
+    {"output": "lfj_angle", "mean": "9 deg", "mode": "drilling"},
+    {"output": "effective_tension", "smallest": "2285 kN", "mode": "connected"},
+]
+ALONG = {"surge": "0.4 m/m", "surge_phase": "90 deg", "heave": "0.3 m/m", "heave_phase": "0 deg"}
+SEA = {
+    "limits": LIMITS,
+    "top.x": "platform",
+    "top.z": "platform",
+    "platform": {
+        "centre_of_rotation": {"elevation": "1500 m"},
+        "response": {
+            "operators": [{"period": f"{period} s", **ALONG} for period in (1, 6, 12, 60)],
+            "phases": "lead",
+            "wave": STORM | {"components": 30, "seed": 1},
+            "ramp": "20 s",
+        },
+    },
+    "analysis": {
+        "duration": "80 s",
+        "output": {"interval": "1 s"},
+        "mesh": {"elements": 40},
+        "step": "0.5 s",
+    },
+}
+
+
+@pytest.fixture(scope="module")
+def record():
+    """A row in six days of two years."""
+    return synthetic(2, 8).isel(time=slice(None, None, 147))
+
+
+@pytest.fixture(scope="module")
+def file():
+    """A riser under a platform in a sea."""
+    return load_scene(RISER).with_values(SEA, "test")
+
+
+@pytest.fixture(scope="module")
+def found(file, record):
+    """Its hours, by one seed."""
+    return riser_downtime(file, record, seeds=1, error=0.1, cores=1)
+
+
+def demands(run):
+    """Value of each limit, in SI."""
+    return [row["demand"] for row in json.loads(run.attrs["limits"])]
+
+
+def test_demands_are_those_of_runs_in_these_seas(file, found):
+    of = found.responses
+    for k in range(0, of.sizes["sea_state"], 7):
+        sea = Sea(*(float(of[n][k]) for n in ("significant_wave_height", "peak_period")))
+        run = simulate(in_sea(file, sea, 1), progress=False)
+        np.testing.assert_allclose(of["demand_of_limit"][k], demands(run), rtol=1e-9)
+
+
+def test_hours_are_those_of_a_run_of_every_row(file, record, found):
+    """Each row simulated, which nothing is interpolated for."""
+    rows = np.column_stack([record[n].values for n in ("significant_wave_height", "peak_period")])
+    runs = [demands(simulate(in_sea(file, Sea(*row), 1), progress=False)) for row in rows.tolist()]
+    angle, mean, tension = np.array(runs).T
+    connected = tension >= 2285e3
+    drilling = connected & (np.degrees(angle) <= 0.6) & (np.degrees(mean) <= 9.0)
+    assert 0.2 < drilling.mean() < 0.98
+    for one, true in zip(found.hours.modes, (drilling, connected), strict=True):
+        assert one.low <= true.mean() <= one.high
+        assert abs(one.hours.share - true.mean()) <= 2 / len(rows)
+
+
+def test_wider_limits_leave_more_hours_and_limits_on_the_sea_fewer(file, record, found):
+    wide = [LIMITS[0] | {"largest": "0.8 deg"}, *LIMITS[1:]]
+    wider = riser_downtime(file.with_values({"limits": wide}, "test"), record, seeds=1, error=0.1)
+    low = [sea_limit("hs <= 1.5 m")]
+    fewer = riser_downtime(file, record, low, seeds=1, error=0.1)
+    drilling, more, less = (one.hours.modes[0].hours.share for one in (found, wider, fewer))
+    assert less < drilling < more
+    sea = float((record["significant_wave_height"] <= 1.5).mean())
+    assert less <= sea
+
+
+def test_what_each_limit_takes_adds_up(found):
+    exceeded, alone = (np.array([row[k] for row in found.hours.limits.rows]) for k in (1, 2))
+    assert (alone <= exceeded).all()
+    lost = 100.0 * (1.0 - found.hours.modes[0].hours.share)
+    assert exceeded.max() - 1e-9 <= lost <= exceeded.sum() + 1e-9
+
+
+def test_several_seeds_demand_more_than_the_mean_of_their_runs(file, record):
+    few = record.isel(time=slice(None, None, 6))
+    found = riser_downtime(file, few, seeds=5, error=0.5).responses
+    k = int(found["significant_wave_height"].values.argmax())
+    sea = Sea(*(float(found[n][k]) for n in ("significant_wave_height", "peak_period")))
+    runs = [demands(simulate(in_sea(file, sea, s), progress=False)) for s in range(1, 6)]
+    angle, mean, tension = np.array(runs).T
+    demand = found["demand_of_limit"].values[k]
+    assert demand[0] > angle.max()  # 147 times as long as a run
+    assert demand[2] < tension.min()
+    assert demand[1] == pytest.approx(mean.mean(), rel=1e-9)
+    assert (found["standard_error"].values[k] > 0.0).all()
+
+
+@pytest.mark.parametrize(
+    "change, told",
+    [
+        ({"limits": None}, "limits: none"),
+        ({"platform.response": None}, "no irregular sea"),
+        ({"analysis.duration": "2 h"}, "analysis.duration: .*allowed is up to that"),
+        ({"analysis.duration": "20 s"}, "analysis.duration"),
+    ],
+)
+def test_what_a_scene_lacks_is_one_error(file, record, change, told):
+    hourly = record.assign_attrs(interval_hours=1.0)
+    with pytest.raises(InputError, match=told):
+        riser_downtime(file.with_values(change, "test"), hourly, seeds=1)
+
+
+def test_a_record_without_periods_is_refused(file, record):
+    with pytest.raises(InputError, match="peak_period: not in the record"):
+        riser_downtime(file, record.drop_vars("peak_period"), seeds=1)
+
+
+def words(values):
+    """Values as options."""
+    return [word for path, v in values.items() for word in ("--set", f"{path}={json.dumps(v)}")]
+
+
+def test_the_command_writes_responses_table_and_map(commands, tmp_path, record):
+    path = tmp_path / "sea.nc"
+    write_record(record, path)
+    files = [tmp_path / name for name in ("out.nc", "limits.csv", "map.png")]
+    options = [w for pair in zip(("-o", "--csv", "--plot"), files, strict=True) for w in pair]
+    asked = ["downtime", path, "--scene", RISER, *words(SEA), "--seeds", "1", "--error", "0.2"]
+    code, out, err = commands(*asked, *options)
+    assert (code, [file.exists() for file in files]) == (0, [True] * 3), err
+    assert "drilling: " in out
+    assert "directions of the record are not used" in out
+    with xr.open_dataset(files[0]) as responses:
+        assert set(responses["demand_of_limit"].dims) == {"sea_state", "limit"}
+    again = commands(*asked)
+    assert again[1] == "\n".join(line for line in out.splitlines() if "written" not in line) + "\n"
+
+
+@pytest.mark.parametrize(
+    "more, told",
+    [
+        (["--scene", RISER, "--seeds", "3"], "--seeds: 3"),
+        (["--scene", RISER, "--hold-back", "2"], "--hold-back"),
+        ([], "give limits on the sea, or --scene"),
+    ],
+)
+def test_options_that_do_not_fit_are_refused(commands, tmp_path, record, more, told):
+    path = tmp_path / "sea.nc"
+    write_record(record, path)
+    code, _, err = commands("downtime", path, *more)
+    assert (code, told in err) == (2, True), err
