@@ -52,7 +52,10 @@ WELD = {
         }
     ],
 }
-RECORD = "time,hs (m)\n2001-01-01 00:00,1\n2001-01-01 01:00,3\n"
+RECORD = "time,hs (m),tp (s)\n" + "".join(
+    f"2001-01-01 0{hour}:00,{height},{period}\n"
+    for hour, (height, period) in enumerate([(1, 8), (3, 9), (2, 12), (1, 10)])
+)
 OPERATORS = "8 0 1 0.5 0 0.5 0\n12 0 1 0.7 0 0.7 0\n"  # of WAMIT: surge at two periods
 #: parameters that are read, by what the help calls them
 INPUTS = {
@@ -66,7 +69,7 @@ INPUTS = {
     "STUDY.nc": "damage.nc",
     "STATEMENT": "select path from files",
 }
-READ_BY_OPTION = {"--results", "--config", "--scatter", "--seas", "--without"}
+READ_BY_OPTION = {"--results", "--config", "--scatter", "--seas", "--without", "--scene"}
 #: options that a command needs, and what its scene lacks of what it is about
 NEEDED = {
     "tension": [
@@ -82,9 +85,18 @@ NEEDED = {
     ],
     "recoil": ["--set", "disconnect={at: 2 s}"],
     "seas": ["record.csv"],  # or a synthetic one
-    "downtime": ["--limit", "hs <= 2 m"],
+    "downtime": [
+        *("--scene", "scene.yaml", "--seeds", "1", "--error", "0.5", "--set", "limits=ANGLES"),
+        *("--set", "platform=IN_A_SEA"),
+    ],
 }
 WRITTEN = (0, 4)  # exit status; 4: not all of what the command is about could be evaluated
+IN_A_SEA = (
+    "{centre_of_rotation: {elevation: 300 m}, response: {phases: lead, beyond: hold, ramp: 1 s, "
+    "operators: [{period: 5 s, surge: 0.1 m/m, surge_phase: 90 deg}, "
+    "{period: 20 s, surge: 0.3 m/m, surge_phase: 90 deg}], "
+    "wave: {significant_height: 1 m, peak_period: 8 s, peak_enhancement: 2, components: 5, seed: 1}}}"
+)
 ANGLES = "[{output: lfj_angle, largest: 9 deg, mode: disconnect}]"
 
 
@@ -195,7 +207,10 @@ def words_of(command, ending=""):
             words.append(INPUTS[info.metavar])
         else:
             assert called(name, info)[0] in NEEDED.get(command, ()), f"{command}: {name}"
-    return words + [word.replace("ANGLES", ANGLES) for word in NEEDED.get(command, ())]
+    return words + [
+        word.replace("ANGLES", ANGLES).replace("IN_A_SEA", IN_A_SEA)
+        for word in NEEDED.get(command, ())
+    ]
 
 
 def endings_of(kinds):

@@ -1,4 +1,4 @@
-"""Responses over the sea states of a record: what lies between simulated ones is known to what was requested."""
+"""Responses over the sea states of a record: between simulated ones known to what was requested."""
 
 import numpy as np
 import pytest

@@ -13,7 +13,7 @@ from riserstudy import load_scene, simulate, sweep
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.study import simulate_points, store
 from riserstudy.study.far_values import far_values
-from riserstudy.study.sweep import Lines, _study
+from riserstudy.study.sweep import Lines, as_study
 
 ROOT = Path(__file__).parents[2]
 COARSE = {
@@ -59,7 +59,7 @@ def test_a_point_of_a_sweep_is_what_simulate_makes_of_its_scene():
 
 def planned(axes, **overrides):
     """The grid of a sweep, which nothing is simulated of."""
-    return _study(scene(**overrides), axes, ["x"])
+    return as_study(scene(**overrides), axes, ["x"])
 
 
 @pytest.mark.parametrize(

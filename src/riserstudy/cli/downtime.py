@@ -96,6 +96,10 @@ def downtime(
         check_output(output, ("dataset",), reads, force)
     if not (scene or limit):
         raise InputError("downtime", "--limit", "none", "give limits on the sea, or --scene")
+    if output is not None and not scene:
+        raise InputError(
+            "downtime", "-o", str(output), "allowed with --scene, whose responses it is"
+        )
     if scene and hold_back:
         allowed = "allowed with limits on the sea"
         raise InputError("downtime", "--hold-back", "not with --scene", allowed)

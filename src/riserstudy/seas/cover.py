@@ -77,7 +77,7 @@ def cover(
         if not len(more):
             held = _drawn(of, surface, allowed, scale, known, draw)
             say(f"{len(held)} sea states to compare with the surface of {len(known)}")
-            came = run(of.states[held])
+            came = run(of.states[held]) if held else responses[:0]
             off = _off(surface.at(of.states[held]), came, scale)
             failed = np.isnan(came).any() and not np.isnan(off).all()
             if not failed and np.nanmax(off, initial=0.0) <= error:
