@@ -4,7 +4,10 @@ Linear, :math:`p = k\,y`, or Matlock's soft clay under static load,
 
 .. math:: p = \tfrac12\,p_u\,(y/y_{50})^{1/3},\qquad p \le p_u,
 
-whose stiffness at the origin has no limit: up to a small :math:`y_0` a straight line takes its place.
+whose stiffness at the origin has no limit: up to a small :math:`y_0` a straight line takes its place. Or a
+table, piece by piece a cubic, constant beyond its last point: sand, and curves of your own,
+
+.. math:: p(y) = a_k t^3 + b_k t^2 + c_k t + d_k, \qquad t = y - y_k.
 
 References
 ----------
@@ -40,6 +43,87 @@ class SoftClay(NamedTuple):
     origin: float  # y_0 / y50 (1)
 
 
+class TabulatedSprings(NamedTuple):
+    """Springs by tables, one a node."""
+
+    node: np.ndarray  # (k,)
+    places: np.ndarray  # (k, j + 1) displacements at which pieces begin and end, from zero (m)
+    force: np.ndarray  # (4, k, j) a, b, c, d of each piece, times length (N, m)
+    energy: np.ndarray  # (5, k, j) the same for the integral from zero (J, m)
+
+
+@inner
+def _away(s, i):
+    """Distance of a node from where the conductor stood."""
+    square = 0.0
+    for c in range(len(s.dim) - 1):
+        square += s.r[c, i] ** 2
+    return sqrt(square)
+
+
+@inner
+def _tabulated(soil, k, y):
+    """Resistance, its slope by y and its energy."""
+    count = soil.force.shape[2]
+    last = soil.places[k, count]
+    piece = count - 1
+    for j in range(count - 1):
+        if y < soil.places[k, j + 1]:
+            piece = j
+            break
+    t = min(y, last) - soil.places[k, piece]
+    force, energy = soil.force, soil.energy
+    p, slope, stored = 0.0, 0.0, 0.0
+    for row in range(4):
+        slope = slope * t + p
+        p = p * t + force[row, k, piece]
+    for row in range(5):
+        stored = stored * t + energy[row, k, piece]
+    if y >= last:
+        return p, 0.0, stored + p * (y - last)
+    return p, slope, stored
+
+
+@inner
+def table_force(soil, s):
+    """Resistance against the displacement."""
+    for k in range(soil.node.shape[0]):
+        i = soil.node[k]
+        y = _away(s, i)
+        if y > 0.0:
+            p, _, _ = _tabulated(soil, k, y)
+            for c in range(len(s.dim) - 1):
+                s.force[c, i] -= p * s.r[c, i] / y
+    return 0.0
+
+
+@inner
+def table_tangent(soil, s):
+    """Slope along the displacement, p / y across it."""
+    d = len(s.dim)
+    for k in range(soil.node.shape[0]):
+        i = soil.node[k]
+        y = _away(s, i)
+        p, slope, _ = _tabulated(soil, k, y)
+        across = p / y if y > 0.0 else slope
+        for a in range(d - 1):
+            s.k_node[i, a * d + a] += across
+            if y > 0.0:
+                for b in range(d - 1):
+                    s.k_node[i, a * d + b] += (slope - across) * s.r[a, i] * s.r[b, i] / (y * y)
+    return 0.0
+
+
+@inner
+def table_energy(soil, s):
+    """Work done on the springs (J)."""
+    total = 0.0
+    for k in range(soil.node.shape[0]):
+        _, _, stored = _tabulated(soil, k, _away(s, soil.node[k]))
+        total += stored
+    return total
+
+
 @inner
 def _clay(soil, k, y):
     """Resistance, its slope by y and its energy."""
@@ -55,15 +139,6 @@ def _clay(soil, k, y):
     if y >= YIELD * y50:
         return p, 0.0, p * y50 * (stored + y / y50 - YIELD)
     return 0.5 * p * root, p * root / (6.0 * q * y50), p * y50 * stored
-
-
-@inner
-def _away(s, i):
-    """Distance of a node from where the conductor stood."""
-    square = 0.0
-    for c in range(len(s.dim) - 1):
-        square += s.r[c, i] ** 2
-    return sqrt(square)
 
 
 @inner
@@ -142,3 +217,6 @@ register(
     potential=linear_energy,
 )
 register(SoftClay, "soil", device=clay_force, tangent=clay_tangent, potential=clay_energy)
+register(
+    TabulatedSprings, "soil", device=table_force, tangent=table_tangent, potential=table_energy
+)

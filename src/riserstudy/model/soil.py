@@ -1,31 +1,42 @@
-"""Springs that soil around a conductor is: linear, or of soft clay."""
+"""Springs that soil around a conductor is: linear, of soft clay, of sand, or by a table."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.effects.soil import LinearSoil, SoftClay
+from riserstudy.effects.soil import LinearSoil, SoftClay, TabulatedSprings
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
 from riserstudy.scene.riser import Section
-from riserstudy.scene.soil import ElasticSoil, Matlock, Soil
+from riserstudy.scene.soil import ElasticSoil, Matlock, Sand, Soil, TabulatedSoil
 
+if TYPE_CHECKING:
+    from scipy.interpolate import PPoly
+
+FloatArray = NDArray[np.float64]
 DEEP = 9.0  # ultimate resistance over shear strength and diameter where clay flows around the conductor
 SHALLOW = 3.0  # the same at the mudline
+CYCLIC = 0.9  # A of sand
+SATURATED = 8.0  # argument of the tangent beyond which sand gives no more: 1 - tanh is 2e-7
+PIECES = 64  # of a curve of sand
+AT_REST = 0.4  # coefficient of earth pressure at rest
 
 
 def soil(of: Layout) -> Iterator[Effect]:
-    """Soil around the lowest section."""
+    """Soil around the lowest sections."""
     if of.scene.soil:
-        record = springs(of.scene.soil, of.scene.riser[0], of.mesh, of.bottom)
-        yield Effect("soil", record, "soil")
+        yield Effect("soil", springs(of.scene.soil, of.scene.riser, of.mesh, of.bottom), "soil")
 
 
-def springs(soil: Soil, conductor: Section, mesh: Mesh, bottom: float) -> LinearSoil | SoftClay:
+def springs(
+    soil: Soil, riser: list[Section], mesh: Mesh, bottom: float
+) -> LinearSoil | SoftClay | TabulatedSprings:
     """Springs at the nodes, each for the part of its two half segments that is below the mudline.
 
     ``bottom``: elevation of the lowest node (m).
@@ -37,18 +48,23 @@ def springs(soil: Soil, conductor: Section, mesh: Mesh, bottom: float) -> Linear
     held = np.flatnonzero(length > 0.0)
     length = length[held]
     depth = soil.mudline - 0.5 * (tops[held] + edges[held])
-    if isinstance(soil.resistance, ElasticSoil):
-        return LinearSoil(held, soil.resistance.stiffness * length)
-    diameter = conductor.outer_diameter or 0.0
-    clay = soil.resistance
-    y50 = 2.5 * clay.strain_at_half_strength * diameter
-    ultimate = ultimate_resistance(clay, depth, diameter)
-    return SoftClay(held, ultimate * length, np.full(len(held), y50), clay.straight_up_to)
+    of = soil.resistance
+    if isinstance(of, ElasticSoil):
+        return LinearSoil(held, of.stiffness * length)
+    section = mesh.section[np.maximum(held - 1, 0)]  # the one below a node, which is in the soil
+    diameter = np.array([riser[k].outer_diameter or 0.0 for k in section])
+    if isinstance(of, Matlock):
+        y50 = 2.5 * of.strain_at_half_strength * diameter
+        ultimate = ultimate_resistance(of, depth, diameter)
+        return SoftClay(held, ultimate * length, y50, of.straight_up_to)
+    if isinstance(of, Sand):
+        return _tabulated(held, length, _of_sand(of, depth, diameter))
+    return _tabulated(held, length, _of_table(of, depth))
 
 
 def ultimate_resistance(
-    clay: Matlock, depth: NDArray[np.float64], diameter: float
-) -> NDArray[np.float64]:
+    clay: Matlock, depth: FloatArray, diameter: float | FloatArray
+) -> FloatArray:
     """Largest resistance per length of conductor (N/m), shape of the depths below the mudline (m).
 
     References
@@ -64,12 +80,104 @@ def ultimate_resistance(
     return np.asarray(np.minimum(shallow, DEEP * strength) * diameter)
 
 
+def sand_coefficients(friction_angle: float) -> tuple[float, float, float]:
+    """C1, C2 and C3 of the ultimate resistance of sand, by its angle of internal friction (rad).
+
+    References
+    ----------
+    Reese, Cox and Koop (1974), OTC 2080: a wedge near the mudline and flow deeper down; API RP 2A-WSD, 6.8.6,
+    draws the three as curves.
+    """
+    phi, a, b = friction_angle, 0.5 * friction_angle, 0.25 * math.pi + 0.5 * friction_angle
+    active = math.tan(0.25 * math.pi - 0.5 * phi) ** 2
+    rub = math.tan(phi) * math.sin(b)
+    less = math.tan(b - phi)
+    wedge = math.tan(b) ** 2 * math.tan(a) / less
+    wedge += AT_REST * (rub / (math.cos(a) * less) + math.tan(b) * (rub - math.tan(a)))
+    flow = active * (math.tan(b) ** 8 - 1.0) + AT_REST * math.tan(phi) * math.tan(b) ** 4
+    return wedge, math.tan(b) / less - active, flow
+
+
+def sand_resistance(sand: Sand, depth: FloatArray, diameter: FloatArray) -> FloatArray:
+    """A p_u of sand (N/m), the most that it resists, shape of the depths (m) and diameters (m)."""
+    c1, c2, c3 = sand_coefficients(sand.friction_angle)
+    weight = sand.submerged_unit_weight * depth
+    ultimate = np.minimum((c1 * depth + c2 * diameter) * weight, c3 * diameter * weight)
+    if sand.loading == "cyclic":
+        return np.asarray(CYCLIC * ultimate)
+    return np.asarray(np.maximum(3.0 - 0.8 * depth / diameter, CYCLIC) * ultimate)
+
+
+def _of_sand(sand: Sand, depth: FloatArray, diameter: FloatArray) -> list[PPoly]:
+    """Curves of sand, by its values and slopes."""
+    from scipy.interpolate import CubicHermiteSpline, PPoly  # loaded where needed: it takes long
+
+    most = sand_resistance(sand, depth, diameter)
+    share = np.linspace(0.0, SATURATED, PIECES + 1)
+    rise = np.tanh(share)
+    curve = CubicHermiteSpline(share, rise, 1.0 - rise**2)
+    found = []
+    for p, stiffness in zip(most, sand.initial_modulus * depth, strict=True):
+        size = p / stiffness  # displacement of an argument of one (m)
+        powers = np.array([size**-3, size**-2, 1.0 / size, 1.0])[:, None]
+        found.append(PPoly(p * curve.c * powers, size * share))
+    return found
+
+
+def _of_table(of: TabulatedSoil, depth: FloatArray) -> list[PPoly]:
+    """Curves of a table at depths (m): the cubics of both neighbours, straight between them."""
+    from scipy.interpolate import PchipInterpolator, PPoly  # loaded where needed: it takes long
+
+    known = np.array([*of.curves])
+    every = np.unique([0.0, *(row.displacement for row in of.table)])
+    pieces = []
+    for rows in of.curves.values():
+        y, p = np.array([(0.0, 0.0), *rows]).T
+        own = PchipInterpolator(y, p)
+        on = PPoly(own.c, own.x)
+        c = np.zeros((4, len(every) - 1))
+        for j, start in enumerate(every[:-1]):
+            for power in range(4):
+                value = on(start, power) if start < y[-1] else (p[-1] if power == 0 else 0.0)
+                c[3 - power, j] = value / math.factorial(power)
+        pieces.append(c)
+    found = []
+    for d in depth:
+        k = int(np.clip(np.searchsorted(known, d, "right") - 1, 0, max(len(known) - 2, 0)))
+        if len(known) == 1:
+            found.append(PPoly(pieces[0], every))
+            continue
+        share = (d - known[k]) / (known[k + 1] - known[k])
+        found.append(PPoly((1.0 - share) * pieces[k] + share * pieces[k + 1], every))
+    return found
+
+
+def _tabulated(
+    node: NDArray[np.int64], length: FloatArray, curves: list[PPoly]
+) -> TabulatedSprings:
+    """Springs by curves per length of conductor, one a node."""
+    force = [own * curve.c for own, curve in zip(length, curves, strict=True)]
+    energy = [own * curve.antiderivative().c for own, curve in zip(length, curves, strict=True)]
+    return TabulatedSprings(
+        node, np.stack([c.x for c in curves]), np.stack(force, axis=1), np.stack(energy, axis=1)
+    )
+
+
 def pile_length(soil: Soil, conductor: Section, bending: float) -> float:
-    """Length (4 EI / k)^(1/4) of a conductor in bending (m), with soil as stiff as a diameter deep at y50."""
-    if isinstance(soil.resistance, ElasticSoil):
-        k = soil.resistance.stiffness
+    """Length (4 EI / k)^(1/4) of a conductor in bending (m), with soil as stiff as a diameter deep.
+
+    Of clay and sand at half of their resistance, of a table to its first point.
+    """
+    of, diameter = soil.resistance, conductor.outer_diameter or 0.0
+    deep = np.array([diameter])
+    if isinstance(of, ElasticSoil):
+        k = of.stiffness
+    elif isinstance(of, Matlock):
+        y50 = 2.5 * of.strain_at_half_strength * diameter
+        k = 0.5 * float(ultimate_resistance(of, deep, diameter)[0]) / y50
+    elif isinstance(of, Sand):
+        k = 0.5 / math.atanh(0.5) * of.initial_modulus * diameter
     else:
-        clay, diameter = soil.resistance, conductor.outer_diameter or 0.0
-        y50 = 2.5 * clay.strain_at_half_strength * diameter
-        k = 0.5 * float(ultimate_resistance(clay, np.array([diameter]), diameter)[0]) / y50
+        curve = _of_table(of, deep)[0]
+        k = max(float(curve(curve.x[1]) / curve.x[1]), 1.0)
     return float((4.0 * bending / k) ** 0.25)

@@ -157,8 +157,6 @@ def _vessel_and_soil(scene: Parts, bends: bool) -> None:
         raise ValueError("vessel.hull_drag needs water")
     if (scene.bottom.hold == "foot") != (scene.soil is not None):
         raise ValueError("soil and 'bottom.hold: foot' go together")
-    if scene.soil and scene.riser[0].outer_diameter is None:
-        raise ValueError("soil needs the outer_diameter of the lowest section")
     joints = [s for s in scene.riser if s.flex_joint_below]
     if joints and (not bends or len(joints) > 1 or scene.riser[0].flex_joint_below):
         raise ValueError(

@@ -11,6 +11,7 @@ from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.scene.alike import alike
+from riserstudy.scene.soil import TabulatedSoil
 
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
@@ -161,14 +162,28 @@ def _stands_in(ends: Span, scene: Parts) -> None:
 
 
 def _foot(ends: Span, scene: Parts) -> None:
-    """The mudline lies on the lowest section, and not above the sea's bed."""
-    mudline = scene.soil.mudline if scene.soil else 0.0
-    head = ends.bottom + scene.riser[0].total_length
+    """The mudline lies on the sections below the flex joint, and not above the sea's bed."""
+    if scene.soil is None:
+        return
+    mudline, head, low = scene.soil.mudline, ends.bottom, []
+    for section in scene.riser[: max(scene.lowest_riser_section, 1)]:
+        low += [section] if head < mudline else []
+        head += section.total_length
     if not ends.bottom < mudline <= head + ROUNDED:
         raise ValueError(
-            f"soil.mudline {mudline:g} m is not on the lowest section {scene.riser[0].name!r}; allowed is "
-            f"above {ends.bottom:g} m and up to {head:g} m"
+            f"soil.mudline {mudline:g} m is not on the sections below the flex joint, or the lowest one; "
+            f"allowed is above {ends.bottom:g} m and up to {head:g} m"
         )
+    if lacking := [section.name for section in low if section.outer_diameter is None]:
+        raise ValueError(f"soil needs the outer_diameter of section {lacking[0]!r}")
+    deepest = mudline - ends.bottom
+    if isinstance(scene.soil.resistance, TabulatedSoil):
+        depths = [*scene.soil.resistance.curves]
+        if depths[0] > 0.0 or depths[-1] < deepest - ROUNDED:
+            raise ValueError(
+                f"soil.resistance.table reaches from {depths[0]:g} m to {depths[-1]:g} m below the mudline; "
+                f"allowed is from 0 m to the foot, {deepest:g} m"
+            )
     seabed = scene.water.seabed if scene.water else None
     if seabed is not None and mudline > seabed + ROUNDED:
         raise ValueError(

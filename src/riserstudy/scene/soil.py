@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+import math
+from itertools import groupby, pairwise
+from typing import Annotated, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
@@ -32,8 +34,61 @@ class ElasticSoil(Strict):
     stiffness: Annotated[u.Modulus, POSITIVE]
 
 
+class Sand(Strict):
+    """Sand by the p-y curves of API RP 2A: p = A p_u tanh(k X y / (A p_u)) at the depth X.
+
+    ``friction_angle`` is that of internal friction; ``initial_modulus`` is k, by which the stiffness of the
+    soil grows with depth. A is 0.9 under cyclic loading, else 3 - 0.8 X / D, and 0.9 at least.
+    """
+
+    friction_angle: Annotated[u.Angle, Field(gt=0, lt=math.radians(50.0))]
+    submerged_unit_weight: Annotated[u.ForcePerVolume, POSITIVE]
+    initial_modulus: Annotated[u.ForcePerVolume, POSITIVE]
+    loading: Literal["static", "cyclic"]
+
+
+class ResistanceAt(Strict):
+    """Resistance per length of conductor at a depth below the mudline and a displacement."""
+
+    depth: Annotated[u.Length, NOT_NEGATIVE]
+    displacement: Annotated[u.Length, POSITIVE]
+    resistance: Annotated[u.ForcePerLength, NOT_NEGATIVE]
+
+
+class TabulatedSoil(Strict):
+    """p-y curves as a table: rows depth by depth, with rising displacements.
+
+    Between its points a curve is a monotone cubic from zero, beyond the last it stays; between two
+    depths resistance is straight. The table must reach from the mudline to the foot.
+    """
+
+    table: Annotated[list[ResistanceAt], Field(min_length=1)]
+
+    @model_validator(mode="after")
+    def _rising(self) -> Self:
+        depths = [depth for depth, _ in groupby(self.table, lambda row: row.depth)]
+        if depths != sorted(set(depths)):
+            raise ValueError("table: depths must rise, all rows of one together")
+        for depth, rows in self.curves.items():
+            for name, values in zip(
+                ("displacement", "resistance"), zip(*rows, strict=True), strict=True
+            ):
+                steps = [b - a for a, b in pairwise(values)]
+                if any(step < 0.0 or (step == 0.0 and name == "displacement") for step in steps):
+                    raise ValueError(f"table: {name} must rise at the depth of {depth:g} m")
+        return self
+
+    @property
+    def curves(self) -> dict[float, list[tuple[float, float]]]:
+        """Displacements (m) and resistances (N/m) by depth (m)."""
+        found: dict[float, list[tuple[float, float]]] = {}
+        for row in self.table:
+            found.setdefault(row.depth, []).append((row.displacement, row.resistance))
+        return found
+
+
 class Soil(Strict):
-    """Soil around the riser's lowest part, from its mudline down."""
+    """Soil around the riser's lowest sections, below its flex joint, from its mudline down."""
 
     mudline: u.Length
-    resistance: Matlock | ElasticSoil
+    resistance: Matlock | Sand | ElasticSoil | TabulatedSoil

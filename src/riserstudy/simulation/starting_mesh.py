@@ -36,10 +36,20 @@ def coarsest_mesh(scene: Scene) -> Mesh:
             fine.append(Layer(float(probe.s[e]), layer))
     longest = {}
     if scene.soil:
-        conductor = scene.riser[0]
-        longest[0] = 0.5 * pile_length(scene.soil, conductor, stiffness(conductor).bending)
+        for k, section in enumerate(scene.riser[: max(scene.lowest_riser_section, 1)]):
+            if k == 0 or _below_mudline(scene, k):
+                bending = stiffness(section).bending
+                longest[k] = 0.5 * pile_length(scene.soil, section, bending)
     confined = longest or any(layer.length < math.inf for layer in fine)
     return graded(scene, fine, longest=longest) if confined else probe
+
+
+def _below_mudline(scene: Scene, k: int) -> bool:
+    """Whether the lower end of a section is in the soil."""
+    if scene.soil is None or scene.bottom.elevation is None:
+        return False
+    below = sum(section.total_length for section in scene.riser[:k])
+    return scene.bottom.elevation + below < scene.soil.mudline
 
 
 def end_layers(scene: Scene) -> tuple[float, float]:

@@ -62,6 +62,12 @@ _CLAY: Tree = {
     "depth_factor": 0.5,
     "straight_up_to": 0.1,
 }
+_SAND: Tree = {
+    "friction_angle": "35 deg",
+    "submerged_unit_weight": "10 kN/m^3",
+    "initial_modulus": "20 MN/m^3",
+    "loading": "cyclic",
+}
 _THRUST: Tree = {"gain": "10 kN/m", "command": "1 m", "lag": "1 s"}
 _COUPLED: Tree = {"scheme": "iterated", "interval": "0.5 s"}
 _TURNS: Tree = {
@@ -175,6 +181,7 @@ def scenes() -> dict[str, list[Scene]]:
         "platform": {"surge": _HEAVE},
     }
     linear_soil = afloat | {"soil": {"mudline": "0 m", "resistance": {"stiffness": "1 MPa"}}}
+    sandy = afloat | {"soil": {"mudline": "0 m", "resistance": _SAND}}
     across = {"current": planar["current"] | {"heading": "90 deg"}}
     twisted = [section | {"shear_modulus": "80 GPa"} for section in afloat["riser"]]
     turning = afloat | across | {"vessel": _TURNS, "riser": twisted}
@@ -215,6 +222,7 @@ def scenes() -> dict[str, list[Scene]]:
             afloat,
             afloat | superposed,
             linear_soil,
+            sandy,
             planar | {"analysis": short},
         ],
         "line": [

@@ -118,7 +118,7 @@ def test_ultimate_resistance_is_matlocks_in_closed_numbers(depth, by_hand):
 def test_springs_of_the_scene_yield_as_the_clay_and_at_its_y50():
     """y50 = 2.5 e50 D is 45.7 mm; half of p_u acts there, all of it at eight times that."""
     scene = load_scene(REF).scene()
-    soil = springs(scene.soil, scene.riser[0], even(scene, 1000), scene.bottom.elevation)
+    soil = springs(scene.soil, scene.riser, even(scene, 1000), scene.bottom.elevation)
     assert soil.y50 == pytest.approx(np.full(len(soil.y50), 45.72e-3))
     z = np.linspace(0.0, 70.0, 7001)
     strength = 3e3 + 1.5e3 * z
