@@ -5,9 +5,10 @@ from functools import cache
 import numpy as np
 import pytest
 import reference as ref
-from engine import march, off, slopes
+from engine import SCENES, march, off, slopes
 from reference_heave import ramped_sine
 
+from riserstudy import load_scene
 from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import run
@@ -19,6 +20,7 @@ RISER = ref.Riser()
 #: a pipe that does not stretch, as the beam
 STIFF = {"axial_stiffness": "1e13 N", "bending_stiffness": f"{ref.EI!r} N*m^2"}
 TIMES = 0.1 * np.arange(601)
+FEM_RISER = SCENES.parent / "fem_riser" / "base.yaml"
 
 
 def riser(elements, top, bottom=End(), **changes):
@@ -204,3 +206,39 @@ def test_tension_that_a_held_top_would_add_is_told_and_is_what_lumped_masses_hav
         at_rest = lumped["effective_tension_static"][-1]
         share = float(warnings[0].split("about ")[1].split(" %")[0])
         assert share == pytest.approx(100 * np.abs(top - at_rest).max() / at_rest, rel=0.2)
+
+
+def drifted(elements, **changes):
+    """The start of the fem_riser scene by a step of 0.1 s."""
+    settings = {
+        "analysis.duration": "20 s",
+        "analysis.output": {"interval": "1 s"},
+        "analysis.mesh": {"elements": elements},
+        "analysis.step": "0.1 s",
+    }
+    scene = load_scene(FEM_RISER, **(settings | changes)).scene()
+    return single(scene, even(scene, elements), 0.1).arrays
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_an_undeflected_beam_with_its_top_held_away_rests_in_still_water(seed):
+    """Nothing moves it, wherever its top is held and however stiff its joints are."""
+    rng = np.random.default_rng(seed)
+    changes = {
+        "top.offset": f"{rng.uniform(-40, 40)} m",
+        "top.rotation.stiffness": f"{10 ** rng.uniform(4, 7)} N*m/rad",
+        "analysis.solver": "hermite",
+        "wave": None,
+        "current": None,
+    }
+    x = drifted(40, **changes)["x"]
+    assert np.abs(x - x[0]).max() < 1e-9
+    assert abs(x[0, -1]) > 0.1
+
+
+@pytest.mark.parametrize("offset", [-6.0, 3.0])
+def test_both_solvers_start_a_drifted_riser_alike(offset):
+    """Under a weak tide; slopes of 0.01 change lengths by a ten-thousandth, and stretch by as much again."""
+    changes = {"top.offset": f"{offset} m", "current.profile.sum[0].surface_speed": "0.2 m/s"}
+    beam = drifted(200, **changes, **{"analysis.solver": "hermite"})
+    assert off(drifted(200, **changes)["x"], beam["x"]) < 0.01

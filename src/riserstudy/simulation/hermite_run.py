@@ -28,7 +28,7 @@ from riserstudy.scene.forcing import Translation
 from riserstudy.scene.models import Scene
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
-from riserstudy.solve.hermite import dynamics, statics
+from riserstudy.solve.hermite import dynamics, in_still_water, statics
 from riserstudy.solve.hermite_beam import Beam, End, HermiteError, Motion, Response, Stepping, Waves
 
 FloatArray = NDArray[np.float64]
@@ -66,9 +66,9 @@ def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
     """
     started = clock.perf_counter()
     beam = beam_of(scene, mesh)
-    straight = scene.analysis.start == "undeflected" and step is not None
+    undeflected = scene.analysis.start == "undeflected" and step is not None
     try:
-        rest = _at_rest(beam) if straight else statics(beam)
+        rest = statics(in_still_water(beam) if undeflected else beam)
         moving = _moving(scene, beam, step) if step else None
     except HermiteError as error:
         raise SimulationError(f"Hermite beam: {error}") from None
@@ -197,10 +197,8 @@ def _wet(scene: Scene, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Be
         beam = dry._replace(current=lambda s: np.interp(np.interp(s, dry.s, elevation), z, along))
     if scene.wave is None or scene.water is None:
         return beam
-    if scene.analysis.start == "undeflected":
-        x = _away(scene) * dry.s / dry.s[-1]
-    else:
-        x = statics(beam).displacement
+    still = scene.analysis.start == "undeflected"
+    x = statics(in_still_water(beam) if still else beam).displacement
     slope = np.gradient(x, dry.s)
     drop = np.append(0.0, np.cumsum(0.25 * (slope[1:] ** 2 + slope[:-1] ** 2) * np.diff(dry.s)))
     sea = wave_of(scene.wave, scene.water, scene.gravity or 0.0, np.ones(1))
@@ -329,11 +327,6 @@ def _motion(away: float, surge: Any) -> Motion:
     return motion
 
 
-def _at_rest(beam: Beam) -> Response:
-    nothing = np.zeros(len(beam.s))
-    return Response(np.empty(0), nothing, nothing, nothing, nothing, 0)
-
-
 def _moving(scene: Scene, beam: Beam, step: float) -> Response:
     """Newmark's method; Newton's iteration finds what the paper's repetition with the last drag does."""
     a = scene.analysis
@@ -346,5 +339,5 @@ def _moving(scene: Scene, beam: Beam, step: float) -> Response:
         np.asarray(a.output.interval * np.arange(count + 1), np.float64),
         step,
         Stepping(method.beta, method.gamma, drag="newton", tolerance=CORRECTION),
-        start="straight" if a.start == "undeflected" else "equilibrium",
+        start="still water" if a.start == "undeflected" else "equilibrium",
     )

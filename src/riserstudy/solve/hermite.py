@@ -77,6 +77,11 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
     return Response(np.empty(0), u[::2], u[1::2], moment[0], shear[0], 1)
 
 
+def in_still_water(beam: Beam) -> Beam:
+    """The beam without current and waves."""
+    return beam._replace(current=None, waves=None)
+
+
 def frequencies(beam: Beam, count: int) -> tuple[Array, Array]:
     """Undamped natural frequencies, drag and current left out.
 
@@ -114,10 +119,10 @@ def dynamics(
     step: float,
     stepping: Stepping = Stepping(),  # noqa: B008  a record that nobody can change
     *,
-    start: Literal["equilibrium", "straight"] = "equilibrium",
+    start: Literal["equilibrium", "still water", "straight"] = "equilibrium",
     recovery: Literal["equilibrium", "curvature"] = "equilibrium",
 ) -> Response:
-    """Motion from rest, in static equilibrium or straight, by Newmark's method.
+    """Motion from rest, in static equilibrium, that of still water, or straight, by Newmark's method.
 
     Parameters
     ----------
@@ -127,8 +132,9 @@ def dynamics(
     step : float
         Largest time step, s; an output interval is divided into equal steps no longer than this.
     stepping : Stepping
-    start : {"equilibrium", "straight"}
-        Shape at time zero; a straight one feels current and waves at once.
+    start : {"equilibrium", "still water", "straight"}
+        Shape at time zero; the latter two feel current and waves at once. A straight beam is upright, so an
+        end that is held elsewhere jumps.
     recovery : {"equilibrium", "curvature"}
         ``equilibrium``: moment and shear from the elements' end forces, which balance load, drag
         and inertia (fourth order) and contain what Rayleigh damping adds. ``curvature``: EI times
@@ -155,8 +161,8 @@ def dynamics(
         raise HermiteError(f"drag {stepping.drag!r} must be one of {', '.join(methods)}")
     mesh = _mesh(beam)
     first = np.zeros(2 * len(beam.s))
-    if start == "equilibrium":
-        rest = statics(beam)
+    if start != "straight":
+        rest = statics(beam if start == "equilibrium" else in_still_water(beam))
         first = np.column_stack([rest.displacement, rest.rotation]).ravel()
     each = int(np.ceil(gaps[0] / step * (1.0 - 1e-12)))
     grid = np.arange(each * (times.size - 1) + 1) * (gaps[0] / each)
