@@ -17,10 +17,10 @@ SPAN = 35.0  # s, from the mean over a wave around 261 s to that around 296 s
 def measures(runs: xr.Dataset) -> xr.Dataset:
     """What the claims are about, of every run of a study.
 
-    Largest deflection, stress and angle over the record, vibration as the largest amplitude at the
-    wave's period, drift of mid-length from 261 to 296 s over its deflection, and places as shares of the
-    length: of the largest deflection from the bottom, of the largest stress and angle of the lower half from
-    the bottom, of the upper half from the top.
+    Largest deflection, stress and angle over the record, vibration as the largest amplitude at the wave's
+    period, drift of mid-length from 261 to 296 s over its deflection from the line between the ends, and places
+    as shares of the length: of the largest deflection from the bottom, of the largest stress and angle of the
+    lower half from the bottom, of the upper half from the top.
     """
     s = runs["s_node"] / runs["s_node"][-1]
     deflection = extreme(runs, "x")
@@ -29,6 +29,7 @@ def measures(runs: xr.Dataset) -> xr.Dataset:
     slope = abs(angles(runs)).max("time")
     period = period_of(runs)
     mid = runs["x"].sel(s=0.5 * float(runs["s"][-1]), method="nearest", drop=True)
+    mid = mid - 0.5 * (runs["x"].isel(s=0, drop=True) + runs["x"].isel(s=-1, drop=True))
     return xr.Dataset(
         {
             "deflection": _largest(runs, "x"),

@@ -85,9 +85,10 @@ def settling_time(motion: xr.Dataset, within: float) -> xr.DataArray:
 
 
 def middle(motion: xr.Dataset) -> xr.DataArray:
-    """Deflection at mid-length over time (m)."""
+    """Deflection at mid-length over time, from where it is at first, the top being held anywhere (m)."""
     x = solved(motion["x"])
-    return x.isel(s=x.sizes["s"] // 2, drop=True)
+    x = x.isel(s=x.sizes["s"] // 2, drop=True)
+    return x - x.isel(time=0, drop=True)
 
 
 def averaged(x: xr.DataArray) -> xr.DataArray:
@@ -255,16 +256,15 @@ def stiff_joints(table: xr.Dataset) -> dict[str, Any]:
     return out
 
 
-def tide_carries(table: xr.Dataset) -> dict[str, Any]:
-    """Largest deflection (m) at 1500 m under the weakest and the strongest tide (m/s), in the same wave."""
-    deflection = table["deflection_by_length"].sel(wave_height=8.0, joints="none").isel(length=-1)
-    tides = deflection["tide"]
-    return {
-        "weak_tide": float(tides[0]),
-        "strong_tide": float(tides[-1]),
-        "weak": float(deflection.isel(tide=0)),
-        "strong": float(deflection.isel(tide=-1)),
-    }
+def wind_changes(table: xr.Dataset) -> dict[str, Any]:
+    """By which share the wind's current changes the largest deflection, at least and at most, by length."""
+    deflection = table["deflection_by_length"]
+    change = deflection.drop_sel(wind="none") / deflection.sel(wind="none", drop=True) - 1.0
+    shares: dict[str, Any] = {}
+    for name, length in (("short", 500.0), ("long", 2000.0)):
+        one = change.sel(length=length)
+        shares |= {f"least_{name}": float(one.min()), f"most_{name}": float(one.max())}
+    return shares
 
 
 def run_time(own: xr.Dataset) -> dict[str, Any]:

@@ -129,6 +129,11 @@ def drift_trends(top_drift: xr.Dataset) -> xr.Dataset:
     return _joined({"offset": measures(top_drift)})
 
 
+def wind_trends(wind_500: xr.Dataset, wind_2000: xr.Dataset) -> xr.Dataset:
+    """Measures over length, the component of the wind's current, and tide."""
+    return _joined({"length": _over_length(wind_500, wind_2000)})
+
+
 def sample_error(open_fine: xr.Dataset, open_ratio: xr.Dataset) -> xr.Dataset:
     """Relative error of each measure on the mesh of the samples, over those also run finely."""
     fine = measures(open_fine)

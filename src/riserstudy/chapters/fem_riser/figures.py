@@ -40,13 +40,22 @@ from riserstudy.chapters.fem_riser.claims import (
     reciprocates,
     settling_time,
 )
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    PRINTED,
+    beside_letter,
+    headline,
+    key_below,
+    panels,
+)
 
 HEIGHT, TIME = "s from the bottom (m)", "time (s)"
 DEFLECTION, STRESS, ANGLE = "deflection x (m)", "bending stress (MPa)", "angle (deg)"
 WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
 BLUE, RED, BLACK = COLOURS[0], COLOURS[1], COLOURS[6]
 PHASE = colormaps["cividis_r"]  # of time, or of the tide
+viridis = colormaps["viridis"]  # of heights along the riser
 GRID_TIME = 80.0  # s, of the runs of the grid test
 #: what the buoyant factor may mean
 READINGS = {
@@ -55,7 +64,7 @@ READINGS = {
     "R3": "the share that is left, the tension ratio being to the weight without blocks",
     "R4": "the share that the blocks carry, the tension ratio being to the weight without blocks",
 }
-APART = "vibration, and drift in 40 s (m)"
+APART = "vibration; drift in 40 s (m)"
 
 
 # the sea
@@ -112,27 +121,24 @@ def fig04(motion: xr.Dataset) -> Figure:
                          color=RED if k == 2 else early)  # fmt: skip
         last = other.sel(time=end, method="nearest")
         axes[k].plot(last, last["s"], **PRINTED, label=f"lumped masses at {end:g} s")
-        axes[k].set_title(f"{start:g} to {end:g} s", loc="right", fontsize="small")
+        beside_letter(axes[k], f"{start:g} to {end:g} s")
         axes[k].set_xlabel(DEFLECTION)
         axes[k].set_ylim(0.0, float(x["s"][-1]))
         axes[k].legend(fontsize="x-small", loc="upper right")
         history = axes[k + 3]
-        for j, s in enumerate(np.arange(200.0, 2000.0, 200.0)):
+        heights = np.arange(200.0, 2000.0, 200.0)
+        for colour, s in zip(viridis(np.linspace(0.0, 0.95, heights.size)), heights, strict=True):
             track = window.sel(s=s, method="nearest")
-            colour = COLOURS[j % len(COLOURS)]
-            history.plot(track["time"], track, color=colour, linewidth=0.8, label=f"{s:g} m",
-                         linestyle="-" if j < len(COLOURS) else "--")  # fmt: skip
+            shown = 100.0 * (track - track.mean("time")) if k == 2 else track
+            history.plot(track["time"], shown, color=colour, linewidth=0.9, label=f"{s:g} m")
         history.set_xlabel(TIME)
-    slow = averaged(middle(motion))
-    final = float(slow.isel(time=-1))
-    axes[5].axhspan((1 - SETTLED) * final, (1 + SETTLED) * final, color="0.85", zorder=0)
+        history.set_ylabel("deflection less its mean (cm)" if k == 2 else DEFLECTION)
     axes[0].set_ylabel(HEIGHT)
-    axes[3].set_ylabel(DEFLECTION)
     key_below(figure, axes[3], 9)
     settled = float(settling_time(motion, SETTLED))
     headline(
         figure,
-        f"The riser reaches steady state after {settled:.0f} s (tide calibrated)",
+        f"The riser is steady within {100 * SETTLED:g} % after {settled:.0f} s (tide calibrated)",
     )
     return figure
 
@@ -167,7 +173,7 @@ def tides(tides: xr.Dataset) -> Figure:
     axes[0].axvline(PHASES["second"][1], **PRINTED)
     axes[0].axhspan(1.0 - SETTLED, 1.0 + SETTLED, color="0.85", zorder=0)
     axes[0].set_xlabel(TIME)
-    axes[0].set_ylabel("mid-length over its last mean (-)")
+    axes[0].set_ylabel("mid-length / its last mean")
     axes[0].legend(
         title="tide at the surface", fontsize="x-small", title_fontsize="x-small", ncols=2
     )
@@ -230,16 +236,17 @@ def _ratios(first: xr.Dataset, last: xr.Dataset) -> dict[str, float]:
 
 
 def _still_drifting(cases: Mapping[str, xr.Dataset]) -> str:
-    """Which cases are not at rest in the window, and by how much they drift in it; "" where all are."""
-    said = []
+    """The case that drifts most in the window, with its drift; "" where all are at rest."""
+    shares = {}
     for name, runs in cases.items():
         x = runs["x"].sel(solver=BEAM).dropna("s", how="all")
         period = period_of(runs)
         way = float(abs(drift_rate(x, period)).max()) * float(x["time"][-1] - x["time"][0])
-        share = way / float(abs(without_drift(x, period)).max())
-        if share > SETTLED:
-            said.append(f"{name} still drifts by {100.0 * share:.1f} %")
-    return f"; {', '.join(said)}" if said else ""
+        shares[name] = way / float(abs(without_drift(x, period)).max())
+    worst = max(shares, key=lambda name: shares[name])
+    return (
+        f"; {worst} still drifts by {100 * shares[worst]:.1f} %" if shares[worst] > SETTLED else ""
+    )
 
 
 def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
@@ -320,7 +327,7 @@ def readings(reading_trends: xr.Dataset) -> Figure:
                 color=colour,
                 label=f"{reading}: {READINGS[reading]}",
             )
-        ax.set_xlabel("buoyant factor (-)")
+        ax.set_xlabel("buoyant factor")
         ax.set_ylabel(label)
         ax.set_ylim(bottom=0.0)
     key_below(figure, axes[0], 1)
@@ -357,13 +364,13 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Fi
             for wave in here["wave_height"].values:
                 true = here.sel(tide=tide, wave_height=wave)
                 every = bool(true.all())
-                missed = [str(c)[1:] for c in TOGETHER if not bool(true.sel(claim=c))]
+                missed = [str(c) for c in TOGETHER if not bool(true.sel(claim=c))]
                 ax.plot(tide, wave, "o" if every else "s", ms=17, mfc=COLOURS[2] if every else "0.9",
                         mec="none")  # fmt: skip
-                ax.annotate("all" if every else " ".join(missed), (tide, wave), ha="center",
-                            va="center", fontsize=6, color="white" if every else "black")  # fmt: skip
+                ax.annotate("all" if every else "\n".join(missed), (tide, wave), ha="center",
+                            va="center", fontsize="x-small", color="white" if every else "black")  # fmt: skip
         ax.margins(0.15)
-        ax.set_title(f"joints: {joints}", loc="right", fontsize="small")
+        beside_letter(ax, f"joints: {joints}")
         ax.set_xlabel("surface speed of the tide (m/s)")
         ax.set_ylabel("wave height (m)")
     shares = _shares(axes[3], claims(open_trends, change))
@@ -384,7 +391,7 @@ def _shares(ax: Axes, held: xr.DataArray) -> dict[str, float]:
     ax.set_yticks(range(len(shares)), list(shares))
     ax.invert_yaxis()
     ax.set_xlim(0, 112)
-    ax.set_xlabel(f"share of {held.sizes['sample']} samples of the unspecified inputs (%)")
+    ax.set_xlabel(f"share of {held.sizes['sample']} samples (%)")
     return shares
 
 
@@ -445,7 +452,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     right.set_xscale("log")
     right.xaxis.set_major_formatter("{x:g}")
     right.set_xlabel(f"time for {GRID_TIME:g} s, with its error estimate (s)")
-    right.set_title("by element; star: scaled from 300 s", loc="right", fontsize="small")
+    beside_letter(right, "by element; star: scaled from 300 s")
     key_below(figure, left, 5)
     at = float(error.sel(element="5 m").sel(time_step=0.1))
     headline(
