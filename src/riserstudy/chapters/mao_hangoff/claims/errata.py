@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riserstudy.chapters.mao_hangoff.claims.heave import largest_rise, lmrp_motion
+from riserstudy.chapters.mao_hangoff.claims.heave import lmrp_motion
+from riserstudy.chapters.mao_hangoff.hanging import largest_rise
 from riserstudy.chapters.mao_hangoff.runs import (
     PRINTED,
     STATED,
@@ -166,7 +167,7 @@ def lengths(runs: xr.Dataset) -> dict[str, Any]:
 
 def axial_lengths(heave: xr.Dataset) -> dict[str, Any]:
     """Amplitude and largest rise of the LMRP (m) of the shortest and the longest riser."""
-    a, rise = lmrp_motion(heave)["amplitude"], largest_rise(heave["z"].isel(s=0, drop=True))
+    a, rise = lmrp_motion(heave)["amplitude"], largest_rise(heave)
     return {
         f"{name}_{word}": float(values.isel(riser_length=end))
         for name, values in (("a", a), ("rise", rise))

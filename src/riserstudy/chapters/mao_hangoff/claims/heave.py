@@ -1,7 +1,8 @@
 """Mao, Zeng, Liu: what claims on axial motion, Figs 9d to 14c, are checked against.
 
-a is the amplitude of axial motion at the period of the heave; the rise is how far a curve gets above rest,
-its level with its amplitude, which is what the text calls amplitude where curves are "stretched".
+a is the amplitude of axial motion at the period of the heave; the rise is how far a curve gets above the
+riser that hangs in still water, its level with its amplitude, which is what the text calls amplitude where
+curves are "stretched".
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from riserstudy.chapters.mao_hangoff.hanging import largest_rise
 from riserstudy.chapters.mao_hangoff.runs import (
     at_angle,
     last_over_first,
@@ -62,13 +64,13 @@ def amplitude_hardly_changes(heave: xr.Dataset, axis: str, small: Word) -> Found
 
 def rise_follows(heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """The LMRP's largest rise grows or falls along an axis; value: last over first."""
-    rise = largest_rise(heave["z"].isel(s=0, drop=True))
+    rise = largest_rise(heave)
     return judged(last_over_first(rise, axis), growing(rise, axis, change, sign))
 
 
 def rise_hardly_changes(heave: xr.Dataset, axis: str, small: Word) -> Found:
     """The LMRP's largest rise changes little along an axis; value: last over first."""
-    return _hardly_changes(largest_rise(heave["z"].isel(s=0, drop=True)), axis, small)
+    return _hardly_changes(largest_rise(heave), axis, small)
 
 
 def _hardly_changes(values: xr.DataArray, axis: str, small: Word) -> Found:
@@ -87,23 +89,18 @@ def lows_deeper_at_first(heave: xr.Dataset, depths: list[float], lower: Word) ->
 
 def amplitude_largest_at_0_degrees(heave: xr.Dataset, considerably: Word) -> Found:
     """The LMRP's amplitude a at 0 deg is considerably above that at 45 and 90 deg; value: 90 over 0 deg."""
-    return _largest_at_0_degrees(lmrp_motion(heave)["amplitude"], considerably)
+    return largest_at_0_degrees(lmrp_motion(heave)["amplitude"], considerably)
 
 
 def rise_largest_at_0_degrees(heave: xr.Dataset, considerably: Word) -> Found:
     """The LMRP's largest rise at 0 deg is considerably above those at 45 and 90 deg; value: 90 over 0 deg."""
-    return _largest_at_0_degrees(largest_rise(heave["z"].isel(s=0, drop=True)), considerably)
+    return largest_at_0_degrees(largest_rise(heave), considerably)
 
 
-def _largest_at_0_degrees(values: xr.DataArray, considerably: Word) -> Found:
+def largest_at_0_degrees(values: xr.DataArray, considerably: Word) -> Found:
+    """Values at 0 deg are considerably above those at 45 and 90 deg; value: 90 over 0 deg."""
     at0, at45, at90 = (at_angle(values, angle) for angle in (0, 45, 90))
     return judged(at90 / at0, all_of(more(at0, at45, considerably), more(at0, at90, considerably)))
-
-
-def largest_rise(z: xr.DataArray) -> xr.DataArray:
-    """How far elevations (m) get above rest, where records start."""
-    rise: xr.DataArray = z.max("time") - z.isel(time=0, drop=True)
-    return rise
 
 
 def _z_at(heave: xr.Dataset, depths: list[float]) -> xr.DataArray:

@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from riserstudy.chapters.mao_hangoff.claims.heave import largest_rise, lmrp_motion
+from riserstudy.chapters.mao_hangoff.claims.heave import lmrp_motion
+from riserstudy.chapters.mao_hangoff.hanging import largest_rise
 from riserstudy.chapters.mao_hangoff.runs import (
     PRINTED,
     STATED,
@@ -34,16 +35,6 @@ PLACES = 200  # evenly along the riser, for means
 
 
 # printed numbers
-
-
-def lmrp_distance(runs: xr.Dataset, lmrp_mass: float) -> Found:
-    """Distance x (m) with an LMRP of a mass (t)."""
-    return Found(distance(runs).sel(lmrp_mass=lmrp_mass, drop=True))
-
-
-def largest_moment(runs: xr.Dataset, lmrp_mass: float) -> Found:
-    """M (kN m) with an LMRP of a mass (t)."""
-    return Found(largest(runs).sel(lmrp_mass=lmrp_mass, drop=True) / 1e3)
 
 
 def all_numbers(
@@ -187,7 +178,7 @@ def all_rise_with(
     runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, change: Word
 ) -> Found:
     """The same with the LMRP's largest rise in place of a."""
-    return _all_follow(runs, largest_rise(heave["z"].isel(s=0, drop=True)), axis, sign, change)
+    return _all_follow(runs, largest_rise(heave), axis, sign, change)
 
 
 def _all_follow(

@@ -77,21 +77,29 @@ def _at_the_keel(steady: xr.Dataset, keel: float) -> xr.DataArray:
     return xr.concat(angles, steady["riser_length"])
 
 
-def tension_limits(hang_off: xr.Dataset) -> xr.Dataset:
+def tension_limits(hang_off: xr.Dataset, hang_off_lost: xr.Dataset) -> xr.Dataset:
     """Range of tension at the top, and the heave amplitude at which tension is first lost (m).
 
-    Not a number where it is not lost in the amplitudes of the grid.
+    Not a number where it is not lost in the amplitudes of the grid. Of a riser that is locked to the
+    platform it is found on the closer grid.
     """
     high, low = hang_off["effective_tension_max"], hang_off["effective_tension_min"]
-    lowest = low.min("s_node")
-    rest = hang_off["effective_tension_static"].min("s_node").isel(heave_amplitude=0, drop=True)
-    from_rest = xr.concat([rest.expand_dims(heave_amplitude=[0.0]), lowest], "heave_amplitude")
-    lost = first_crossing(-from_rest, 0.0, along="heave_amplitude")
+    soft = _loses_tension(hang_off.sel(mode="soft", drop=True))
+    lost = xr.concat([soft, _loses_tension(hang_off_lost)], xr.Variable("mode", ["soft", "hard"]))
     made = xr.Dataset(
         {
             "tension_range": at_top(high, "s_node") - at_top(low, "s_node"),
-            "smallest_tension": lowest,
-            "heave_that_loses_tension": lost.where(np.isfinite(lost)),
+            "smallest_tension": low.min("s_node"),
+            "heave_that_loses_tension": lost.sel(mode=hang_off["mode"].values),
         }
     )
     return described(made, PAPER, "tension in heave, soft and hard hang-off")
+
+
+def _loses_tension(hung: xr.Dataset) -> xr.DataArray:
+    """Heave amplitude (m) at which the smallest tension is zero; not a number where it is not in the grid."""
+    lowest = hung["effective_tension_min"].min("s_node")
+    rest = hung["effective_tension_static"].min("s_node").isel(heave_amplitude=0, drop=True)
+    from_rest = xr.concat([rest.expand_dims(heave_amplitude=[0.0]), lowest], "heave_amplitude")
+    lost = first_crossing(-from_rest, 0.0, along="heave_amplitude")
+    return lost.where(np.isfinite(lost))

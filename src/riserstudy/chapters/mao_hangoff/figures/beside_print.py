@@ -11,7 +11,15 @@ from matplotlib.lines import Line2D
 
 from riserstudy.chapters.mao_hangoff.runs import PRINTED as NUMBERS
 from riserstudy.chapters.mao_hangoff.runs import distance, largest, misses_of_print
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    PRINTED,
+    beside_letter,
+    headline,
+    key_below,
+    panels,
+)
 
 MARKS = ("o", "s", "^", "D", "v", "P")
 NEAREST = "nearest to all three numbers"
@@ -67,7 +75,8 @@ def _how_near(
     every = int((worst <= within).sum())
     if every:
         return f"{every} of {worst.size} {what} meet all three published values"
-    return f"No {what[:-1]} meets all three values; the nearest misses by {100 * float(worst.min()):.0f} %"
+    off = 100 * float(worst.min())
+    return f"At 130 s no {what[:-1]} meets all three values; the nearest misses {off:.0f} %"
 
 
 def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str]) -> None:
@@ -126,7 +135,7 @@ def _around_print(
         ax.set_ylim(bottom, top)
         outside = _beyond(found, name, right, bottom, top)
         beyond = int(outside.sum())
-        ax.set_title(f"{beyond} of {outside.size} outside the frame", loc="right", fontsize="small")
+        beside_letter(ax, f"{beyond} of {outside.size} outside the frame")
 
 
 def _frames(
@@ -154,7 +163,7 @@ def _beside_print(heavy: float, light: float, moment: float) -> tuple[Figure, li
     figure, axes = panels(1, 2, 4.6, sharex=True)
     axes[0].axhline(moment, label="printed", **PRINTED)
     axes[1].axhline(light / heavy, **PRINTED)
-    labels = ("largest moment at 130 s (kN m)", "distance, 120 t / 140 t (-)")
+    labels = ("largest moment at 130 s (kN m)", "distance, 120 t / 140 t")
     for ax, label in zip(axes, labels, strict=True):
         ax.axvline(heavy, **PRINTED)
         ax.set_xlabel("distance of the LMRP astern at 130 s, 140 t (m)")

@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import GREY, headline, panels
+from riserstudy.figures.style import GREY, beside_letter, headline, panels
 
 PERIODS = (6.0, 8.0)  # s, of heave
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
@@ -32,7 +32,7 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         _speeds(ax, at, governing)
         knots = float((at["speed_through_water"] - at["speed_limit"]).mean())
         said = f"current against: {current:g} m/s ({knots:.1f} kn)"
-        ax.set_title(said, loc="right", fontsize="small")
+        beside_letter(ax, said)
         ax.set_xticks(at["riser_length"].values)
         ax.set_xlabel("riser length (m)")
     axes[0].set_ylim(bottom=0.0)
@@ -81,18 +81,17 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         slack = at["smallest_tension"].transpose("heave_amplitude", "heave_period") < 0.0
         _cells(ax, spread.sel(mode=mode), norm, slack)
         riser = f"{float(of_paper['riser_length']):g} m, {float(of_paper['lmrp_mass']):g} t"
-        ax.set_title(f"{HUNG[mode]} ({mode}), {riser}", fontsize="small", loc="right")
+        beside_letter(ax, f"{HUNG[mode]} ({mode}), {riser}")
         ax.set_xlabel("heave period (s)")
         ax.set_ylabel("heave amplitude (m)")
     _bar(figure, axes[:2], norm, "range of top tension (MN)")
     lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
-    amplitudes = tension_limits["heave_amplitude"].values
-    most = float(amplitudes.max())
+    most = float(tension_limits["heave_amplitude"].max())
     for ax, wanted in zip(axes[2:], PERIODS, strict=True):
         hard = lost.sel(mode="hard").sel(heave_period=wanted, method="nearest")
         _cells(ax, hard, Normalize(0.0, most))
         period = float(hard["heave_period"])
-        ax.set_title(f"hard, {period:g} s, each riser", fontsize="small", loc="right")
+        beside_letter(ax, f"hard, {period:g} s, each riser")
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
     _bar(figure, axes[2:], Normalize(0.0, most), "heave that loses tension (m)")
@@ -100,8 +99,8 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         "orange: tension is lost, on the scale of the blue; dash: not in the grid's amplitudes",
         fontsize="small",
     )
-    loses = (f"{word} {_loses(lost.sel(mode=mode), amplitudes)}" for mode, word in HUNG.items())
-    headline(figure, f"Tension is lost: {', '.join(loses)}")
+    loses = (f"{word} {_loses(lost.sel(mode=mode), most)}" for mode, word in HUNG.items())
+    headline(figure, f"Tension is lost {', '.join(loses)}")
     return figure
 
 
@@ -112,16 +111,11 @@ def _bar(figure: Figure, of: list[Axes], norm: Normalize, label: str) -> None:
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _loses(lost: xr.DataArray, amplitudes: NDArray[np.float64]) -> str:
-    """Between which heaves of the grid the first riser loses tension, and which riser that is."""
+def _loses(lost: xr.DataArray, most: float) -> str:
+    """From which heave on the first riser loses tension."""
     if bool(lost.isnull().all()):
-        return f"nowhere up to {amplitudes.max():g} m of heave"
-    at = lost.where(lost == lost.min()).stack(point=lost.dims).dropna("point")[0]
-    length, mass, period = (float(at[n]) for n in ("riser_length", "lmrp_mass", "heave_period"))
-    grid = np.append(0.0, np.sort(amplitudes))
-    above = int(np.searchsorted(grid, float(at)))
-    between = f"between {grid[above - 1]:g} and {grid[above]:g} m of heave"
-    return f"first {between} ({length:g} m with {mass:g} t at {period:g} s)"
+        return f"nowhere up to {most:g} m"
+    return f"from {float(lost.min()):.2g} m of heave"
 
 
 def _cells(

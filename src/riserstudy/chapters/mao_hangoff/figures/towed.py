@@ -9,13 +9,22 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from riserstudy.chapters.mao_hangoff.runs import STATED, as_drawn
 from riserstudy.chapters.mao_hangoff.towed import displacement
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    PRINTED,
+    beside_letter,
+    headline,
+    key_below,
+    panels,
+)
 
 ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
 MOMENT = "bending moment at 130 s (kN m)"
@@ -27,6 +36,7 @@ DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 SIGNED = "bending moment at 130 s, signed (kN m)"
 CLOSE_UP = 20.0  # s, at the end of records
+viridis = colormaps["viridis"]
 
 
 # printed figures
@@ -63,7 +73,8 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
             shape = pe_pipe["x"].sel(current_speed=speed, filling=filling)
             label = f"{speed:g} m/s" if filling == "flooded" else None
             ax.plot(1e3 * shape, 1e3 * below, line, color=colour, label=label)
-    ax.plot([], [], ":", color=GREY, label="closed, dotted")
+    ax.plot([], [], "-", color=GREY, label="flooded")
+    ax.plot([], [], ":", color=GREY, label="closed")
     ax.set_xlabel("deflection (mm)")
     ax.set_ylabel("distance from the clamp (mm)")
     ax.invert_yaxis()
@@ -84,7 +95,7 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
         axes[1].plot(share.sel(current_profile=shape), depth, line, color=colour, label=str(shape))
     for ax, title in zip(axes, (str(shapes[0]), "1 m/s at the surface"), strict=True):
         ax.set_xlabel("current speed (m/s)")
-        ax.set_title(title, loc="right", fontsize="small")
+        beside_letter(ax, title)
     axes[0].set_ylabel("depth below the surface (m)")
     axes[0].invert_yaxis()
     axes[0].legend(fontsize="small")
@@ -108,8 +119,8 @@ def fig09(
     at_joint = float(ours.isel(s=-1))
     axes[1].plot(ours, depth, color=COLOURS[0])
     style: dict[str, Any] = {"color": COLOURS[0], "ms": 4, "clip_on": False}
-    axes[1].plot(at_joint, 0.0, "o", label=f"at the joint: {at_joint:.1f} kN m", **style)
-    axes[1].axvline(moment, label=f"printed largest: {moment:g} kN m", **PRINTED)
+    axes[1].plot(at_joint, 0.0, "o", label=f"joint: {at_joint:.1f}", **style)
+    axes[1].axvline(moment, label=f"printed: {moment:g}", **PRINTED)
     own = variants.sel(variant="mesh and step of the paper")
     shape = -displacement(own).sel(time=STATED).dropna("s")
     theirs = own["bending_moment"].sel(time=STATED).dropna("s") / 1e3
@@ -120,10 +131,10 @@ def fig09(
             float(curve["s"][-1]) - curve["s"],
             ":",
             color=COLOURS[1],
-            label="mesh and step of the paper",
+            label="mesh and step of the paper" if ax is axes[0] else None,
         )
-    axes[0].set_title("130 s", loc="right", fontsize="small")
-    for colour, time in zip(COLOURS, TIMES, strict=False):
+    beside_letter(axes[0], "130 s")
+    for colour, time in zip(viridis(np.linspace(0.0, 0.85, len(TIMES))), TIMES, strict=True):
         shape = -base["displacement_along"].sel(time=time)
         axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
     z = base_runs["z"]
@@ -136,6 +147,7 @@ def fig09(
     axes[3].set_ylabel("axial motion (m)")
     for ax in axes:
         ax.legend(fontsize="small")
+    axes[1].legend(fontsize="small", loc=(0.02, 0.35))  # clear of the curves
     away = float(-base["displacement_along"].sel(time=STATED).isel(s=0))
     headline(
         figure,
@@ -159,10 +171,13 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     for value, colour in ((heavy, COLOURS[0]), (light, COLOURS[2])):
         figure.axes[0].axvline(value, **(PRINTED | {"color": colour}))
     figure.axes[0].set_xlim(right=1.05 * light)
-    figure.axes[0].set_title("dashed: printed", loc="right", fontsize="small")
+    beside_letter(figure.axes[0], "dashed: printed")
     figure.axes[1].axvline(moment, **(PRINTED | {"color": COLOURS[0]}))
-    most = max(_changes(lmrp_mass, "lmrp_mass", 140.0, 120.0).values(), key=abs)
-    headline(figure, f"A lighter LMRP changes all results by at most {abs(most):.0f} %")
+    change = _changes(lmrp_mass, "lmrp_mass", 140.0, 120.0)["displacement"]
+    headline(
+        figure,
+        f"A lighter LMRP trails {change:.0f} % farther; published: {100.0 * (light / heavy - 1.0):.0f} %",
+    )
     return figure
 
 
@@ -229,9 +244,14 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     places = [float(-shapes.sel(track=track).isel(s=0)) for track in ONE_PROFILE]
     headline(
         figure,
-        f"The LMRP is {places[0]:+.0f} m astern along the current, {places[-1]:+.0f} m across it",
+        f"The LMRP {_trails(places[0])} along the current, {_trails(places[-1])} across it",
     )
     return figure
+
+
+def _trails(astern: float) -> str:
+    """Where the LMRP is along the track (m), in words."""
+    return f"{'trails' if astern > 0.0 else 'leads'} by {abs(astern):.0f} m"
 
 
 def fig14(riser_length: xr.Dataset) -> Figure:
@@ -240,7 +260,8 @@ def fig14(riser_length: xr.Dataset) -> Figure:
     change = _changes(riser_length, "riser_length", 1200.0, 1800.0)
     least = min(change, key=lambda name: change[name])
     headline(
-        figure, f"A longer riser changes the {least} by {change[least]:+.0f} %; published: growth"
+        figure,
+        f"A longer riser changes the {least} by {change[least]:+.0f} %; published: an increase",
     )
     return figure
 
@@ -292,8 +313,8 @@ def _close_up(ax: Axes) -> None:
     curves = [(np.asarray(line.get_xdata()), np.asarray(line.get_ydata())) for line in ax.lines]
     end = max(float(t[-1]) for t, _ in curves)
     lowest, highest = ax.get_ylim()
-    ax.set_ylim(lowest, highest + 0.75 * (highest - lowest))
-    inset = ax.inset_axes((0.08, 0.62, 0.88, 0.34))
+    ax.set_ylim(lowest, highest + 0.85 * (highest - lowest))
+    inset = ax.inset_axes((0.17, 0.62, 0.8, 0.28))
     for line, (t, z) in zip(ax.lines, curves, strict=True):
         late = t >= end - CLOSE_UP
         inset.plot(t[late], z[late], color=line.get_color(), lw=1.0)
@@ -320,7 +341,7 @@ def trends(
     riser_length: xr.Dataset,
     track_angle: xr.Dataset,
 ) -> Figure:
-    """Change of displacement, moment and joint angle at 130 s from one end of each axis to the other."""
+    """Change of displacement, moment and joint angle at 130 s over the change of each input, both in %."""
     figure, axes = panels(1, 4, 3.4)
     spans = {
         "lmrp_mass": (lmrp_mass, "LMRP {:.0f} to {:.0f} t"),
@@ -332,18 +353,19 @@ def trends(
     for colour, (axis, (full, label)) in zip(COLOURS, spans.items(), strict=False):
         curves = _at_the_stated_time(as_drawn(full))
         values = curves[0][axis].values
-        along = (values - values[0]) / (values[-1] - values[0])
+        along = 100.0 * (values / values[0] - 1.0)
         changes = [100.0 * (curve / curve.isel({axis: 0}) - 1.0) for curve in curves]
         name = label.format(values[0], values[-1])
         for ax, change in zip(axes, changes, strict=False):
             ax.plot(along, change, color=colour, label=name)
-        ends[name] = np.array([float(change[-1]) for change in changes])
+        words = axis.replace("_", " ").replace("lmrp", "LMRP")
+        ends[words] = np.array([float(change[-1]) / along[-1] for change in changes])
     titles = ("LMRP astern", "largest moment", "joint angle")
     for ax, title in zip(axes, titles, strict=False):
-        ax.set_title(title, loc="right", fontsize="small")
-        ax.set_xlabel("along the range of the key (-)")
+        beside_letter(ax, title)
+        ax.set_xlabel("change of input (%)")
         ax.axhline(0.0, color=GREY, linewidth=0.8)
-    axes[0].set_ylabel("change from the lower end (%)")
+    axes[0].set_ylabel("change of result (%)")
     at = as_drawn(track_angle).sel(time=STATED)
     angle = track_angle["track_angle"]
     for values, style, label in (
@@ -358,7 +380,7 @@ def trends(
     least = min(ends, key=lambda name: float(abs(ends[name]).max()))
     headline(
         figure,
-        f"Results change most with the {most.split()[0]}, least with the {least.split()[0]}",
+        f"Per cent for per cent the {most} matters most, the {least} least",
     )
     key_below(figure, axes[0], 4)
     return figure
