@@ -31,6 +31,7 @@ GRIDS = {
 INCH, DEGREES = 0.0254, 180.0 / np.pi  # m, a radian
 LENGTH = 533.0  # m of riser
 STEEPEST, GRAVITY = 0.142, 9.81  # height over length of a wave that breaks (Michell); m/s2
+RELAXATION = 0.81318 / np.pi  # s, by Eq. 16 with a ratio of 1: at_period over pi
 WET = 220.0 / 15.24  # kg/m in water, of a joint of Table 1
 
 # Table 2 and the constant tension
@@ -322,7 +323,8 @@ def forces(
 def varied(variants: xr.Dataset) -> dict[str, Any]:
     """Moment of variants over that of the scene (-, at 5 and 10 s), and with another length (kN m).
 
-    With the damping that is printed, the largest change and its period (s).
+    With the damping that is printed, the largest change and its period (s), and that of the curvature: the
+    moment is E I (k + tau dk/dt), in periodic motion sqrt(1 + (w tau)^2) of the elastic one.
     """
     moment = variants["largest_bending_moment"]
     base = moment.sel(variant="as it is")
@@ -331,6 +333,8 @@ def varied(variants: xr.Dataset) -> dict[str, Any]:
     printed = moment.sel(variant="damping by Eq. 16 with a ratio of 1") / base - 1.0
     worst = float(abs(printed).idxmax("roll_period"))
     pistons = moment.sel(variant="pistons on the ring") / base - 1.0
+    relaxing = 2.0 * np.pi / worst * RELAXATION
+    elastic = (1.0 + float(printed.sel(roll_period=worst))) / np.hypot(1.0, relaxing) - 1.0
     return {
         "heavy": float(heavy.sel(roll_period=5.0)),
         "heavy_slow": float(heavy.sel(roll_period=10.0)),
@@ -338,6 +342,7 @@ def varied(variants: xr.Dataset) -> dict[str, Any]:
         "turning_slow": float(turning.sel(roll_period=10.0)),
         "printed": float(printed.sel(roll_period=worst)),
         "printed_at": worst,
+        "elastic": elastic,
         "base": float(base.sel(roll_period=10.0)) / 1e3,
         "pistons": float(pistons.sel(roll_period=5.0)),
         "pistons_slow": float(pistons.sel(roll_period=10.0)),
