@@ -15,7 +15,7 @@ from riserstudy.study.figures import NEEDS, FigureModel
 from riserstudy.study.models import StudyModel
 from riserstudy.study.read import default_figures
 
-UNIT = re.compile(r"\((m|s|kN|kN m|deg|ft|-)\)")
+UNIT = re.compile(r"\((m|s|kN|kN m|deg|ft)\)|utilisation")
 TIME, S = np.linspace(0.0, 10.0, 41), np.linspace(0.0, 100.0, 11)
 AXES = {
     "heave_amplitude": ([1.0, 2.0, 4.0], {"units": "m", "long_name": "heave amplitude"}),

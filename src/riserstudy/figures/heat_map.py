@@ -26,6 +26,7 @@ from riserstudy.figures.grid import (
     read,
 )
 from riserstudy.figures.range_graph import RED
+from riserstudy.figures.style import beside_letter
 from riserstudy.study.plots import EXTREMES
 
 PANELS = 4
@@ -54,7 +55,7 @@ def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     for ax, (called, values) in zip(axes, shown, strict=True):
         end = str(values.name)
         _draw(figure, ax, values.transpose(up, across), ranges[end], _allowables(dataset, end))
-        ax.set_title(called, loc="right", fontsize="small")
+        beside_letter(ax, called)
     return figure
 
 

@@ -9,12 +9,14 @@ from typing import Any
 import xarray as xr
 from matplotlib import rc_context
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 #: colours that stay apart for colour-blind readers and in grey
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 GREY = "#888888"
 WIDTH = 6.4  # inches
+WIDE = 1.25  # of it, with several columns: at 180 mm, the width of a journal's page, no text is below 6 pt
 LETTERS_AN_INCH = 13  # of a headline
 SIGNED: dict[str, Any] = {"cmap": "PuOr_r"}
 PRINTED: dict[str, Any] = {"color": "black", "linestyle": (0, (6, 3)), "linewidth": 1.0}
@@ -29,7 +31,7 @@ def panels(
     sharey: bool = False,
 ) -> tuple[Figure, list[Axes]]:
     """Empty figure with a grid of panels, lettered when there are several."""
-    width = WIDTH if columns == 1 else 1.6 * WIDTH
+    width = WIDTH if columns == 1 else WIDE * WIDTH
     figure = Figure((width, height * rows), dpi=150, layout="constrained")
     grid = figure.subplots(rows, columns, sharex=sharex, sharey=sharey, squeeze=False)
     axes = list(grid.flat)
@@ -37,7 +39,7 @@ def panels(
         ax.grid(True, color="0.9", linewidth=0.6)
         ax.set_axisbelow(True)
         if len(axes) > 1:
-            ax.set_title(f"({letter})", loc="left", fontsize="medium")
+            ax.set_title(f"({letter})", loc="left", fontsize="small")
     return figure, axes
 
 
@@ -53,9 +55,20 @@ def as_written() -> AbstractContextManager[None]:
 
 
 def key_below(figure: Figure, ax: Axes, columns: int) -> None:
-    """One legend for the whole figure, below its panels."""
-    handles, labels = ax.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=columns, fontsize="small")
+    """One legend for the whole figure, below its panels; as ``legend_below``."""
+    legend_below(figure, *ax.get_legend_handles_labels(), columns)
+
+
+def legend_below(figure: Figure, handles: list[Any], labels: list[Any], columns: int) -> None:
+    """A legend below the panels, in as many columns as fit up to a number."""
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    for count in range(columns, 0, -1):
+        key = figure.legend(
+            handles, labels, loc="outside lower center", ncols=count, fontsize="small"
+        )
+        if count == 1 or key.get_window_extent(renderer).width <= figure.bbox.width:
+            return
+        key.remove()
 
 
 def headline(figure: Figure, text: str) -> None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.figures.grid import along, axes_of, key, label, laid_out, places_of, points, read
-from riserstudy.figures.style import COLOURS, GREY, headline
+from riserstudy.figures.style import COLOURS, GREY, beside_letter, headline
 
 FloatArray = NDArray[np.float64]
 SLICES = 4  # points of a third axis that are shown, evenly chosen
@@ -55,7 +55,7 @@ def _lines(uses: xr.Dataset) -> Figure:
         )
     ax.axhline(1.0, color="black", linewidth=0.8)
     ax.set_xlabel(label(uses[axis]))
-    ax.set_ylabel("share of a limit that is used,\n2 if it is more (-)")
+    ax.set_ylabel("utilisation of a limit,\n2 if it is more")
     key(figure, ax)
     return figure
 
@@ -86,7 +86,7 @@ def _use(figure: Figure, ax: Axes, use: xr.DataArray, called: str) -> None:
     colours = ax.pcolormesh(
         x, y, largest.clip(max=MOST), shading="nearest", cmap="RdYlGn_r", vmin=0.0, vmax=MOST
     )
-    bar = figure.colorbar(colours, ax=ax, label="largest use of a limit (-)", extend="max")
+    bar = figure.colorbar(colours, ax=ax, label="largest utilisation of a limit", extend="max")
     bar.ax.axhline(1.0, color="black", linewidth=1.2)
     if largest.size <= FEW:
         for j, i in np.ndindex(largest.shape):
@@ -119,7 +119,7 @@ def _frame(ax: Axes, use: xr.DataArray, what: str, called: str) -> tuple[FloatAr
     x, y = places_of(across, ax.set_xticks), places_of(up, ax.set_yticks)
     ax.set_xlabel(label(across))
     ax.set_ylabel(label(up))
-    ax.set_title(f"{what}{', ' if called else ''}{called}", loc="right", fontsize="small")
+    beside_letter(ax, f"{what}{', ' if called else ''}{called}")
     ax.grid(False)
     return x, y
 

@@ -13,7 +13,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.interpolate import CubicSpline
 
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    PRINTED,
+    beside_letter,
+    headline,
+    key_below,
+    panels,
+)
 
 MODELS = {"gas law": "-", "linear": "--"}
 FITTED = (-8.0, 8.0)  # m, of the line in Fig 9
@@ -24,6 +32,7 @@ READINGS = {
 }
 FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
 NAMED = (3.0, 10.0)  # of them, those that the text names
+SHOWN = 60.0  # s, of runs from rest: three periods of the platform
 LEAST = "least squares over -8 to 8 m"
 STARTS = {"unstretched": "unstretched at rest", "equilibrium": "in equilibrium"}
 PISTON = "piston displacement X = x − a (m)"
@@ -142,7 +151,7 @@ def fig08(
                 ax.plot(run["time"], run[quantity], color=colour, linewidth=width, label=name)
             swing = {name: float(np.ptp(run[quantity].values)) for name, (run, *_) in runs.items()}
             bare = swing.pop("without tensioner")
-            ax.set_title(meant, loc="right", fontsize="small")
+            beside_letter(ax, meant)
             ax.set_ylabel(label)
             reductions = [
                 f"{name[16:]} {100.0 * (1.0 - part / bare):.0f} %" for name, part in swing.items()
@@ -183,51 +192,50 @@ def fig08(
 
 
 def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) -> Figure:
-    """Heave and tension at 3 and 10 m, gas law and lines; from rest, and settled."""
+    """Heave and tension at 3 and 10 m, gas law and lines; (a) to (d) from rest as printed, then settled."""
     figure, axes = panels(4, 2, 2.2)
     started, settled = _histories(from_rest), _histories(steady)
     straight = _histories(lines_settled)
     start = float(steady["time"][0])
-    rows = [(a, q) for a in (3.0, 10.0) for q in ("heave", "tension")]
-    for (amplitude, quantity), left, right in zip(rows, axes[::2], axes[1::2], strict=True):
+    cases = [(a, q) for a in NAMED for q in ("heave", "tension")]
+    for (amplitude, quantity), early, late in zip(cases, axes[:4], axes[4:], strict=True):
         for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
             run = started.sel(tensioner_model=model, heave_amplitude=amplitude)
             label = {"gas law": "gas law", "linear": LEAST}[model]
-            left.plot(run["time"], run[quantity], line, color=colour, lw=1.1, label=label)
+            early.plot(run["time"], run[quantity], line, color=colour, lw=1.1, label=label)
         law = settled.sel(tensioner_model="gas law", heave_amplitude=amplitude)
-        right.plot(law["time"] - start, law[quantity], color=COLOURS[0], lw=2.2, label="gas law")
+        late.plot(law["time"] - start, law[quantity], color=COLOURS[0], lw=2.2, label="gas law")
         for colour, line in zip(COLOURS[1:], straight["line"].values, strict=False):
             run = straight.sel(line=line, heave_amplitude=amplitude)
-            right.plot(run["time"] - start, run[quantity], "--", color=colour, lw=1.1, label=line)
-        left.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
-        left.set_title(f"platform {amplitude:g} m, from rest", loc="right", fontsize="small")
-        right.set_title(f"platform {amplitude:g} m, settled", loc="right", fontsize="small")
-    axes[-2].set_xlabel(TIME)
-    axes[-1].set_xlabel("time in the settled period (s)")
-    for left, right in zip(axes[::2], axes[1::2], strict=True):
-        left.set_xlim(0, 100)
-        right.set_xlim(0, 20)
+            late.plot(run["time"] - start, run[quantity], "--", color=colour, lw=1.1, label=line)
+        for ax, when, end in ((early, "from rest", SHOWN), (late, "settled", 20.0)):
+            ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
+            ax.set_xlim(0.0, end)
+            beside_letter(ax, f"platform {amplitude:g} m, {when}")
+    for ax in axes[2:4]:
+        ax.set_xlabel(TIME)
+    for ax in axes[6:]:
+        ax.set_xlabel("time in the settled period (s)")
     curved = settled.sel(tensioner_model="gas law")["heave"].reset_coords(drop=True)
     apart = abs(straight["heave"].reset_coords(drop=True) - curved).max("time")
     share = 100.0 * apart / (curved.max("time") - curved.min("time"))
-    closest = share.sel(heave_amplitude=NAMED[0]).idxmin("line").item()
     far = share.sel(heave_amplitude=NAMED[1])
     headline(
         figure,
-        f"At 3 m the {closest} is best; at 10 m every line deviates by {float(far.min()):.0f} % or more",
+        f"At {NAMED[1]:g} m every line deviates from the gas law by {float(far.min()):.0f} % or more",
     )
-    key_below(figure, axes[1], 3)
+    key_below(figure, axes[4], 3)
     return figure
 
 
-def fig11(from_rest: xr.Dataset) -> Figure:
+def fig11(from_rest: xr.Dataset, steady: xr.Dataset) -> Figure:
     """Heave of the riser for four amplitudes."""
-    return _four(from_rest, "heave", HEAVE)
+    return _four(from_rest, steady, "heave", HEAVE)
 
 
-def fig12(from_rest: xr.Dataset) -> Figure:
+def fig12(from_rest: xr.Dataset, steady: xr.Dataset) -> Figure:
     """Tension of the riser for four amplitudes."""
-    return _four(from_rest, "tension", TENSION)
+    return _four(from_rest, steady, "tension", TENSION)
 
 
 def settled_response(steady: xr.Dataset) -> Figure:
@@ -245,7 +253,7 @@ def settled_response(steady: xr.Dataset) -> Figure:
     axes[0].set_xlim(0, 20)
     headline(
         figure,
-        "The gas law gives high crests and flat troughs, a linear tensioner neither",
+        "The gas law gives high crests and flat troughs, a line neither",
     )
     return figure
 
@@ -262,31 +270,40 @@ def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
                 run = histories.sel(tensioner_model=model, heave_amplitude=amplitude)
                 ax.plot(run["time"] - start, run[quantity], line, color=colour, lw=1.2, label=model)
             ax.set_ylabel(label)
-            ax.set_title(f"platform {amplitude:g} m", loc="right", fontsize="small")
+            beside_letter(ax, f"platform {amplitude:g} m")
 
 
-def _four(runs: xr.Dataset, quantity: str, label: str) -> Figure:
+def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Figure:
+    """A panel an amplitude: from rest, and the settled motion to which the ringing decays."""
     figure, axes = panels(4, 1, 1.75, sharex=True, sharey=True)
-    for ax, colour, amplitude in zip(axes, COLOURS, FOUR, strict=False):
+    rest = _histories(runs, "static")[quantity].sel(tensioner_model="gas law")
+    for ax, amplitude in zip(axes, FOUR, strict=False):
         run = _gas(runs).sel(heave_amplitude=amplitude)
-        rest = float(
-            _histories(runs, "static")[quantity]
-            .sel(tensioner_model="gas law")
-            .isel(heave_amplitude=0)
-        )
-        ax.axhline(rest, color=GREY, linewidth=0.8)
-        ax.plot(run["time"], run[quantity], color=colour, linewidth=1.2)
+        settled = _repeated(_gas(steady).sel(heave_amplitude=amplitude), run["time"])
+        ax.axhline(float(rest.isel(heave_amplitude=0)), color=GREY, lw=0.8, label="equilibrium")
+        ax.plot(run["time"], run[quantity], color=COLOURS[0], lw=1.0, label="from rest")
+        ax.plot(settled["time"], settled[quantity], color=COLOURS[1], lw=2.0, label="settled")
         status = "named in the text" if amplitude in NAMED else "assumed"
-        ax.set_title(f"platform {amplitude:g} m, {status}", loc="right", fontsize="small")
+        beside_letter(ax, f"platform {amplitude:g} m, {status}")
         ax.locator_params(axis="y", nbins=5)
     figure.supylabel(label, fontsize="medium")
-    axes[-1].set_xlabel(TIME + "; grey: equilibrium")
-    axes[-1].set_xlim(0, 100)
+    axes[-1].set_xlabel(TIME)
+    axes[-1].set_xlim(0, SHOWN)
+    index = _settled_index(steady)
+    low, high = (float(index.sel(heave_amplitude=a)) for a in (FOUR[0], FOUR[-1]))
     headline(
         figure,
-        f"The riser's {quantity} becomes less symmetric as the platform's heave increases",
+        f"Settled {quantity}: upper over lower displacement grows from {low:.2f} to {high:.2f}",
     )
+    key_below(figure, axes[0], 3)
     return figure
+
+
+def _settled_index(steady: xr.Dataset) -> xr.DataArray:
+    """Settled displacement above over that below the equilibrium; alike of heave and of tension."""
+    top = steady.isel(s_node=-1).sel(tensioner_model="gas law")
+    index: xr.DataArray = (top["z_max"] - top["z_static"]) / (top["z_static"] - top["z_min"])
+    return index
 
 
 def _amplitudes(ax: Axes, runs: xr.Dataset, quantity: str) -> None:
@@ -328,7 +345,7 @@ def _repeated(period: xr.Dataset, time: xr.DataArray) -> xr.Dataset:
 def fig13(asymmetry: xr.Dataset) -> Figure:
     """Displacement above and below equilibrium over amplitude."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
-    sides = {"displacement_up": "above, x_p", "displacement_down": "below, x_n"}
+    sides = {"displacement_up": "above, $x_p$", "displacement_down": "below, $x_n$"}
     for ax, model in zip(axes, MODELS, strict=True):
         for colour, (side, word) in zip(COLOURS, sides.items(), strict=False):
             for line, (reading, label) in zip(("-", "--", ":"), READINGS.items(), strict=True):
@@ -337,7 +354,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
                     curve["heave_amplitude"], curve, line, color=colour, label=f"{word}: {label}"
                 )
         ax.set_xlabel(AMPLITUDE)
-        ax.set_title(model, loc="right", fontsize="small")
+        beside_letter(ax, model)
     axes[0].set_ylabel("displacement from equilibrium (m)")
     key_below(figure, axes[0], 2)
     far = asymmetry.sel(reading="steady").isel(heave_amplitude=-1)
@@ -370,7 +387,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
                 label=f"{label}, {model}",
             )
     ax.set_xlabel(AMPLITUDE)
-    ax.set_ylabel("asymmetry index S = x_p / x_n (-)")
+    ax.set_ylabel("asymmetry index $S = x_p / x_n$")
     ax.legend(fontsize="small")
     far = index.sel(reading="steady").isel(heave_amplitude=-1)
     curved, straight = (float(far.sel(tensioner_model=model)) for model in MODELS)
@@ -398,11 +415,11 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
             lines = index.sel(sample=chosen).transpose("heave_amplitude", "sample")
             ax.plot(lines["heave_amplitude"], lines, color=colour, lw=0.7, alpha=0.55)
         ax.axhline(1.0, color="black", linewidth=0.8)
-        ax.set_title(title, loc="right", fontsize="small")
+        beside_letter(ax, title)
         ax.set_xlabel(AMPLITUDE)
     for start, colour in starts.items():
         axes[0].plot([], [], color=colour, label=f"one sample, riser starts {STARTS[start]}")
-    axes[0].set_ylabel("asymmetry index S (-)")
+    axes[0].set_ylabel("asymmetry index $S$")
     key_below(figure, axes[0], 2)
     grows = (index.diff("heave_amplitude") > 0.0).all("heave_amplitude")
     headline(
@@ -472,49 +489,49 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
 
 
 def period_sweep(period_sweep: xr.Dataset) -> Figure:
-    """Settled motion over the platform's period, with the periods at which a curve is largest."""
-    figure, axes = panels(1, 2, 3.6, sharex=True)
+    """Settled motion over the platform's period, a row an amplitude; periods of the peaks by the gas law."""
+    amplitudes = period_sweep["heave_amplitude"].values
+    figure, axes = panels(len(amplitudes), 2, 2.6, sharex=True)
     top = period_sweep.isel(s_node=-1)
     up, down = top["z_max"] - top["z_static"], top["z_static"] - top["z_min"]
     curves = {
-        "half swing / heave amplitude (-)": 0.5 * (up + down) / top["heave_amplitude"],
-        "asymmetry index S (-)": up / down,
+        "half range / heave amplitude": 0.5 * (up + down) / top["heave_amplitude"],
+        "asymmetry index $S$": up / down,
     }
-    for ax, (label, values) in zip(axes, curves.items(), strict=True):
-        for colour, amplitude in zip(COLOURS, values["heave_amplitude"].values, strict=False):
-            for model, line in MODELS.items():
+    for k, amplitude in enumerate(amplitudes):
+        for ax, (label, values) in zip(axes[2 * k :], curves.items(), strict=False):
+            for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
                 curve = values.sel(heave_amplitude=amplitude, tensioner_model=model)
-                name = f"platform {amplitude:g} m, {model}"
-                # of the linear model the open marks show where amplitudes coincide
-                ax.plot(
-                    curve["heave_period"], curve, line, color=colour, marker="o", ms=5, lw=1.4,
-                    markerfacecolor=colour if model == "gas law" else "none", label=name,
-                )  # fmt: skip
+                ax.plot(curve["heave_period"], curve, line, color=colour, marker=".", ms=4, lw=1.2,
+                        label=model)  # fmt: skip
+            ax.set_ylabel(label)
+            ax.margins(y=0.2)
+            beside_letter(ax, f"platform {amplitude:g} m")
+    for ax in axes[-2:]:
         ax.set_xlabel("heave period of the platform (s)")
-        ax.set_ylabel(label)
-        ax.margins(y=0.15)
-    response, index = (values.sel(tensioner_model="gas law") for values in curves.values())
-    resonance = _name_peak(axes[0], response.max("heave_amplitude"))
-    index = index.max("heave_amplitude")
-    near = index.where(abs(index["heave_period"] - resonance) < 0.5 * resonance, drop=True)
+    for ax in axes[::2]:
+        ax.set_yscale("log")
+    largest = {"heave_amplitude": amplitudes[-1], "tensioner_model": "gas law"}
+    response, index = (values.sel(largest) for values in curves.values())
+    resonance = _name_peak(axes[-2], response)
     far = index.where(index["heave_period"] > 1.5 * resonance, drop=True)
-    _name_peak(axes[1], near)
-    second = _name_peak(axes[1], far)
-    axes[0].set_yscale("log")
-    key_below(figure, axes[0], 2)
+    _name_peak(axes[-1], far)
+    low = _name_peak(axes[-1], far, lowest=True)
     headline(
         figure,
-        f"The riser resonates at {resonance:g} s; its asymmetry peaks again near {second:g} s",
+        f"Resonance is at {resonance:g} s; asymmetry reverses at twice that period, {low:g} s",
     )
+    key_below(figure, axes[0], 2)
     return figure
 
 
-def _name_peak(ax: Axes, curve: xr.DataArray) -> float:
-    """Write the period at which a curve is largest at its peak; it (s)."""
-    period = float(curve.idxmax("heave_period"))
+def _name_peak(ax: Axes, curve: xr.DataArray, lowest: bool = False) -> float:
+    """Write the period at which a curve is largest (or smallest) there; it (s)."""
+    extreme = curve.min() if lowest else curve.max()
+    period = float(curve["heave_period"][int((curve == extreme).argmax("heave_period"))])
     ax.annotate(
-        f"{period:g} s", (period, float(curve.max())), xytext=(0, 6),
-        textcoords="offset points", ha="center", fontsize="small",
+        f"{period:g} s: {float(extreme):.3g}", (period, float(extreme)),
+        xytext=(8, -3 if lowest else 3), textcoords="offset points", fontsize="small",
     )  # fmt: skip
     return period
 
@@ -528,18 +545,18 @@ def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
         axes[0].plot(start["time"], away, color=colour, linewidth=1.2, label=f"mass {place}")
         top = riser_mass.sel(mass_place=place).isel(s_node=-1)
         for line, word, side in (
-            ("-", "above, x_p", top["z_max"] - top["z_static"]),
-            ("--", "below, x_n", top["z_static"] - top["z_min"]),
+            ("-", "above, $x_p$", top["z_max"] - top["z_static"]),
+            ("--", "below, $x_n$", top["z_static"] - top["z_min"]),
         ):
             label = word if colour == COLOURS[0] else None
             axes[1].plot(side["heave_amplitude"], side, line, color=colour, label=label)
     axes[0].set_xlabel(TIME)
     axes[0].set_xlim(0, float(riser_mass_start["time"][-1]))
     axes[0].set_ylabel("heave from equilibrium (m)")
-    axes[0].set_title("platform 5 m, starts at once", loc="right", fontsize="small")
+    beside_letter(axes[0], "platform 5 m, starts at once")
     axes[1].set_xlabel(AMPLITUDE)
     axes[1].set_ylabel("displacement from equilibrium (m)")
-    axes[1].set_title("settled", loc="right", fontsize="small")
+    beside_letter(axes[1], "settled")
     axes[1].legend(fontsize="small")
     key_below(figure, axes[0], 2)
     far = riser_mass.isel(s_node=-1).sel(heave_amplitude=5.0)

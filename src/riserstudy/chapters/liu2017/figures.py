@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
 from riserstudy.dataset.crossing import first_crossing, first_limit
 from riserstudy.design.watch_circles import TOO_LATE
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, beside_letter, key_below, panels
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
 HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
@@ -51,7 +51,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
                 )
                 axes[2 + column].plot(run["time"], run["platform_speed_x"], line, color=colour)
         axes[column].axhline(100.0, color=GREY, linewidth=0.9, label="printed: false position")
-        axes[column].set_title(title, loc="right", fontsize="small")
+        beside_letter(axes[column], title)
         axes[2 + column].set_xlabel(TIME)
     first, later = (
         float(first_crossing(driveoff["platform_surge"].sel(case=f"ref_{h}"), 100.0))
@@ -59,7 +59,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
     )
     says(
         figure,
-        f"The platform reaches 100 m after {first:.0f} s along the environment, {later:.0f} s against it",
+        f"The platform arrives after {first:.0f} s along the environment, {later:.0f} s against it",
     )
     axes[0].set_ylabel(SURGE)
     axes[2].set_ylabel("speed of the platform (m/s)")
@@ -79,7 +79,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
             shape = run.sel(time=time)
             ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
         ax.set_xlabel("lateral displacement (m)")
-        ax.set_title(label, loc="right", fontsize="small")
+        beside_letter(ax, label)
     after = abs(ref_0["x"].sel(time=20.0) - ref_0["x"].isel(time=0))
     low = float(after.sel(s=LOW, method="nearest"))
     says(
@@ -111,14 +111,14 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
         )
         ax.axhline(0.0, color=GREY, linewidth=0.9)
         ax.set_xlabel(TIME)
-        ax.set_title(title, loc="right", fontsize="small")
+        beside_letter(ax, title)
     drives = driveoff["riser_force_x"].sel(case="ref_0")
     until = float(first_crossing(-drives, 0.0))
     against = (
         float(driveoff["riser_force_x"].sel(case="ref_180", time=slice(0.0, SHOWN)).max()) / 1e6
     )
     inhibits = "always inhibits" if against < 0.0 else "does not always inhibit"
-    says(figure, f"The riser drives the platform for {until:.0f} s at 0° and {inhibits} it at 180°")
+    says(figure, f"Along, the riser drives the platform for {until:.0f} s; against, it {inhibits}")
     axes[0].set_ylabel("force of the riser on the platform (MN)")
     key_below(figure, axes[0], 3)
     return figure
@@ -158,16 +158,16 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
         _limits(ax, used)
         ax.plot(stress["time"], stress, color=COLOURS[5], label="riser, 386 MPa too (assumed)")
         ax.plot([deadline], [1.0], "o", color="black", label=f"printed: 12° at {deadline:g} s")
-        ax.set_title(title, loc="right", fontsize="small")
+        beside_letter(ax, title)
     run = driveoff.sel(case="ref_0")
     times, begins = reached(run), starts(run)
     late = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(limit="upper flex joint")
     says(
         figure,
-        f"The {first_limit(times).item()!s} reaches its limit first, after {float(times.min()):.0f} s; "
-        f"the bottom responds {float(late):.0f} s later",
+        f"The {first_limit(times).item()!s} is first, at {float(times.min()):.0f} s; "
+        f"the bottom lags by {float(late):.0f} s",
     )
-    axes[0].set_ylabel("utilisation of the limit (-)")
+    axes[0].set_ylabel("utilisation of the limit")
     key_below(figure, axes[0], 3)
     return figure
 
@@ -183,14 +183,14 @@ def losses(losses: xr.Dataset) -> Figure:
         _limits(ax, run["limit_share"])
         end = float(run["limit_time"].sel(limit="telescopic joint"))
         ax.axvline(end, color=GREY, linestyle=":", label="telescopic joint at its end")
-        ax.set_title(loss, loc="right", fontsize="small")
+        beside_letter(ax, loss)
     lost = losses["limit_time"].sel(loss="drift-off")
     end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
     says(
         figure,
         f"In a drift-off stroke-out occurs at {end:.0f} s, the conductor limit {stress - end:.0f} s later",
     )
-    axes[0].set_ylabel("share of the limit that is used (-)")
+    axes[0].set_ylabel("utilisation of the limit")
     axes[0].set_ylim(bottom=0.0)
     key_below(figure, axes[0], 3)
     return figure
@@ -212,7 +212,7 @@ def disconnect(disconnect: xr.Dataset) -> Figure:
         run = disconnect.sel(scenario=scenario)
         _limit_times(times, run)
         _circles(circles, run)
-        times.set_title(str(scenario), loc="right", fontsize="small")
+        beside_letter(times, str(scenario))
         circles.set_xlabel("environment to hull (deg)")
         circles.set_xticks(range(0, 181, 45))
     for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
@@ -267,18 +267,21 @@ def _slowest_in_time(disconnect: xr.Dataset) -> str:
 
 
 def envelope(envelope: xr.Dataset) -> Figure:
-    """Static offsets at which limits are reached, over the current."""
+    """Utilisation of the limits over the static offset; bands: over the currents."""
     figure, (ax,) = panels(height=3.8)
+    used = envelope["limit_share"]
     for colour, name in zip(COLOURS, LIMITS, strict=False):
-        offset = envelope["limit_offset"].sel(limit=name)
-        found = offset.where(np.isfinite(offset))
-        said = name if bool(found.notnull().any()) else f"{name} (not reached)"
-        ax.plot(offset["surface_speed"], found, ".-", color=colour, label=said)
-    ax.set_xlabel("current at the surface, + away from the well (m/s)")
-    ax.set_ylabel("offset at rest (m)")
-    ax.set_ylim(bottom=0.0)
+        one = used.sel(limit=name)
+        low, high = one.min("surface_speed"), one.max("surface_speed")
+        ax.fill_between(one["offset"], low, high, color=colour, alpha=0.25, linewidth=0.0)
+        ax.plot(one["offset"], one.sel(surface_speed=0.0), color=colour, label=name)
+    ax.axhline(1.0, label="limit (printed)", **PRINTED)
     still = envelope["limit_offset"].sel(surface_speed=0.0)
     end, then = (float(still.sel(limit=name)) for name in ("telescopic joint", "conductor"))
+    ax.set_xlim(0.0, 1.5 * end)
+    ax.set_ylim(0.0, 1.6)
+    ax.set_xlabel("static offset of the platform (m)")
+    ax.set_ylabel("utilisation of the limit")
     says(
         figure,
         f"Stroke-out occurs at {end:.0f} m of static offset, the conductor limit at {then:.0f} m",
@@ -306,11 +309,11 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     handles += ax.plot(*fit, "o", color="black", label="fit that is used, with the wave")
     ax.set_xlabel("thrusters' gain (kN/m)")
     ax.set_ylabel("hull drag (kN s²/m²)")
-    ax.set_xlim(float(calibration["gain"].min()), 110.0)
+    ax.set_xlim(float(calibration["gain"].min()), 90.0)
     ax.set_ylim(float(calibration["hull_drag"].min()), 600.0)
     says(
         figure,
-        f"Many pairs of gain and hull drag give 12° at {deadline:g} s, the one printed number",
+        f"Many pairs of gain and hull drag give the printed 12° at {deadline:g} s",
     )
     ax.legend(handles=handles, fontsize="small", loc="upper left")
     return figure
@@ -337,11 +340,11 @@ def coupling(coupling: xr.Dataset) -> Figure:
     axes[2].plot(cost["solve_seconds"], ways, "o", color="black")
     axes[2].axvline(1.0, **PRINTED)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("cost, in turns / as one (-)")
-    axes[2].set_title("bars: iterations, dots: time", loc="right", fontsize="small")
+    axes[2].set_xlabel("cost, in turns / as one")
+    beside_letter(axes[2], "bars: iterations, dots: time")
     apart = off["platform_surge"].max("time")
     ends = [
-        f"{_millimetres(float(end))} ({end['exchange'].item()})"
+        f"{_millimetres(float(end))} ({str(end['exchange'].item()).partition(',')[0]})"
         for end in (apart[apart.argmin("exchange")], apart[apart.argmax("exchange")])
     ]
     says(
@@ -379,12 +382,12 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     least, most = (float(then.quantile(q)) for q in (0.05, 0.95))
     says(
         figure,
-        f"At the published time the UFJ angle is {least:.0f}° to {most:.0f}° in 90 % of samples",
+        f"At the published time samples have UFJ angles of {least:.0f}° to {most:.0f}°",
     )
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint (deg)")
     axes[1].set_xlabel("upper flex joint at 12° after (s)")
-    axes[1].set_ylabel("samples (-)")
+    axes[1].set_ylabel("number of samples")
     for ax in axes:
         ax.legend(fontsize="small")
     return figure

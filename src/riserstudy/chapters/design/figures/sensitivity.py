@@ -19,8 +19,8 @@ def sensitivity(sensitivity: xr.Dataset) -> Figure:
     gap, room = sensitivity["setting_gap"] / 1e6, sensitivity["drilling_room"]
     most = [_bars(ax, values) for ax, values in zip(axes, (gap, room), strict=True)]
     axes[0].set_ylabel("input, with the ends of its range")
-    axes[0].set_xlabel("width of the tension window (MN)")
-    axes[1].set_xlabel("width of the drilling window at 1 m/s (m)")
+    axes[0].set_xlabel("tension window (MN)")
+    axes[1].set_xlabel("drilling window at 1 m/s (m)")
     key_below(figure, axes[0], 2)
     headline(
         figure,

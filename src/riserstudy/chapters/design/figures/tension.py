@@ -9,7 +9,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import COLOURS, GREY, beside_letter, headline, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    beside_letter,
+    headline,
+    legend_below,
+    panels,
+)
 
 MUD = "mud density (kg/m³)"
 
@@ -69,11 +76,11 @@ def tension_window(
             mud, floor, ceiling, where=ceiling > floor, facecolor="none", edgecolor="0.75",
             hatch="///", lw=0.0, label="between floor and ceiling, before recoil",
         )  # fmt: skip
-        title = f"{count} of the units failed"
+        title = f"{count} units failed"
         if count == 0:
             _recoil(ax, recoil_outcome, tension_ratio)
         else:
-            title += "; disconnect not simulated"
+            title += "; no disconnect run"
         ax.set_xlabel(MUD)
         beside_letter(ax, title)
         close = heaviest(at)
@@ -84,9 +91,7 @@ def tension_window(
     for ax in axes:
         handles, labels = ax.get_legend_handles_labels()
         of_all |= dict(zip(labels, handles, strict=True))
-    figure.legend(
-        list(of_all.values()), list(of_all), loc="outside lower center", ncols=3, fontsize="small"
-    )
+    legend_below(figure, list(of_all.values()), list(of_all), 3)
     headline(figure, _allowed(tension_window, recoil_outcome, tension_ratio))
     return figure
 

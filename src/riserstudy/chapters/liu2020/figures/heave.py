@@ -7,7 +7,15 @@ import xarray as xr
 from matplotlib import colormaps
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, GREY, field, headline, key_below, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    beside_letter,
+    field,
+    headline,
+    key_below,
+    panels,
+)
 
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 MODELS = {"gas law": "-", "linear": "--"}
@@ -102,12 +110,12 @@ def fig15(heave: xr.Dataset) -> Figure:
     axes[0].legend(fontsize="small")
     axes[1].set_xlabel(PERIOD)
     axes[1].margins(x=0.16)
-    axes[1].set_title("by heave amplitude; grey: linear", loc="right", fontsize="small")
+    beside_letter(axes[1], "by heave amplitude; grey: linear")
     spread = heave["axial_force_amplitude"]
     spread = (spread.max("heave_period") / spread.min("heave_period") - 1.0).max()
     headline(
         figure,
-        "Heave amplitude sets the axial force; the period changes it by at most "
+        "Heave amplitude sets the axial force; the period adds at most "
         f"{100.0 * float(spread):.1f} %",
     )
     return figure
@@ -143,7 +151,7 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     axes[0].margins(y=0.15)
     axes[1].axhline(0.0, color="black", linewidth=1.0)
     axes[1].annotate(
-        "slack below", (0.02, 0.0), xycoords=("axes fraction", "data"), xytext=(0, -4),
+        "negative below", (0.02, 0.0), xycoords=("axes fraction", "data"), xytext=(0, -4),
         textcoords="offset points", fontsize="small", va="top",
     )  # fmt: skip
     axes[0].set_ylabel("stroke of a cylinder, extremes (m)")

@@ -4,11 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.dataset.statistics import peaks
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, field, headline, key_below, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    PRINTED,
+    beside_letter,
+    field,
+    headline,
+    key_below,
+    panels,
+)
 from riserstudy.grading.verdict import ALMOST_ALWAYS
 
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
@@ -31,7 +41,9 @@ RESPONSES = {
     "stroke": ("stroke", "m", 1.0),
 }
 SHOWN = 300.0  # s, of a sea
+viridis = colormaps["viridis"]
 HIGHEST = 0.5  # Hz, of spectra
+ALONE, STRETCHED = "on the platform alone", "stretched to the surface"
 WAVE_SPEED = 31.9  # m/s, of lateral waves: root of tension over mass with added mass
 
 
@@ -61,7 +73,7 @@ def _surged(surge_case: xr.Dataset, model: str, what: str) -> Figure:
     ):
         field(figure, ax, x.sel(time=times), "time", "depth", DISPLACEMENT, signed=size)
         ax.set_xlabel(TIME)
-        ax.set_title(name, loc="right", fontsize="small")
+        beside_letter(ax, name)
     begun = np.array([5.0, 5.0 + RING / WAVE_SPEED])
     axes[0].plot(begun, [0.0, RING], color="black", linestyle=":", label=f"{WAVE_SPEED} m/s")
     axes[0].legend(fontsize="small", loc="lower right")
@@ -86,7 +98,7 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
             label = "with tensioners (gas law)" if model == "gas law" else BASELINES[model]
             line, width = lines.get(model, ("--", 1.2))
             ax.plot(curve["time"], curve, line, color=colour, linewidth=width, label=label)
-        ax.set_title(f"{depth:.0f} m", loc="right", fontsize="small")
+        beside_letter(ax, f"{depth:.0f} m")
     for ax in axes[2:]:
         ax.set_xlabel(TIME)
     for ax in axes[::2]:
@@ -98,8 +110,8 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
     behind = 180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)
     headline(
         figure,
-        f"On tensioners the riser moves at least {100.0 * float(1.0 - ratio.max()):.0f} % less and lags by "
-        f"at least {float(behind.min()):.0f}°",
+        "Tensioners reduce and delay the motion by at least "
+        f"{100.0 * float(1.0 - ratio.max()):.0f} % and {float(behind.min()):.0f}°",
     )
     key_below(figure, axes[0], 3)
     return figure
@@ -123,28 +135,28 @@ def baselines(
         (180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)).min("depth"),
     )
     titles = (
-        "largest displacement in 1 m/s",
-        "surge, least of four depths",
-        "surge, least of four depths",
+        "current of 1 m/s",
+        "surge, least of 4 depths",
+        "surge, least of 4 depths",
     )
-    over, less = "displacement ratio (-)", (1.0 - smaller, 1.0 / (1.0 - smaller))
+    over, less = "displacement ratio", (1.0 - smaller, 1.0 / (1.0 - smaller))
     labels = (over, over, "lag on tensioners (deg)")
     turn = float(np.rad2deg(later))
     same = (less, less, (-turn, turn))
     for ax, values, title, x, even in zip(axes, compared, titles, labels, same, strict=True):
         _samples(ax, values.sel(tensioner_model=list(BASELINES)), even)
         ax.set_xlabel(x)
-        ax.set_title(title, loc="right", fontsize="small")
+        beside_letter(ax, title)
     axes[0].set_yticks(range(len(BASELINES)), list(BASELINES.values()))
     axes[0].set_ylim(len(BASELINES) - 0.5, -0.5)
     axes[-1].yaxis.set_label_position("right")
     axes[-1].set_ylabel("samples with the claim (%)")
     share = (compared[0].sel(tensioner_model=list(BASELINES)) > less[1]).mean("sample")
     most = [str(m) for m in BASELINES if float(share.sel(tensioner_model=m)) >= ALMOST_ALWAYS]
-    headline(
-        figure,
-        f"Larger static displacement than on tensioners only with: {', '.join(most) or 'none'}",
-    )
+    which = f"only one baseline moves more: {most[0]}" if len(most) == 1 else (
+        f"{len(most)} of {len(BASELINES)} baselines move more"
+    )  # fmt: skip
+    headline(figure, f"At rest {which}")
     key_below(figure, axes[0], 4)
     return figure
 
@@ -187,12 +199,12 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
         label = "bending moment (kN m)"
         field(figure, ax, moment.sel(time=times), "time", "depth", label, signed=size)
         ax.set_xlabel(TIME)
-        ax.set_title(name, loc="right", fontsize="small")
+        beside_letter(ax, name)
     settled = abs(moment.sel(time=slice(end - 20.0, None))).max("time")
     axes[2].plot(settled, settled["depth"], color=COLOURS[0])
     axes[2].axvline(largest, **PRINTED)
-    axes[2].set_xlabel("largest bending moment (kN m)")
-    axes[2].set_title("settled; dashed: printed", loc="right", fontsize="small")
+    axes[2].set_xlabel("largest moment (kN m)")
+    beside_letter(axes[2], "settled; dashed: printed")
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     headline(
@@ -206,17 +218,20 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
 def fig20(roll: xr.Dataset, largest: float) -> Figure:
     """Largest bending moment over roll amplitude and period; ``largest``: printed for 4 deg, 10 s (kN m)."""
     figure, (ax,) = panels(height=3.8)
-    for colour, amplitude in zip(COLOURS, roll["roll_amplitude"].values, strict=False):
+    amplitudes = roll["roll_amplitude"].values
+    shades = viridis(np.linspace(0.0, 0.85, len(amplitudes)))
+    for colour, amplitude in zip(shades, amplitudes, strict=True):
         curve = roll["largest_bending_moment"].sel(roll_amplitude=amplitude) / 1e3
-        ax.plot(curve["roll_period"], curve, color=colour, label=f"{amplitude:g} deg")
-    ax.plot([10.0], [largest], "kx", markersize=8, label="printed (4 deg), calibrated to")
+        ax.plot(curve["roll_period"], curve, color=colour, label=f"roll of {amplitude:g}°")
+    ax.plot([10.0], [largest], "kx", markersize=8, label="printed (4°), calibrated to")
     of_paper = roll["largest_bending_moment"].sel(roll_amplitude=4.0) / 1e3
     ax.set_xlabel("roll period of the platform (s)")
     ax.set_ylabel("largest bending moment (kN m)")
+    ax.set_ylim(bottom=0.0)
     ax.legend(fontsize="small")
     headline(
         figure,
-        f"Lateral resonances interrupt the fall of the moment, most at "
+        f"Resonances interrupt the fall: {float(of_paper.max()):.0f} kN m at "
         f"{float(of_paper.idxmax('roll_period')):g} s",
     )
     return figure
@@ -234,7 +249,7 @@ def fig21(rao_table: xr.Dataset) -> Figure:
             label = f"{name}, {unit} {GENERIC}"
             ax.plot(curve["wave_period"], curve, line, color=colour, label=label)
     ax.set_xlabel(WAVE)
-    ax.set_ylabel("motion over wave amplitude (-)")
+    ax.set_ylabel("motion / wave amplitude (m/m)")
     ax.legend(fontsize="small")
     still, most = (float(x) for x in (_stillest(rao_table), _heaviest(rao_table)))
     headline(
@@ -301,17 +316,22 @@ def fig24(rao: xr.Dataset) -> Figure:
 
 
 def _by_motion(values: xr.DataArray, label: str) -> Figure:
+    """A line per motion for the medium unit, marks at simulated periods; bands: over the three units."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
     for ax, reference in zip(axes, values["reference"].values, strict=True):
         for colour, motion in zip(COLOURS, values["motion"].values, strict=False):
-            for unit, line in UNITS.items():
-                curve = values.sel(reference=reference, motion=motion, platform_unit=unit)
-                which = f"{motion}, {unit} {GENERIC}"
-                ax.plot(curve["wave_period"], curve, line, color=colour, label=which)
+            curve = values.sel(reference=reference, motion=motion)
+            low, high = curve.min("platform_unit"), curve.max("platform_unit")
+            ax.fill_between(low["wave_period"], low, high, color=colour, alpha=0.25, linewidth=0.0)
+            ax.plot(curve["wave_period"], curve.sel(platform_unit="medium"), ".-", ms=4, lw=1.2,
+                    color=colour, label=f"{motion}, medium {GENERIC}")  # fmt: skip
+        ax.fill_between(
+            [], [], [], color=GREY, alpha=0.25, linewidth=0.0, label=f"three {GENERIC}s"
+        )
         ax.set_xlabel(WAVE)
-        ax.set_title(f"centre of motion {reference}", loc="right", fontsize="small")
+        beside_letter(ax, f"centre of motion {reference}")
     axes[0].set_ylabel(label)
-    key_below(figure, axes[0], 3)
+    key_below(figure, axes[0], 4)
     return figure
 
 
@@ -319,28 +339,38 @@ def waves(waves: xr.Dataset) -> Figure:
     """Stress amplitude with waves on the riser and without."""
     figure, (ax,) = panels(height=3.8)
     stress = waves["stress_amplitude"] / 1e6
-    lines = (("-", 1.5), ("-", 5.0), ("-", 3.0), ("-", 1.2))
-    for colour, (line, width), reading in zip(COLOURS, lines, stress["waves"].values, strict=False):
-        curve = stress.sel(waves=reading)
-        label = reading if "alone" in reading else f"on the riser, {reading}"
-        ax.plot(curve["wave_period"], curve, line, color=colour, linewidth=width, label=label)
+    alone = stress.sel(waves=ALONE)
+    ax.plot(alone["wave_period"], alone, ".-", color=COLOURS[0], label=ALONE)
+    on_it = stress.drop_sel(waves=ALONE)
+    low, high = on_it.min("waves"), on_it.max("waves")
+    names = "none, constant or stretched above the mean level"
+    ax.fill_between(
+        low["wave_period"], low, high, color=COLOURS[1], alpha=0.6, label=f"range: {names}"
+    )
+    stretched = stress.sel(waves=STRETCHED)
+    ax.plot(
+        stretched["wave_period"],
+        stretched,
+        ".-",
+        color=COLOURS[1],
+        label=f"on the riser, {STRETCHED}",
+    )
     ax.set_xlabel(WAVE)
     ax.set_ylabel("stress amplitude (MPa)")
-    ax.set_title("surge, heave and pitch at once", loc="right", fontsize="small")
-    ratio = stress.sel(waves="stretched to the surface") / stress.sel(waves="on the platform alone")
+    beside_letter(ax, "surge, heave and pitch at once")
+    ratio = stretched / alone
     headline(
         figure,
         f"Waves on the riser raise its stress up to {float(ratio.max()):.0f} times, at "
         f"{float(ratio.idxmax('wave_period')):g} s",
     )
-    key_below(figure, ax, 2)
+    key_below(figure, ax, 1)
     return figure
 
 
 def sea(storm: xr.Dataset) -> Figure:
     """Five minutes about the largest response, the spectra, and how often a size is exceeded."""
     figure, axes = panels(3, 3, 2.4)
-    hours = float(storm["time"][-1] - storm["time"][0]) / 3600.0
     worst = {}
     for row, (name, (label, unit, scale)) in enumerate(RESPONSES.items()):
         history, density = (_at_ring(storm[key]) for key in (name, f"{name}_spectrum"))
@@ -352,21 +382,20 @@ def sea(storm: xr.Dataset) -> Figure:
         middle.plot(density["frequency"][low], scale**2 * density[low], color=COLOURS[0])
         middle.set_ylabel(f"density (({unit})²/Hz)" if " " in unit else f"density ({unit}²/Hz)")
         _exceeded(right, swing)
-        right.set_ylabel("peaks exceeding (-)")
-        right.set_xlabel(f"{label.split()[0]} less its mean ({unit})")
+        right.set_ylabel("share of peaks exceeding")
+        right.set_xlabel(f"{label.split()[0]} − mean ({unit})")
         worst[label] = float(abs(swing).max() / swing.std())
     axes[6].set_xlabel(TIME)
     axes[7].set_xlabel("frequency (Hz)")
     for ax, title in zip(
         axes, ("about the largest", "spectrum", "share of peaks that exceed"), strict=False
     ):
-        ax.set_title(title, loc="right", fontsize="small")
+        beside_letter(ax, title)
     axes[2].legend(fontsize="small", loc="lower left")
     least, most = min(worst.values()), max(worst.values())
     headline(
         figure,
-        f"In {hours:.0f} hours responses reach {least:.1f} to {most:.1f} standard deviations, most the "
-        f"{max(worst, key=lambda name: worst[name])}",
+        f"The largest responses are {least:.1f} to {most:.1f} standard deviations",
     )
     return figure
 

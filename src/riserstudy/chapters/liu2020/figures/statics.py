@@ -7,7 +7,15 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, headline, key_below, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    PRINTED,
+    beside_letter,
+    headline,
+    key_below,
+    panels,
+)
 
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
 VERTICAL, ON_PLATFORM = "vertical force at the ring", "riser's top on the platform"
@@ -53,7 +61,7 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
     titles = ("fitted to 8765 N; surface speeds printed", "1 m/s at the surface; solid: assumed")
     for ax, title in zip(axes, titles, strict=True):
         ax.set_xlabel("current speed (m/s)")
-        ax.set_title(title, loc="right", fontsize="small")
+        beside_letter(ax, title)
     axes[0].legend(fontsize="small", loc="lower right")
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
@@ -88,7 +96,7 @@ def fig10(codes: xr.Dataset) -> Figure:
                     markerfacecolor="none",
                     label=shape if ours else None,
                 )
-        ax.set_title(f"{titles[contents]}; colours: this engine", loc="right", fontsize="small")
+        beside_letter(ax, f"{titles[contents]}; colours: this engine")
         ax.set_xlabel("lateral displacement (m)")
     for code in ("Hermite elements", "collocation"):
         axes[0].plot(
@@ -144,8 +152,13 @@ def fig12(
     )
     ratio = _ratios(statics_tuned, "largest_bending_moment_near_ring")
     figure.axes[1].legend(fontsize="x-small", loc=(0.03, 0.15))  # where no curve is
-    for ax, calibration in zip(figure.axes[1::2], CALIBRATIONS, strict=True):
-        _near_the_ring(ax, statics_tuned.sel(calibration=calibration, surface_speed=1.0))
+    for left, right, calibration in zip(
+        figure.axes[::2], figure.axes[1::2], CALIBRATIONS, strict=True
+    ):
+        _near_the_ring(right, statics_tuned.sel(calibration=calibration, surface_speed=1.0))
+        # the whole riser on the same scale, so that its lower end is seen as well
+        left.set_xlim(right.get_xlim())
+        left.texts[0].set(position=(0.03, 0.3), ha="left")
     headline(
         figure,
         f"Near the ring a vertical force gives {1.0 / ratio[VERTICAL]:.0f} times the tensioners' moment",
@@ -213,8 +226,8 @@ def _at_rest(
             fontsize="x-small",
             bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
         )
-        row[0].set_title(CALIBRATIONS[calibration], loc="right", fontsize="small")
-        row[1].set_title("1 m/s, every reading of the riser alone", loc="right", fontsize="small")
+        beside_letter(row[0], CALIBRATIONS[calibration])
+        beside_letter(row[1], "1 m/s, every reading of the riser alone")
         row[0].set_ylabel(DEPTH)
     for ax in axes[2:]:
         ax.set_xlabel(label)
@@ -262,8 +275,8 @@ def dat_force(
     slowest = dat_force_calibrated["horizontal_force"].sel(surface_speed=0.2).isel(calibration=0)
     headline(
         figure,
-        "Printed forces do not grow with the square of the speed: at 0.2 m/s "
-        f"{100.0 * (float(slowest) / slow - 1.0):.1f} % are missing",
+        "Printed forces are not quadratic in speed: "
+        f"{100.0 * (float(slowest) / slow - 1.0):.1f} % are missing at 0.2 m/s",
     )
     return figure
 
@@ -285,6 +298,6 @@ def _profiles(ax: Axes, over: xr.DataArray) -> None:
     ax.xaxis.set_major_formatter("{x:g}")
     ax.set_yticks(range(len(profiles)), profiles)
     ax.set_ylim(len(profiles) - 0.5, -0.5)
-    ax.set_xlabel("force over the printed, least to most of three speeds (-)")
-    ax.set_title("by current profile, assumed", loc="right", fontsize="small")
+    ax.set_xlabel("force / printed force, least to most of three speeds")
+    beside_letter(ax, "by current profile, assumed")
     ax.legend(fontsize="small", loc="best")

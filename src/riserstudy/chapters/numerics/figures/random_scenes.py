@@ -103,4 +103,4 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
     ax.set_yticks(range(len(families)), families, fontsize="small")
     ax.set_xlim(0.4, 80.0)
     ax.set_ylim(len(families) - 0.5, -0.5)
-    ax.set_xlabel("work of the request over that of the cheapest (-)")
+    ax.set_xlabel("work / work of the cheapest")
