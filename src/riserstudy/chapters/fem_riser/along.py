@@ -17,10 +17,10 @@ SPAN = 35.0  # s, from the mean over a wave around 261 s to that around 296 s
 def measures(runs: xr.Dataset) -> xr.Dataset:
     """What the claims are about, of every run of a study.
 
-    Largest deflection, stress and angle over the record; vibration, the largest amplitude at the wave's period;
-    drift of mid-length from 261 to 296 s over its deflection from the line between the ends; places as shares
-    of the length: of the largest deflection from the bottom, of the largest stress and angle of the lower half
-    from the bottom, of the upper half from the top.
+    Largest deflection, stress and angle over the record; vibration, the largest amplitude at the wave's
+    period; drift of mid-length from 261 to 296 s over its deflection from the line between the ends;
+    places as shares of the length: of the largest deflection from the bottom, of the largest stress and
+    angle of the lower half from the bottom, of the upper half from the top.
     """
     s = runs["s_node"] / runs["s_node"][-1]
     deflection = extreme(runs, "x")
