@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import wrote
+from riserstudy.cli.shared import show, wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from riserstudy.dataset.table import Table
 
 
 def seas(
@@ -31,6 +33,16 @@ def seas(
             min=1.0, max=7.0, help="peakedness by which zero-crossing become peak periods"
         ),
     ] = 3.3,
+    period: Annotated[
+        list[int] | None,
+        typer.Option(
+            "--return-period",
+            min=2,
+            max=10000,
+            help="years in which a height is exceeded once; may be repeated",
+            metavar="YEARS",
+        ),
+    ] = None,
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", help="write the record here (netCDF)", metavar="OUT.nc"),
@@ -53,9 +65,20 @@ def seas(
     found = with_peak_period(found, gamma)
     for line in described(found):
         print(line)
+    if period:
+        show(return_heights(found, period), None)
     if output is not None:
         write_record(found, output)
         wrote(output)
+
+
+def return_heights(record: xr.Dataset, periods: list[int]) -> Table:
+    """Significant heights that are exceeded once in so many years."""
+    from riserstudy.seas.return_values import return_values
+
+    height = record["significant_wave_height"].values
+    interval = float(record.attrs["interval_hours"])
+    return return_values(record["time"].values, height, interval, periods, "m")
 
 
 def described(record: xr.Dataset) -> list[str]:
