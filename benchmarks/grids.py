@@ -135,12 +135,13 @@ def study(amplitudes: int, others: int = 10) -> dict[str, object]:
     return {"scene": "scenes/scene.yaml", "caption": "a grid", "axes": axes, "keep": keep}
 
 
-def shard(plan: Workplan, study: str, number: int, shards: int, *module: str) -> Cost:
-    """Cost of simulating a shard, by the module named."""
+def shard(plan: Workplan, study: str, number: int, shards: int, *, alone: bool = True) -> Cost:
+    """Cost of simulating a shard, in a process of its own or in a fork of the server of jobs."""
     words = ["grids", study, str(number), str(shards)]
     expect = ["--expect", plan.shard_digest(*words)]
     words += ["marker", "--tier", "standard"]
-    return run("-m", *(module or ["riserstudy.jobs.shard"]), *words, "--threads", "1", *expect)
+    command = ["riserstudy.jobs", *(["--alone"] if alone else []), "shard"]
+    return run("-m", *command, *words, "--threads", "1", *expect)
 
 
 def forked(plan: Workplan) -> Cost:
@@ -150,7 +151,7 @@ def forked(plan: Workplan) -> Cost:
     server = psutil.Process().children()[0]
     for number in range(MANY + 3):  # so many that the server loads the kernels
         before = children_of(server)
-        asking = shard(plan, "many", number, 10_000, "riserstudy.jobs", "shard")
+        asking = shard(plan, "many", number, 10_000, alone=False)
         while (spent := children_of(server) - before) == 0.0:
             time.sleep(0.1)  # the job has ended, and is not buried yet
         time.sleep(1.0)
@@ -169,7 +170,7 @@ def join(plan: Workplan) -> Cost:
     """Cost of joining all points."""
     digest = plan.study_digest("grids", "run")
     words = ["grids", "run", "results/grids/run.nc", "--tier", "standard", "--threads", "1"]
-    return run("-m", "riserstudy.jobs.simulate", *words, "--expect", digest)
+    return run("-m", "riserstudy.jobs", "--alone", "simulate", *words, "--expect", digest)
 
 
 def run(*arguments: str) -> Cost:

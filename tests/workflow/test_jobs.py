@@ -88,13 +88,19 @@ def test_what_a_job_says_and_its_exit_status_reach_the_asker(folder):
     (folder / "one").write_text("a,b\n")
     (folder / "other").write_text("a,c\n")
     with ask(folder, *JOIN, "joined", "one", "other") as asker:
-        assert asker.stderr.read() == "joined: tables with different columns cannot be joined\n"
-    assert asker.returncode == 1
+        text = asker.stderr.read()
+    assert text.startswith("riserstudy: joined: tables with different columns;")
+    assert asker.returncode == 2
     with ask(folder, *JOIN, "joined", "missing") as asker:
-        assert "FileNotFoundError" in asker.stderr.read()
+        text = asker.stderr.read()
+    assert text.startswith("riserstudy: missing: No such file")
+    assert asker.returncode == 2
+    (folder / "latin").write_bytes(b"\xff")
+    with ask(folder, *JOIN, "joined", "latin") as asker:
+        assert "UnicodeDecodeError" in asker.stderr.read()  # nobody foresaw it: a traceback
     assert asker.returncode == 1
     with ask(folder, *JOIN) as asker:
-        assert "usage: " in asker.stderr.read()
+        assert asker.stderr.read() == "riserstudy: job: Missing argument 'TARGET'.\n"
     assert asker.returncode == 2
 
 

@@ -70,3 +70,4 @@ onstart:
 
 DATASETS = PLAN.dataset_files()
 FIGURES = PLAN.figure_files()
+PAPERS = [f"--paper={paper}" for paper in PLAN.papers]  # as options of a job

@@ -14,9 +14,9 @@ rule database:
         "logs/database.log",
     params:
         digest=PLAN.database_digest,
-        papers=PLAN.papers,
+        papers=PAPERS,
     message:
         "make the results database"
     shell:
-        "python -m riserstudy.jobs database {output:q} --papers {params.papers}"
-        " --files {input.datasets:q} {input.figures:q} {input.tables:q} > {log:q} 2>&1"
+        "python -m riserstudy.jobs database {output:q} {params.papers}"
+        " {input.datasets:q} {input.figures:q} {input.tables:q} > {log:q} 2>&1"

@@ -15,10 +15,10 @@ rule measure:
     params:
         digest=of(PLAN.measured_digest),
         tier=PLAN.tier,
-        papers=PLAN.papers,
+        papers=PAPERS,
     message:
         "measure {wildcards.paper}/{wildcards.study}"
     shell:
-        "python -m riserstudy.jobs.measure {wildcards.paper} {wildcards.study} {output:q}"
-        " --tier {params.tier} --papers {params.papers} --threads {threads}"
+        "python -m riserstudy.jobs --alone measure {wildcards.paper} {wildcards.study} {output:q}"
+        " --tier {params.tier} {params.papers} --threads {threads}"
         " --expect {params.digest} > {log:q} 2>&1"

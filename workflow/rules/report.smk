@@ -12,10 +12,10 @@ rule report:
         "logs/report.log",
     params:
         digest=PLAN.report_digest,
-        papers=PLAN.papers,
+        papers=PAPERS,
         units=PLAN.units,
     message:
         "make the report"
     shell:
-        "python -m riserstudy.jobs report {output:q} --papers {params.papers} --compiled {input.compiled:q}"
-        " --database {input.database:q} --units {params.units} > {log:q} 2>&1"
+        "python -m riserstudy.jobs report {output:q} {input.database:q} {input.compiled:q}"
+        " {params.papers} --units {params.units} > {log:q} 2>&1"

@@ -11,7 +11,7 @@ rule compile:
     message:
         "compile kernels, once: {wildcards.group}"
     shell:
-        "python -m riserstudy.jobs compile_kernels --group {wildcards.group} > {log:q} 2>&1"
+        "python -m riserstudy.jobs compile_kernels {wildcards.group} > {log:q} 2>&1"
 
 
 rule compiled:
@@ -49,8 +49,8 @@ rule tune:
 
 rule shard:
     input:
-        of(PLAN.shard_kernels),
-        of(PLAN.shard_settings),
+        of(PLAN.kernels),
+        of(PLAN.settings_files),
     output:
         "results/{paper}/{study}.shards/{shard}-of-{shards}",
     log:
@@ -64,7 +64,7 @@ rule shard:
     params:
         digest=of(PLAN.shard_digest),
         tier=PLAN.tier,
-        settings=of(PLAN.shard_settings_option),
+        settings=of(PLAN.settings_option),
     message:
         "simulate {wildcards.paper}/{wildcards.study}, part {wildcards.shard} of {wildcards.shards}"
     shell:

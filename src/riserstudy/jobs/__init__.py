@@ -1,4 +1,4 @@
-"""What the rules of the workflow run, as ``python -m riserstudy.jobs <name>``.
+"""What the rules of the workflow run, as ``python -m riserstudy.jobs <name>``: functions of ``tasks``.
 
 They are part of the package, so that a checkout and a folder of one's own run the same.
 """

@@ -1,42 +1,47 @@
 """``python -m riserstudy.jobs draw ...``: hand a job to the process that has everything loaded.
 
 Where there is none (a job on a cluster's node, a run by hand, a server that was killed), the job runs
-here. Little is imported before that is known: to wait for a job of the server costs 50 ms.
+here, as one does after ``--alone``: times that are measured in a fork would depend on what the server has
+loaded by then. Little is imported before that is known: to wait for a job of the server costs 50 ms.
 """
 
 from __future__ import annotations
 
 import json
 import os
-import runpy
 import socket
 import sys
 from contextlib import suppress
 
 from riserstudy.jobs import TAKEN
 
+ALONE = "--alone"
 
-def main(job: str, arguments: list[str]) -> int:
+
+def main(arguments: list[str]) -> int:
     """Run a job there or here; return its exit status."""
-    if address := os.environ.get("RISERSTUDY_JOBS"):
+    address = os.environ.get("RISERSTUDY_JOBS")
+    if arguments[:1] == [ALONE]:
+        arguments = arguments[1:]
+    elif address:
         with socket.socket(socket.AF_UNIX) as server, suppress(OSError):
             server.connect(address)
-            if hand_over(server, job, arguments):
-                return end_of(server, job)
-    sys.argv[1:] = arguments
-    runpy.run_module(f"riserstudy.jobs.{job}", run_name="__main__", alter_sys=True)
-    return 0
+            if hand_over(server, arguments):
+                return end_of(server, *arguments[:1])
+    from riserstudy.jobs.tasks import run
+
+    return run(arguments)
 
 
-def hand_over(server: socket.socket, job: str, arguments: list[str]) -> bool:
-    """Ask for the job to be done with our streams and environment; whether the server took it."""
-    asked = {"job": job, "arguments": arguments, "environ": {**os.environ}}
+def hand_over(server: socket.socket, arguments: list[str]) -> bool:
+    """Request a job with our streams and environment; whether the server took it."""
+    request = {"arguments": arguments, "environ": {**os.environ}}
     socket.send_fds(server, [b"\n"], [0, 1, 2])
-    server.sendall(json.dumps(asked).encode() + b"\n")
+    server.sendall(json.dumps(request).encode() + b"\n")
     return server.recv(1) == TAKEN
 
 
-def end_of(server: socket.socket, job: str) -> int:
+def end_of(server: socket.socket, job: str = "a job") -> int:
     """Wait for the exit status of a job that was taken."""
     text = b""
     with suppress(ConnectionError):
@@ -47,4 +52,4 @@ def end_of(server: socket.socket, job: str) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], sys.argv[2:]))
+    sys.exit(main(sys.argv[1:]))

@@ -8,7 +8,6 @@ of runs.
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -20,7 +19,7 @@ from scipy.optimize import minimize
 
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
-from riserstudy.errors import InputError, RiserStudyError, SimulationError
+from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.models import Item
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import read_published
@@ -173,8 +172,8 @@ def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], 
     return fit
 
 
-def main(study: str, ids: list[str], tier: str, most: int) -> None:
-    """Read a study and printed numbers of its paper, search, print.
+def fit_study(config: Path, study: str, ids: list[str], tier: str, most: int | None) -> Fit:
+    """Fit a study, named ``paper/study``, to printed numbers of its paper.
 
     Raises
     ------
@@ -182,24 +181,16 @@ def main(study: str, ids: list[str], tier: str, most: int) -> None:
         When there is no such study.
     """
     paper, _, name = study.partition("/")
-    file = read_studies(CONFIG, paper)
+    file = read_studies(config, paper)
     if name not in file.studies:
-        raise InputError(CONFIG / "studies" / f"{paper}.yaml", "studies", f"no study {name!r}", "")
-    published = read_published(CONFIG, paper, set(file.datasets))
+        raise InputError(config / "studies" / f"{paper}.yaml", "studies", f"no study {name!r}", "")
+    published = read_published(config, paper, set(file.datasets))
     items = [item for item in published.items if item.id in ids]
-    made = Study(paper, name, file.studies[name], CONFIG, tier, None, file.readings)  # type: ignore[arg-type]
-    calibrate(made, items, dict(file.derived), most)
+    made = Study(paper, name, file.studies[name], config, tier, None, file.readings)  # type: ignore[arg-type]
+    return calibrate(made, items, dict(file.derived), most or MOST)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
-    )
-    parser.add_argument("study", help="paper/study")
-    parser.add_argument("ids", nargs="+", help="of printed numbers")
-    parser.add_argument("--tier", default="standard")
-    parser.add_argument("--most", type=int, default=MOST, help="evaluations a start")
-    try:
-        main(**vars(parser.parse_args()))
-    except RiserStudyError as error:
-        sys.exit(f"riserstudy: {error}")
+    from riserstudy.jobs.tasks import run as run_job
+
+    sys.exit(run_job(["calibrate", *sys.argv[1:]]))

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import argparse
-import os
-import sys
 import time as clock
 from functools import partial
 from pathlib import Path
 
-from riserstudy.errors import RiserStudyError
 from riserstudy.numerics.reference.folder import path_of, references
 from riserstudy.numerics.reference.kept import Kept
 from riserstudy.numerics.reference.store import NotUsed, Wanted, read, write
@@ -18,7 +14,7 @@ from riserstudy.study.processes import each
 from riserstudy.study.read import read_studies
 
 
-def main(config: Path, only: list[str], again: bool, processes: int) -> None:
+def compute(config: Path, only: list[str], again: bool, processes: int) -> None:
     """Compute what is missing, damaged or of another scene, and remove what nothing needs.
 
     Parameters
@@ -67,16 +63,3 @@ def remove_others(config: Path, study: str, every: list[Wanted]) -> None:
         if path not in needed:
             path.unlink()
             print(f"{path}: removed, no case needs it")
-
-
-if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("only", nargs="*", help="a study, or study/case; all when left out")
-    parser.add_argument(
-        "--again", action="store_true", help="compute those that could be used, too"
-    )
-    parser.add_argument("--processes", type=int, default=os.cpu_count() or 1)
-    try:
-        main(Path("config"), **vars(parser.parse_args()))
-    except RiserStudyError as error:
-        sys.exit(f"riserstudy: {error}")

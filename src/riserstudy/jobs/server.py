@@ -7,11 +7,9 @@ are left; a job lives as long as the process that asked for it.
 
 from __future__ import annotations
 
-import argparse
 import gc
 import json
 import os
-import runpy
 import select
 import signal
 import socket
@@ -31,7 +29,7 @@ import psutil
 
 from riserstudy.jobs import TAKEN
 
-# What jobs import first thing, and in the midst of their work. Not the jobs' own modules: those are run.
+# What jobs import first thing, and in the midst of their work.
 LOADED = (
     "matplotlib.backends.backend_agg",
     "matplotlib.backends.backend_pdf",
@@ -42,6 +40,7 @@ LOADED = (
     "riserstudy.figures",
     "riserstudy.study.collect",
     "riserstudy.schematic",
+    "riserstudy.jobs.tasks",
     "riserstudy.jobs.workplan",
 )
 LATER = ("riserstudy.grading.grade",)  # takes a second, and a figure alone does without
@@ -122,6 +121,8 @@ def load(one: Callable[[], object]) -> None:
 
 def become_job(asker: socket.socket) -> NoReturn:
     """Become the job that is asked for; tell its exit status."""
+    from riserstudy.jobs.tasks import run
+
     status = 1
     try:
         signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -131,16 +132,12 @@ def become_job(asker: socket.socket) -> NoReturn:
             os.dup2(stream, number)
             os.close(stream)
         with asker.makefile("rb") as lines:
-            asked = json.loads(lines.readline())
+            request = json.loads(lines.readline())
         asker.sendall(TAKEN)
         threading.Thread(target=end_with, args=(asker,), daemon=True).start()
         os.environ.clear()
-        os.environ.update(asked["environ"])
-        sys.argv[1:] = asked["arguments"]
-        runpy.run_module(f"riserstudy.jobs.{asked['job']}", run_name="__main__", alter_sys=True)
-        status = 0
-    except SystemExit as told:
-        status = exit_status(told)
+        os.environ.update(request["environ"])
+        status = run(request["arguments"])
     except BaseException:
         traceback.print_exc()
     with suppress(OSError):
@@ -150,13 +147,6 @@ def become_job(asker: socket.socket) -> NoReturn:
     os._exit(status)
 
 
-def exit_status(told: SystemExit) -> int:
-    """Status of an end by ``sys.exit``, which prints a text and calls it 1."""
-    if isinstance(told.code, str):
-        print(told.code, file=sys.stderr)
-    return told.code if isinstance(told.code, int) else int(told.code is not None)
-
-
 def end_with(asker: socket.socket) -> None:
     """End this job when nobody waits for it any more."""
     if not asker.recv(1):
@@ -164,8 +154,7 @@ def end_with(asker: socket.socket) -> None:
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("listener", type=int, help="number of the socket that was passed on")
-    parser.add_argument("compiled", type=Path, help="the file that tells that kernels are compiled")
-    options = parser.parse_args()
-    serve(socket.socket(fileno=options.listener), options.compiled)
+    number, marker_file = sys.argv[
+        1:
+    ]  # of the socket that was passed on; says that kernels are compiled
+    serve(socket.socket(fileno=int(number)), Path(marker_file))

@@ -12,35 +12,25 @@ import math
 import re
 import shlex
 from collections.abc import Set
-from functools import cached_property
 from pathlib import Path
-from typing import Any, Self
+from typing import Any
 
-from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.digests import defining, digest, sources_behind
-from riserstudy.errors import InputError
 from riserstudy.figures import module_of_plot
 from riserstudy.folders import chapter_modules
-from riserstudy.grading.false_claims import false_claims_path, read_false_claims
-from riserstudy.grading.models import PublishedFile
+from riserstudy.grading.false_claims import false_claims_path
 from riserstudy.grading.printed import with_printed
-from riserstudy.grading.published import published_path, read_published
+from riserstudy.grading.published import published_path
 from riserstudy.grading.words_file import words_path
-from riserstudy.inputs.check import check
-from riserstudy.inputs.plain_yaml import read_yaml
-from riserstudy.jobs.plan_checks import refuse_settings, refuse_unprinted, warnings
+from riserstudy.jobs.configuration import Configuration
 from riserstudy.numerics.measure import module_of
 from riserstudy.numerics.reference.folder import references
 from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
-from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.compile import marker
 from riserstudy.simulation.kernel_groups import GROUPS
-from riserstudy.study.config import RULES, Config
 from riserstudy.study.grid import Point
-from riserstudy.study.models import StudyFile, Tier
-from riserstudy.study.read import read_studies
 from riserstudy.study.store import canonical, key_of
-from riserstudy.study.study import Study, scene_file, threads_worth
+from riserstudy.study.study import threads_worth
 
 #: what joins points, derives, grades and reports
 COLLECT, DERIVE = "riserstudy.study.join", "riserstudy.chapters.derive"
@@ -52,129 +42,8 @@ DATABASE = "riserstudy.database.build"
 ALL_CORES = 64  # more than there are: Snakemake gives what it has
 
 
-class Workplan:
-    """All studies, datasets, figures and printed numbers of the configured papers.
-
-    Parameters
-    ----------
-    only : studies to check instead of all, as (paper, name): enough for the job that simulates one.
-
-    Raises
-    ------
-    InputError
-        When any part of the configuration, a scene or a grid point cannot be meant.
-    """
-
-    def __init__(
-        self, config: Path, settings: dict[str, Any], only: list[tuple[str, str]] | None = None
-    ):
-        self.config = config
-        self.settings = check(Config, dict(settings), config / "config.yaml")
-        self.tier: Tier = self.settings.tier
-        self.papers = self.settings.papers
-        self.files: dict[str, StudyFile] = {p: read_studies(config, p) for p in self.papers}
-        self._refuse_equal_names()
-        if only is None:
-            for paper, printed in self.published.items():  # checked before any job, too
-                read_false_claims(config, paper, printed)
-        for paper, name in self._studies if only is None else only:
-            study = self.study(paper, name)
-            scene_file(config / study.model.scene).scene()
-            study.plan  # noqa: B018  every point is checked before any job
-            if study.model.settings:
-                refuse_settings(study)
-        if only is None:
-            schematics = [
-                self.schematic(p, n) for p, of in self.files.items() for n in of.schematics
-            ]
-            for scene in schematics:
-                scene.scene()
-            own = {self.config / study.model.scene for study in self.studies}
-            refuse_unprinted(config, map(scene_file, sorted(own)))
-
-    @property
-    def units(self) -> str:
-        """System of units that plots and limits are read in."""
-        return self.settings.units or UnitSystem.FIELD.value
-
-    @classmethod
-    def read(
-        cls, config: Path, overrides: dict[str, Any], only: list[tuple[str, str]] | None = None
-    ) -> Self:
-        """Read config.yaml, and let overrides win over what it says.
-
-        Raises
-        ------
-        InputError
-            When it cannot be read, or cannot be meant.
-        """
-        path = config / "config.yaml"
-        settings = read_yaml(path, keep=True)
-        if not isinstance(settings, dict):
-            raise InputError(path, "", "no mapping", "it starts with names such as 'papers:'")
-        return cls(config, settings | overrides, only)
-
-    def _refuse_equal_names(self) -> None:
-        """Rules are named like papers, and like paper and figure: ``a`` and ``b_c`` is ``a_b`` and ``c``."""
-        taken: dict[str, str] = {paper: f"paper {paper}" for paper in self.papers}
-        for paper, name in self.figures():
-            rule, said = f"{paper}_{name}", f"figure {name} of {paper}"
-            if rule in RULES or rule in taken:
-                other = taken.get(rule, f"a rule named {rule}")
-                path = self.config / "studies" / f"{paper}.yaml"
-                raise InputError(
-                    path,
-                    f"figures.{name}",
-                    f"as a target {rule!r} it is {other}, too",
-                    "name one of them anew",
-                )
-            taken[rule] = said
-
-    @cached_property
-    def published(self) -> dict[str, PublishedFile]:
-        """What papers printed."""
-        return {
-            paper: read_published(self.config, paper, set(file.datasets))
-            for paper, file in self.files.items()
-            if published_path(self.config, paper).exists()
-        }
-
-    @cached_property
-    def _studies(self) -> dict[tuple[str, str], Study]:
-        accuracy = self.settings.tiers[self.tier].accuracy
-        return {
-            (paper, name): Study(
-                paper, name, model, self.config, self.tier, accuracy, file.readings
-            )
-            for paper, file in self.files.items()
-            for name, model in file.studies.items()
-        }
-
-    @property
-    def warnings(self) -> list[str]:
-        """What is unusual in the studies, and may be a slip."""
-        return warnings(self.studies)
-
-    @property
-    def studies(self) -> list[Study]:
-        """All studies of all papers."""
-        return list(self._studies.values())
-
-    def leave_points(self, where: Path) -> None:
-        """Write how many points each study has: what runs the studies tells by it what time is left."""
-        counts = {
-            f"{paper}/{name}": len(study.plan) for (paper, name), study in self._studies.items()
-        }
-        where.parent.mkdir(exist_ok=True)
-        where.write_text(json.dumps(counts))
-
-    def study(self, paper: str, name: str) -> Study:
-        """One study, planned once."""
-        return self._studies[paper, name]
-
-    def schematic(self, paper: str, name: str) -> SceneFile:
-        """The scene that a schematic shows."""
-        return self.files[paper].schematics[name].file(self.config)
+class Workplan(Configuration):
+    """Inputs, outputs and one digest for each rule."""
 
     # grids
 
@@ -182,12 +51,12 @@ class Workplan:
         """Axes, point keys and the code that joins points into a dataset."""
         return f"{self.study(paper, study).digest}-{digest(sources_behind(COLLECT))}"
 
-    def settings_files(self, paper: str, study: str) -> list[str]:
+    def settings_files(self, paper: str, study: str, *_shard: str) -> list[str]:
         """The file of what a study is tuned to; none where nothing is tuned."""
         tuned = self.files[paper].studies[study].settings
         return [f"results/{paper}/{study}.settings.json"] if tuned else []
 
-    def settings_option(self, paper: str, study: str) -> str:
+    def settings_option(self, paper: str, study: str, *_shard: str) -> str:
         """How a job is told of that file; nothing where there is none."""
         return " ".join(
             f"--settings {shlex.quote(file)}" for file in self.settings_files(paper, study)
@@ -208,21 +77,9 @@ class Workplan:
         folder = f"results/{paper}/{study}.shards"
         return [f"{folder}/{k}-of-{shards}" for k in range(shards)] if shards > 1 else []
 
-    def kernels(self, paper: str, study: str) -> list[str]:
+    def kernels(self, paper: str, study: str, *_shard: str) -> list[str]:
         """Markers of the kernels that a study runs."""
         return [self.kernels_of(group) for group in self.study(paper, study).kernel_groups]
-
-    def shard_kernels(self, paper: str, study: str, shard: str, shards: str) -> list[str]:
-        """Markers of the kernels that the points of a shard run."""
-        return self.kernels(paper, study)
-
-    def shard_settings(self, paper: str, study: str, shard: str, shards: str) -> list[str]:
-        """The file of what the points of a shard are tuned to."""
-        return self.settings_files(paper, study)
-
-    def shard_settings_option(self, paper: str, study: str, shard: str, shards: str) -> str:
-        """How a shard is told of that file."""
-        return self.settings_option(paper, study)
 
     def shard(self, paper: str, study: str, shard: str, shards: str) -> list[Point]:
         """Points of a shard."""
@@ -369,14 +226,6 @@ class Workplan:
     def all_kernels(self) -> list[str]:
         """Markers of all groups of kernels."""
         return [self.kernels_of(group) for group in GROUPS]
-
-    def figures(self) -> list[tuple[str, str]]:
-        """All figures as (paper, name), the schematics of a paper first."""
-        return [
-            (paper, name)
-            for paper, file in self.files.items()
-            for name in (*file.schematics, *file.figures)
-        ]
 
     def figure_files(self, paper: str | None = None) -> list[str]:
         """Files of all figures, or of those of one paper."""

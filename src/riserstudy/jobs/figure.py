@@ -1,0 +1,44 @@
+"""The figure that a study file names: from datasets, or a schematic from its scene."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from riserstudy.errors import InputError
+from riserstudy.study.read import read_studies
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+
+def from_datasets(config: Path, paper: str, name: str, datasets: dict[str, xr.Dataset]) -> Figure:
+    """Draw a figure of a chapter, or a plot for any grid.
+
+    Raises
+    ------
+    InputError
+        When a dataset lacks a quantity that is drawn: figure, dataset and quantity.
+    """
+    from riserstudy.chapters.draw import draw
+    from riserstudy.figures import draw_plot
+    from riserstudy.grading.printed import with_printed
+
+    model = read_studies(config, paper).figures[name]
+    if not model.plot:
+        return draw(paper, name, datasets, with_printed(model.settings, config, paper))
+    try:
+        return draw_plot(model, datasets[model.reads[0]])
+    except InputError as error:
+        where = config / f"studies/{paper}.yaml"
+        found = f"{error.found} in {model.reads[0]}"
+        raise InputError(where, f"figures.{name}.of", found, error.allowed) from None
+
+
+def from_scene(config: Path, paper: str, name: str) -> Figure:
+    """Draw the schematic of a scene."""
+    from riserstudy.schematic import schematic
+
+    model = read_studies(config, paper).schematics[name]
+    return schematic(model.file(config).scene())

@@ -1,0 +1,397 @@
+"""Jobs of the rules, a function a rule: ``python -m riserstudy.jobs <function> ...``.
+
+A job reads, computes, writes whole files and seals them. What it needs is imported when it runs: the
+process that jobs are forks of has most of it, and a figure needs no solver.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from riserstudy.dataset.unit_systems import UnitSystem
+from riserstudy.errors import InputError, RiserStudyError, SimulationError, shown
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.jobs.workplan import Workplan
+
+CONFIG = Path("config")  # in the folder where Snakemake runs
+INTERRUPTED, BAD_INPUT = 130, 2  # exit statuses
+
+Tier = Annotated[str, typer.Option(help="of the run")]
+Threads = Annotated[int, typer.Option(help="that the job may use")]
+Expect = Annotated[str, typer.Option(help="digest of what it is to do, as planned")]
+Tuned = Annotated[Path | None, typer.Option(help="file of the settings that the study is tuned to")]
+Papers = Annotated[list[str], typer.Option("--paper", help="may be repeated")]
+Units = Annotated[UnitSystem, typer.Option(help="of what is drawn and written")]
+
+app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, no_args_is_help=True)
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Do a job; its exit status, after one line on stderr where it cannot be done.
+
+    Parameters
+    ----------
+    arguments : name of the job, and what it takes.
+    """
+    try:
+        return int(app(args=[*arguments], prog_name="riserstudy.jobs", standalone_mode=False) or 0)
+    except typer.Abort:
+        return INTERRUPTED
+    except RiserStudyError as error:
+        print(f"riserstudy: {error}", file=sys.stderr)
+        return error.exit_code
+    except Exception as error:
+        if not hasattr(error, "format_message"):
+            raise
+        print(f"riserstudy: job: {shown(error.format_message())}", file=sys.stderr)
+        return BAD_INPUT
+
+
+def job(function: Callable[..., None]) -> Callable[..., None]:
+    """A function that a rule runs, by its own name."""
+    return app.command(function.__name__)(function)
+
+
+# Grids
+
+
+@job
+def compile_kernels(group: Annotated[str | None, typer.Argument()] = None) -> None:
+    """Compile a group of kernels once, before jobs fan out; without a group, note that all are.
+
+    Raises
+    ------
+    InputError
+        When there is no such group.
+    """
+    from riserstudy.simulation.compile import compile_group, join_markers
+    from riserstudy.simulation.kernel_groups import GROUPS
+
+    if group is None:
+        join_markers()
+    elif group in GROUPS:
+        print(compile_group(group))
+    else:
+        raise InputError("job", "group", group, f"allowed is one of {', '.join(GROUPS)}")
+
+
+@job
+def tune(paper: str, study: str, target: Path, tier: Tier, expect: Expect) -> None:
+    """Tune mesh, step and method of a study, and write them into a file for its points.
+
+    Raises
+    ------
+    SimulationError
+        When scene, study or engine changed since the workflow was planned.
+    """
+    from riserstudy.study.settings import tuned_for, write_settings
+
+    plan = _plan(tier, [paper], only=[(paper, study)])
+    _check_unchanged(plan.settings_digest(paper, study), expect)
+    found = tuned_for(plan.study(paper, study), lambda line: print(line, flush=True))
+    print(found.because or f"{found.setting}: work {found.work:.2g} of that of requests")
+    write_settings(found, target)
+    _seal(target)
+
+
+@job
+def shard(
+    paper: str,
+    study: str,
+    shard: str,
+    shards: str,
+    target: Path,
+    tier: Tier,
+    threads: Threads,
+    expect: Expect,
+    settings: Tuned = None,
+) -> None:
+    """Store those points of a study that fall to one of several jobs and that the store lacks.
+
+    The target says how many points there are.
+
+    Raises
+    ------
+    SimulationError
+        When scene, study or engine changed since the workflow was planned.
+    """
+    from riserstudy.folders import write_whole
+    from riserstudy.jobs.points_done import PointsDone
+    from riserstudy.study.settings import fill_tuned, read_settings, with_setting
+    from riserstudy.study.simulate_points import fill
+
+    plan = _plan(tier, [paper], only=[])
+    _check_unchanged(plan.shard_digest(paper, study, shard, shards), expect)
+    points = plan.shard(paper, study, shard, shards)
+    planned = plan.study(paper, study)
+    setting = read_settings(settings).setting if settings else None
+    if setting:
+        tuned = with_setting(planned, setting)
+        pairs = zip(points, tuned.shard(int(shard), int(shards)), strict=True)
+        again = sum(fill_tuned(planned, tuned, pairs, threads, PointsDone()).by_request)
+        summary = f"{len(points)} points, {again} of them by request"
+    else:
+        made = fill(planned, points, threads, PointsDone())
+        summary = f"{made} points simulated, {len(points) - made} from the store"
+    print(f"{paper}/{study}, part {shard} of {shards}: {summary}")
+    write_whole(target, f"{len(points)} points\n".encode())
+
+
+@job
+def simulate(
+    paper: str,
+    study: str,
+    target: Path,
+    tier: Tier,
+    threads: Threads,
+    expect: Expect,
+    settings: Tuned = None,
+) -> None:
+    """Simulate what a study lacks and write its dataset.
+
+    Raises
+    ------
+    SimulationError
+        When scene, study or engine changed since the workflow was planned.
+    """
+    from riserstudy.jobs.points_done import PointsDone
+    from riserstudy.study.join import write_study
+    from riserstudy.study.settings import read_settings
+
+    plan = _plan(tier, [paper], only=[(paper, study)])
+    _check_unchanged(plan.study_digest(paper, study), expect)
+    tuned = read_settings(settings) if settings else None
+    write_study(plan.study(paper, study), target, threads, print, PointsDone(), tuned)
+    _seal(target)
+
+
+@job
+def measure(
+    paper: str,
+    study: str,
+    target: Path,
+    tier: Tier,
+    papers: Papers,
+    threads: Threads,
+    expect: Expect,
+) -> None:
+    """Measure the engine itself: a dataset about methods and effects instead of a grid.
+
+    Raises
+    ------
+    SimulationError
+        When scene, study or engine changed since the workflow was planned.
+    """
+    from riserstudy.numerics.measure import measure
+    from riserstudy.study.collect import write_dataset
+
+    plan = _plan(tier, papers, only=[])
+    _check_unchanged(plan.measured_digest(paper, study), expect)
+    dataset = measure(f"{paper} {study}", plan.measured(paper, study), plan.setting(threads))
+    write_dataset(dataset, target)
+    _seal(target)
+
+
+def _plan(tier: str, papers: list[str], only: list[tuple[str, str]]) -> Workplan:
+    """The plan of a tier, of which some studies are checked."""
+    from riserstudy.jobs.workplan import Workplan
+
+    return Workplan.read(CONFIG, {"tier": tier, "papers": papers}, only=only)
+
+
+def _check_unchanged(digest: str, expected: str) -> None:
+    """Refuse to do another thing than was planned.
+
+    Raises
+    ------
+    SimulationError
+        When the digests differ.
+    """
+    if digest != expected:
+        changed = "scene, study or engine changed while the workflow was running"
+        raise SimulationError(f"{changed}; run it again")
+
+
+# What is made of datasets
+
+
+@job
+def derive(
+    paper: str,
+    name: str,
+    target: Path,
+    sources: list[Path],
+    settings: Annotated[str, typer.Option(help="further arguments, as JSON")],
+) -> None:
+    """Derive a dataset from others."""
+    from riserstudy.chapters.derive import derive
+    from riserstudy.study.collect import write_dataset
+
+    write_dataset(derive(paper, name, _datasets(sources), json.loads(settings)), target)
+    _seal(target)
+
+
+@job
+def draw(
+    paper: str,
+    name: str,
+    targets: Annotated[tuple[Path, Path, Path], typer.Argument(metavar="PNG PDF CSV")],
+    sources: Annotated[list[Path] | None, typer.Argument()] = None,
+    units: Units = UnitSystem.FIELD,
+) -> None:
+    """Draw a figure from its datasets, or from its scene a schematic, which has none."""
+    from riserstudy.dataset.unit_systems import reading_in
+    from riserstudy.figures import save
+    from riserstudy.jobs.figure import from_datasets, from_scene
+
+    with reading_in(units):
+        if sources:
+            figure = from_datasets(CONFIG, paper, name, _datasets(sources))
+        else:
+            figure = from_scene(CONFIG, paper, name)
+        save(figure, *targets)
+    _seal(*targets)
+
+
+@job
+def grade(
+    paper: str, graded: Path, errata: Path, margins: Path, false: Path, sources: list[Path]
+) -> None:
+    """Grade the numbers and claims of a paper and its errata; false claims about it, too."""
+    from riserstudy.chapters import checks_of
+    from riserstudy.folders import write_whole
+    from riserstudy.grading import grade as grading
+    from riserstudy.grading.false_claims import read_false_claims
+    from riserstudy.grading.falsify import FalseRow, false_rows
+    from riserstudy.grading.published import read_published
+    from riserstudy.grading.rows import ErratumRow, Row, row_of, table
+    from riserstudy.records.graded import Case
+
+    datasets, checks = _datasets(sources), checks_of(paper)
+    file = read_published(CONFIG, paper, datasets)
+    items = grading.grade(file, datasets, checks)
+    cases = (case for item in items for case in item.cases)
+    write_whole(graded, table(map(row_of, items), Row).encode())
+    write_whole(margins, table(cases, Case).encode())
+    write_whole(errata, table(grading.errata(file, datasets, checks), ErratumRow).encode())
+    claims = read_false_claims(CONFIG, paper, file)
+    refused = [*false_rows(CONFIG, file, claims, datasets, checks, items)]
+    write_whole(false, table(refused, FalseRow).encode())
+    _seal(graded, errata, margins, false)
+    for item in items:
+        print(f"{paper}/{item.id}: {item.verdict}")
+    for row in refused:
+        print(f"{paper}/{row.id}: {row.verdict}, a false claim made from {row.made_from}")
+
+
+@job
+def join_tables(target: Path, sources: list[Path]) -> None:
+    """Join CSV tables with the same columns into one, in the order given.
+
+    Raises
+    ------
+    InputError
+        When a table cannot be read, or has other columns.
+    """
+    from riserstudy.folders import write_whole
+
+    texts = [_text(source) for source in sources]
+    headers = {text.partition("\n")[0] for text in texts}
+    if len(headers) > 1:
+        raise InputError(target, "", "tables with different columns", "join tables with the same")
+    rows = "".join(text.partition("\n")[2] for text in texts)
+    write_whole(target, ("".join(f"{header}\n" for header in headers) + rows).encode())
+    _seal(target)
+
+
+@job
+def database(target: Path, papers: Papers, files: list[Path]) -> None:
+    """Make the results database, or bring it to date."""
+    from riserstudy.database.build import build
+    from riserstudy.database.sources import Sources
+    from riserstudy.jobs.seals import is_whole, remove
+
+    if not is_whole(target):
+        remove(target)  # what it holds is not built upon
+    built = build(target, Sources(CONFIG, papers, files))
+    _seal(target)
+    print(f"{built.read} of {built.datasets} datasets were new or had changed")
+
+
+@job
+def report(
+    target: Path,
+    database: Path,
+    compiled: Path,
+    papers: Papers,
+    units: Units = UnitSystem.FIELD,
+) -> None:
+    """Make the report from all results."""
+    from riserstudy.dataset.unit_systems import reading_in
+    from riserstudy.report import write_report
+    from riserstudy.report.contents import Sources
+
+    with reading_in(units):
+        write_report(Sources(CONFIG, papers, database, compiled), target)
+    _seal(target)
+
+
+def _datasets(sources: list[Path]) -> dict[str, xr.Dataset]:
+    """Datasets by name."""
+    import xarray as xr
+
+    return {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
+
+
+def _text(source: Path) -> str:
+    try:
+        return source.read_text("utf-8")
+    except OSError as error:
+        raise InputError(source, "", str(error.strerror), "run its job again") from None
+
+
+def _seal(*targets: Path) -> None:
+    """Note what was written, as it was."""
+    from riserstudy.jobs.seals import seal
+
+    seal(*targets)
+
+
+# By hand
+
+
+@job
+def calibrate(
+    study: Annotated[str, typer.Argument(help="paper/study")],
+    ids: Annotated[list[str], typer.Argument(help="of printed numbers")],
+    tier: Tier = "standard",
+    most: Annotated[int | None, typer.Option(help="evaluations a start")] = None,
+) -> None:
+    """Fit the calibrated values of a study to printed numbers; print them, write nothing."""
+    from riserstudy.jobs.calibrate import fit_study
+
+    fit_study(CONFIG, study, ids, tier, most)
+
+
+@job
+def references(
+    only: Annotated[list[str] | None, typer.Argument(help="a study, or study/case")] = None,
+    again: Annotated[
+        bool, typer.Option("--again", help="compute those that could be used, too")
+    ] = False,
+    processes: Annotated[int, typer.Option(help="at a time")] = os.cpu_count() or 1,
+) -> None:
+    """Compute the reference solutions that the studies of the engine compare with."""
+    from riserstudy.jobs.references import compute
+
+    compute(CONFIG, only or [], again, processes)
