@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from riserstudy.grading.verdict import RELATIVE
 from riserstudy.grading.word import Word
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.strict import Strict
+from riserstudy.records.printed_figures import figures_in
 
 
 class PrintedNumber(Strict):
@@ -73,6 +74,7 @@ class Item(Checked):
     paper leaves open; without it the check's own dimensions are that space, and ``base`` picks the cell
     that counts as the simulated value. ``beside`` names datasets of further cases, told in the note:
     one cell, or many with their range and the share of hits.
+    ``figure``: the printed figures that it stands in, or another place: `4a, 6 to 8, section 6.2`.
     ``impossible`` says why nothing can be compared, ``not_comparable`` how what is published is defined
     otherwise than what is computed.
     ``within``: share of the printed value that a number is to be met to, as `0.15 %`. Absent: 1 %.
@@ -94,6 +96,12 @@ class Item(Checked):
     impossible: str = ""
     not_comparable: str = ""
     note: str = ""
+
+    @field_validator("figure")
+    @classmethod
+    def _names_figures(cls, text: str) -> str:
+        figures_in(text)
+        return text
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

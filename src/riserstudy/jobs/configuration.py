@@ -14,7 +14,12 @@ from riserstudy.grading.models import PublishedFile
 from riserstudy.grading.published import published_path, read_published
 from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
-from riserstudy.jobs.plan_checks import refuse_settings, refuse_unprinted, warnings
+from riserstudy.jobs.plan_checks import (
+    refuse_settings,
+    refuse_unknown_claims,
+    refuse_unprinted,
+    warnings,
+)
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.config import RULES, Config
 from riserstudy.study.models import StudyFile, Tier
@@ -47,6 +52,8 @@ class Configuration:
         if only is None:
             for paper, printed in self.published.items():  # checked before any job, too
                 read_false_claims(config, paper, printed)
+            known = {p: {i.id for i in of.items} for p, of in self.published.items()}
+            refuse_unknown_claims(config, self.files, known)
         for paper, name in self._studies if only is None else only:
             study = self.study(paper, name)
             scene_file(config / study.model.scene).scene()

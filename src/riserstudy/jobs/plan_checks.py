@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache, partial
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from riserstudy.grading.printed import printed_inputs, unprinted
 from riserstudy.grading.published import published_path
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.far_values import far_values
+from riserstudy.study.models import StudyFile
 from riserstudy.study.study import Study
 
 
@@ -35,6 +36,29 @@ def refuse_unprinted(config: Path, scenes: Iterable[SceneFile]) -> None:
                 f"list it under `inputs`, or say its origin, as {{chosen: {value}, because: ...}}"
             )
             raise InputError(scene.source, path, found, allowed)
+
+
+def refuse_unknown_claims(
+    config: Path, files: Mapping[str, StudyFile], known: Mapping[str, set[str]]
+) -> None:
+    """Refuse figures that list a number or claim which their paper's file does not have.
+
+    Parameters
+    ----------
+    known : IDs by paper.
+
+    Raises
+    ------
+    InputError
+        With the first such ID.
+    """
+    for paper, file in files.items():
+        ids = known.get(paper, set())
+        for name, figure in file.figures.items():
+            for one in [one for one in figure.claims if one not in ids]:
+                allowed = f"allowed are the IDs of {published_path(config, paper)}"
+                where = config / f"studies/{paper}.yaml"
+                raise InputError(where, f"figures.{name}.claims", f"no {one!r}", allowed)
 
 
 def refuse_settings(study: Study) -> None:

@@ -246,10 +246,7 @@ def _figures(
             rests,
             {name: reads.get(f"{paper}/{name}", set()) for name in names},
             behind,
-            {
-                n: f"{pictures[sources.folder / known[paper, n][1]].title} {known[paper, n][0]}"
-                for n in names
-            },
+            {name: figure.claims for name, figure in file.figures.items()},
         )
         label = labels(names, short_of(files, paper), printed=bool(file.reference))
         for name in names:

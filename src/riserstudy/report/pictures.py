@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import base64
 import io
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from PIL import Image
 
 from riserstudy.figures import HEAD_ROWS
+from riserstudy.records.printed_figures import figures_in, number_of
 from riserstudy.report.claims import Claim
 
-_PRINTED = re.compile(r"fig0*(\d+)")
-_NUMBERS = re.compile(r"(?<![\w.])(\d+)[a-z]?(?: to (\d+))?")
-_IDS = re.compile(r"\b([A-Z]\d+[a-z]?)\b(?: to ([A-Z]\d+[a-z]?)\b)?")
 COLOURS = 192  # of a figure on the page, chosen so that none is far from what it was
 
 
@@ -82,9 +79,9 @@ def labels(names: Iterable[str], short: str, *, printed: bool) -> dict[str, str]
     """
     found, own = {}, 0
     for name in names:
-        number = _PRINTED.fullmatch(name)
-        if number:
-            found[name] = f"{short}, Fig. {number[1]}"
+        number = number_of(name)
+        if number is not None:
+            found[name] = f"{short}, Fig. {number}"
             continue
         own += 1
         found[name] = f"{short}, {'S' if printed else 'Fig. '}{own}"
@@ -98,9 +95,7 @@ def heading(label: str, title: str) -> str:
 
 def belongs(claim: Claim, name: str) -> bool:
     """Whether a claim is about a printed figure."""
-    printed = _PRINTED.fullmatch(name)
-    named = [(int(low), int(high or low)) for low, high in _NUMBERS.findall(claim.figure)]
-    return printed is not None and any(low <= int(printed[1]) <= high for low, high in named)
+    return number_of(name) in figures_in(claim.figure)
 
 
 def claims_by_figure(
@@ -109,20 +104,20 @@ def claims_by_figure(
     rests: Mapping[tuple[str, ...], set[str]],
     reads: Mapping[str, set[str]],
     behind: Mapping[tuple[str, ...], set[str]],
-    words: Mapping[str, str],
+    listed: Mapping[str, Sequence[str]],
 ) -> dict[str, list[Claim]]:
     """Claims of each figure of a chapter: those that name it, else those that rest on what it shows.
 
     A figure that the paper does not print has, besides, those that rest on all that it shows; where there is
-    none, those that its words name, else those that rest on some of what it shows. Claims that no figure has
-    by then are linked to those that show something of the runs behind them.
+    none, those that rest on some of what it shows. A figure whose entry lists claims has these alone. Claims
+    that no figure has by then are linked to those that show something of the runs behind them.
 
     Parameters
     ----------
     rests : datasets by paper and id of a claim.
     reads : datasets by figure.
     behind : simulated datasets by dataset.
-    words : title and caption by figure.
+    listed : ids of claims by figure, where its entry lists some.
     """
     graded = list(claims)
     rest = {claim.id: rests.get((claim.paper, claim.id), set()) for claim in graded}
@@ -130,9 +125,11 @@ def claims_by_figure(
     for claim in graded:
         for name in _strictly(claim, names, rest[claim.id], reads):
             claims_of[name].append(claim)
-    for name in [name for name in names if not claims_of[name]]:
-        some = [c for c in graded if rest[c.id] & reads.get(name, set())]
-        claims_of[name] = _named(graded, words.get(name, "")) or some
+    for name in names:
+        if ids := listed.get(name):
+            claims_of[name] = [claim for claim in graded if claim.id in ids]
+        elif not claims_of[name]:
+            claims_of[name] = [c for c in graded if rest[c.id] & reads.get(name, set())]
     linked = {claim.id for of in claims_of.values() for claim in of}
     for claim in (c for c in graded if c.id not in linked):
         runs = _runs(rest[claim.id], behind)
@@ -149,20 +146,9 @@ def _strictly(
     own = [name for name in names if belongs(claim, name)]
     if not own:
         return [name for name in names if rest & reads.get(name, set())]
-    added = [name for name in names if not _PRINTED.fullmatch(name)]
+    added = [name for name in names if number_of(name) is None]
     return own + [name for name in added if reads.get(name) and reads[name] <= rest]
 
 
 def _runs(datasets: set[str], behind: Mapping[tuple[str, ...], set[str]]) -> set[str]:
     return set().union(*(behind.get((name,), set()) for name in datasets))
-
-
-def _named(claims: list[Claim], text: str) -> list[Claim]:
-    """Claims whose ids stand in a text, and those between two that ``to`` joins."""
-    ids = [claim.id for claim in claims]
-    found: set[str] = set()
-    for low, high in _IDS.findall(text):
-        if low in ids:
-            found.update(ids[ids.index(low) : ids.index(high) + 1] if high in ids else [low])
-            found.add(f"{low}-{high}")
-    return [claim for claim in claims if claim.id in found]

@@ -26,6 +26,8 @@ class FigureModel(Strict):
     study's limits over one or two, an envelope along the riser, time series. Absent: the function of the
     figure's name in its chapter's figures.
     ``of``: the quantities to plot. Absent: those that matter most among what there is.
+    ``claims``: IDs of the numbers and claims that it is about. Absent: those of the printed figure that it
+    repeats, or those that rest on what it reads.
     ``with``: further arguments of the function, ``{printed: N1}`` for a printed number of the paper.
     """
 
@@ -33,6 +35,7 @@ class FigureModel(Strict):
     reads: list[str] = Field(min_length=1)
     plot: Plot | None = None
     of: list[str] | None = Field(default=None, min_length=1)
+    claims: list[str] = Field(default_factory=list)
     settings: dict[str, Any] = Field(default_factory=dict, alias="with")
 
     @model_validator(mode="after")

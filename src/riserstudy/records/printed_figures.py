@@ -1,0 +1,42 @@
+"""Which printed figures a name or an entry of a paper's file refers to."""
+
+from __future__ import annotations
+
+NAME = "fig"  # before the number, in names of figures that a paper prints
+
+
+def number_of(name: str) -> int | None:
+    """Number of the printed figure that a figure repeats: 8 for ``fig08``; None for an added one."""
+    number = name.removeprefix(NAME)
+    return int(number) if name != number and _is_number(number) else None
+
+
+def figures_in(text: str) -> frozenset[int]:
+    """Numbers of the printed figures that a number or claim stands in.
+
+    Parameters
+    ----------
+    text : figures, ranges of figures and other places, with commas between: ``4a, 6 to 8, section 6.2``.
+
+    Raises
+    ------
+    ValueError
+        When a part begins as a figure and is none.
+    """
+    return frozenset(number for part in text.split(",") for number in _numbers(part.strip()))
+
+
+def _numbers(part: str) -> range:
+    first, _, rest = part.lower().partition(" ")
+    if rest and first in ("fig", "fig.", "figs.", "figure", "figures"):
+        raise ValueError(f"{part!r}; allowed is the number alone, as 8, 8a or 6 to 8")
+    if not part[:1].isdigit():  # another place: text, conclusions, section 6.2
+        return range(0)
+    ends = [end.rstrip("abcdefghijklmnopqrstuvwxyz") for end in part.split(" to ")]
+    if len(ends) > 2 or not all(map(_is_number, ends)) or int(ends[0]) > int(ends[-1]):
+        raise ValueError(f"{part!r}; allowed is a figure, as 8 or 8a, or several, as 6 to 8")
+    return range(int(ends[0]), int(ends[-1]) + 1)
+
+
+def _is_number(text: str) -> bool:
+    return text.isascii() and text.isdecimal()
