@@ -24,7 +24,7 @@ from ruamel.yaml import YAML
 from riserstudy.database.ask import NAME, ask, opened
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources
-from riserstudy.database.wide_table import FACTS
+from riserstudy.database.wide_table import facts_of_points
 from riserstudy.study.collect import write_dataset
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -117,7 +117,8 @@ def invent(name: str, points: int, seed: int) -> None:
     draw = np.random.default_rng(seed)
     shape = (points // PERIODS, PERIODS)
     over = ("heave_amplitude", "heave_period")
-    data: dict[str, Any] = {fact: (over, draw.random(shape)) for fact in FACTS}
+    facts = [column.name for column in facts_of_points()]
+    data: dict[str, Any] = {fact: (over, draw.random(shape)) for fact in facts}
     data["warnings"] = (over, np.full(shape, "", dtype=object))
     data["effects"] = (over, np.full(shape, "support\nplatform motion", dtype=object))
     keys = np.array([f"{seed:08x}{k:024x}" for k in range(points)], dtype=object)

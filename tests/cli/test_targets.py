@@ -15,7 +15,7 @@ import typer
 
 from riserstudy import cli
 from riserstudy.cli.targets import ENDINGS, Writes
-from riserstudy.database import names as beside_schema
+from riserstudy.database.build import schema
 from riserstudy.scene.tables import PLACES, is_table
 
 DECKS = Path(__file__).parents[1] / "scene/decks"
@@ -171,7 +171,7 @@ def inputs(tmp_path_factory):
     (folder / "results").mkdir()
     (folder / "results/reproduction.csv").write_text("paper,id\n")
     with sqlite3.connect(folder / "results/results.sqlite") as db:
-        db.executescript(Path(beside_schema.__file__).with_name("schema.sql").read_text())
+        db.executescript(schema())
         db.execute("insert into about values ('1', 'test')")
         db.execute("insert into files values ('reproduction.csv', 'table', 9, ?)", ("0" * 64,))
     db.close()

@@ -4,15 +4,15 @@ import random
 import sqlite3
 import time
 from contextlib import closing
-from pathlib import Path
 
 import pytest
 
 from riserstudy.database import ask
+from riserstudy.database.build import schema
 from riserstudy.database.write_papers import _graded
 from riserstudy.errors import InputError
 
-SCHEMA = Path(ask.__file__).with_name("schema.sql").read_text()
+SCHEMA = schema()
 TABLES = ("about", "studies", "files", "points", "columns", "papers", "effect_sets")
 ENDLESS = "with recursive n(i) as (select 1 union all select i + 1 from n) "
 #: what a view could be, each with the columns of the table in whose place it stands

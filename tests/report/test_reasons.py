@@ -1,11 +1,13 @@
 """Every number and claim of the report has a reason, and its share an interval or the reason why not."""
 
+from dataclasses import fields
+
 import pytest
 
 from riserstudy.records.graded import Grounds, Reading, Share
 from riserstudy.report.claims import Claim
 
-PLAIN = dict.fromkeys(Claim._fields) | {
+PLAIN = dict.fromkeys(field.name for field in fields(Claim)) | {
     "unit": "",
     "decided_by": "",
     "said": [],

@@ -9,8 +9,6 @@ import pytest
 import xarray as xr
 
 from riserstudy.dataset.result import Result
-from riserstudy.dataset.variables import OF_POINTS
-from riserstudy.study import collect
 from riserstudy.study.collect import dataset_of, write_dataset
 from riserstudy.study.grid import Point
 from riserstudy.study.models import Numbers, StudyModel
@@ -106,7 +104,3 @@ def test_one_point_in_eight_tells_its_error_whatever_the_study_and_few_points_al
         assert lacks(many, point, None)
         assert lacks(many, point, silent) == tells
         assert not lacks(many, point, telling)
-
-
-def test_the_numbers_of_points_are_those_that_figures_may_show():
-    assert {*collect.FACTS} - {"warnings", "effects"} == OF_POINTS

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from riserstudy.database.sources import File, Sources, described
+from riserstudy.database.wide_table import facts_of_points
 from riserstudy.database.write_papers import datasets_of, remove_papers, studies_of, write_papers
 from riserstudy.database.write_parameters import Values
 from riserstudy.database.write_study import marks, remove_study, remove_unused, write_study
@@ -24,6 +25,7 @@ from riserstudy.errors import SimulationError
 
 DATA_FILES = ("schema.sql",)
 SCHEMA = Path(__file__).with_name(DATA_FILES[0])
+FACTS = "    -- facts of the run\n"  # in it, where their columns stand
 #: made when all rows are there: three times as fast
 INDEXES = """
 create index if not exists points_by_key on points (key);
@@ -97,6 +99,16 @@ def _is_ours(path: Path) -> bool:
         return False
 
 
+def schema() -> str:
+    """The statements that make an empty database, with a column for each fact that studies hold."""
+    facts = [
+        f"    {fact.name} {fact.about.kind}{' not null' if fact.about.kind == 'text' else ''},"
+        f" -- {', '.join(filter(None, (fact.about.long_name, fact.about.unit)))}\n"
+        for fact in facts_of_points()
+    ]
+    return SCHEMA.read_text("utf-8").replace(FACTS, "".join(facts))
+
+
 def builder() -> str:
     """Digest of the code that builds."""
     return digest(sources_behind(__name__))
@@ -104,7 +116,7 @@ def builder() -> str:
 
 def _update(db: sqlite3.Connection, sources: Sources, folder: Path) -> Built:
     if not db.execute("select 1 from sqlite_master").fetchone():
-        _run(db, SCHEMA.read_text("utf-8"))
+        _run(db, schema())
         db.execute("insert into about values (?, ?)", (version("riserstudy"), builder()))
     files = [described(path, folder) for path in sources.files]
     before: dict[str, str] = dict(db.execute("select path, sha256 from files").fetchall())

@@ -66,21 +66,7 @@ create table points (             -- simulated points; a scene that two studies 
     place text not null,          -- on the axes, as text
     engine text not null,
     effect_set integer,
-    wall_seconds real,
-    solve_seconds real,
-    elements integer,
-    step real,                    -- s
-    newton_iterations integer,
-    error_estimated integer,      -- 1 where it was; else a study has it from other points
-    error_displacement real,      -- estimated, relative
-    error_moment real,
-    error_tension real,
-    error_angle real,
-    unexplained_energy real,      -- share of the energy exchanged
-    smallest_tension real,        -- N
-    largest_bending_moment real,  -- N m, of the point's own curve
-    largest_bending_moment_s real,
-    warnings text not null,
+    -- facts of the run
     unique (study, position)
 );
 

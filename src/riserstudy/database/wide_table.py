@@ -11,15 +11,9 @@ from numpy.typing import NDArray
 from riserstudy.database.names import Names, quoted
 from riserstudy.database.read_dataset import Grid
 from riserstudy.dataset.extremes import Statistic
+from riserstudy.records.facts import PointColumn, point_columns
 from riserstudy.scene.fields import in_si
 
-#: facts about every point, in the order of its columns
-FACTS = (
-    *("wall_seconds", "solve_seconds", "elements", "step", "newton_iterations"),
-    *("error_estimated", "error_displacement", "error_moment", "error_tension", "error_angle"),
-    "unexplained_energy",
-    *("smallest_tension", "largest_bending_moment", "largest_bending_moment_s", "warnings"),
-)
 ASSUMED = "assumed_"
 MANY = 20_000  # values of a column that are plain numbers at a time
 TYPES = {"i": "integer", "u": "integer", "f": "real", "b": "integer"}
@@ -42,9 +36,14 @@ def plain(values: NDArray[Any]) -> Iterator[Any]:
         yield from values[begin : begin + MANY].tolist()
 
 
+def facts_of_points() -> list[PointColumn]:
+    """Facts about every point, in the order of its columns."""
+    return [column for column in point_columns() if column.about.in_database]
+
+
 def is_result(of: Statistic) -> bool:
     """Whether something is a result of a run: neither a fact about the run nor an assumption."""
-    about = (*FACTS, "point_key", "effects", "by_request")
+    about = ("point_key", "effects", "by_request", *(c.name for c in facts_of_points()))
     return of.statistic != "value" or not (of.quantity in about or of.quantity.startswith(ASSUMED))
 
 

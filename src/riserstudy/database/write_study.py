@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from riserstudy.database.names import Names, quoted
 from riserstudy.database.parameters import parameters_of
 from riserstudy.database.read_dataset import Contents, Grid, read_dataset
-from riserstudy.database.wide_table import FACTS, is_result, plain, write_wide_table
+from riserstudy.database.wide_table import facts_of_points, is_result, plain, write_wide_table
 from riserstudy.database.write_parameters import Values, write_same, write_varied
 from riserstudy.dataset.extremes import Statistic
 from riserstudy.model.absent_effects import absent
@@ -88,6 +88,7 @@ def _write_points(db: sqlite3.Connection, about: About, contents: Contents) -> i
     of = {v.name: v.values for v in grid.variables if not v.within}
     first: int = db.execute("select coalesce(max(point), 0) + 1 from points").fetchone()[0]
     absent_fact: Iterator[None] = repeat(None)
+    facts = [column.name for column in facts_of_points()]
     rows = zip(
         range(first, first + grid.cells),
         repeat(about.study),
@@ -96,10 +97,10 @@ def _write_points(db: sqlite3.Connection, about: About, contents: Contents) -> i
         _places(grid),
         repeat(contents.attributes["engine"]),
         _effect_sets(db, contents.attributes, of.get("effects")),
-        *(plain(of[name]) if name in of else absent_fact for name in FACTS),
+        *(plain(of[name]) if name in of else absent_fact for name in facts),
         strict=False,  # what repeats has no end
     )
-    db.executemany(f"insert into points values ({marks(7 + len(FACTS))})", rows)
+    db.executemany(f"insert into points values ({marks(7 + len(facts))})", rows)
     return first
 
 

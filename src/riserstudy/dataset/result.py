@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from riserstudy.records.facts import RunFacts
 
 
 @dataclass
@@ -14,4 +17,4 @@ class Result:
     """Arrays of one run by name, and facts about it."""
 
     arrays: dict[str, NDArray[np.float64]]
-    facts: dict[str, Any] = field(default_factory=dict)
+    facts: RunFacts = field(default_factory=dict)  # type: ignore[assignment]

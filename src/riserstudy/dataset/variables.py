@@ -7,6 +7,7 @@ from functools import cache
 from pathlib import Path
 
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.records.facts import point_columns
 
 ENDINGS = {
     "_max": "largest ",
@@ -49,25 +50,6 @@ OF_RUNS = frozenset(
 )
 
 
-#: numbers that a study tells of each of its points
-OF_POINTS = frozenset(
-    (
-        *("wall_seconds", "solve_seconds", "elements", "step", "newton_iterations"),
-        *("error_estimated", "error_displacement", "error_moment", "error_tension", "error_angle"),
-        "unexplained_energy",
-        *("smallest_tension", "largest_bending_moment", "largest_bending_moment_s"),
-    )
-)
-
-#: the same of points whose scene calls for vortex-induced vibration
-OF_VIBRATION = (
-    *("vibration_rms", "vibration_rms_max", "vibration_rms_max_s"),
-    *("vibration_frequency", "vibration_scatter"),
-)
-
-#: the same of points whose scene has details of fatigue
-OF_FATIGUE = ("error_damage",)
-
 DATA_FILES = ("variables.yaml",)
 #: dimensions and variables of natural modes, where a study asks for them
 OF_MODES = frozenset(
@@ -77,8 +59,15 @@ OF_MODES = frozenset(
     )
 )
 
-#: what else a study tells of each of its points, in words
-ABOUT_POINTS = frozenset(("point_key", "effects", "warnings"))
+
+def of_points(name: str) -> bool:
+    """Whether a name is that of a number that studies may hold of each of their points."""
+    return any(c.name == name and c.about.kind != "text" for c in point_columns())
+
+
+def about_points() -> frozenset[str]:
+    """Names of everything that studies may hold of each of their points."""
+    return frozenset(("point_key", *(column.name for column in point_columns())))
 
 
 def of_runs(name: str) -> bool:
@@ -86,9 +75,13 @@ def of_runs(name: str) -> bool:
     return any(name.removesuffix(ending) in OF_RUNS for ending in ("", *ENDINGS))
 
 
-@cache
 def variables() -> dict[str, dict[str, str]]:
     """Names, units and labels of all variables."""
+    return _in_file() | {c.name: c.attributes for c in point_columns() if c.attributes}
+
+
+@cache
+def _in_file() -> dict[str, dict[str, str]]:
     table: dict[str, dict[str, str]] = read_yaml(Path(__file__).with_name(DATA_FILES[0]), keep=True)
     return table
 

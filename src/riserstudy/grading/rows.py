@@ -9,23 +9,13 @@ from typing import Any
 
 from riserstudy.csv_files import csv_text
 from riserstudy.grading.words import depends_on, note
-from riserstudy.records.graded import Graded, Verdict
+from riserstudy.records.graded import Graded, ItemResult
 
 
 @dataclass(frozen=True)
-class Row:
+class Row(ItemResult):
     """One line of reproduction.csv: ``grounds`` is JSON, of which ``depends_on`` and ``note`` tell."""
 
-    paper: str
-    id: str
-    figure: str
-    kind: str
-    statement: str
-    published: float | None
-    simulated: float | None
-    unit: str
-    error: float | None
-    verdict: Verdict
     depends_on: str
     margin: float | None
     margin_low: float | None

@@ -7,7 +7,7 @@ repeated a thousand times, make a program whose time is that of the effect and n
 from __future__ import annotations
 
 import time as clock
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,7 +69,7 @@ def costs(scene: Scene, mesh: Mesh, step: float | None) -> list[Cost]:
 def _timed(scene: Scene, mesh: Mesh, step: float | None) -> tuple[float, dict[str, int]]:
     """Shortest time of a run (s), and how often it evaluates what."""
     results = [single(scene, mesh, step) for _ in range(TIMES)]
-    facts: dict[str, Any] = results[-1].facts
+    facts = results[-1].facts
     best = min(float(result.facts["solve_seconds"]) for result in results)
     iterations, steps = facts.get("newton_iterations", 0), facts.get("steps", 0)
     if not steps:

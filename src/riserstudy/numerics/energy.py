@@ -20,6 +20,8 @@ from riserstudy.study.measured import EnergyCase, EnergyStudy, Method
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.records.facts import EnergyAudit
+
 
 PARTS = {
     "stored": "stored",
@@ -59,7 +61,7 @@ def energy(study: EnergyStudy, setting: Setting) -> xr.Dataset:
 
 def ledger_of(
     file: SceneFile, case: EnergyCase, method: Method, duration: float
-) -> tuple[dict[str, float], str]:
+) -> tuple[EnergyAudit, str]:
     """The ledger of a run of some length; empty, with a message, where it is refused."""
     cut = {
         "analysis.duration": f"{duration!r} s",

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -38,6 +38,7 @@ from riserstudy.study.sampling import sample
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.records.facts import RunFacts
     from riserstudy.study.models import Tier
 
 WHERE = "config/studies/numerics.yaml: measured.random_scenes"
@@ -240,7 +241,7 @@ def spent_on(one: Drawn) -> float:
     return sum(map(_work, one.asked.facts["refinements"])) if one.asked else 0.0
 
 
-def _work(facts: dict[str, Any]) -> float:
+def _work(facts: Mapping[str, Any]) -> float:
     """Segments times Newton iterations: what a run costs, free of noise."""
     return float(facts["elements"]) * float(facts["newton_iterations"])
 
@@ -260,7 +261,8 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
         for q in QUANTITIES:
             data[f"{kind}_{q}"] = [of.get(q, math.nan) for of in errors]
         data[kind] = [max(of.values(), default=math.nan) for of in errors]
-    facts = [one.asked.facts if one.asked else {} for one in drawn]
+    none: RunFacts = {}
+    facts = [one.asked.facts if one.asked else none for one in drawn]
     data["elements"] = [f.get("elements", 0) for f in facts]
     data["step"] = [f.get("step", math.nan) for f in facts]
     data["runs"] = [len(f.get("refinements", [])) for f in facts]

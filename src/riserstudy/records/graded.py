@@ -228,16 +228,13 @@ class Grounds(Travelling):
 
 
 @dataclass(frozen=True)
-class Graded:
-    """How a printed number or claim came out.
+class ItemResult:
+    """A printed number or claim and how it came out: what tables, database and report tell alike.
 
     Attributes
     ----------
     published, simulated : as printed, and of the base case; in ``unit``.
     error : relative, absolute where zero is printed.
-    margin : of the base case from where it would turn, -1 to 1; None where that is not known.
-    margin_low, margin_high : between these in nine of ten cases that are judged.
-    cases : all of it, with the points that they rest on.
     """
 
     paper: str
@@ -250,6 +247,19 @@ class Graded:
     unit: str
     error: float | None
     verdict: Verdict
+
+
+@dataclass(frozen=True)
+class Graded(ItemResult):
+    """How a printed number or claim came out, and why.
+
+    Attributes
+    ----------
+    margin : of the base case from where it would turn, -1 to 1; None where that is not known.
+    margin_low, margin_high : between these in nine of ten cases that are judged.
+    cases : all of it, with the points that they rest on.
+    """
+
     grounds: Grounds
     margin: float | None = None
     margin_low: float | None = None

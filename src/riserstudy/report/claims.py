@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import sqlite3
 from collections import Counter
+from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 from riserstudy.grading.names import option_name
 from riserstudy.grading.words import by_reading, margin_in_words, remarks
-from riserstudy.records.graded import Grounds, Influence, Kind
+from riserstudy.records.graded import Grounds, Influence, ItemResult
 from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
@@ -22,10 +23,7 @@ VERDICTS = {
     "not reproducible": "the paper does not say enough",
 }
 #: columns of the database that a claim has under the same name
-AS_IT_IS = (
-    *("paper", "id", "figure", "kind", "statement", "published", "simulated", "unit", "error"),
-    *("verdict", "decided_by", "met", "samples"),
-)
+AS_IT_IS = (*(field.name for field in fields(ItemResult)), "decided_by", "met", "samples")
 
 
 class ByOption(NamedTuple):
@@ -35,23 +33,14 @@ class ByOption(NamedTuple):
     shares: list[tuple[str, int]]
 
 
-class Claim(NamedTuple):
+@dataclass(frozen=True)
+class Claim(ItemResult):
     """A printed number or claim, its verdict, and why.
 
     ``met``, ``samples``: of the unspecified inputs, None where nothing is sampled. ``band``: 95 % interval of
     the share (%), where samples are enough. ``said``, ``options``: what else the grading tells.
     """
 
-    paper: str
-    id: str
-    figure: str
-    kind: Kind
-    statement: str
-    published: float | None
-    simulated: float | None
-    unit: str
-    error: float | None
-    verdict: str
     decided_by: str
     met: int | None
     samples: int | None
@@ -135,6 +124,6 @@ def _by_option(of: Influence) -> ByOption:
 
 def counted_verdicts(claims: list[Claim]) -> list[tuple[str, int]]:
     """How many came out how, in the order of the key."""
-    counts = Counter(claim.verdict for claim in claims)
+    counts: Counter[str] = Counter(claim.verdict for claim in claims)
     ordered = [*VERDICTS, *sorted(set(counts) - set(VERDICTS))]
     return [(verdict, counts[verdict]) for verdict in ordered if verdict in counts]

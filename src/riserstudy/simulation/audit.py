@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,11 +13,14 @@ from riserstudy.scene.vessel import Coupling
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.solve.sums import HALVED, ITERATIONS, STEPS, Sums
 
+if TYPE_CHECKING:
+    from riserstudy.records.facts import RunFacts
+
 FloatArray = NDArray[np.float64]
 UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
 
 
-def energy(facts: dict[str, Any], sums: Sums, before: float, after: float, step: float) -> None:
+def energy(facts: RunFacts, sums: Sums, before: float, after: float, step: float) -> None:
     """Enter where energy (J) went into the facts, with a warning where some is unexplained: theory (11).
 
     ``before`` and ``after`` are the energies stored (J), ``step`` is the step (s).
@@ -47,7 +50,7 @@ def energy(facts: dict[str, Any], sums: Sums, before: float, after: float, step:
         )
 
 
-def exchange(facts: dict[str, Any], coupling: Coupling) -> None:
+def exchange(facts: RunFacts, coupling: Coupling) -> None:
     """Name the energy that the exchange made: no support moves where a vessel floats but the told one."""
     audit = facts["audit"]
     made = audit.pop("work_of_supports")
@@ -80,7 +83,7 @@ def finite(arrays: dict[str, FloatArray]) -> None:
             )
 
 
-def tension(scene: Scene, arrays: dict[str, FloatArray], facts: dict[str, Any]) -> None:
+def tension(scene: Scene, arrays: dict[str, FloatArray], facts: RunFacts) -> None:
     """Enter the riser's smallest tension (N) into the facts, with a warning where it may go slack.
 
     ``arrays``: over the nodes, (n + 1,).

@@ -25,7 +25,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import fatpack
 import numpy as np
@@ -39,6 +39,9 @@ from riserstudy.scene.models import Scene
 from riserstudy.simulation import vibration
 from riserstudy.simulation.curve import between_nodes
 from riserstudy.simulation.wall_stress import Wall, nodes_of, pressures, wall_of
+
+if TYPE_CHECKING:
+    from riserstudy.records.facts import RunFacts
 
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
@@ -118,7 +121,7 @@ class Part(NamedTuple):
     thickness: float  # m
 
 
-def enter(scene: Scene, mesh: Mesh, arrays: Arrays, facts: dict[str, Any]) -> None:
+def enter(scene: Scene, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
     """Enter damage a year along the riser, ``damage_rate``, and each detail's largest into a run.
 
     The array is (details, angles, nodes), 1/year, not a number where a detail is not.
@@ -263,7 +266,7 @@ def _components(histories: Arrays) -> tuple[Array, Array | None]:
     return my - b * along, mx - a * along
 
 
-def refuse_coarse(scene: Scene, facts: dict[str, Any]) -> None:
+def refuse_coarse(scene: Scene, facts: RunFacts) -> None:
     """See that outputs are close enough for the peaks of stress.
 
     Raises

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.model.failing import without_bottles, without_cylinders, without_tension
 from riserstudy.model.mesh import Mesh
@@ -16,7 +16,8 @@ from riserstudy.solve.evaluate import energies
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.sums import DONE, Sums
 
-Facts = dict[str, Any]
+if TYPE_CHECKING:
+    from riserstudy.records.facts import RunFacts
 
 
 class Event(NamedTuple):
@@ -26,7 +27,7 @@ class Event(NamedTuple):
     change: Callable[[Model], Model]  # into a model in the same state
 
 
-def events_of(scene: Scene, mesh: Mesh, facts: Facts) -> Iterator[Event]:
+def events_of(scene: Scene, mesh: Mesh, facts: RunFacts) -> Iterator[Event]:
     """The events of a scene; what is to be told of them goes into the facts."""
     release, loss, rig = scene.disconnect, scene.top.tension_loss, scene.top.tensioners
     if release:
@@ -46,7 +47,7 @@ def march_through(
     step: float,
     record: Frozen,
     sums: Sums,
-    facts: Facts,
+    facts: RunFacts,
 ) -> tuple[Model, int, float]:
     """March by steps of ``step`` (s), from event to event.
 

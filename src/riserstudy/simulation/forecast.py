@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
@@ -12,6 +12,9 @@ from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import period
 from riserstudy.simulation.watch import Watch, size
+
+if TYPE_CHECKING:
+    from riserstudy.records.facts import RunFacts
 
 PERIODS = 12.0  # of a scene after its ramps, which are run first
 LONG = 20.0  # times these, from which on a run is worth it
@@ -64,7 +67,7 @@ def forecast(scene: Scene, watch: Watch | None = None) -> Forecast | None:
     )
 
 
-def _facts(scene: Scene, watch: Watch) -> dict[str, Any]:
+def _facts(scene: Scene, watch: Watch) -> RunFacts:
     """Facts of a run of which the first attempt, which loads kernels, does not count."""
     a = scene.analysis
     if a.mesh is not None:

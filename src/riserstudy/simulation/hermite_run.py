@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import time as clock
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,9 @@ from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
 from riserstudy.solve.hermite import dynamics, in_still_water, statics
 from riserstudy.solve.hermite_beam import Beam, End, HermiteError, Motion, Response, Stepping, Waves
+
+if TYPE_CHECKING:
+    from riserstudy.records.facts import RunFacts
 
 FloatArray = NDArray[np.float64]
 STIFFENING = 0.01  # change of the top tension, left out by a beam of constant tension, that is told
@@ -79,7 +82,7 @@ def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
     for name, value in (values | {"bending_moment": rest.moment}).items():
         arrays[name + "_static"] = value
     lowest = int(tension.argmin())
-    facts: dict[str, Any] = {
+    facts: RunFacts = {
         "effects": effects_of(scene),
         "elements": len(mesh.l0),
         "directions": 2,
@@ -87,7 +90,7 @@ def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
         "smallest_tension": float(tension[lowest]),
         "smallest_tension_s": float(mesh.s[lowest]),
     }
-    if moving is not None and scene.analysis.output is not None:
+    if moving is not None and step is not None and scene.analysis.output is not None:
         keep = moving.time >= (scene.analysis.output.start or 0.0) - 1e-9
         arrays["time"], arrays["s"] = moving.time[keep], mesh.s
         still = np.ones((int(keep.sum()), 1))

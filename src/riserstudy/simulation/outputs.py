@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,9 @@ from riserstudy.scene.tensioners import Tensioners
 from riserstudy.simulation.curve import at_stations, curve_of, largest_moment
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.record import NO_SECTION, Record, Section, evaluate_once, new_record
+
+if TYPE_CHECKING:
+    from riserstudy.records.facts import RunFacts
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
@@ -243,7 +246,7 @@ def sizes(arrays: Arrays) -> Arrays:
     }
 
 
-def peaks(arrays: Arrays) -> dict[str, Any]:
+def peaks(arrays: Arrays) -> RunFacts:
     """Largest bending moment on the curve and where it is."""
     peak = largest_moment(arrays)
     if peak is None:

@@ -6,7 +6,7 @@ Arrays in plain dictionaries come out; `dataset.label` labels them.
 from __future__ import annotations
 
 import time as clock
-from typing import Any
+from typing import TYPE_CHECKING
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
@@ -38,6 +38,9 @@ from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.record import NO_SECTION
 from riserstudy.solve.sums import DONE, STOPPED, Sums, new_sums
+
+if TYPE_CHECKING:
+    from riserstudy.records.facts import RunFacts
 
 MOST_WHOLE = 20_000_000  # values of one quantity: 160 MB
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
@@ -110,7 +113,7 @@ def march(
         damage.since(scene)
     rest = rest or Rest(scene, mesh)
     model, arrays = rest.model, dict(rest.arrays)
-    facts: dict[str, Any] = {
+    facts: RunFacts = {
         "effects": {e.name: e.because for e in model.effects},
         "elements": len(mesh.l0),
         "directions": len(model.s.dim),
@@ -181,7 +184,7 @@ def in_motion(
     step: float,
     whole: bool,
     arrays: outputs.Arrays,
-    facts: dict[str, Any],
+    facts: RunFacts,
     watch: Watch,
     judged: bool,
 ) -> outputs.Arrays:

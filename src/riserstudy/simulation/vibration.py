@@ -6,7 +6,7 @@ differ by as much as they move, and only their statistics agree. So a requested 
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +15,10 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.vortex_lift import ramp_of, shedding, shedding_period
 from riserstudy.scene.models import Scene
 
+if TYPE_CHECKING:
+    from riserstudy.records.facts import RunFacts
+
 Array = NDArray[np.float64]
-SINCE, FREQUENCY = "vibration_since", "vibration_frequency"  # among the facts of a run
 LATER = 0.5  # of the time after all ramps, over which statistics are taken
 FEWEST = 16  # outputs from which statistics are made
 STEPS, OUTPUTS = 20, 4  # a period of the vortices, at least
@@ -43,7 +45,7 @@ def since(scene: Scene) -> float | None:
     return start
 
 
-def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: dict[str, Any]) -> None:
+def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: RunFacts) -> None:
     """Enter a run's vibration into its facts: since when, root mean square, where it is largest, frequency.
 
     Steps (s) or outputs too long for its vortices are warned of; of the latter no frequency is taken.
@@ -68,7 +70,7 @@ def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: dict[str, 
     parts = [arrays[name][late] for name in ("x", "y")]
     rms = np.sqrt(sum(map(_vibration, parts)))
     most = int(rms.argmax())
-    facts[SINCE] = start
+    facts["vibration_since"] = start
     facts["vibration_rms"] = _along(rms**2, arrays["s"])
     facts["vibration_rms_max"] = float(rms[most])
     facts["vibration_rms_max_s"] = float(arrays["s"][most])
@@ -80,7 +82,7 @@ def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: dict[str, 
         )
         return
     motion = max(parts, key=lambda part: float(_vibration(part[:, [most]])[0]))[:, most]
-    facts[FREQUENCY] = frequency(arrays["time"][late], motion)
+    facts["vibration_frequency"] = frequency(arrays["time"][late], motion)
 
 
 def _vibration(motion: Array) -> Array:
@@ -125,7 +127,7 @@ def apart(
     pairs: dict[str, tuple[Array, Array]],
     places: Array,
     times: tuple[Array, Array],
-    facts: dict[str, Any],
+    facts: RunFacts,
 ) -> dict[str, float]:
     """Relative differences of the statistics of two runs of a vibration, by quantity.
 
@@ -140,7 +142,7 @@ def apart(
     times : of both runs (s).
     facts : of the finer run.
     """
-    low_late, up_late = (time >= facts[SINCE] for time in times)
+    low_late, up_late = (time >= facts["vibration_since"] for time in times)
     late = {name: (low[low_late], up[up_late]) for name, (low, up) in pairs.items()}
     out = {}
     moved = [late[name] for name in ("x", "y", "z") if name in late]
@@ -153,7 +155,7 @@ def apart(
             ),
             _relative([(low.mean(axis=0), up.mean(axis=0)) for low, up in moved]),
             _in_frequency(moved, times[0][low_late], times[1][up_late])
-            if FREQUENCY in facts
+            if "vibration_frequency" in facts
             else 0.0,
         )
     if "bending_moment" in late:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-import math
 import re
 from collections.abc import Callable, Collection
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,9 +24,10 @@ from riserstudy.dataset.label import (
 )
 from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.dataset.result import Result
-from riserstudy.dataset.variables import OF_VIBRATION, attributes, cf_unit
+from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
+from riserstudy.records.facts import point_columns
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
 from riserstudy.study import store
 from riserstudy.study.grid import Point
@@ -40,6 +40,8 @@ from riserstudy.study.study import Study
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from riserstudy.records.facts import RunFacts
 
 
 HISTORIES = frozenset(("x", "y", "z", "effective_tension", "bending_moment"))  # over s
@@ -92,16 +94,17 @@ def _take(
     What many points have alike, by ``shared``, takes memory once.
     """
     limited = "limits" in study.base.tree
+    needed = {column.fact for column in point_columns()}  # facts of a point are many more
     for point in points:
         stored = store.get(point.key, study.model.keep)
         if stored is not None and not lacks(study, point, stored):
             facts = {
                 name: value if isinstance(value, float) else _once(shared, value)
                 for name, value in stored.facts.items()
-                if name in NEEDED or (limited and name == "extremes")
+                if name in needed or (limited and name == "extremes")
             }
             arrays = {name: _once(shared, values) for name, values in stored.arrays.items()}
-            kept[point.key] = Result(arrays, facts)
+            kept[point.key] = Result(arrays, cast("RunFacts", facts))
     return [point for point in points if point.key not in kept]
 
 
@@ -146,14 +149,9 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     order = np.argsort([k for of in places for k in of])
     flat = flat.isel(point=order, missing_dims="ignore")  # nothing to keep: no points either
     flat = with_details(flat.assign(told), study.base)
-    for name, extract in FACTS.items():
-        flat[name] = ("point", [extract(r.facts) for r in results])
-    for name in OF_VIBRATION:
-        if any(name in r.facts for r in results):
-            flat[name] = ("point", [r.facts.get(name, float("nan")) for r in results])
-    if any("damage" in r.facts.get("error_estimate", {}) for r in results):
-        errors = [r.facts.get("error_estimate", {}).get("damage", math.nan) for r in results]
-        flat["error_damage"] = ("point", errors)
+    for column in point_columns():
+        if not column.about.optional or any(column.is_in(r.facts) for r in results):
+            flat[column.name] = ("point", [column.value(r.facts) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])
     dataset = xr.Dataset(coords={n: flat[n] for n in (*SHARED, OVER) if n in flat.variables})
     for coordinate in dataset.coords:
@@ -161,8 +159,8 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     for label, values in flat.data_vars.items():
         values = values.transpose("point", ...)
         grid = values.values.reshape(shape + values.shape[1:])
-        about = attributes(str(label)) or FACT_ATTRIBUTES.get(str(label), {})
-        dataset[label] = xr.DataArray(grid, dims=(*study.axes, *values.dims[1:]), attrs=about)
+        dims = (*study.axes, *values.dims[1:])
+        dataset[label] = xr.DataArray(grid, dims=dims, attrs=attributes(str(label)))
     for axis, steps in study.axes.items():
         about = _named(axis, study.model.axes[axis])
         about["sets"] = json.dumps({str(value): sets for value, sets in steps})
@@ -255,40 +253,6 @@ def laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
     if everywhere:
         whole["s"] = nodes
     return Result(own | whole | {"s_node": nodes}, result.facts)
-
-
-FACTS: dict[str, Callable[[dict[str, Any]], Any]] = {
-    "wall_seconds": lambda f: f["wall_seconds"],
-    "solve_seconds": lambda f: f.get("solve_seconds", float("nan")),
-    "elements": lambda f: f["elements"],
-    "step": lambda f: f.get("step", float("nan")),
-    "newton_iterations": lambda f: f.get("newton_iterations", float("nan")),
-    "error_estimated": lambda f: int("error_estimate" in f),
-    "error_displacement": lambda f: f.get("error_estimate", {}).get("displacement", float("nan")),
-    "error_moment": lambda f: f.get("error_estimate", {}).get("moment", float("nan")),
-    "error_tension": lambda f: f.get("error_estimate", {}).get("tension", float("nan")),
-    "error_angle": lambda f: f.get("error_estimate", {}).get("angle", float("nan")),
-    "unexplained_energy": lambda f: f.get("audit", {}).get("unexplained_share", float("nan")),
-    "smallest_tension": lambda f: f["smallest_tension"],
-    "largest_bending_moment": lambda f: f.get("largest_bending_moment", float("nan")),
-    "largest_bending_moment_s": lambda f: f.get("largest_bending_moment_s", float("nan")),
-    "warnings": lambda f: "\n".join(f["warnings"]),
-    "effects": lambda f: "\n".join(f["effects"]),
-}
-#: facts that joining takes; those of a point are many more
-NEEDED = frozenset((*FACTS, *OF_VIBRATION, "error_estimate", "audit"))
-FACT_ATTRIBUTES = {
-    "wall_seconds": {"units": "s", "long_name": "wall time of the simulation"},
-    "solve_seconds": {"units": "s", "long_name": "time of the run alone, or of all refinements"},
-    "elements": {"units": "1", "long_name": "segments of the riser"},
-    "step": {"units": "s", "long_name": "time step"},
-    "newton_iterations": {"units": "1", "long_name": "Newton iterations of the riser, all steps"},
-    "unexplained_energy": {
-        "units": "1",
-        "long_name": "share of the energy exchanged left unexplained",
-    },
-    "effects": {"long_name": "effects that are on, a line each"},
-}
 
 
 def _add_sampled(dataset: xr.Dataset, study: Study) -> None:

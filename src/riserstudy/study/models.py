@@ -13,13 +13,11 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import BeforeValidator, Field, model_validator
 
 from riserstudy.dataset.variables import (
-    ABOUT_POINTS,
     DIMENSIONS,
-    OF_FATIGUE,
     OF_MODES,
-    OF_POINTS,
     OF_RUNS,
-    OF_VIBRATION,
+    about_points,
+    of_points,
     of_runs,
 )
 from riserstudy.inputs.strict import Strict
@@ -225,7 +223,7 @@ class StudyModel(Strict):
         if self.limits and "limits" in self.set:
             raise ValueError("limits: stand in set, too; allowed is one of both")
         for name in self.axes:
-            ours = name in (*DIMENSIONS, *OF_POINTS, *OF_VIBRATION, *OF_FATIGUE, *ABOUT_POINTS)
+            ours = name in DIMENSIONS or name in about_points()
             if ours or of_runs(name) or name.endswith(("_of_limit", "_of_statistic")):
                 raise ValueError(f"axes.{name}: the name of a variable of runs; take another")
             if self.modes and name in OF_MODES:
@@ -353,7 +351,7 @@ class StudyFile(Strict):
             for dataset in set(figure.reads).difference(self.datasets):
                 yield f"figures.{name}.reads: no dataset {dataset!r}; {_among(self.datasets)}"
             for quantity in figure.of or [] if set(figure.reads) <= set(self.studies) else []:
-                if not (of_runs(quantity) or quantity in (*OF_POINTS, *OF_VIBRATION, *OF_FATIGUE)):
+                if not (of_runs(quantity) or of_points(quantity)):
                     yield f"figures.{name}.of: studies have no {quantity!r}; {_among(OF_RUNS)}"
             for study in set(figure.reads).intersection(self.studies):
                 count, least = len(self.studies[study].axes), NEEDS.get(figure.plot or "lines", 0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from riserstudy.dataset.limits import SIGNED
-from riserstudy.dataset.variables import ENDINGS, OF_FATIGUE, OF_POINTS, OF_VIBRATION
+from riserstudy.dataset.variables import ENDINGS, of_points
 from riserstudy.errors import InputError
 from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.models import Scene
@@ -142,7 +142,7 @@ def unshown(plot: Plot, quantity: str, study: Study) -> str:
     """Why a plot cannot show a quantity of a study; "" where it can, or where only runs can say."""
     stem = next((quantity.removesuffix(e) for e in ENDINGS if quantity.endswith(e)), quantity)
     over_grid = plot in ("lines", "heat map")
-    if quantity in (*OF_POINTS, *OF_VIBRATION, *OF_FATIGUE):
+    if of_points(quantity):
         return "" if over_grid else f"is one number a point, which {_a(plot)} does not show"
     if plot == "envelope" and stem not in ALONG:
         return f"has no values along the riser; allowed are {', '.join(ALONG)}"

@@ -13,7 +13,8 @@ from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import labelled, to_dataset
 from riserstudy.dataset.place import place
 from riserstudy.digests import engine_digest
-from riserstudy.study.collect import FACTS, NODE_DIGITS, laid_on, statistics
+from riserstudy.records.facts import point_columns
+from riserstudy.study.collect import NODE_DIGITS, laid_on, statistics
 from riserstudy.study.limits import uses
 from riserstudy.study.modes import modes_result, variables_of
 
@@ -23,11 +24,8 @@ if TYPE_CHECKING:
     from riserstudy.dataset.result import Result
     from riserstudy.scene.load import SceneFile
 
-#: that change from run to run, or tell what was run
-LEFT_OUT = (
-    *("wall_seconds", "solve_seconds", "point_key", "by_request"),
-    *("warnings", "effects", "failure"),
-)
+#: that are not of the run, or of one that failed
+NOT_COMPARED = ("point_key", "by_request", "failure")
 
 
 @dataclass(frozen=True)
@@ -82,7 +80,9 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     told = xr.Dataset(statistics([result], [str(name) for name in point.data_vars])).squeeze()
     result = _on_nodes_of(point, result)
     new = labelled(result).merge(told.reindex_like(point[[OVER]]) if OVER in point else {})
-    facts = {name: tell(result.facts) for name, tell in FACTS.items() if name not in LEFT_OUT}
+    columns = point_columns()
+    left_out = {*NOT_COMPARED, *(c.name for c in columns if not c.about.repeats)}
+    facts = {c.name: c.value(result.facts) for c in columns if c.name not in left_out}
     facts |= limits | modes
     return Rerun(
         {axis: point[axis].item() for axis in index},
@@ -90,7 +90,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
         {
             str(name): _change(old.values, np.asarray(facts.get(str(name), new.get(name, np.nan))))
             for name, old in point.data_vars.items()
-            if name not in LEFT_OUT and not str(name).startswith("assumed_")
+            if name not in left_out and not str(name).startswith("assumed_")
         },
         whole,
     )

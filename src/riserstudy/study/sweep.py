@@ -227,8 +227,7 @@ def _without_numbers(result: Result) -> Result:
         name: values if name in KEPT or values.dtype.kind != "f" else np.full_like(values, np.nan)
         for name, values in result.arrays.items()
     }
-    gone = {"wall_seconds": np.nan, "elements": np.nan, "smallest_tension": np.nan}
-    return Result(arrays, gone | {"warnings": [], "effects": {}})
+    return Result(arrays, {"warnings": [], "effects": {}})
 
 
 def _cores() -> int:

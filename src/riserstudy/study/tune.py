@@ -10,7 +10,7 @@ their first point. The setting is then held against other points, and tuned anew
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -329,6 +329,6 @@ def _percent(error: dict[str, float]) -> str:
     return ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in error.items())
 
 
-def work_of(spent: dict[str, Any]) -> float:
+def work_of(spent: Mapping[str, Any]) -> float:
     """Segments times Newton iterations (1): what a run costs, the same on every machine."""
     return float(spent["elements"]) * float(spent["newton_iterations"])

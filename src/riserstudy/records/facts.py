@@ -1,0 +1,242 @@
+"""What is known of a run besides its arrays, and which of it studies hold of each of their points.
+
+A new fact is one field here, and the code that enters it. Where the field has a `Column`, the datasets of
+studies, the results database, plots and reruns have it by that alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated, Any, Literal, TypedDict, get_type_hints
+
+Kind = Literal["real", "integer", "text"]
+
+
+@dataclass(frozen=True)
+class Column:
+    """A fact as studies hold it: a variable over their points, and a column of the database's points.
+
+    Attributes
+    ----------
+    long_name, unit : as CF has them; no unit for text.
+    name : of the variable. Absent: that of the fact.
+    part : key of the fact's value that is held, where that is a mapping. Absent: the value.
+    of : how it is made of the facts. Absent: the value, or nan; the lines or keys of text.
+    repeats : whether a second run of the point gives it again.
+    optional : whether datasets have it only where one of their runs has.
+    in_database : whether the table of points has it.
+    """
+
+    long_name: str
+    unit: str | None = None
+    name: str = ""
+    part: str = ""
+    kind: Kind = "real"
+    of: Callable[[RunFacts], Any] | None = None
+    repeats: bool = True
+    optional: bool = False
+    in_database: bool = True
+
+
+class EnergyAudit(TypedDict, total=False):
+    """Where energy went (J), and what share of that exchanged is not explained (1): theory (11)."""
+
+    work_of_supports: float
+    made_by_exchange: float
+    work_of_water_and_devices: float
+    dissipated: float
+    numerically_dissipated: float
+    stored: float
+    exchanged: float
+    unexplained: float
+    unexplained_share: float
+
+
+def _is_estimated(facts: RunFacts) -> int:
+    return int("error_estimate" in facts)
+
+
+#: relative, by quantity
+ErrorEstimate = dict[str, float]
+_ERROR = "estimated relative error of "
+
+
+class _Rare(TypedDict):
+    optional: bool
+    in_database: bool
+
+
+_VIBRATES: _Rare = {"optional": True, "in_database": False}
+
+
+class RunFacts(TypedDict, total=False):
+    """Facts about one run, each where the run has it; as JSON in the store and in attributes."""
+
+    wall_seconds: Annotated[float, Column("wall time of the simulation", "s", repeats=False)]
+    solve_seconds: Annotated[
+        float, Column("time of the run alone, or of all refinements", "s", repeats=False)
+    ]
+    elements: Annotated[int, Column("segments of the riser", "1", kind="integer")]
+    step: Annotated[float, Column("time step", "s")]
+    newton_iterations: Annotated[
+        int, Column("Newton iterations of the riser, all steps", "1", kind="integer")
+    ]
+    error_estimate: Annotated[
+        ErrorEstimate,
+        Column(
+            "whether the error was estimated at this point: 1, or 0",
+            "1",
+            name="error_estimated",
+            kind="integer",
+            of=_is_estimated,
+        ),
+        Column(_ERROR + "displacement", "1", name="error_displacement", part="displacement"),
+        Column(_ERROR + "bending moment", "1", name="error_moment", part="moment"),
+        Column(_ERROR + "tension", "1", name="error_tension", part="tension"),
+        Column(
+            _ERROR + "flex joint angles, not bounded by an accuracy",
+            "1",
+            name="error_angle",
+            part="angle",
+        ),
+        Column(
+            _ERROR + "fatigue damage",
+            "1",
+            name="error_damage",
+            part="damage",
+            optional=True,
+            in_database=False,
+        ),
+    ]
+    audit: Annotated[
+        EnergyAudit,
+        Column(
+            "share of the energy exchanged left unexplained",
+            "1",
+            name="unexplained_energy",
+            part="unexplained_share",
+        ),
+    ]
+    smallest_tension: Annotated[float, Column("smallest effective tension of the riser", "N")]
+    smallest_tension_s: float
+    largest_bending_moment: Annotated[
+        float, Column("largest size of the bending moment, between nodes too", "N m")
+    ]
+    largest_bending_moment_s: Annotated[
+        float, Column("where the largest bending moment is, from the bottom", "m")
+    ]
+    warnings: Annotated[
+        list[str], Column("what the run warned of, a line each", kind="text", repeats=False)
+    ]
+    #: by name, with why each is on
+    effects: Annotated[
+        dict[str, str],
+        Column("effects that are on, a line each", kind="text", repeats=False, in_database=False),
+    ]
+    vibration_since: float  # s
+    vibration_rms: Annotated[
+        float, Column("root mean square of the vibration, over time and riser", "m", **_VIBRATES)
+    ]
+    vibration_rms_max: Annotated[
+        float,
+        Column("largest root mean square of the vibration along the riser", "m", **_VIBRATES),
+    ]
+    vibration_rms_max_s: Annotated[
+        float,
+        Column("place of the largest vibration, unstretched from the bottom", "m", **_VIBRATES),
+    ]
+    vibration_frequency: Annotated[
+        float, Column("frequency where the vibration is largest", "Hz", **_VIBRATES)
+    ]
+    vibration_scatter: Annotated[
+        float,
+        Column(
+            "difference of root mean squares at places between two halves of the time",
+            "1",
+            **_VIBRATES,
+        ),
+    ]
+
+    directions: int  # in which the riser moves
+    statics_iterations: int
+    steps: int
+    halved_steps: int
+    stable_step: float  # s, of explicit stepping
+    coupling: dict[str, Any]  # of a vessel and its riser
+    #: what each run of a refinement cost, and what broke it off
+    refinements: list[dict[str, Any]]
+    ended_by: str
+    #: by output, over all steps; until extremes are made of them
+    peaks: dict[str, Any]
+    #: rows, as `simulation.extremes` makes them; what the first of the limits to be reached is
+    extremes: list[dict[str, Any]]
+    limits_reached: list[float | str]
+    largest_stroke: float  # m
+    # of a disconnect
+    taken_by_the_release: float  # J
+    overpull: float  # N
+    lift_max: float  # m
+    lift_rate_max: float  # m/s
+    clearance_min: float  # m
+    clearance_time: float  # s
+    recontact_time: float  # s
+    contents_speed_max: float  # m/s
+    contents_top_min: float  # m
+    fatigue: list[dict[str, Any]]  # rows of the details of a scene
+    # of runs that are timed in turns
+    wall_seconds_min: float
+    cpu_seconds: float
+
+
+@dataclass(frozen=True)
+class PointColumn:
+    """A `Column` with the name of its fact."""
+
+    fact: str
+    about: Column
+
+    @property
+    def name(self) -> str:
+        """Of the variable, and of the column."""
+        return self.about.name or self.fact
+
+    def is_in(self, facts: RunFacts) -> bool:
+        """Whether a run has it."""
+        value: Any = facts.get(self.fact)
+        return value is not None and (not self.about.part or self.about.part in value)
+
+    def value(self, facts: RunFacts) -> Any:
+        """What a dataset holds of a run: a number, nan where the run has none, or lines of text."""
+        if self.about.of is not None:
+            return self.about.of(facts)
+        value: Any = facts.get(self.fact)
+        if self.about.kind == "text":
+            return "\n".join(value or ())
+        if self.about.part:
+            value = (value or {}).get(self.about.part)
+        return math.nan if value is None else value
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """As CF has them."""
+        told = {"units": self.about.unit, "long_name": self.about.long_name}
+        return {name: text for name, text in told.items() if text}
+
+
+def columns_of(record: type) -> tuple[PointColumn, ...]:
+    """What studies hold of the facts that a class describes, in the order of its fields."""
+    return tuple(
+        PointColumn(fact, about)
+        for fact, hint in get_type_hints(record, include_extras=True).items()
+        for about in getattr(hint, "__metadata__", ())
+        if isinstance(about, Column)
+    )
+
+
+@cache
+def point_columns() -> tuple[PointColumn, ...]:
+    """What studies hold of each of their points."""
+    return columns_of(RunFacts)
