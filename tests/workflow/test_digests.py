@@ -129,7 +129,8 @@ def test_nothing_behind_a_result_reads_docstrings_or_annotations():
         for file in files
         if file.suffix == ".py" and (words := set(_names(ast.parse(file.read_text()))) & readers)
     }
-    assert reading == {}
+    # fields of a class of its own file, and annotations of classes count
+    assert reading == {"records/facts.py": {"get_type_hints"}}
 
 
 # Chapters of a study of one's own
