@@ -11,9 +11,9 @@ from riserstudy.database.build import schema
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, of_points
 from riserstudy.errors import InputError
+from riserstudy.inputs.check import check
 from riserstudy.records import facts
 from riserstudy.records.facts import Column, RunFacts, point_columns
-from riserstudy.scene.check import check
 from riserstudy.study.collect import dataset_of
 from riserstudy.study.models import Numbers, StudyModel
 from riserstudy.study.study import Study
