@@ -7,7 +7,7 @@ from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.limits import Limit
 from riserstudy.seas.cover import cover
 from riserstudy.seas.extremes import check_seeds, demand
-from riserstudy.seas.riser_hours import met, riser_hours
+from riserstudy.seas.riser_hours import by_rows, met, riser_hours
 from riserstudy.seas.sea_states import SeaStates, sea_states
 from riserstudy.seas.surface import Surface
 from riserstudy.seas.synthetic import synthetic
@@ -61,7 +61,7 @@ def test_hours_are_those_of_the_response_itself_within_their_band(record):
     found = cover(of, run, ALLOWED, 0.02, 500)
     which = met(of, found, np.zeros_like(found.responses), LIMITS)
     every = np.ones(record.sizes["time"], bool)
-    hours = riser_hours(record, of, found, which, LIMITS, every)
+    hours = riser_hours(record, *by_rows([(of, which)]), LIMITS, found.error, every)
     true = run(sea_states(record).states)[of.state_of_row]
     drilling = ((true[:, 0] <= 4.0) & (true[:, 1] >= 0.0)).mean()
     connected = (true[:, 1] >= 0.0).mean()
@@ -85,7 +85,8 @@ def test_beside_runs_that_fail_nothing_is_workable(record):
 
     found = cover(of, run, ALLOWED, 0.1, 500)
     which = met(of, found, np.zeros_like(found.responses), LIMITS)
-    hours = riser_hours(record, of, found, which, LIMITS, np.ones(record.sizes["time"], bool))
+    every = np.ones(record.sizes["time"], bool)
+    hours = riser_hours(record, *by_rows([(of, which)]), LIMITS, found.error, every)
     high = record["significant_wave_height"].values > 6.0
     assert not which.found[of.state_of_row[high]].any()
     assert hours.unknown >= high.mean()

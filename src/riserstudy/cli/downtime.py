@@ -27,6 +27,7 @@ from riserstudy.errors import InputError
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.seas.directions import Directions
     from riserstudy.seas.hours import Hours
     from riserstudy.seas.riser_downtime import Downtime
     from riserstudy.seas.years import Band
@@ -57,6 +58,16 @@ def downtime(
         typer.Option(min=0, help="last years to keep back, predicted from those before"),
     ] = 0,
     settings: SetOption = None,
+    sectors: Annotated[
+        int | None,
+        typer.Option(
+            min=2, max=36, help="headings that the record's directions become; with --x-towards"
+        ),
+    ] = None,
+    x_towards: Annotated[
+        str | None,
+        typer.Option(help="bearing that the scene's x points to: '90 deg'", metavar="ANGLE"),
+    ] = None,
     seeds: Annotated[int, typer.Option(min=1, help="runs of each sea state")] = 5,
     error: Annotated[
         float,
@@ -100,6 +111,8 @@ def downtime(
         raise InputError(
             "downtime", "-o", str(output), "allowed with --scene, whose responses it is"
         )
+    if (sectors or x_towards) and not scene:
+        raise InputError("downtime", "--sectors", str(sectors), "allowed with --scene")
     if scene and hold_back:
         allowed = "allowed with limits on the sea"
         raise InputError("downtime", "--hold-back", "not with --scene", allowed)
@@ -111,7 +124,8 @@ def downtime(
     sea = read_record(record)
     if scene:
         file = scene_of(scene, settings)
-        made = riser_downtime(file, sea, limits, seeds, error, most, cores)
+        directions = _directions(sectors, x_towards)
+        made = riser_downtime(file, sea, limits, directions, seeds, error, most, cores)
         show_riser(made, lengths, ahead, csv, units)
         if output is not None:
             from riserstudy.dataset.netcdf import write_netcdf
@@ -146,6 +160,7 @@ def riser_downtime(
     file: Any,
     sea: xr.Dataset,
     limits: list[Any],
+    directions: Directions | None,
     seeds: int,
     error: float,
     most: int,
@@ -161,12 +176,26 @@ def riser_downtime(
         file,
         sea,
         limits,
+        directions=directions,
         seeds=seeds,
         error=error,
         most=most,
         cores=cores or available_cores(),
         say=_say,
     )
+
+
+def _directions(sectors: int | None, x_towards: str | None) -> Directions | None:
+    """How directions become headings; None where they are not used."""
+    from riserstudy.seas.directions import Directions
+
+    if (sectors is None) != (x_towards is None):
+        raise InputError(
+            "downtime", "--sectors", "alone", "allowed is with --x-towards, or neither"
+        )
+    if sectors is None or x_towards is None:
+        return None
+    return Directions(sectors, quantity("--x-towards", x_towards, "rad"))
 
 
 def _say(what: str) -> None:

@@ -31,6 +31,7 @@ def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
     responses : of `riserstudy.seas.riser_downtime.Downtime`.
     mode, share : of which the title tells: the share (1) of the record's hours that are left.
     """
+    responses, heading = _worst_heading(responses)
     surface, simulated, held = _surface(responses)
     periods, heights = (
         np.linspace(simulated[:, k].min(), simulated[:, k].max(), CELLS) for k in (1, 0)
@@ -61,8 +62,22 @@ def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
     figure.legend(handles=keys, loc="outside lower center", ncols=2, fontsize="small")
     ax.set_xlabel("peak period (s)")
     ax.set_ylabel("significant wave height (m)")
+    ax.set_title(heading, fontsize="small", loc="left")
     headline(figure, f"{mode.capitalize()} is possible in {share:.2%} of the hours")
     return figure
+
+
+def _worst_heading(responses: xr.Dataset) -> tuple[xr.Dataset, str]:
+    """Responses of the heading in which the largest share of sea states is beyond a limit, and its name."""
+    headings = responses["heading"].values
+    if np.isnan(headings).all():
+        return responses, ""
+    excess = _excess(responses, responses["demand_of_limit"].values)
+    beyond = np.nan_to_num(excess).max(axis=1) > 0.0
+    shares = {float(h): float(beyond[headings == h].mean()) for h in np.unique(headings)}
+    worst = max(shares, key=lambda one: shares[one])
+    at = np.flatnonzero(headings == worst)
+    return responses.isel(sea_state=at), f"of {len(shares)} headings the hardest, {worst:g} deg"
 
 
 def _surface(responses: xr.Dataset) -> tuple[Surface, FloatArray, FloatArray]:

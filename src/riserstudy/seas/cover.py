@@ -67,7 +67,7 @@ def cover(
         When so many do not suffice.
     """
     draw = np.random.default_rng(seed)
-    known = _first(of.states)
+    known = _first(of)
     say(f"{len(known)} sea states that hold the record between them")
     responses = run(of.states[known])
     while True:
@@ -85,7 +85,7 @@ def cover(
             worst = float(np.nanmax(off))
             more, found = held, came
         else:
-            worst = float(np.nanmax(surface.bend(of.states) / scale))
+            worst = float(np.nanmax(surface.bend(of.states[more]) / scale))
             say(
                 f"{len(more)} sea states more: {worst:.1%} between flat and cubic, {len(known)} done"
             )
@@ -98,10 +98,11 @@ def cover(
             )
 
 
-def _first(states: FloatArray) -> list[int]:
+def _first(of: SeaStates) -> list[int]:
     """Corners of the record, and those farthest from all before."""
     from scipy.spatial import ConvexHull, QhullError
 
+    states = of.states
     places = (states - states.min(axis=0)) / np.maximum(np.ptp(states, axis=0), 1e-12)
     try:
         chosen = [int(k) for k in ConvexHull(places).vertices]
@@ -109,6 +110,7 @@ def _first(states: FloatArray) -> list[int]:
         allowed = "allowed are rows that differ in height and in period"
         raise InputError("RECORD", "sea states", "all on a line", allowed) from None
     apart = np.min([np.hypot(*(places - places[k]).T) for k in chosen], axis=0)
+    apart[of.rows == 0] = 0.0
     for _ in range(FIRST):
         if apart.max() <= 0.0:
             break
@@ -136,6 +138,7 @@ def _next(
     there = surface.at(of.states)
     doubt = surface.bend(of.states) / np.maximum(scale, np.abs(there))
     doubt = np.nan_to_num(doubt, nan=0.0).max(axis=1)
+    doubt[of.rows == 0] = 0.0
     triangle = surface.triangle(of.states)
     chosen: dict[int, int] = {}
     for k in np.argsort(-doubt):
@@ -155,7 +158,7 @@ def _drawn(
     draw: np.random.Generator,
 ) -> list[int]:
     """Sea states that are not on the surface: half by their rows, half near what is allowed."""
-    free = np.ones(len(of.states), bool)
+    free = of.rows > 0
     free[known] = False
     near = (np.abs(surface.at(of.states) - allowed) <= NEAR * scale).any(axis=1)
     found: list[int] = []

@@ -51,7 +51,7 @@ class RiserHours(NamedTuple):
 
 
 class Met(NamedTuple):
-    """Which limits are met in each sea state, (n, limits): as found, at worst and at best."""
+    """Which limits are met, (n, limits): as found, at worst and at best, of sea states or of rows."""
 
     found: Flags
     worst: Flags
@@ -80,43 +80,57 @@ def met(of: SeaStates, cover: Cover, deviation: FloatArray, limits: Sequence[Lim
     return Met(excess <= 0.0, excess + off <= 0.0, excess - off <= 0.0, demand)
 
 
+def by_rows(parts: Sequence[tuple[SeaStates, Met]]) -> tuple[Flags, Met]:
+    """Rows of the record that are known, (rows,), and what is met in those, (known, limits).
+
+    Parameters
+    ----------
+    parts : each with the rows that it tells of; no row is in two.
+    """
+    known = np.any([of.state_of_row >= 0 for of, _ in parts], axis=0)
+    first = parts[0][1]
+    whole = [np.zeros((len(known), *values.shape[1:]), values.dtype) for values in first]
+    for of, one in parts:
+        at = of.state_of_row >= 0
+        for target, values in zip(whole, one, strict=True):
+            target[at] = values[of.state_of_row[at]]
+    return np.asarray(known), Met(*(values[known] for values in whole))
+
+
 def riser_hours(
     record: xr.Dataset,
-    of: SeaStates,
-    cover: Cover,
-    found: Met,
+    known: Flags,
+    rows: Met,
     limits: Sequence[Limit],
+    error: FloatArray,
     also: Flags,
 ) -> RiserHours:
     """Hours by mode.
 
     Parameters
     ----------
+    known, rows : of `by_rows`.
+    error : (limits,) largest difference of the response, as part of what is allowed.
     also : (rows,) where limits on the sea itself are met.
     """
-    known = of.state_of_row >= 0
-    state = of.state_of_row[known]
     modes = []
     for mode, needed in MODES.items():
         of_mode = [k for k, limit in enumerate(limits) if limit.mode in needed]
         if not any(limits[k].mode == mode for k in of_mode):
             continue
         every, worst, best = (
-            np.asarray(flags[:, of_mode].all(axis=1))[state] & also[known]
-            for flags in (found.found, found.worst, found.best)
+            np.asarray(flags[:, of_mode].all(axis=1)) & also[known]
+            for flags in (rows.found, rows.worst, rows.best)
         )
         hours = hours_of(record, known, every)
         modes.append(OfMode(mode, hours, float(worst.mean()), float(best.mean())))
-    lost = np.asarray(np.isnan(found.demand).any(axis=1))
-    return RiserHours(modes, _by_limit(of, cover, found, limits, lost), float(lost[state].mean()))
+    lost = np.asarray(np.isnan(rows.demand).any(axis=1))
+    return RiserHours(modes, _by_limit(rows, limits, error, lost), float(lost.mean()))
 
 
-def _by_limit(
-    of: SeaStates, cover: Cover, found: Met, limits: Sequence[Limit], lost: Flags
-) -> Table:
+def _by_limit(rows: Met, limits: Sequence[Limit], error: FloatArray, lost: Flags) -> Table:
     """Share of rows in which each limit is exceeded, and in which no other of its mode's is."""
-    rows = of.rows / of.rows.sum()
-    exceeded = ~found.found & ~lost[:, None]
+    exceeded = ~rows.found & ~lost[:, None]
     table: list[list[Cell]] = []
     for k, limit in enumerate(limits):
         among = [n for n, other in enumerate(limits) if other.mode in MODES[limit.mode]]
@@ -125,12 +139,12 @@ def _by_limit(
         table.append(
             [
                 label(limit),
-                100.0 * float(rows[exceeded[:, k]].sum()),
-                100.0 * float(rows[alone].sum()),
+                100.0 * float(exceeded[:, k].mean()),
+                100.0 * float(alone.mean()),
                 limit.allowable,
-                float(sided(found.demand[:, k])),
+                float(sided(rows.demand[:, k])),
                 OUTPUT_UNITS[limit.output],
-                100.0 * float(cover.error[k]),
+                100.0 * float(error[k]),
             ]
         )
     return Table(COLUMNS, UNITS, table)

@@ -20,12 +20,11 @@ from riserstudy.errors import InputError
 from riserstudy.folders import remembered
 from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.sea import Storm
 from riserstudy.scene.tables import texts_of_tables
 from riserstudy.seas.extremes import demand
 from riserstudy.study import store
 from riserstudy.study.grid import Point
-from riserstudy.study.in_sea import Sea, phases_of, sea_of, values_of
+from riserstudy.study.in_sea import Sea, phases_of, values_of
 from riserstudy.study.setting import Setting
 from riserstudy.study.settings import exceeds, from_plain, tuned_for, with_setting
 from riserstudy.study.simulate_points import attempt
@@ -79,11 +78,6 @@ class RiserResponse:
     def limits(self) -> list[Limit]:
         """Limits of the scene."""
         return self.file.scene().limits or []
-
-    @cached_property
-    def sea(self) -> Storm:
-        """Irregular sea of the scene."""
-        return sea_of(self.file)
 
     @cached_property
     def units(self) -> list[str]:

@@ -21,8 +21,14 @@ class SeaStates(NamedTuple):
     """Sea states that a record has, each once."""
 
     states: FloatArray  # (n, 2): significant height (m), peak period (s)
-    rows: NDArray[np.int64]  # (n,) rows of the record that have it
+    rows: NDArray[np.int64]  # (n,) rows of the record that have it; 0: none of those that count
     state_of_row: NDArray[np.int64]  # (rows,) -1 where a row lacks height or period
+
+    def among(self, rows: NDArray[np.bool_]) -> SeaStates:
+        """The same states with some rows of the record alone, (rows,)."""
+        of = np.where(rows, self.state_of_row, -1)
+        counts = np.bincount(of[of >= 0], minlength=len(self.states))
+        return SeaStates(self.states, counts, of)
 
 
 def sea_states(record: xr.Dataset) -> SeaStates:

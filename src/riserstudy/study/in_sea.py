@@ -53,6 +53,20 @@ def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
     return {f"{path}.seed": seed for path in _paths(file)}
 
 
+def heading_paths(file: SceneFile) -> list[str]:
+    """Where a scene has the heading of its irregular sea.
+
+    Raises
+    ------
+    InputError
+        When there is none, or the scene has no time.
+    """
+    return [
+        f"{path.removesuffix('.wave')}.heading" if "." in path else f"{path}.heading"
+        for path in _paths(file)
+    ]
+
+
 def sea_of(file: SceneFile) -> Storm:
     """The irregular sea of a scene: that of the platform, where it has one.
 
