@@ -16,7 +16,7 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
 .PHONY: help study test test-slow test-page test-cluster test-wheel check docs wheel lock figures bench references clean
-.PHONY: test-hostile test-faults test-pythons test-strangers
+.PHONY: test-crate test-hostile test-faults test-pythons test-strangers
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
 export PYTHON
@@ -35,6 +35,9 @@ test-slow: $(READY)  ## run the slow tests
 
 test-cluster: .venv/.slurm-$(ID)  ## run a study through a Slurm of one node (root; Debian: slurmctld slurmd slurm-client munge)
 	@$(IN_ENVIRONMENT) pytest -q --benchmark-disable -m cluster tests/workflow/test_cluster.py
+
+test-crate: .venv/.crate-$(ID)  ## check the run crate of a study against the profiles of run crates
+	@$(IN_ENVIRONMENT) RISERSTUDY_CRATE_PYTHON='$(CURDIR)/.venv/crate/bin/python' pytest -q --benchmark-disable tests/crate
 
 test-page: $(READY)  ## open the report in Chromium (Debian: chromium, chromium-driver)
 	@$(IN_ENVIRONMENT) pytest -q --benchmark-disable -m page
@@ -81,6 +84,12 @@ clean:  ## remove results and stored points; keep environment and compiled kerne
 
 $(READY):
 	@sh workflow/scripts/with_python.sh workflow/scripts/make_environment.py .venv/.ready-$(ID)
+
+# It needs an older release of a library that riserstudy prints with, so it has an environment of its own.
+.venv/.crate-$(ID): crate.lock $(READY)
+	@.venv/bin/python -m venv .venv/crate
+	@.venv/crate/bin/python workflow/scripts/installer.py crate.lock
+	@touch $@
 
 .venv/.bench-$(ID) .venv/.slurm-$(ID): .venv/.%-$(ID): %.lock $(READY)
 	@.venv/bin/python workflow/scripts/installer.py $<

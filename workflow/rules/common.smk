@@ -6,6 +6,7 @@ from pathlib import Path
 
 from snakemake.exceptions import WorkflowError
 
+from riserstudy.crate.metadata import write_crate
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_files
 from riserstudy.jobs import start_server, use_this_python
@@ -66,6 +67,13 @@ onstart:
         # A limit of jobs per second makes Snakemake look again after a second, forever, and once more for
         # every job that has ended: hundreds of times a second in the end, a sixth of a core.
         workflow.scheduler.job_rate_limiter = None
+
+
+onsuccess:
+    try:
+        write_crate(Path())
+    except OSError as error:
+        print(f"riserstudy: warning: no run crate: {error}", file=sys.stderr)
 
 
 DATASETS = PLAN.dataset_files()

@@ -42,6 +42,8 @@ def main() -> None:
         for group in ("build", "bench", "slurm", "installer"):
             agree = ("--constraints", "requirements.lock")
             run(*uv, f"--group={group}", *agree, f"--output-file={group}.lock", env=env)
+        # for an environment of its own, as it needs an older release of a library of ours
+        run(*uv, "--group=crate", "--output-file=crate.lock", env=env)
         print(about_pure(tools / "uv", env))
 
 

@@ -43,7 +43,9 @@ GROUPS: dict[str, tuple[Any, ...]] = {
         leave.watch_circles, leave.recoil, seas.seas, downtime.downtime, fatigue.fatigue,
     ),
     "Files": (files.import_deck, files.export_deck, files.new, files.schema),
-    "Results": (results.results, results.sql, results.verify, results.prune, results.diff),
+    "Results": (results.results, results.sql, results.verify, results.prune,
+        results.crate, results.diff,
+    ),
 }  # fmt: skip
 NAMES: dict[Any, str] = {
     files.import_deck: "import",

@@ -35,5 +35,6 @@ EXAMPLES = {
     "sql": "riserstudy sql 'select paper, id, verdict from numbers_and_claims' --csv verdicts.csv",
     "verify": "riserstudy verify",
     "prune": "riserstudy prune",
+    "crate": "riserstudy crate study.zip",
     "diff": "riserstudy diff results_before results",
 }

@@ -1,4 +1,4 @@
-"""Results of studies: results, sql, verify, prune, diff."""
+"""Results of studies: results, sql, verify, prune, crate, diff."""
 
 from __future__ import annotations
 
@@ -178,6 +178,22 @@ def prune(
         raise typer.Exit(1)
     store.remove(going)
     print(f"{len(going)} files removed, {sum(held.bytes for held in going) / 1e6:.1f} MB")
+
+
+def crate(
+    output: Annotated[
+        Path, typer.Argument(help="archive to write", metavar="OUT.zip"), Writes("crate")
+    ],
+    study: Annotated[Path, typer.Option(help="folder of the study", metavar="FOLDER")] = Path(),
+    force: ForceOption = False,
+) -> None:
+    """Pack a study, its results and their description as a run crate, which anyone can rerun."""
+    from riserstudy.crate.pack import pack
+
+    check_output(output, ("crate",), [], force, "OUT.zip")
+    count = pack(study, output)
+    wrote(output)
+    print(f"{count} files; unpack it and run `snakemake --cores all` there to rerun the study")
 
 
 def diff(

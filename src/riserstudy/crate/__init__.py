@@ -1,0 +1,7 @@
+"""Results as a research object: what was run, on which inputs, with which outputs and verdicts.
+
+References
+----------
+RO-Crate 1.1; Workflow Run RO-Crate 0.5, its profiles process, workflow and provenance (Leo et al. 2024,
+PLoS ONE 19, e0309210).
+"""

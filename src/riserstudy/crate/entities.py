@@ -1,0 +1,90 @@
+"""Entities of a crate: files with size and digest, software, licence."""
+
+from __future__ import annotations
+
+import hashlib
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from platform import python_version
+from typing import Any
+from urllib.parse import quote
+
+Entity = dict[str, Any]
+#: of files, by their ending
+FORMATS = {
+    ".nc": "application/x-netcdf",
+    ".csv": "text/csv",
+    ".png": "image/png",
+    ".pdf": "application/pdf",
+    ".html": "text/html",
+    ".json": "application/json",
+    ".yaml": "application/yaml",
+    ".yml": "application/yaml",
+    ".py": "text/x-python",
+    ".smk": "text/plain",
+    ".lock": "text/plain",
+    ".toml": "application/toml",
+    ".md": "text/markdown",
+    ".sqlite": "application/vnd.sqlite3",
+    ".gz": "application/gzip",
+    ".txt": "text/plain",
+}
+PACKAGES = ("riserstudy", "snakemake", "numpy", "numba", "scipy", "xarray", "netCDF4")
+
+
+def ref(*names: str) -> list[Entity]:
+    """References to entities."""
+    return [{"@id": name} for name in names]
+
+
+def file_entity(file: Path, name: str) -> Entity:
+    """A file as it is: size, SHA-256, date and format.
+
+    Parameters
+    ----------
+    name : path from the root of the crate.
+    """
+    stat = file.stat()
+    with file.open("rb") as stream:
+        digest = hashlib.file_digest(stream, "sha256").hexdigest()
+    entity: Entity = {
+        "@id": quote(name),
+        "@type": "File",
+        "name": Path(name).name,
+        "contentSize": str(stat.st_size),
+        "sha256": digest,
+        "dateModified": datetime.fromtimestamp(stat.st_mtime, UTC).isoformat(timespec="seconds"),
+    }
+    if (known := FORMATS.get(file.suffix)) is not None:
+        entity["encodingFormat"] = known
+    return entity
+
+
+def software() -> list[Entity]:
+    """The packages that compute, and Python, with the versions that are installed."""
+    entities = [_application("#python", "Python", python_version())]
+    for package in PACKAGES:
+        try:
+            entities.append(_application(f"#{package}", package, version(package)))
+        except PackageNotFoundError:
+            continue
+    return entities
+
+
+def _application(name: str, title: str, number: str) -> Entity:
+    kind = "SoftwareApplication"
+    return {"@id": name, "@type": kind, "name": title, "softwareVersion": number}
+
+
+def licence(study: Path) -> tuple[Any, list[Entity]]:
+    """What the root says of its licence, and the entity of a licence that is known."""
+    from riserstudy.inputs.plain_yaml import read_yaml
+
+    citation = study / "CITATION.cff"
+    name = read_yaml(citation).get("license") if citation.exists() else None
+    if not name:
+        return "No licence is stated by the folder of the study.", []
+    address = f"https://spdx.org/licenses/{name}"
+    entity = {"@id": address, "@type": "CreativeWork", "name": name, "url": address}
+    return {"@id": address}, [entity]

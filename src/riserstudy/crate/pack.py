@@ -1,0 +1,46 @@
+"""A study as one file: what it is computed from, its results, and their description."""
+
+from __future__ import annotations
+
+import os
+import zipfile
+from pathlib import Path
+
+from riserstudy.crate.metadata import NAME, crate_text, inputs_of, outputs_of
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.folders import SEALS
+
+#: what stands beside the configuration, where it is there
+BESIDE = ("README.md", "LICENSE", "CITATION.cff")
+
+
+def pack(study: Path, target: Path) -> int:
+    """Write a zip that another can unpack and rerun with ``snakemake``; the number of files in it.
+
+    Raises
+    ------
+    InputError
+        When the folder has no results of jobs.
+    SimulationError
+        When the zip cannot be written.
+    """
+    text = crate_text(study, study) if (study / "Snakefile").exists() else None
+    if text is None:
+        found = "no results of a run of `snakemake` or `make study`"
+        raise InputError("crate", str(study), found, "run the study here first")
+    results = [study / name for name in outputs_of(study)]
+    seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
+    beside = [study / name for name in ("Snakefile", *BESIDE) if (study / name).exists()]
+    files = [*beside, *inputs_of(study), *results, *sorted(seals)]
+    partial = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        with zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr(NAME, text)
+            for file in dict.fromkeys(files):
+                archive.write(file, file.relative_to(study).as_posix())
+        partial.replace(target)
+    except OSError as error:
+        raise SimulationError(f"{target} cannot be written: {error.strerror}") from None
+    finally:
+        partial.unlink(missing_ok=True)
+    return len(files) + 1

@@ -1,0 +1,173 @@
+"""The run crate of a study: true of every file, valid by the profiles, and rerun by whoever unpacks it."""
+
+import hashlib
+import json
+import os
+import subprocess
+import zipfile
+from pathlib import Path
+from urllib.parse import unquote
+
+import pytest
+from short_study import lay_out, numbers, same, shared_kernels, snakemake
+
+from riserstudy.crate.metadata import NAME, write_crate
+
+VALIDATE = Path(__file__).with_name("validate.py")
+TABLE = """\
+paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,margin,margin_low,margin_high,note,grounds
+example,C1,1,claim,it sags,,,1,,holds,,0.25,,,,
+example,C2,1,claim,it sings,,,1,,not reproducible,,,,,nobody listened,
+"""
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory):
+    """A study that has run, in a path with a blank."""
+    folder = tmp_path_factory.mktemp("crate") / "a study"
+    lay_out(folder)
+    environment = os.environ | {"RISERSTUDY_CACHE": str(folder.parent / "cache")}
+    shared_kernels(folder.parent / "cache")
+    status, said = snakemake(folder, environment)
+    assert status == 0, said
+    return folder, environment
+
+
+def graph(file):
+    return {entity["@id"]: entity for entity in json.loads(file.read_text("utf-8"))["@graph"]}
+
+
+def references(value):
+    if isinstance(value, list):
+        return [one for part in value for one in references(part)]
+    if isinstance(value, dict):
+        own = [value["@id"]] if [*value] == ["@id"] else []
+        return own + [one for part in value.values() for one in references(part)]
+    return []
+
+
+def assert_true_of_files(entities, root):
+    files = {name: entity for name, entity in entities.items() if "sha256" in entity}
+    for name, entity in files.items():
+        content = (root / unquote(name)).read_bytes()
+        assert entity["sha256"] == hashlib.sha256(content).hexdigest(), name
+        assert int(entity["contentSize"]) == len(content), name
+    return files
+
+
+def test_a_run_leaves_a_crate_that_is_true_of_every_file(study):
+    folder, _ = study
+    entities = graph(folder / "results" / NAME)
+    files = assert_true_of_files(entities, folder / "results")
+    for name in (
+        "../config/scenes/riser.yaml",
+        "../Snakefile",
+        "example/tension.nc",
+        "report.html",
+    ):
+        assert name in files
+    run = entities["#run"]
+    assert run["startTime"] <= run["endTime"]
+    inputs, outputs = ({one["@id"] for one in run[side]} for side in ("object", "result"))
+    made = {
+        path.relative_to(folder / "results").as_posix()
+        for path in (folder / "results").rglob("*.*")
+    }
+    left = {name for name in made if name.startswith(".seals") or name == NAME}
+    assert outputs == {name for name in made - left if (folder / "results" / name).is_file()}
+    assert all(name.startswith("../") for name in inputs)
+    for rule in ("simulate", "database", "report"):
+        assert entities[f"#jobs-{rule}"]["startTime"] >= run["startTime"]
+
+
+def test_every_reference_is_to_an_entity_or_an_address(study):
+    entities = graph(study[0] / "results" / NAME)
+    for name in {one for entity in entities.values() for one in references(entity)}:
+        assert name in entities or name.startswith("http"), name
+
+
+def test_a_second_run_leaves_the_crate_as_it_is(study):
+    folder, environment = study
+    crate = folder / "results" / NAME
+    before = crate.stat().st_mtime_ns
+    status, said = snakemake(folder, environment)
+    assert (status, "Nothing to be done" in said) == (0, True)
+    assert crate.stat().st_mtime_ns == before
+
+
+def test_claims_stand_in_it_with_verdict_and_margin(study, tmp_path):
+    folder = tmp_path / "copy"
+    subprocess.run(["cp", "-a", study[0], folder], check=True)
+    (folder / "results/reproduction.csv").write_text(TABLE)
+    (folder / "results/.seals/reproduction.csv").write_text("as sealed")
+    entities = graph(write_crate(folder))
+    assert entities["#review-example-C1"]["reviewRating"]["@id"] == "#verdict-holds"
+    assert entities["#margin-example-C1"]["value"] == 0.25
+    assert entities["#review-example-C2"]["reviewBody"] == "nobody listened"
+    assert "#margin-example-C2" not in entities
+
+
+def test_what_is_not_known_is_left_out(study):
+    entities = graph(study[0] / "results" / NAME)
+    assert "agent" not in entities["#run"]
+    assert "author" not in entities["./"]
+    assert "No licence is stated" in entities["./"]["license"]
+
+
+def test_an_unpacked_crate_reruns_by_one_command(study, commands, tmp_path):
+    folder, environment = study
+    code, said, wrong = commands("crate", tmp_path / "study.zip", "--study", folder)
+    assert (code, wrong) == (0, "")
+    assert "snakemake" in said
+    unpacked = tmp_path / "of a stranger"
+    with zipfile.ZipFile(tmp_path / "study.zip") as archive:
+        archive.extractall(unpacked)
+    assert_true_of_files(graph(unpacked / NAME), unpacked)
+    packed = numbers(unpacked)
+    status, said = snakemake(unpacked, environment, "--forceall")
+    assert status == 0, said
+    assert same(packed, numbers(unpacked))
+
+
+def test_a_folder_without_results_is_refused_and_nothing_written(commands, tmp_path):
+    lay_out(tmp_path / "new")
+    code, _, said = commands("crate", tmp_path / "study.zip", "--study", tmp_path / "new")
+    assert code == 2
+    assert "run the study here first" in said
+    assert not (tmp_path / "study.zip").exists()
+
+
+#: of the environment that `make test-crate` makes
+PYTHON = os.environ.get("RISERSTUDY_CRATE_PYTHON", "")
+VALIDATOR = pytest.mark.skipif(not PYTHON, reason="run by `make test-crate`")
+
+
+def validated(crate):
+    done = subprocess.run(
+        [PYTHON, str(VALIDATE), str(crate)], capture_output=True, text=True, check=True
+    )
+    return done.stdout.splitlines()[:-1]
+
+
+def copied(study, folder):
+    """A copy in a path without blanks, which the validator takes for no address."""
+    subprocess.run(["cp", "-a", study[0], folder], check=True)
+    return folder / "results"
+
+
+@VALIDATOR
+def test_the_crate_meets_the_profiles_of_run_crates(study, tmp_path):
+    assert validated(copied(study, tmp_path / "copy")) == []
+
+
+@VALIDATOR
+@pytest.mark.parametrize(
+    "name, key", [("#run", "instrument"), ("#step-simulate", "workExample"), ("./", "license")]
+)
+def test_the_validator_finds_what_is_missing(study, tmp_path, name, key):
+    results = copied(study, tmp_path / "copy")
+    file = results / NAME
+    content = json.loads(file.read_text("utf-8"))
+    next(entity for entity in content["@graph"] if entity["@id"] == name).pop(key)
+    file.write_text(json.dumps(content))
+    assert validated(results)
