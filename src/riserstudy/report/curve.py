@@ -24,7 +24,7 @@ FEW = 12  # cases, which cannot show what explains them
 SEEN = 0.02  # share of the margin's variance from which an input is shown
 PARTS = 3  # of a range, equally filled
 #: px: where the columns begin and end, height of the margins, of a row, and of what is above and below
-LEFT, RIGHT, WIDE, HIGH, ROW, ABOVE = 250, 590, 640, 90, 15, 18
+LEFT, RIGHT, WIDE, HIGH, ROW, ABOVE = 285, 585, 640, 90, 17, 18
 VARY = ("varies, too, and is not shown", "vary, too, and are not shown")
 SCALES = (0.05, 0.1, 0.2, 0.5, 1.0)
 

@@ -17,7 +17,7 @@ HOW = {
     "opposite": "the opposite",
     "magnitude": "a size that is far off",
     "sign": "one sign changed",
-    "factor": "a number changed, by a factor of two at most or nearly",
+    "factor": "a number, by a factor of two or less",
     "limit": "another limit",
     "cases": "two cases exchanged",
 }
