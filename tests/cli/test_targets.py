@@ -69,7 +69,7 @@ INPUTS = {
     "STUDY.nc": "damage.nc",
     "STATEMENT": "select path from files",
 }
-READ_BY_OPTION = {"--results", "--config", "--scatter", "--seas", "--without", "--scene"}
+READ_BY_OPTION = {"--results", "--config", "--scatter", "--seas", "--without", "--scene", "--study"}
 #: options that a command needs, and what its scene lacks of what it is about
 NEEDED = {
     "tension": [

@@ -129,6 +129,15 @@ def test_an_unpacked_crate_reruns_by_one_command(study, commands, tmp_path):
     assert same(packed, numbers(unpacked))
 
 
+@pytest.mark.parametrize("name", ["there.zip", "study.tar", "nowhere/study.zip", "notes"])
+def test_only_a_new_archive_is_written(study, commands, tmp_path, name):
+    (tmp_path / "there.zip").write_text("what somebody needs")
+    code, _, said = commands("crate", tmp_path / name, "--study", study[0])
+    assert code == 2
+    assert "name a new file" in said
+    assert (tmp_path / "there.zip").read_text() == "what somebody needs"
+
+
 def test_a_folder_without_results_is_refused_and_nothing_written(commands, tmp_path):
     lay_out(tmp_path / "new")
     code, _, said = commands("crate", tmp_path / "study.zip", "--study", tmp_path / "new")

@@ -26,7 +26,7 @@ CsvOption = Annotated[
 
 JsonOption = Annotated[bool, typer.Option("--json", help="print JSON")]
 
-IN_RESULTS = Path("results")
+IN_RESULTS, HERE = Path("results"), Path()
 
 
 def results(
@@ -182,15 +182,13 @@ def prune(
 
 def crate(
     output: Annotated[
-        Path, typer.Argument(help="archive to write", metavar="OUT.zip"), Writes("crate")
+        Path, typer.Argument(help="archive to write, a new file", metavar="OUT.zip"), Writes()
     ],
-    study: Annotated[Path, typer.Option(help="folder of the study", metavar="FOLDER")] = Path(),
-    force: ForceOption = False,
+    study: Annotated[Path, typer.Option(help="folder of the study", metavar="FOLDER")] = HERE,
 ) -> None:
     """Pack a study, its results and their description as a run crate, which anyone can rerun."""
     from riserstudy.crate.pack import pack
 
-    check_output(output, ("crate",), [], force, "OUT.zip")
     count = pack(study, output)
     wrote(output)
     print(f"{count} files; unpack it and run `snakemake --cores all` there to rerun the study")

@@ -20,7 +20,6 @@ ENDINGS = {
     "deck": (".yml",),
     "workbook": (".xlsx",),
     "table of operators": (".csv",),
-    "crate": (".zip",),
 }
 #: kinds that people edit: an existing file is never replaced without being told to
 EDITED = ("scene", "deck", "table of operators")
@@ -31,7 +30,6 @@ BEGINNINGS = {
     ".pdf": (b"%PDF-",),
     ".svg": (b"<?xml", b"<svg"),
     ".xlsx": (b"PK\x03\x04",),
-    ".zip": (b"PK\x03\x04",),
 }
 LOOKED_AT = 1000  # bytes of a file, to tell its kind
 OR_FORCE = "name another file, or add --force to replace this one"

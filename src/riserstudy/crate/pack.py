@@ -20,10 +20,13 @@ def pack(study: Path, target: Path) -> int:
     Raises
     ------
     InputError
-        When the folder has no results of jobs.
+        When the folder has no results of jobs, or the zip has another ending or is there already.
     SimulationError
         When the zip cannot be written.
     """
+    if target.suffix != ".zip" or target.exists() or not target.resolve().parent.is_dir():
+        found = "is there already" if target.exists() else "is no new .zip in a folder that exists"
+        raise InputError("OUT.zip", str(target), found, "name a new file that ends in .zip")
     text = crate_text(study, study) if (study / "Snakefile").exists() else None
     if text is None:
         found = "no results of a run of `snakemake` or `make study`"
