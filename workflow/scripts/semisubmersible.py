@@ -35,7 +35,17 @@ from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE, Coefficient
 
 DENSITY, GRAVITY = 1025.0, 9.81
-PERIODS = np.concatenate([np.arange(2.0, 30.0, 0.5), np.arange(30.0, 61.0, 2.0)])  # s, of tables
+#: s, of tables; closer where columns and pontoons cancel each other, and about the resonance of heave
+CLOSE = (4.0, 10.0), (19.0, 25.0)
+PERIODS = np.unique(
+    np.concatenate(
+        [
+            np.arange(2.0, 30.0, 0.5),
+            np.arange(30.0, 61.0, 2.0),
+            *(np.arange(low, high, 0.1) for low, high in CLOSE),
+        ]
+    ).round(6)
+)
 
 
 class Semisubmersible(Strict):

@@ -7,11 +7,13 @@ import pytest
 import xarray as xr
 
 from riserstudy import load_scene
-from riserstudy.chapters.liu2020 import claims
 from riserstudy.chapters.liu2020.below_ring import at_depths, first_at, on_riser, ring_of
-from riserstudy.chapters.liu2020.claims import WITHOUT, baselines, waves_on_the_riser
+from riserstudy.chapters.liu2020.claims import system as claims
+from riserstudy.chapters.liu2020.claims.errata import baselines, waves_on_the_riser
+from riserstudy.chapters.liu2020.claims.system import WITHOUT
 from riserstudy.chapters.liu2020.derived import motion as liu2020_motion
 from riserstudy.chapters.liu2020.derived.motion import lag_at, rao_readings, section, storm
+from riserstudy.chapters.liu2020.periods import beats, settling
 from riserstudy.dataset.variables import attributes, density
 from riserstudy.grading.words_file import read_words
 from riserstudy.study.read import read_study
@@ -270,3 +272,24 @@ def test_what_is_left_open_keeps_the_riser_in_the_plane(name):
         samples.grid.file((k, *others)).scene().spatial for k in range(len(samples.axes["sample"]))
     }
     assert spatial == {""}
+
+
+@pytest.mark.parametrize("apart", [0.0, 0.05, 0.2])
+def test_beats_are_seen_that_two_periods_side_by_side_do_not_show(apart):
+    """A second oscillation of 1/80 Hz less: its beat takes 80 s, the record 100 s."""
+    time = np.arange(0.0, 100.01, 0.25)
+    periods = xr.DataArray([10.0, 12.5], dims="roll_period")
+    periods = periods.assign_coords(roll_period=periods.values)
+    t = xr.DataArray(time, dims="time", coords={"time": time})
+    slower = 2.0 * np.pi * (1.0 / periods - 1.0 / 80.0)
+    history = np.cos(2.0 * np.pi * t / periods) + apart * np.cos(slower * t)
+    seen = beats(history, "roll_period")
+    whole = 2.0 * apart / (1.0 + apart)  # less what a beat changes within a period
+    assert (seen <= whole + 1e-9).all()
+    assert (seen >= 0.7 * whole - 1e-9).all()
+    # where a beat is at its turn, two periods side by side differ by a fraction of it
+    early = [
+        settling(history.sel(time=slice(0.0, end)), "roll_period") for end in range(30, 101, 5)
+    ]
+    if apart:
+        assert (np.min([one.values for one in early], axis=0) < 0.2 * seen.values).all()

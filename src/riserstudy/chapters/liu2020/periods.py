@@ -35,6 +35,26 @@ def settling(history: xr.DataArray, period: str | float) -> xr.DataArray:
     return abs(last / before - 1.0)
 
 
+def beats(history: xr.DataArray, period: str) -> xr.DataArray:
+    """Largest difference of the half ranges of all whole periods of a record, over the largest of them.
+
+    Zero where each period is as the one before; a beat shows where the record is as long as it.
+
+    Parameters
+    ----------
+    history : over ``time`` (s).
+    period : a dimension of the history whose values are periods (s).
+    """
+    parts = []
+    for seconds in history[period].values:
+        one = history.sel({period: seconds}, drop=True)
+        count = int((float(one["time"][-1]) - float(one["time"][0])) / seconds + 1e-6)
+        ranges = [half_swing(one, float(seconds), back) for back in range(count)]
+        all_of_them = xr.concat(ranges, "back")
+        parts.append(1.0 - all_of_them.min("back") / all_of_them.max("back"))
+    return xr.concat(parts, history[period])
+
+
 def _by_period(
     history: xr.DataArray,
     period: str | float,

@@ -10,7 +10,7 @@ import xarray as xr
 from scipy.signal import welch
 
 from riserstudy.chapters.liu2020.below_ring import RING, at_depths, first_at, on_riser, ring_of
-from riserstudy.chapters.liu2020.periods import first_harmonic, half_swing, settling
+from riserstudy.chapters.liu2020.periods import beats, first_harmonic, half_swing, settling
 from riserstudy.dataset.describe import described, sampled, scenes_of
 from riserstudy.model.rao import operator
 from riserstudy.scene.models import Scene
@@ -118,9 +118,26 @@ def _lag(x: xr.DataArray, period: str | float, along: str) -> xr.DataArray:
 # roll
 
 
-def roll(roll_runs: xr.Dataset) -> xr.Dataset:
+def roll(roll_runs: xr.Dataset, roll_small: xr.Dataset) -> xr.Dataset:
     """Largest bending moment over (roll_amplitude, roll_period), and how settled it is."""
-    return _rolled(roll_runs, "largest bending moment under roll, centre of rotation calibrated")
+    both = [
+        xr.Dataset(
+            {
+                "largest_bending_moment": runs["largest_bending_moment"],
+                "settling": beats(runs["bending_moment"].isel(s=-1, drop=True), "roll_period"),
+            }
+        ).reset_coords(drop=True)
+        for runs in (roll_small, roll_runs)
+    ]
+    made = described(
+        xr.concat(both, "roll_amplitude"),
+        PAPER,
+        "largest bending moment under roll, centre of rotation calibrated",
+    )
+    made["settling"].attrs["long_name"] = (
+        "largest difference of the moment's amplitude at the ring from period to period, over the largest"
+    )
+    return made
 
 
 def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:

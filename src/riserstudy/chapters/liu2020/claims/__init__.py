@@ -1,0 +1,1 @@
+"""What numbers, claims and errata of Liu et al. 2020 are checked against."""
