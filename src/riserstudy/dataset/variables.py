@@ -8,6 +8,7 @@ from pathlib import Path
 
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.records.facts import point_columns
+from riserstudy.scene.outputs import QUANTITIES
 
 ENDINGS = {
     "_max": "largest ",
@@ -32,23 +33,8 @@ DIMENSIONS = (
     "limit",
     "statistic",
 )  # of runs and of studies while they are joined
-#: what runs return, with endings or without, where a scene calls for it
-OF_RUNS = frozenset(
-    (
-        *("x", "y", "z", "effective_tension", "bending_moment", "ufj_angle", "lfj_angle", "stroke"),
-        "joint_stroke",
-        *("shear_force", "von_mises_stress", "lower_end_tension"),
-        *("tensioner_stroke", "tensioner_force", "largest_stress"),
-        "damage_rate",
-        *("lift", "lift_rate"),
-        *("platform_surge", "platform_sway", "platform_yaw", "thrust_moment"),
-        *("platform_speed_x", "riser_reaction_x", "environment_force_x", "thrust_x"),
-        *("platform_speed_y", "riser_reaction_y", "environment_force_y", "thrust_y"),
-        *("low_frequency_surge", "low_frequency_sway"),
-        *("low_frequency_speed_x", "low_frequency_speed_y"),
-    )
-)
-
+#: what runs return, with endings or without, where a scene has it
+OF_RUNS = frozenset(name for name, of in QUANTITIES.items() if of.is_array)
 
 DATA_FILES = ("variables.yaml",)
 #: dimensions and variables of natural modes, where a study asks for them

@@ -14,8 +14,8 @@ from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE, WHOLE
-from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.limits import ENDS, place_of, sections_at
+from riserstudy.scene.outputs import wall_lacks
 
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts

@@ -8,30 +8,14 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, field_validator, model_validator
 
 from riserstudy.inputs.strict import Strict
+from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.units import to_si
 
 #: outputs that may have a limit, and the unit that its text is read in
-UNITS = {
-    "effective_tension": "N",
-    "bending_moment": "N*m",
-    "shear_force": "N",
-    "von_mises_stress": "N/m^2",
-    "x": "m",
-    "y": "m",
-    "ufj_angle": "rad",
-    "lfj_angle": "rad",
-    "stroke": "m",
-    "joint_stroke": "m",
-    "tensioner_stroke": "m",
-    "tensioner_force": "N",
-    "lower_end_tension": "N",
-    "largest_stress": "N/m^2",
-    "overpull": "N",
-    "lmrp_clearance": "m",
-}
+UNITS = {name: of.limit_unit for name, of in QUANTITIES.items() if of.limit_unit}
 ANGLES = tuple(output for output, unit in UNITS.items() if unit == "rad")
 #: of which there is a value at every place along the riser
-ALONG = ("effective_tension", "bending_moment", "shear_force", "von_mises_stress", "x", "y")
+ALONG = tuple(name for name in UNITS if QUANTITIES[name].along)
 #: of which a limit without a place is one of the riser alone: a stack and conductor stand, in other steel
 OF_THE_RISER = ("effective_tension", "von_mises_stress")
 SIDES = ("largest", "smallest", "mean")

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.limits import ALONG, UNITS
 from riserstudy.scene.models import Scene
+from riserstudy.scene.outputs import wall_lacks
 from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.step_peaks import Peak
 from riserstudy.simulation.wall_stress import nodes_of

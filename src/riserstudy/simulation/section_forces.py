@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.models import Scene
+from riserstudy.scene.outputs import wall_lacks
 from riserstudy.simulation.curve import curve_of
 from riserstudy.simulation.wall_stress import along_the_riser, nodes_of, wall_of
 from riserstudy.solve.record import NO_SECTION, Record, Section

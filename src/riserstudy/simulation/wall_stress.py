@@ -24,8 +24,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.models import Scene
+from riserstudy.scene.outputs import wall_lacks
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.variables import ENDINGS, of_points
 from riserstudy.errors import InputError
-from riserstudy.scene.limit_inputs import wall_lacks
 from riserstudy.scene.models import Scene
+from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.study.figures import FigureModel, Plot
 from riserstudy.study.models import Samples
 from riserstudy.study.study import Study
@@ -38,84 +38,6 @@ SIDES = ("_max", "_min", "_absmax")
 _AHEAD = ("platform_speed", "riser_reaction", "environment_force")
 #: what is given over time alone, not at rest
 _MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift", "stroke")
-
-#: outputs that only some scenes call for, with what these have, and whether a scene has it
-CALLED_FOR: tuple[tuple[tuple[str, ...], str, Callable[[Scene], bool]], ...] = (
-    (
-        ("x", "bending_moment", "shear_force", "ufj_angle", "lfj_angle"),
-        "load or motion across",
-        lambda s: bool(s.lateral),
-    ),
-    (("y",), "load or motion out of the plane", lambda s: bool(s.spatial)),
-    (
-        ("tensioner_stroke", "tensioner_force"),
-        "top.tensioners",
-        lambda s: s.top.tensioners is not None,
-    ),
-    (
-        ("joint_stroke",),
-        "top.telescopic_joint",
-        lambda s: s.top.telescopic_joint is not None,
-    ),
-    (
-        ("stroke",),
-        "top.tensioners, top.telescopic_joint, or platform below which top.z is free",
-        lambda s: bool(
-            s.top.tensioners or s.top.telescopic_joint or (s.platform and s.top.z == "free")
-        ),
-    ),
-    (
-        ("von_mises_stress",),
-        "section whose wall is given: diameters, contents, gravity and water.surface",
-        lambda s: not all(wall_lacks(s, section) for section in s.riser),
-    ),
-    (("lift", "lift_rate"), "disconnect", lambda s: s.disconnect is not None),
-    (
-        ("largest_stress",),
-        "analysis.output.stress_in",
-        lambda s: bool(s.analysis.output and s.analysis.output.stress_in),
-    ),
-    (("platform_surge", *(f"{name}_x" for name in _AHEAD)), "vessel", lambda s: bool(s.vessel)),
-    (
-        tuple(f"{name}_y" for name in _AHEAD),
-        "vessel with load or motion out of the plane",
-        lambda s: bool(s.vessel and s.spatial),
-    ),
-    (("platform_sway",), "vessel.sway", lambda s: bool(s.vessel and s.vessel.sway)),
-    (
-        ("low_frequency_surge", "low_frequency_speed_x"),
-        "vessel with a platform",
-        lambda s: bool(s.vessel and s.platform),
-    ),
-    (
-        ("low_frequency_sway",),
-        "vessel.sway with a platform",
-        lambda s: bool(s.vessel and s.vessel.sway and s.platform),
-    ),
-    (
-        ("low_frequency_speed_y",),
-        "vessel.sway with a platform, and load or motion out of the plane",
-        lambda s: bool(s.vessel and s.vessel.sway and s.platform and s.spatial),
-    ),
-    (("platform_yaw",), "vessel.yaw", lambda s: bool(s.vessel and s.vessel.yaw)),
-    (("thrust_x",), "vessel.thrusters", lambda s: bool(s.vessel and s.vessel.thrusters)),
-    (
-        ("thrust_y",),
-        "vessel.thrusters and vessel.sway with load or motion out of the plane",
-        lambda s: bool(s.vessel and s.vessel.thrusters and s.vessel.sway and s.spatial),
-    ),
-    (
-        ("thrust_moment",),
-        "vessel.thrusters.yaw with load or motion out of the plane",
-        lambda s: bool(
-            s.vessel
-            and s.vessel.thrusters
-            and s.vessel.thrusters.yaw
-            and s.vessel.yaw
-            and s.spatial
-        ),
-    ),
-)
 
 
 def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[str]:
@@ -190,10 +112,9 @@ def _uncalled(plot: Plot, quantity: str, stem: str, study: Study) -> str:
     scenes = [*_scenes(study)]
     if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):
         return f"has no history: the runs of {study.name!r} are at rest"
-    needs = [(what, has) for stems, what, has in CALLED_FOR if stem in stems]
-    for what, has in needs:
-        if scenes and not any(has(scene) for scene in scenes):
-            return f"is not returned by runs of {study.name!r}, whose scene has no {what}"
+    of = QUANTITIES.get(stem)
+    if of and scenes and not any(map(of.is_in, scenes)):
+        return f"is not returned by runs of {study.name!r}, whose scene has no {of.needs}"
     return ""
 
 

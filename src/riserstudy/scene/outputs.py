@@ -1,0 +1,150 @@
+"""Quantities that runs return: which scenes have each, and in which unit limits of it are read.
+
+A new quantity is an entry here, its label in ``dataset/variables.yaml``, and the code that computes it:
+limits, plots, figures and names that axes may not take read this table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from riserstudy.scene.parts import Parts
+    from riserstudy.scene.riser import Section
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A quantity of runs.
+
+    Attributes
+    ----------
+    needs : what a scene with it has, by its fields. Absent: every scene has it.
+    is_in : whether a scene has that.
+    limit_unit : unit that the text of a limit is read in. Absent: it has no limits.
+    along : whether there is a value at every place along the riser.
+    is_array : whether runs return it over the riser or time; else as a number alone.
+    """
+
+    needs: str = ""
+    is_in: Callable[[Parts], bool] = lambda _: True
+    limit_unit: str = ""
+    along: bool = False
+    is_array: bool = True
+
+
+def wall_lacks(scene: Parts, section: Section) -> list[str]:
+    """What the stress of a section's wall lacks, by the fields of the scene; empty where it is known."""
+    lacks = [
+        f"{name} of section {section.name!r}"
+        for name in ("outer_diameter", "inner_diameter")
+        if not getattr(section, name)
+    ]
+    if scene.water is not None:
+        lacks += [] if section.contents else [f"contents of section {section.name!r}"]
+        lacks += ["water.surface"] if scene.water.surface is None else []
+        lacks += ["gravity"] if scene.gravity is None else []
+    return lacks
+
+
+def _wall_is_known(scene: Parts) -> bool:
+    return not all(wall_lacks(scene, section) for section in scene.riser)
+
+
+def _has_stroke(scene: Parts) -> bool:
+    top = scene.top
+    below = scene.platform and top.z == "free"
+    return bool(scene.analysis.duration and (top.tensioners or top.telescopic_joint or below))
+
+
+def _of_vessel(*parts: str, spatial: bool = False) -> Callable[[Parts], bool]:
+    """Whether a scene has a vessel with some parts, and moves out of the plane where that is needed."""
+
+    def is_in(scene: Parts) -> bool:
+        there = all(getattr(scene.vessel, part) for part in parts) if scene.vessel else False
+        return bool(there and (scene.spatial or not spatial))
+
+    return is_in
+
+
+def _with_platform(is_in: Callable[[Parts], bool]) -> Callable[[Parts], bool]:
+    return lambda scene: bool(scene.platform and is_in(scene))
+
+
+def _yaw_of_thrusters(scene: Parts) -> bool:
+    thrusters = scene.vessel.thrusters if scene.vessel else None
+    return bool(thrusters and thrusters.yaw and _of_vessel("yaw", spatial=True)(scene))
+
+
+_OUT = "load or motion out of the plane"
+_ACROSS = "bending stiffness and a load across"
+
+QUANTITIES: dict[str, Quantity] = {
+    "effective_tension": Quantity(limit_unit="N", along=True),
+    "bending_moment": Quantity(_ACROSS, lambda s: bool(s.lateral), "N*m", along=True),
+    "shear_force": Quantity(_ACROSS, lambda s: bool(s.lateral), "N", along=True),
+    "von_mises_stress": Quantity(
+        "section whose wall is given: diameters, contents, gravity and water.surface",
+        _wall_is_known,
+        "N/m^2",
+        along=True,
+    ),
+    "x": Quantity("load or motion across", lambda s: bool(s.lateral), "m", along=True),
+    "y": Quantity(_OUT, lambda s: bool(s.spatial), "m", along=True),
+    "z": Quantity(),
+    "ufj_angle": Quantity(
+        "top.x that is held, on the platform or a vessel", lambda s: bool(s.lateral), "rad"
+    ),
+    "lfj_angle": Quantity(
+        "a held lower end, or a riser.flex_joint_below", lambda s: bool(s.lateral), "rad"
+    ),
+    "stroke": Quantity(
+        "motion, and top.tensioners, top.telescopic_joint, or a platform below which top.z is free",
+        _has_stroke,
+        "m",
+    ),
+    "joint_stroke": Quantity(
+        "top.telescopic_joint", lambda s: s.top.telescopic_joint is not None, "m"
+    ),
+    "tensioner_stroke": Quantity("top.tensioners", lambda s: s.top.tensioners is not None, "m"),
+    "tensioner_force": Quantity("top.tensioners", lambda s: s.top.tensioners is not None, "N"),
+    "lower_end_tension": Quantity(limit_unit="N"),
+    "largest_stress": Quantity(
+        "analysis.output.stress_in",
+        lambda s: bool(s.analysis.output and s.analysis.output.stress_in),
+        "N/m^2",
+    ),
+    "overpull": Quantity("disconnect", lambda s: s.disconnect is not None, "N", is_array=False),
+    "lmrp_clearance": Quantity(
+        "disconnect", lambda s: s.disconnect is not None, "m", is_array=False
+    ),
+    "damage_rate": Quantity("fatigue", lambda s: s.fatigue is not None),
+    "lift": Quantity("disconnect", lambda s: s.disconnect is not None),
+    "lift_rate": Quantity("disconnect", lambda s: s.disconnect is not None),
+    "platform_surge": Quantity("vessel", _of_vessel()),
+    "platform_speed_x": Quantity("vessel", _of_vessel()),
+    "riser_reaction_x": Quantity("vessel", _of_vessel()),
+    "environment_force_x": Quantity("vessel", _of_vessel()),
+    "platform_speed_y": Quantity(f"vessel with {_OUT}", _of_vessel(spatial=True)),
+    "riser_reaction_y": Quantity(f"vessel with {_OUT}", _of_vessel(spatial=True)),
+    "environment_force_y": Quantity(f"vessel with {_OUT}", _of_vessel(spatial=True)),
+    "platform_sway": Quantity("vessel.sway", _of_vessel("sway")),
+    "platform_yaw": Quantity("vessel.yaw", _of_vessel("yaw")),
+    "low_frequency_surge": Quantity("vessel with a platform", _with_platform(_of_vessel())),
+    "low_frequency_speed_x": Quantity("vessel with a platform", _with_platform(_of_vessel())),
+    "low_frequency_sway": Quantity(
+        "vessel.sway with a platform", _with_platform(_of_vessel("sway"))
+    ),
+    "low_frequency_speed_y": Quantity(
+        f"vessel.sway with a platform, and {_OUT}",
+        _with_platform(_of_vessel("sway", spatial=True)),
+    ),
+    "thrust_x": Quantity("vessel.thrusters", _of_vessel("thrusters")),
+    "thrust_y": Quantity(
+        f"vessel.thrusters and vessel.sway with {_OUT}",
+        _of_vessel("thrusters", "sway", spatial=True),
+    ),
+    "thrust_moment": Quantity(f"vessel.thrusters.yaw with {_OUT}", _yaw_of_thrusters),
+}
