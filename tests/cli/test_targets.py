@@ -66,6 +66,7 @@ INPUTS = {
     "NEW": "run.nc",
     "STUDY.yaml": "study.yaml",
     "RECORD.csv": "record.csv",
+    "OTHER.csv": "other_program.csv",
     "STUDY.nc": "damage.nc",
     "STATEMENT": "select path from files",
 }
@@ -168,6 +169,7 @@ def inputs(tmp_path_factory):
     shutil.copy(DECKS / "riser.yml", folder / "deck.yml")
     (folder / "body.4").write_text(OPERATORS)
     (folder / "record.csv").write_text(RECORD)
+    (folder / "other_program.csv").write_text("time (s),ufj_angle (deg)\n0,0\n1,1\n2,1\n3,1\n4,0\n")
     (folder / "results").mkdir()
     (folder / "results/reproduction.csv").write_text("paper,id\n")
     with sqlite3.connect(folder / "results/results.sqlite") as db:

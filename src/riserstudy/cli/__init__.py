@@ -15,6 +15,7 @@ import typer
 import riserstudy
 from riserstudy.cli import (
     analyse,
+    compare,
     design,
     downtime,
     fatigue,
@@ -35,7 +36,7 @@ OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothin
 GROUPS: dict[str, tuple[Any, ...]] = {
     "Simulate": (simulate.run, simulate.check, analyse.modes, tune.tune, simulate.rerun),
     "Inspect": (
-        outputs.plot, outputs.table, outputs.statistics, files.draw,
+        outputs.plot, outputs.table, outputs.statistics, compare.compare, files.draw,
         analyse.cost, analyse.effects, analyse.advise,
     ),
     "Design": (

@@ -11,6 +11,7 @@ EXAMPLES = {
     "plot": "riserstudy plot riser.nc -o ranges.png --of bending_moment",
     "table": "riserstudy table riser.yaml -o stack_up.csv --kind stack-up",
     "statistics": "riserstudy statistics sea.nc -o extremes.csv --start '200 s' --exposure '3 h'",
+    "compare": "riserstudy compare riser.nc measured.csv -o both.png",
     "draw": "riserstudy draw riser.yaml -o riser.png",
     "cost": "riserstudy cost riser.yaml",
     "effects": "riserstudy effects riser.yaml --times",

@@ -1,0 +1,41 @@
+"""A run beside a table of another program or a measurement: one panel per column."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure
+
+from riserstudy.dataset.beside import Pair
+from riserstudy.dataset.unit_systems import read_in
+from riserstudy.figures.style import COLOURS, headline, key_below, panels
+
+MOST = 6  # panels
+
+
+def beside(pairs: Sequence[Pair], title: str, other: str) -> Figure:
+    """Both over time, or along the riser, in the units of the reader.
+
+    Parameters
+    ----------
+    title : of the run. other : what the table is called.
+    """
+    shown = pairs[:MOST]
+    figure, axes = panels(len(shown), 1, 2.2, sharex=True)
+    for ax, pair in zip(axes, shown, strict=True):
+        factor, unit = read_in(pair.unit)
+        ax.plot(pair.along, factor * pair.ours, color=COLOURS[0], linewidth=1.2, label="run")
+        ax.plot(
+            pair.along,
+            factor * pair.theirs,
+            color=COLOURS[1],
+            linestyle="--",
+            linewidth=1.2,
+            label=other,
+        )
+        name = pair.heading.partition("(")[0].strip().replace("_", " ")
+        ax.set_ylabel(f"{name} ({unit})" if unit != "1" else name, fontsize="small")
+    axes[-1].set_xlabel("time (s)" if pairs[0].axis == "time" else "arclength from the bottom (m)")
+    key_below(figure, axes[-1], 2)
+    headline(figure, f"{title} compared with {other}")
+    return figure
