@@ -83,7 +83,7 @@ def test_peaks_and_the_largest_difference_are_those_that_were_added(table, seed)
     off = difference(pair)
     assert (off.largest, off.at) == pytest.approx((-5e5, TIME[k]))
     assert off.peak == pytest.approx(1.05e6 - 1e3 * theirs.max(), rel=1e-3)
-    assert off.trough == pytest.approx(0.0, abs=1.0)
+    assert off.low == pytest.approx(0.0, abs=1.0)
 
 
 def test_a_place_between_stations_is_interpolated_and_told(table):

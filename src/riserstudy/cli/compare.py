@@ -12,7 +12,7 @@ from riserstudy.cli.shared import AtOption, UnitsOption, place_of, wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem, read_in, reading_in
 
-COLUMNS = ("quantity", "rms", "of range", "largest", "at", "peak", "trough", "lag", "rms in phase")
+COLUMNS = ("quantity", "rms", "of range", "largest", "at", "peak", "low", "lag", "rms in phase")
 
 
 def compare(
@@ -59,7 +59,7 @@ def compare(
                 "" if math.isnan(off.relative) else f"{_number(100.0 * off.relative)} %",
                 _number(scale * off.largest),
                 f"{off.at:.4g} {along}",
-                *(_number(scale * value) for value in (off.peak, off.trough)),
+                *(_number(scale * value) for value in (off.peak, off.low)),
                 "" if math.isnan(off.lag) else f"{round(off.lag, 4) + 0.0:.3g} s",
                 _number(scale * off.rms_in_phase),
             )

@@ -62,7 +62,7 @@ class Difference(NamedTuple):
     rms : root mean square of the difference. relative: over the range of the table, not a number where it
         does not vary.
     largest, at : the largest difference by size, and where along.
-    peak, trough : difference of the largest and of the smallest values.
+    peak, low : difference of the largest and of the smallest values.
     lag : time (s) by which the run is later, at which both correlate best; not a number along the riser and
         where one does not vary. rms_in_phase : root mean square with that lag taken out.
     """
@@ -72,7 +72,7 @@ class Difference(NamedTuple):
     largest: float
     at: float
     peak: float
-    trough: float
+    low: float
     lag: float
     rms_in_phase: float
 
