@@ -123,8 +123,7 @@ def _part(
     say: Callable[[str], None],
 ) -> Part:
     """Simulate the sea states of one heading."""
-    riser = RiserResponse(file, seeds, interval, cores, say)
-    riser.prepare(of.states)
+    riser = RiserResponse(file, seeds, interval, cores)
     found = cover(of, riser, riser.allowed, error, most, say=say)
     none = np.full(len(riser.limits), math.nan)
     deviation = [riser.deviation.get((h, t), none) for h, t in found.states.tolist()]
@@ -141,7 +140,7 @@ def _lines(
     off = max(float(part.cover.error.max()) for part in parts)
     many = f" in {len(parts)} headings" if directions else ""
     lines = [
-        f"{count} sea states{many} of {riser.told:g} s, {riser.seeds} seeds each; "
+        f"{count} sea states{many} of {riser.exposure:g} s, {riser.seeds} seeds each; "
         f"at {compared} that were compared the response is off by up to {off:.1%}"
     ]
     if FROM in record and not directions:
