@@ -15,6 +15,7 @@ import xarray as xr
 from riserstudy.chapters.chang2020 import claims as checks
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
+from riserstudy.grading import words
 from riserstudy.grading.grade import Found, _answers, graded
 from riserstudy.grading.models import Item, PublishedFile
 from riserstudy.grading.names import input_name, option_name
@@ -27,7 +28,7 @@ from riserstudy.grading.sensitivity import (
     total_effects,
 )
 from riserstudy.grading.verdict import error, met, verdict_of_claim, verdict_of_number
-from riserstudy.records.graded import Grounds
+from riserstudy.records.graded import Grounds, Influence
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -407,15 +408,18 @@ def test_names_of_inputs_may_hold_any_punctuation(word):
 
 def test_inputs_and_options_are_told_in_words_and_not_as_paths():
     named = ["current.profile.sum[0].surface_speed", "riser[1].length", "platform_unit", "heave"]
+    named += ["riser[0].drag.coefficient", "riser[0].added_mass.diameter"]
     assert [input_name(path) for path in named] == [
         "surface speed of current profile part 1",
         "length of riser section 2",
         "platform unit",
         "heave",
+        "drag coefficient of riser section 1",
+        "added mass diameter of riser section 1",
     ]
     options = ["None", "from_rest", "along, 1 m/s", "R_1", "power 1/7"]
     assert [option_name(option) for option in options] == [
-        "absent",
+        "none",
         "from rest",
         "along, 1 m/s",
         "R_1",
@@ -551,3 +555,10 @@ def test_a_claim_whose_check_judges_nothing_is_refused_by_name():
     item = Item.model_construct(id="Q1", check="angle", published=None, rounding=None)
     with pytest.raises(InputError, match="Q1: angle judges no claim"):
         _answers(item, Found(xr.DataArray(1.0)))
+
+
+@pytest.mark.parametrize("explained, said", [(0.08, "no single input or pair"), (0.5, "the model")])
+def test_inputs_that_explain_little_are_not_called_deciding(explained, said):
+    influence = Influence("model", "the model", None, {})
+    grounds = Grounds(because="inputs", decided_by=[influence], explained=explained)
+    assert words.decided_by(grounds) == said

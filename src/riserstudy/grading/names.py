@@ -8,7 +8,8 @@ from collections.abc import Mapping
 _INDEX = re.compile(r"^(\w+)\[(\d+)\]$")
 _COUNTED = {"riser": "riser section"}
 _JOINED = re.compile(r"[a-z]+(_[a-z0-9]+)+")
-ABSENT = "absent"
+ABSENT = "none"
+OF_A_LOAD = ("coefficient", "diameter")
 
 
 def input_name(path: str, called: Mapping[str, str] | None = None) -> str:
@@ -24,6 +25,8 @@ def input_name(path: str, called: Mapping[str, str] | None = None) -> str:
     if called and path in called:
         return called[path]
     *above, last = path.split(".")
+    if last in OF_A_LOAD and above:  # the coefficient of a drag is a drag coefficient
+        last = f"{above.pop()}_{last}"
     words = " ".join(_part(part) for part in above)
     return f"{_part(last)} of {words}" if words else _part(last)
 

@@ -22,6 +22,7 @@ from riserstudy.records.graded import (
     Together,
 )
 
+DECIDES = 1.0 / 3.0  # of the variance of the outcome: inputs that explain less decide nothing
 MANY, NAMED = 12, 6  # of more interpretations than that, only so few are named
 _HIT = {"number": ("met", "missed"), "claim": ("true", "false")}
 
@@ -114,7 +115,8 @@ def decided_by(grounds: Grounds) -> str:
         return f"what {grounds.missing.cases} cases would say in which nothing is found"
     if grounds.because == "inputs":
         names = [influence.name for influence in grounds.decided_by]
-        return listed(names) if names else "no single input or pair"
+        weak = grounds.explained is not None and grounds.explained < DECIDES
+        return listed(names) if names and not weak else "no single input or pair"
     return ""
 
 

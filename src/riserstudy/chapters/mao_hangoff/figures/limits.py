@@ -99,8 +99,8 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         "orange: tension is lost, on the scale of the blue; dash: not in the grid's amplitudes",
         fontsize="small",
     )
-    loses = (f"{word} {_loses(lost.sel(mode=mode), most)}" for mode, word in HUNG.items())
-    headline(figure, f"Tension is lost {', '.join(loses)}")
+    soft, hard = (_loses(lost.sel(mode=mode), most) for mode in ("soft", "hard"))
+    headline(figure, f"A locked riser loses tension {hard} of heave, one on tensioners {soft}")
     return figure
 
 
@@ -114,8 +114,8 @@ def _bar(figure: Figure, of: list[Axes], norm: Normalize, label: str) -> None:
 def _loses(lost: xr.DataArray, most: float) -> str:
     """From which heave on the first riser loses tension."""
     if bool(lost.isnull().all()):
-        return f"nowhere up to {most:g} m"
-    return f"from {float(lost.min()):.2g} m of heave"
+        return f"nowhere to {most:g} m"
+    return f"from {float(lost.min()):.2g} m"
 
 
 def _cells(
