@@ -99,8 +99,10 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         "orange: tension is lost, on the scale of the blue; dash: not in the grid's amplitudes",
         fontsize="small",
     )
-    soft, hard = (_loses(lost.sel(mode=mode), most) for mode in ("soft", "hard"))
-    headline(figure, f"A locked riser loses tension {hard} of heave, one on tensioners {soft}")
+    on_tensioners, locked = (_loses(lost.sel(mode=mode), most) for mode in ("soft", "hard"))
+    headline(
+        figure, f"A locked riser loses tension {locked} of heave, one on tensioners {on_tensioners}"
+    )
     return figure
 
 
