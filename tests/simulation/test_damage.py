@@ -246,3 +246,21 @@ def test_a_dataset_names_details_and_places():
     most = found["damage_rate"].max(("wall_angle", "s_node"))
     assert [row["largest_rate"] for row in rows] == most.values.tolist()
     assert "damage" in json.loads(found.attrs["error_estimate"])
+
+
+def test_cycles_of_vortices_count_once_their_vibration_is_built_up():
+    """A riser in a current without waves: damage from the time on at which its vibration is judged."""
+    vortices = {"model": "synchronisation", "diameter": 1.0, "coefficient": 1.2}
+    vortices |= {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 3, "ramp": 30.0}
+    tree = moving(4, spatial=False, conductor=False)
+    tree["platform"] = {"position": {"surge": 0.0}, "centre_of_rotation": {"elevation": 0.0}}
+    for section in tree["riser"]:
+        section["viv"] = vortices
+    tree["analysis"] |= {"duration": 300.0, "output": {"interval": 0.5}}
+    tree["fatigue"] = {"angles": 8, "details": [WELD]}
+    tree["analysis"]["step"] = 0.25
+    found = run(SceneFile("rig.yaml", written(tree)).scene(), estimated=False)
+    (row,) = found.facts["fatigue"]
+    assert row["since"] == found.facts["vibration_since"] == 165.0
+    assert row["since"] + row["time"] == pytest.approx(300.0, abs=0.5)
+    assert row["largest_rate"] == np.nanmax(found.arrays["damage_rate"])
