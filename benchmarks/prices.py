@@ -25,9 +25,10 @@ from riserstudy.numerics.fixed_step import stepped
 from riserstudy.numerics.references import by_run
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
-from riserstudy.simulation.refine import DISPLACEMENT, MOMENT, run
+from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
+from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 

@@ -15,8 +15,9 @@ from riserstudy.simulation.long_record import (
     piece_length,
     refinement_of,
 )
-from riserstudy.simulation.refine import Refinement, allowed
+from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import march
+from riserstudy.simulation.tolerance import allowed
 from riserstudy.simulation.watch import Watch
 
 RISER = Path(__file__).parents[2] / "examples/drilling_riser/config/scenes/riser.yaml"

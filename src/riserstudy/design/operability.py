@@ -25,8 +25,9 @@ from riserstudy.scene.forcing import Position
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.models import Scene
-from riserstudy.simulation.refine import MOMENT, Refinement
+from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import single
+from riserstudy.simulation.tolerance import MOMENT
 from riserstudy.study.processes import each
 
 NODES = 9  # offsets at which a search begins, alike for all limits

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from riserstudy.numerics.ablation import Ablation, Changed, Tell, ablate
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
-from riserstudy.simulation.refine import DISPLACEMENT, MOMENT
+from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
 
 REPEATS = 5  # rounds of timed runs, of which the median counts
 BUDGET = 5e5  # node-steps a run; longer scenes are cut short

@@ -19,8 +19,9 @@ from riserstudy.numerics import closed_forms as known
 from riserstudy.numerics import references
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.modes import modes_of
-from riserstudy.simulation.refine import DISPLACEMENT, MOMENT, run
+from riserstudy.simulation.refine import run
 from riserstudy.simulation.simulate import simulate
+from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -17,8 +17,9 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import Storm
 from riserstudy.simulation.error_estimate import CONTROLLED, difference
 from riserstudy.simulation.piece import longest_ramp, piece_of
-from riserstudy.simulation.refine import Refinement, cost
+from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import march
+from riserstudy.simulation.run_cost import cost
 from riserstudy.simulation.starting_mesh import massless, period
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.watch import Watch, size

@@ -15,28 +15,32 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sudden import sudden_starts
 from riserstudy.simulation.as_asked import as_asked
-from riserstudy.simulation.equilibrium import rounding
-from riserstudy.simulation.error_estimate import controlled, difference
+from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import finish, march, single
+from riserstudy.simulation.run_cost import cost, duration, total_seconds
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_stepping import steps_in
+from riserstudy.simulation.tolerance import (
+    add_error_of_outputs,
+    allowed_of,
+    check_error,
+    in_words,
+    raise_if_buckling,
+)
 from riserstudy.simulation.watch import Tell, Watch, size
 
-DISPLACEMENT, MOMENT, DAMAGE = 0.002, 0.01, 0.05  # default accuracy
 RUNS = 16  # halvings of mesh or step, at most
 SEGMENTS = 50_000  # of the finest mesh, at most
 FALL = 1.5  # of differences, by which halving must bring them down to be repeated
 STALE = 2  # halvings of the other, after which what one of mesh and step was seen to change is seen anew
 LIKELY = 1.5  # of what is asked for: an error foreseen that may turn out to be within it
 MATTERS = 0.25  # of what is asked for: an error that is
-PATIENT = 6  # refinements that must halve the error, or a string under compression is given up
 STEPS_A_PERIOD = 24  # of the coarsest step
 FIRST_ORDER = 2.0  # by which each halving reduces an error
-SPENT = ("elements", "step", "newton_iterations", "solve_seconds")  # what a run cost
 
 
 def run(
@@ -74,51 +78,9 @@ def run(
     )
     result.facts["wall_seconds"] = watch.spent
     if scene.fatigue:
-        _with_outputs(result)
-    _doubt(result, scene)
+        add_error_of_outputs(result)
+    check_error(result, scene)
     return result
-
-
-def _with_outputs(result: Result) -> None:
-    """Add what outputs lose of the damage to its estimated error."""
-    error = result.facts.get("error_estimate", {})
-    if "damage" in error:
-        error["damage"] += max(row["error_of_outputs"] for row in result.facts["fatigue"])
-
-
-def _doubt(result: Result, scene: Scene) -> None:
-    """An error above the largest value itself means that nothing is known of it.
-
-    A mesh and a step of the scene's own are kept, with a warning, and no limit is then met by the run.
-
-    Raises
-    ------
-    SimulationError
-        With the quantity, its error and the remedy, where mesh and step were to be found.
-    """
-    error = result.facts.get("error_estimate", {})
-    if not any(value > 1.0 for value in controlled(error).values()):
-        return
-    doubt = (
-        f"the estimated error is larger than the result: {_worst(error)}, on "
-        f"{size(result.facts['elements'], result.facts.get('step'))}; take a finer mesh and a shorter step, "
-        "or leave both out to have them found"
-    )
-    if scene.analysis.mesh is None:
-        raise SimulationError(doubt)
-    result.facts["warnings"].append(doubt)
-
-
-def allowed(accuracy: float | None) -> dict[str, float]:
-    """Relative error that a request allows, by quantity; None: the default."""
-    moment = accuracy or MOMENT
-    return {"displacement": accuracy or DISPLACEMENT, "moment": moment, "tension": moment}
-
-
-def allowed_of(scene: Scene) -> dict[str, float]:
-    """Relative error that a scene requests, by quantity; of damage where it has details of fatigue."""
-    accuracy = scene.analysis.accuracy
-    return allowed(accuracy) | ({"damage": accuracy or DAMAGE} if scene.fatigue else {})
 
 
 def _exact(result: Result) -> Result:
@@ -180,7 +142,7 @@ class Refinement:
         if not reached:
             finest.facts["warnings"].append(self._not_reached(finest))
         finest.facts["warnings"] += self._slow()
-        finest.facts["solve_seconds"] = _spent(self.spent)
+        finest.facts["solve_seconds"] = total_seconds(self.spent)
         finest.facts["refinements"] = self.spent
         output = self.scene.analysis.output
         keep_stations(finest, output.stations if output else None)
@@ -247,7 +209,7 @@ class Refinement:
             error = self.error
             worst = max(self.target, key=lambda name: error[name] / self.target[name])
             off = f"{worst} off by {100 * error[worst]:.2g} %, request {100 * self.target[worst]:.2g} %"
-            on += f"; {off}, about {_duration(self._left())} to go"
+            on += f"; {off}, about {duration(self._left())} to go"
         self.watch.begin(on)
 
     def _left(self) -> float:
@@ -277,7 +239,7 @@ class Refinement:
         """What is to be said of an accuracy that was not reached."""
         facts = finest.facts
         why = f" within {facts['ended_by']}" if "ended_by" in facts else ""
-        errors = f"{_worst(facts['error_estimate'])} estimated"
+        errors = f"{in_words(facts['error_estimate'])} estimated"
         if not facts["error_estimate"]:
             errors = "no error estimate, which takes more runs"
         runs = f"{len(self.spent)} run{'s' if len(self.spent) > 1 else ''}"
@@ -345,7 +307,7 @@ class Refinement:
         finer.facts["error_estimate"] = {k: v for k, v in self.error.items() if k in known}
         if not self._unknown:
             self.excess.append(self._excess(self.error))
-            _give_up_buckling(self.scene, finer, self.excess)
+            raise_if_buckling(self.scene, finer, self.excess)
 
     @property
     def _unknown(self) -> list[str]:
@@ -431,40 +393,8 @@ class Refinement:
         return max(error.get(name, 0.0) / limit for name, limit in self.target.items())
 
 
-def _give_up_buckling(scene: Scene, finer: Result, excess: list[float]) -> None:
-    """A string without bending stiffness buckles at any wavelength: each finer mesh finds a shorter one."""
-    earlier = excess[:-PATIENT]
-    if not earlier or min(excess) <= 0.5 * min(earlier) or "bending_moment" in finer.arrays:
-        return
-    facts = finer.facts
-    if facts["directions"] > 1 and facts["smallest_tension"] < -rounding(scene):
-        raise PhysicallyUnstable(
-            f"effective tension falls to {facts['smallest_tension']:.3g} N at s = "
-            f"{facts['smallest_tension_s']:.4g} m, and without bending stiffness the riser buckles there at "
-            f"any wavelength: {len(excess)} finer runs did not settle its peaks; give every section "
-            "bending stiffness, or analysis.mesh and step"
-        )
-
-
 def _longest_step(scene: Scene) -> float:
     """The step that a refinement starts from (s): in turns of platform and riser, a whole part of one."""
     step = period(scene) / STEPS_A_PERIOD
     coupling = scene.vessel and scene.vessel.coupling
     return coupling.interval / steps_in(coupling.interval, step) if coupling else step
-
-
-def _duration(seconds: float) -> str:
-    return f"{seconds:.2g} s" if seconds < 100.0 else f"{seconds / 60.0:.0f} min"
-
-
-def cost(run: Result) -> dict[str, Any]:
-    """What a run cost, by `SPENT`."""
-    return {name: run.facts.get(name) for name in SPENT}
-
-
-def _spent(refinements: list[dict[str, Any]]) -> float:
-    return float(sum(one["solve_seconds"] for one in refinements))
-
-
-def _worst(error: dict[str, float]) -> str:
-    return ", ".join(f"{name} {100 * value:.2g} %" for name, value in error.items())

@@ -20,7 +20,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.folders import write_whole
-from riserstudy.simulation.refine import allowed_of
+from riserstudy.simulation.tolerance import allowed_of
 from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.grid import Point

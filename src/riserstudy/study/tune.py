@@ -20,9 +20,10 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.refine import Refinement, allowed_of, run
+from riserstudy.simulation.refine import Refinement, run
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless
+from riserstudy.simulation.tolerance import allowed_of
 from riserstudy.study.corners import corners, others
 from riserstudy.study.grid import Index
 from riserstudy.study.setting import METHODS, Setting, layers_of, meshes, own_setting, steps

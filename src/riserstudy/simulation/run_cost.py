@@ -1,0 +1,24 @@
+"""What runs cost, and times in words."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from riserstudy.dataset.result import Result
+
+COSTS = ("elements", "step", "newton_iterations", "solve_seconds")  # facts of a run
+
+
+def cost(run: Result) -> dict[str, Any]:
+    """What a run cost, by `COSTS`; None where it has no such fact."""
+    return {name: run.facts.get(name) for name in COSTS}
+
+
+def total_seconds(runs: list[dict[str, Any]]) -> float:
+    """Time (s) that runs took together, from their costs."""
+    return float(sum(one["solve_seconds"] for one in runs))
+
+
+def duration(seconds: float) -> str:
+    """A time (s) in words."""
+    return f"{seconds:.2g} s" if seconds < 100.0 else f"{seconds / 60.0:.0f} min"

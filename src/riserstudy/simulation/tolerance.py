@@ -1,0 +1,85 @@
+"""The errors that a scene tolerates, and runs whose estimated error says that nothing is known of them."""
+
+from __future__ import annotations
+
+from riserstudy.dataset.result import Result
+from riserstudy.errors import PhysicallyUnstable, SimulationError
+from riserstudy.scene.models import Scene
+from riserstudy.simulation.equilibrium import rounding
+from riserstudy.simulation.error_estimate import controlled
+from riserstudy.simulation.watch import size
+
+DISPLACEMENT, MOMENT, DAMAGE = 0.002, 0.01, 0.05  # default accuracy
+PATIENT = 6  # refinements that must halve the error, or a string under compression is given up
+
+
+def allowed(accuracy: float | None) -> dict[str, float]:
+    """Relative error that a request allows, by quantity; None: the default."""
+    moment = accuracy or MOMENT
+    return {"displacement": accuracy or DISPLACEMENT, "moment": moment, "tension": moment}
+
+
+def allowed_of(scene: Scene) -> dict[str, float]:
+    """Relative error that a scene requests, by quantity; of damage where it has details of fatigue."""
+    accuracy = scene.analysis.accuracy
+    return allowed(accuracy) | ({"damage": accuracy or DAMAGE} if scene.fatigue else {})
+
+
+def add_error_of_outputs(result: Result) -> None:
+    """Add what outputs lose of the damage to its estimated error."""
+    error = result.facts.get("error_estimate", {})
+    if "damage" in error:
+        error["damage"] += max(row["error_of_outputs"] for row in result.facts["fatigue"])
+
+
+def check_error(result: Result, scene: Scene) -> None:
+    """An error above the largest value itself means that nothing is known of it.
+
+    A mesh and a step of the scene's own are kept, with a warning, and no limit is then met by the run.
+
+    Raises
+    ------
+    SimulationError
+        With the quantity, its error and the remedy, where mesh and step were to be found.
+    """
+    error = result.facts.get("error_estimate", {})
+    if not any(value > 1.0 for value in controlled(error).values()):
+        return
+    doubt = (
+        f"the estimated error is larger than the result: {in_words(error)}, on "
+        f"{size(result.facts['elements'], result.facts.get('step'))}; take a finer mesh and a shorter step, "
+        "or leave both out to have them found"
+    )
+    if scene.analysis.mesh is None:
+        raise SimulationError(doubt)
+    result.facts["warnings"].append(doubt)
+
+
+def raise_if_buckling(scene: Scene, finer: Result, excess: list[float]) -> None:
+    """A string without bending stiffness buckles at any wavelength: each finer mesh finds a shorter one.
+
+    Parameters
+    ----------
+    excess : largest error over the tolerance (1), of every run so far.
+
+    Raises
+    ------
+    PhysicallyUnstable
+        When a string under compression has not settled within `PATIENT` runs.
+    """
+    earlier = excess[:-PATIENT]
+    if not earlier or min(excess) <= 0.5 * min(earlier) or "bending_moment" in finer.arrays:
+        return
+    facts = finer.facts
+    if facts["directions"] > 1 and facts["smallest_tension"] < -rounding(scene):
+        raise PhysicallyUnstable(
+            f"effective tension falls to {facts['smallest_tension']:.3g} N at s = "
+            f"{facts['smallest_tension_s']:.4g} m, and without bending stiffness the riser buckles there at "
+            f"any wavelength: {len(excess)} finer runs did not settle its peaks; give every section "
+            "bending stiffness, or analysis.mesh and step"
+        )
+
+
+def in_words(error: dict[str, float]) -> str:
+    """Relative errors (1) by quantity, as text in per cent."""
+    return ", ".join(f"{name} {100 * value:.2g} %" for name, value in error.items())
