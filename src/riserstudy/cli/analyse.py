@@ -43,8 +43,8 @@ def cost(
             print("tolerance  estimated  segments  time step   time")
         prices.append(price)
         step = f"{price.step:7.3g} s" if price.step else "   none  "
-        asked = "default" if price.requested is None else f"{100 * price.requested:.3g} %"
-        shares = f"{asked:>9}  {100 * price.estimated:7.2g} %"
+        requested = "default" if price.requested is None else f"{100 * price.requested:.3g} %"
+        shares = f"{requested:>9}  {100 * price.estimated:7.2g} %"
         print(f"{shares}  {price.elements:8d}  {step}  {price.seconds:.3g} s", flush=True)
     for line in recipe_lines(file.scene()):
         print(line)

@@ -89,8 +89,8 @@ def tension(
     from riserstudy.design.tension_table import Asked, lines, tension_table
 
     ceiling = None if limit is None or share is None else (limit, share)
-    asked = Asked(Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle))
-    rows = tension_table(riser, asked._replace(overpull=pulled, ceiling=ceiling))
+    requested = Asked(Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle))
+    rows = tension_table(riser, requested._replace(overpull=pulled, ceiling=ceiling))
     for line in lines(rows):
         print(line)
     if csv is not None:
