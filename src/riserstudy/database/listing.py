@@ -29,9 +29,9 @@ def table_of(db: sqlite3.Connection, study: str) -> str | None:
 
     The paper may be left out where no other paper has a study of that name.
     """
-    asked = "select table_name from studies where study = ? or table_name = ?"
-    asked += " union select table_name from columns where table_name = ?"
-    rows = ask(db, asked, (study, study, study)).rows
+    statement = "select table_name from studies where study = ? or table_name = ?"
+    statement += " union select table_name from columns where table_name = ?"
+    rows = ask(db, statement, (study, study, study)).rows
     alone = "select table_name from studies where name = ?"
     rows = rows or (named if len(named := ask(db, alone, (study,)).rows) == 1 else [])
     return str(rows[0][0]) if rows else None
@@ -57,15 +57,15 @@ def cells(
     InputError
         When there is no such column, or the condition cannot be meant.
     """
-    asked = "select column_name, role from columns where table_name = ? order by position"
-    known = dict(ask(db, asked, (table,)).rows)
+    statement = "select column_name, role from columns where table_name = ? order by position"
+    known = dict(ask(db, statement, (table,)).rows)
     for option, names in (("--columns", columns or []), ("--sort", sort)):
         for name in names:
             if name.removeprefix("-") not in known:
                 allowed = f"allowed are {', '.join(known)}"
                 raise InputError(option, "", f"no column {name!r}", allowed)
-    shown = columns or [name for name, role in known.items() if _main(name, role)]
-    sql = f"select {', '.join(map(quoted, shown))} from {quoted(table)}"
+    displayed = columns or [name for name, role in known.items() if _main(name, role)]
+    sql = f"select {', '.join(map(quoted, displayed))} from {quoted(table)}"
     if where:
         sql += f" where ({where}\n)"  # a comment in it ends with its line
     if sort:
@@ -83,8 +83,10 @@ def _sorted(name: str) -> str:
 
 def units(db: sqlite3.Connection, table: str) -> dict[str, str]:
     """Units of the columns of a wide table that have one."""
-    asked = "select column_name, unit from columns where table_name = ? and unit not in ('', '1')"
-    return dict(ask(db, asked, (table,)).rows)
+    statement = (
+        "select column_name, unit from columns where table_name = ? and unit not in ('', '1')"
+    )
+    return dict(ask(db, statement, (table,)).rows)
 
 
 def points(db: sqlite3.Connection, words: list[str]) -> Answer:

@@ -105,11 +105,11 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
     wanted = [int(point) for point in points]
     places: dict[int, tuple[str, str, int]] = {}
     with opened(database) as db:
-        asked = (
+        statement = (
             "select study, path, position from points join studies using (study) where point = ?"
         )
         for point in wanted:
-            for row in ask(db, asked, (point,)).rows:
+            for row in ask(db, statement, (point,)).rows:
                 places[point] = row
     if not wanted or (missing := [point for point in wanted if point not in places]):
         what = f"no point {missing[0]}" if wanted else "no points"

@@ -39,8 +39,8 @@ def verify(database: Path) -> Verified:
         wrong = [line for line in wrong if not line.endswith(": ok")]
         wrong += [f"{database}: {row}" for row in db.execute("pragma foreign_key_check")]
         wrong += [*_itself(database)]
-        asked = ask(db, "select path, sha256 from files").rows
-        files = {str(path): str(digest) for path, digest in asked}
+        recorded = ask(db, "select path, sha256 from files").rows
+        files = {str(path): str(digest) for path, digest in recorded}
         keys = [str(key) for (key,) in ask(db, "select distinct key from points").rows]
     wrong += [*_files(database.parent, files)]
     wrong += [

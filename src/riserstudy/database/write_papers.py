@@ -74,7 +74,10 @@ def _write_reads(db: sqlite3.Connection, paper: str, file: StudyFile, studies: s
 def _write_figures(
     db: sqlite3.Connection, paper: str, file: StudyFile, studies: set[str], paths: set[str]
 ) -> None:
-    captions = {name: shown.caption for name, shown in (file.schematics | file.figures).items()}
+    captions = {
+        name: figure_model.caption
+        for name, figure_model in (file.schematics | file.figures).items()
+    }
     for name, caption in captions.items():
         drawn = [f"{paper}/{name}.{kind}" for kind in ("png", "pdf")]
         if paths.issuperset(drawn):

@@ -22,12 +22,12 @@ class Values:
     def __init__(self, db: sqlite3.Connection):
         self._db = db
         self._paths = dict(db.execute("select path, path_id from paths").fetchall())
-        asked = "select path, value, unit, as_written, origin, because, value_id"
-        rows = db.execute(f"{asked} from paths join parameter_values using (path_id)")
+        statement = "select path, value, unit, as_written, origin, because, value_id"
+        rows = db.execute(f"{statement} from paths join parameter_values using (path_id)")
         self._numbers = {Parameter(*row[:-1]): row[-1] for row in rows}
         self._next = max(self._numbers.values(), default=0) + 1
-        asked = "select coalesce(max(parameter_set), 0) + 1 from point_sets"
-        self._next_set: int = db.execute(asked).fetchone()[0]
+        statement = "select coalesce(max(parameter_set), 0) + 1 from point_sets"
+        self._next_set: int = db.execute(statement).fetchone()[0]
 
     def numbers(self, parameters: Iterable[Parameter]) -> list[int]:
         """Numbers of values, which are inserted where they are new."""

@@ -155,8 +155,10 @@ def _write_results(db: sqlite3.Connection, statistics: list[Statistic], first: i
 
 def _quantity_id(db: sqlite3.Connection, of: Statistic) -> int:
     about = (of.quantity, of.statistic, of.unit, of.long_name)
-    asked = "select quantity_id from quantities where quantity = ? and statistic = ? and unit is ?"
-    row = db.execute(asked, about[:3]).fetchone()
+    requested = (
+        "select quantity_id from quantities where quantity = ? and statistic = ? and unit is ?"
+    )
+    row = db.execute(requested, about[:3]).fetchone()
     if row is None:
         statement = "insert into quantities values (null, ?, ?, ?, ?) returning quantity_id"
         row = db.execute(statement, about).fetchone()
@@ -166,8 +168,8 @@ def _quantity_id(db: sqlite3.Connection, of: Statistic) -> int:
 
 def remove_study(db: sqlite3.Connection, study: str) -> None:
     """Delete a study with all that belongs to it alone."""
-    asked = "select distinct table_name from columns where study = ?"
-    for (table,) in db.execute(asked, (study,)).fetchall():
+    statement = "select distinct table_name from columns where study = ?"
+    for (table,) in db.execute(statement, (study,)).fetchall():
         db.execute(f"drop table {quoted(table)}")
     db.execute("delete from studies where study = ?", (study,))
 
