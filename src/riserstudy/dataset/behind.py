@@ -33,13 +33,13 @@ def provenance(dataset: xr.Dataset) -> dict[str, Any]:
     InputError
         When the dataset was not simulated, or holds something else under these names.
     """
-    said = dataset.attrs
-    if "provenance" in said:
+    attrs = dataset.attrs
+    if "provenance" in attrs:
         record = {"origins": {}, "engine": "", **_mapping(dataset, "provenance")}
-    elif "scene" in said and "tables" in said:
-        names = [name for name in ("scene", "tables", "origins") if name in said]
+    elif "scene" in attrs and "tables" in attrs:
+        names = [name for name in ("scene", "tables", "origins") if name in attrs]
         parts = {name: _mapping(dataset, name) for name in names}
-        record = {"origins": {}, "engine": said.get("engine", ""), **parts}
+        record = {"origins": {}, "engine": attrs.get("engine", ""), **parts}
     else:
         record = {}
     if "scene" not in record or "tables" not in record:

@@ -18,14 +18,14 @@ def complete(dataset: xr.Dataset) -> xr.Dataset:
     """
     dataset = dataset.copy()
     for label, variable in dataset.variables.items():
-        said = dict(variable.attrs)
+        attrs = dict(variable.attrs)
         known = attributes(str(label))
         numbers = variable.dtype.kind in "fiu"
         about = {"long_name": str(label).replace("_", " ")}
-        if numbers and ("long_name" not in said or str(label).startswith("assumed_")):
+        if numbers and ("long_name" not in attrs or str(label).startswith("assumed_")):
             about["units"] = "1"
         about |= {name: known[name] for name in ("units", "long_name") if name in known}
-        about |= said
+        about |= attrs
         if numbers and "units" in about:
             about["units"] = cf_unit(about["units"])
         variable.attrs = about

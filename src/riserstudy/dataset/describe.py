@@ -32,9 +32,9 @@ def scenes_of(dataset: xr.Dataset) -> Iterator[tuple[dict[str, Any], Scene]]:
     """The place on the axes and the scene of every point of a simulated dataset."""
     axes = [str(dim) for dim in dataset["point_key"].dims]
     sets = {axis: json.loads(dataset[axis].attrs["sets"]) for axis in axes}
-    said = dataset.attrs
-    held = json.loads(said["tables"])
-    base = SceneFile(said["scene_file"], json.loads(said["scene"]), held=held)
+    attrs = dataset.attrs
+    held = json.loads(attrs["tables"])
+    base = SceneFile(attrs["scene_file"], json.loads(attrs["scene"]), held=held)
     for index in np.ndindex(dataset["point_key"].shape):
         place = {axis: dataset[axis].values[k].item() for axis, k in zip(axes, index, strict=True)}
         values: dict[str, Any] = {}

@@ -110,11 +110,13 @@ def as_variables(parts: Sequence[tuple[Sequence[int], list[Statistic]]]) -> dict
     parts : places of runs among all, and their statistics.
     """
     count = sum(len(places) for places, _ in parts)
-    labels = dict.fromkeys(f"{of.quantity} {of.statistic}" for _, told in parts for of in told)
+    labels = dict.fromkeys(
+        f"{of.quantity} {of.statistic}" for _, statistics in parts for of in statistics
+    )
     columns = {label: k for k, label in enumerate(labels)}
     data = {kind: np.full((count, len(labels)), np.nan) for kind in NAMES}
-    for places, told in parts:
-        for of in told:
+    for places, statistics in parts:
+        for of in statistics:
             k = columns[f"{of.quantity} {of.statistic}"]
             for kind, values in {"value": of.values, **of.at}.items():
                 data[kind][places, k] = values

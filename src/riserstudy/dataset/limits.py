@@ -89,11 +89,11 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
     about = (limit.output, limit.place, limit.mode, limit.side, limit.allowable)
     unit = UNITS[limit.output]
     missing = lacks(scene, limit)
-    asked = demand_of(scene, limit, rows)
-    if asked is None:
+    found = demand_of(scene, limit, rows)
+    if found is None:
         why = ", ".join(missing) or f"{limit.output} in this run"
         return Checked(*about, None, None, None, None, UNKNOWN, why, origin, unit)
-    demand, s, time = asked
+    demand, s, time = found
     share = use(limit.side, demand, limit.allowable)
     verdict = EXCEEDED if share > 1.0 else UNKNOWN if missing else WITHIN
     return Checked(*about, demand, share, s, time, verdict, ", ".join(missing), origin, unit)

@@ -79,8 +79,8 @@ def attributes(name: str) -> dict[str, str]:
         if base != name and base in variables():
             of = variables()[base]
             unit = density(of["units"]) if ending == "_spectrum" else of["units"]
-            told = {"comment": of["comment"]} if "comment" in of else {}
-            return {"units": unit, "long_name": word + of["long_name"]} | told
+            comment = {"comment": of["comment"]} if "comment" in of else {}
+            return {"units": unit, "long_name": word + of["long_name"]} | comment
     of = variables().get(name, {})
     return {key: value for key, value in of.items() if key != "label"}
 
