@@ -192,14 +192,14 @@ def excess(at: AtRest, limit: Limit, allowance: float, offset: float) -> float:
     SimulationError
         When no equilibrium is found there.
     """
-    asked = demand_of(at.scene, limit, at.extremes(offset))
-    if asked is None:
+    found = demand_of(at.scene, limit, at.extremes(offset))
+    if found is None:
         raise SimulationError(f"no {limit.output} at an offset of {offset:g} m")
     if limit.side == "mean":
-        return asked[0] - limit.allowable
+        return found[0] - limit.allowable
     if limit.side == "smallest":
-        return limit.allowable + allowance - asked[0]
-    return asked[0] + allowance - limit.allowable
+        return limit.allowable + allowance - found[0]
+    return found[0] + allowance - limit.allowable
 
 
 def _least(over: Callable[[float], float], near: float, tried: list[float]) -> float:

@@ -99,20 +99,20 @@ def _window(scene: Scene, asked: Asked, minimum: float) -> list[Found]:
     of = window(minimum, lifted, asked.rig, limit, share)
     note = f"{100.0 * share:g} % of the dynamic tension limit"
     rows.append(Found("ceiling", of.ceilings[of.ceiling], note))
-    said = "above the floor" if of.gap >= 0.0 else "no setting: the ceiling is below the floor"
-    return [*rows, Found("window", of.gap, f"{said}, {of.floor}")]
+    text = "above the floor" if of.gap >= 0.0 else "no setting: the ceiling is below the floor"
+    return [*rows, Found("window", of.gap, f"{text}, {of.floor}")]
 
 
 def lines(rows: Rows) -> list[str]:
     """The rows as readable lines in kN."""
-    told = [
+    texts = [
         f"{(row.tension or 0.0) / 1e3:10.2f} kN  {row.what}"
         + (f"  ({row.note})" if row.note else "")
         for row in rows.ends
     ]
     for row in rows.totals:
         if row.tension is None:
-            told.append(f"{row.what}: not evaluated: {row.note}")
+            texts.append(f"{row.what}: not evaluated: {row.note}")
         else:
-            told.append(f"{row.what}: {row.tension / 1e3:.2f} kN, {row.note}")
-    return told
+            texts.append(f"{row.what}: {row.tension / 1e3:.2f} kN, {row.note}")
+    return texts
