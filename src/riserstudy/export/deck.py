@@ -44,7 +44,7 @@ class Deck:
 
     def left_out(self) -> list[str]:
         """Lines that name what of the scene is not in the deck, or is otherwise in it."""
-        lines = [f"{path}: {told}" for path, told in self.otherwise.items()]
+        lines = [f"{path}: {reason}" for path, reason in self.otherwise.items()]
         missing: dict[str, None] = {}
         for path, _ in leaves(self.file.tree):
             bare = re.sub(r"\[\d+\]", "", path)

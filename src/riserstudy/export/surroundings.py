@@ -138,8 +138,8 @@ def stages(deck: Deck) -> dict[str, Any]:
     for path, ramp in ramps.items():
         deck.said.add(path)
         if ramp != first:
-            told = "none" if ramp is None else f"{ramp:g} s"
-            deck.otherwise[path] = f"{told}; the deck builds up over its first stage, {first:g} s"
+            reason = "none" if ramp is None else f"{ramp:g} s"
+            deck.otherwise[path] = f"{reason}; the deck builds up over its first stage, {first:g} s"
     made["StageDuration"] = [first, a.duration - first] if a.duration > first else [first]
     every = a.output.interval if a.output else 0.1
     return made | {"TargetLogSampleInterval": every, "ImplicitConstantTimeStep": a.step or 0.1}
