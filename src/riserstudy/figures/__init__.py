@@ -80,6 +80,6 @@ def _metadata(figure: Figure, suffix: str) -> dict[str, str | None] | None:
     from riserstudy.figures.drawn import headline, words
 
     if suffix == ".png":
-        said: dict[str, str | None] = {"Title": headline(figure), "Description": words(figure)}
-        return said | {HEAD_ROWS: str(_head_rows(figure))}
+        metadata: dict[str, str | None] = {"Title": headline(figure), "Description": words(figure)}
+        return metadata | {HEAD_ROWS: str(_head_rows(figure))}
     return {"CreationDate": None} if suffix == ".pdf" else None

@@ -40,10 +40,10 @@ def headline(figure: Figure) -> str:
 
 def words(figure: Figure) -> str:
     """What is seen: panels with their titles, axes and named series."""
-    said = [panel for ax in _shown(figure) if (panel := _panel(ax))]
+    panels = [panel for ax in _shown(figure) if (panel := _panel(ax))]
     head = figure.get_suptitle()
-    count = f"{len(said)} panels. " if len(said) > 1 else ""
-    return " ".join([*([f"{head}."] if head else []), count + " ".join(said)]).replace("\n", " ")
+    count = f"{len(panels)} panels. " if len(panels) > 1 else ""
+    return " ".join([*([f"{head}."] if head else []), count + " ".join(panels)]).replace("\n", " ")
 
 
 def table(figure: Figure) -> str:
@@ -70,8 +70,8 @@ def _panel(ax: Axes) -> str:
     axes = " over ".join(word for word in (y, x) if word)
     names = list(dict.fromkeys(one.name for one in series if one.name))
     many = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
-    shown = f": {'; '.join(names[:MOST_NAMED])}{many}" if names else ""
-    return f"{title + ': ' if title else ''}{axes or 'a drawing'}{shown}."
+    named = f": {'; '.join(names[:MOST_NAMED])}{many}" if names else ""
+    return f"{title + ': ' if title else ''}{axes or 'a drawing'}{named}."
 
 
 def _title(ax: Axes) -> str:

@@ -40,18 +40,18 @@ def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
     excess = _excess(responses, surface.at(plane.reshape(-1, 2))).reshape(CELLS, CELLS, -1)
     unknown = np.isnan(excess).any(axis=-1)
     most = np.where(unknown, 0, np.nan_to_num(excess).argmax(axis=-1))
-    shown = np.where(np.nan_to_num(excess).max(axis=-1) > 0.0, most + 1.0, 0.0)
-    shown[unknown] = np.nan
+    displayed = np.where(np.nan_to_num(excess).max(axis=-1) > 0.0, most + 1.0, 0.0)
+    displayed[unknown] = np.nan
     figure = Figure((7.2, 5.0), dpi=150, layout="constrained")
     ax = figure.subplots()
     labels = [str(name) for name in responses["limit"].values]
     colours = [WITHIN, *(COLOURS[k % len(COLOURS)] for k in range(len(labels)))]
     ax.pcolormesh(
-        periods, heights, shown, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(labels) + 0.5
+        periods, heights, displayed, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(labels) + 0.5
     )
     for states, colour in ((simulated, "black"), (held, "white")):
         ax.plot(states[:, 1], states[:, 0], "o", ms=3, mfc=colour, mec="black", mew=0.5, ls="none")
-    there = [int(k) for k in np.unique(shown[~unknown])]
+    there = [int(k) for k in np.unique(displayed[~unknown])]
     keys: list[Patch | Line2D] = [
         Patch(color=colours[k], label=labels[k - 1] if k else "all limits met") for k in there
     ]

@@ -45,14 +45,14 @@ def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     ]
     extremes = xr.Dataset({end: extreme(dataset, end) for end in ends})
     slices = points(extremes, over=[across, up])
-    shown = [
+    displayed = [
         (called, point[end])
         for called, point in slices
         for end in ends[: 1 if slices[1:] else None]
     ]
-    figure, axes = laid_out(len(shown))
+    figure, axes = laid_out(len(displayed))
     ranges = {end: _range(extremes[end]) for end in ends}
-    for ax, (called, values) in zip(axes, shown, strict=True):
+    for ax, (called, values) in zip(axes, displayed, strict=True):
         end = str(values.name)
         _draw(figure, ax, values.transpose(up, across), ranges[end], _allowables(dataset, end))
         beside_letter(ax, called)
@@ -69,8 +69,8 @@ class Range(NamedTuple):
 
 def _range(values: xr.DataArray) -> Range:
     """From the smallest to the largest; about zero, in two colours, where both signs are there."""
-    shown = read(values)
-    low, high = float(shown.min()), float(shown.max())
+    displayed = read(values)
+    low, high = float(displayed.min()), float(displayed.max())
     if _quantity(str(values.name)) in SIGNED and low < 0.0 < high:
         most = max(-low, high)
         return Range(-most, most, "RdBu_r")
@@ -102,16 +102,16 @@ def _allowables(dataset: xr.Dataset, name: str) -> list[float]:
 def _draw(figure: Figure, ax: Axes, values: xr.DataArray, told: Range, limits: list[float]) -> None:
     up, across = (values[dim] for dim in values.dims)
     x, y = places_of(across, ax.set_xticks), places_of(up, ax.set_yticks)
-    shown = read(values)
+    displayed = read(values)
     colours = ax.pcolormesh(
-        x, y, shown, shading="nearest", cmap=told.colours, vmin=told.low, vmax=told.high
+        x, y, displayed, shading="nearest", cmap=told.colours, vmin=told.low, vmax=told.high
     )
     bar = figure.colorbar(colours, ax=ax, label=label(values))
     for level in limits:
         if told.low <= level <= told.high:
             bar.ax.axhline(level, color=RED, linewidth=1.4)
-        if min(shown.shape) > 1 and float(shown.min()) < level < float(shown.max()):
-            ax.contour(x, y, shown, levels=[level], colors=[RED], linewidths=1.2)
+        if min(displayed.shape) > 1 and float(displayed.min()) < level < float(displayed.max()):
+            ax.contour(x, y, displayed, levels=[level], colors=[RED], linewidths=1.2)
     ax.set_xlabel(label(across))
     ax.set_ylabel(label(up))
     ax.grid(False)

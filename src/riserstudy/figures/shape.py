@@ -53,7 +53,7 @@ def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
         most = int(np.nanargmax(np.nanmax(across, axis=0) - np.nanmin(across, axis=0)))
         there = across[:, most]
         for colour, word, k in zip(COLOURS, SIDES, (there.argmax(), there.argmin()), strict=False):
-            said = f"{time[k]:.5g} s: {name} {word} at s = {float(s[most]):.5g} {read_in('m').unit}"
-            ax.plot(across[k], up[k], color=colour, label=said)
+            text = f"{time[k]:.5g} s: {name} {word} at s = {float(s[most]):.5g} {read_in('m').unit}"
+            ax.plot(across[k], up[k], color=colour, label=text)
     if f"{name}_static" in run and "z_static" in run:
         ax.plot(read(run[f"{name}_static"]), read(run["z_static"]), color="black", label="at rest")

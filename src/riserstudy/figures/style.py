@@ -96,10 +96,10 @@ def field(
     label : of the bar.
     signed : largest size, by which colours leave white to either side; absent: from least to most.
     """
-    shown = values.transpose(up, across)
+    displayed = values.transpose(up, across)
     scale = {"cmap": "viridis"} if signed is None else SIGNED | {"vmin": -signed, "vmax": signed}
     colours = ax.pcolormesh(
-        shown[across], shown[up], shown, shading="gouraud", rasterized=True, **scale
+        displayed[across], displayed[up], displayed, shading="gouraud", rasterized=True, **scale
     )
     figure.colorbar(colours, ax=ax, label=label)
     ax.grid(False)

@@ -21,11 +21,11 @@ def time_series(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
         raise absent(dataset, missing[0])
     figure, axes = panels(len(names), 1, 2.0, sharex=True)
     for ax, name in zip(axes, names, strict=True):
-        place, said = _place(dataset[name])
-        shown = dataset[[name]].isel(place)
-        for colour, (called, point) in zip(COLOURS, points(shown), strict=False):
+        place, text = _place(dataset[name])
+        displayed = dataset[[name]].isel(place)
+        for colour, (called, point) in zip(COLOURS, points(displayed), strict=False):
             ax.plot(point["time"], read(point[name]), color=colour, linewidth=0.9, label=called)
-        ax.set_ylabel("\n".join((label(dataset[name]), said)).strip(), fontsize="small")
+        ax.set_ylabel("\n".join((label(dataset[name]), text)).strip(), fontsize="small")
     axes[-1].set_xlabel(label(dataset["time"]))
     key(figure, axes[0])
     return figure

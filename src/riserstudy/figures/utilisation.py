@@ -67,13 +67,13 @@ def _maps(uses: xr.Dataset) -> Figure:
     chosen = [slices[k] for k in sorted({round(last * j / (SLICES - 1)) for j in range(SLICES)})]
     figure, axes = laid_out(2 * len(chosen))
     names = [_short(str(name)) for name in uses["limit"].values]
-    shown = set()
+    displayed = set()
     for row, (called, point) in enumerate(chosen):
         use = point["use_of_limit"].transpose("limit", up, across)
         left, right = axes[2 * row : 2 * row + 2]
         _use(figure, left, use, called)
-        shown |= _governing(right, use, called)
-    for k in sorted(shown, reverse=True):
+        displayed |= _governing(right, use, called)
+    for k in sorted(displayed, reverse=True):
         called = names[k] if k >= 0 else "not evaluated"
         axes[1].plot([], [], "s", color=_colour(k) if k >= 0 else GREY, label=called)
     key(figure, axes[1])

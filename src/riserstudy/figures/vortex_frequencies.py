@@ -48,8 +48,8 @@ def vortex_frequencies(found: xr.Dataset, title: str) -> Figure:
         count, f"{count} modes may lock in"
     )
     headline(figure, f"{title}: {modes}")
-    shown = [ax.get_legend_handles_labels() for ax in (left, right)]
-    handles, labels = (shown[0][k] + shown[1][k] for k in range(2))
+    displayed = [ax.get_legend_handles_labels() for ax in (left, right)]
+    handles, labels = (displayed[0][k] + displayed[1][k] for k in range(2))
     figure.legend(handles, labels, loc="outside lower center", ncols=4, fontsize="small")
     return figure
 
@@ -59,6 +59,6 @@ def _amplitudes(ax: Axes, found: xr.Dataset) -> None:
     z, every = found["z"], found["relative_amplitude"]
     ax.fill_betweenx(z, every.max("mode"), color="0.85", label="the largest of all modes")
     most = int(found["amplitude"].values.argmax())
-    said = f"mode {found['mode'].values[most]}, which swings most"
-    ax.plot(every[most], z, color=COLOURS[0], label=said)
+    text = f"mode {found['mode'].values[most]}, which swings most"
+    ax.plot(every[most], z, color=COLOURS[0], label=text)
     ax.set_xlim(left=0.0)
