@@ -95,7 +95,7 @@ class Configuration:
         """Rules are named like papers, and like paper and figure: ``a`` and ``b_c`` is ``a_b`` and ``c``."""
         taken: dict[str, str] = {paper: f"paper {paper}" for paper in self.papers}
         for paper, name in self.figures():
-            rule, said = f"{paper}_{name}", f"figure {name} of {paper}"
+            rule, label = f"{paper}_{name}", f"figure {name} of {paper}"
             if rule in RULES or rule in taken:
                 other = taken.get(rule, f"a rule named {rule}")
                 path = self.config / "studies" / f"{paper}.yaml"
@@ -105,7 +105,7 @@ class Configuration:
                     f"as a target {rule!r} it is {other}, too",
                     "name one of them anew",
                 )
-            taken[rule] = said
+            taken[rule] = label
 
     @cached_property
     def published(self) -> dict[str, PublishedFile]:

@@ -82,4 +82,4 @@ def refuse_settings(study: Study) -> None:
 
 def warnings(studies: Iterable[Study]) -> list[str]:
     """What is unusual in studies, and may be a slip."""
-    return [said for study in studies for said in far_values(study)]
+    return [text for study in studies for text in far_values(study)]

@@ -27,8 +27,8 @@ def compute(config: Path, only: list[str], again: bool, processes: int) -> None:
         remove_others(config, study, every)
         chosen = [one for one in every if not only or {study, f"{study}/{one.case}"} & set(only)]
         todo = [one for one in chosen if again or not usable(config, study, one)]
-        for said in each(partial(keep, config, study), todo, processes):
-            print(f"{study}/{said}", flush=True)
+        for line in each(partial(keep, config, study), todo, processes):
+            print(f"{study}/{line}", flush=True)
 
 
 def keep(config: Path, study: str, one: Wanted) -> str:

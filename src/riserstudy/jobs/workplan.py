@@ -156,12 +156,12 @@ class Workplan(Configuration):
         """The code that draws, and what a plot for any grid, or a schematic, is to show."""
         figure = self.files[paper].figures.get(name)
         if figure is None:
-            shown = json.dumps(canonical(self.schematic(paper, name).scene()))
+            drawn = json.dumps(canonical(self.schematic(paper, name).scene()))
         else:
-            shown = " ".join((figure.plot or "", *(figure.of or [])))
+            drawn = " ".join((figure.plot or "", *(figure.of or [])))
             if figure.settings:
-                shown += json.dumps(self._with_printed(paper, figure.settings))
-        return f"{_hash(shown)}-{digest(self.figure_code(paper, name))}"
+                drawn += json.dumps(self._with_printed(paper, figure.settings))
+        return f"{_hash(drawn)}-{digest(self.figure_code(paper, name))}"
 
     # grading and report
 
