@@ -72,7 +72,7 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
     opinion = np.full((len(scenes), len(OPINIONS), len(QUANTITIES)), np.nan)
     change = np.full((len(scenes), len(QUANTITIES)), np.nan)
     about: list[str] = []
-    asked: list[dict[str, Any]] = []
+    requested: list[dict[str, Any]] = []
     for i, (name, ladder) in enumerate(scenes.items()):
         file = scene_of(setting.config, name, ladder)
         met = requests(file, name, study.asked[setting.tier], study.patience)
@@ -94,7 +94,7 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
                         value[f"error_{q}"][i, j, k, m] = error
                     for cost in COSTS:
                         value[cost][i, j, k, m] = tried.result.facts.get(cost, np.nan)
-        asked += [judged(one, best) for one in met]
+        requested += [judged(one, best) for one in met]
     dims = ("scene", "method", "mesh_level", "step_level")
     data: dict[str, Any] = {
         name: (dims, array.astype(str) if array.dtype == object else array)
@@ -104,8 +104,8 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
     data["reference"] = ("scene", about)
     data["reference_change"] = (("scene", "quantity"), change)
     data |= peers(study, list(scenes))
-    for name in asked[0] if asked else ():
-        data[name] = ("request", [row[name] for row in asked])
+    for name in requested[0] if requested else ():
+        data[name] = ("request", [row[name] for row in requested])
     dataset = xr.Dataset(
         data,
         {"scene": list(scenes), "method": list(methods), "opinion": list(OPINIONS)}

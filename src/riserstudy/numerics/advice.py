@@ -92,8 +92,8 @@ def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) ->
         verdict = (COULD_GO if saves(base, changed) else NO_GAIN) if small else NEEDED
     else:
         verdict = NOT_MISSED if small else MISSING
-    shown = [*map(percent, sizes), longer(base, changed)]
-    return Row(label, because, shown, verdict, verdict in (COULD_GO, MISSING))
+    displayed = [*map(percent, sizes), longer(base, changed)]
+    return Row(label, because, displayed, verdict, verdict in (COULD_GO, MISSING))
 
 
 def _effect(row: Row) -> str:

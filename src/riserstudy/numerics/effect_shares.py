@@ -56,9 +56,9 @@ def priced(file: SceneFile) -> Prices:
         return Prices({}, [f"no times: {error}"])
     unknowns, because = freedom(scene, model)
     step = f", step {scene.analysis.step:.4g} s" if scene.analysis.step else ""
-    said = [
+    text = [
         f"Timed on {len(mesh.l0)} segments{step}; the solver and all else takes "
         f"{100 * share.pop(REST):.0f} %.",
         f"{unknowns} degrees of freedom: {because}",
     ]
-    return Prices(share, said)
+    return Prices(share, text)

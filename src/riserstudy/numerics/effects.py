@@ -90,11 +90,11 @@ def _changed(found: dict[str, Ablation]) -> dict[str, Any]:
     labels = _labels()
     shape = (len(found), len(labels))
     change = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "time")}
-    said = np.full(shape, "", object)
+    messages = np.full(shape, "", object)
     for i, one in enumerate(found.values()):
         for changed in one.changed:
             at = (i, labels.index(changed.change.label))
-            said[at] = changed.message
+            messages[at] = changed.message
             if changed.peaks is None or one.peaks is None or changed.message:
                 continue
             values = one.peaks.change_to(changed.peaks)
@@ -103,7 +103,7 @@ def _changed(found: dict[str, Ablation]) -> dict[str, Any]:
             change["time"][at] = changed.seconds / one.seconds - 1.0
     dims = ("scene", "change")
     return {f"{name}_change": (dims, values) for name, values in change.items()} | {
-        "message": (dims, said.astype(str))
+        "message": (dims, messages.astype(str))
     }
 
 

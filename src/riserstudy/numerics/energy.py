@@ -46,8 +46,8 @@ def energy(study: EnergyStudy, setting: Setting) -> xr.Dataset:
         time[i] = case.duration * np.arange(1, instants + 1) / instants
         for j, method in enumerate(methods.values()):
             for k, duration in enumerate(time[i]):
-                audit, said = ledger_of(file, case, method, float(duration))
-                message[i, j] = said or message[i, j]
+                audit, text = ledger_of(file, case, method, float(duration))
+                message[i, j] = text or message[i, j]
                 for part, key in (PARTS | {"exchanged": "exchanged"}).items():
                     value[part][i, j, k] = audit.get(key, math.nan)
     data: dict[str, Any] = {n: (("case", "method", "instant"), v) for n, v in value.items()}

@@ -111,8 +111,8 @@ def draw(
     for path, (low, high) in family.vary.items():
         open_values[path] = Origin("assumed", low, range=(low, high))
     for k, sets in enumerate(sample(open_values, study.count[tier], study.seed)):
-        asked = {"analysis.accuracy": study.accuracy}
-        file = base.with_values(sets | asked, f"{WHERE}: {name}")
+        requested = {"analysis.accuracy": study.accuracy}
+        file = base.with_values(sets | requested, f"{WHERE}: {name}")
         yield Drawn(name, k, k % 2 == 1, sets, file)
 
 

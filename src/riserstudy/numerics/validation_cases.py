@@ -581,12 +581,12 @@ def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
         other = references.stored(path)
         short = {"analysis.duration": "60 s", "analysis.output": {"interval": "0.1 s"}}
         scene = files[name].with_values(short, "validation").scene()
-        asked = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
+        requested = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
         for quantity, error in other.errors(run(scene)).items():
             what, because = f"{name} from beginning to end", "the default accuracy"
             yield Row(
                 what, f"largest difference of {quantity}", "1", SECOND,
-                other.about.removeprefix("stored: "), 0.0, error, asked[quantity], because, 1.0,
+                other.about.removeprefix("stored: "), 0.0, error, requested[quantity], because, 1.0,
             )  # fmt: skip
 
 

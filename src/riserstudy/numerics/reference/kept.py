@@ -175,8 +175,8 @@ def _about(kept: Kept) -> dict[str, Any]:
     """All but the arrays, as plain data."""
     names = ("case", "scene", "physics", "engine", "how", "error", "missing", "more")
     facts = kept.result.facts if kept.result else {}
-    told = {name: facts[name] for name in ("elements", "step") if name in facts}
-    return {name: getattr(kept, name) for name in names} | {"facts": told}
+    kept_facts = {name: facts[name] for name in ("elements", "step") if name in facts}
+    return {name: getattr(kept, name) for name in names} | {"facts": kept_facts}
 
 
 def _dims(name: str) -> tuple[str, ...]:
