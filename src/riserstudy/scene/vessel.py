@@ -203,7 +203,7 @@ class Vessel(Strict):
             "vessel.thrusters.heading": _oblique(thrusters),
             "vessel.thrusters.yaw.command": bool(yaw and yaw.command),
         }
-        return next((name for name, asked in reasons.items() if asked), "")
+        return next((name for name, given in reasons.items() if given), "")
 
 
 def _oblique(of: Vessel | Wind | WaveDrift | Thrusters | None) -> bool:

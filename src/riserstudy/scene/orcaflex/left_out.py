@@ -54,7 +54,7 @@ def _gathered(part: Part) -> tuple[list[str], list[str], list[Entry]]:
     if part.apart:
         return [f"{part.path}: left out whole: {part.apart}"], [], []
     apart: list[str] = []
-    otherwise = [f"{part.path}.{key}: {told}" for key, told in part.otherwise.items()]
+    otherwise = [f"{part.path}.{key}: {reason}" for key, reason in part.otherwise.items()]
     entries: list[Entry] = []
     for key, value in part.data.items():
         if key in part.below:

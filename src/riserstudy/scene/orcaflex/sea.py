@@ -150,8 +150,8 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
         "components": train.whole("WaveNumberOfComponents"),
         "seed": abs(train.whole("WaveSeed")),
     }
-    told = "the record is another: components and their phases are drawn otherwise"
-    train.otherwise["WaveSeed"] = told
+    reason = "the record is another: components and their phases are drawn otherwise"
+    train.otherwise["WaveSeed"] = reason
     return wave
 
 

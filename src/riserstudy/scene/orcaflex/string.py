@@ -185,8 +185,8 @@ def _sum(section: dict[str, Any], more: list[dict[str, Any]], name: str, power: 
     )
     diameter = _q((whole / first) ** (1.0 / power), "m")
     what = "diameters" if power == 1 else "squares of diameters"
-    told = f"{what} of pipe and lines, times their coefficients"
-    section[name] = {"coefficient": first, "diameter": {"derived": diameter, "from": told}}
+    reason = f"{what} of pipe and lines, times their coefficients"
+    section[name] = {"coefficient": first, "diameter": {"derived": diameter, "from": reason}}
 
 
 def _pipe(kind: Part) -> dict[str, Any]:

@@ -193,11 +193,11 @@ def _carries(
         raise joint.part.refused(PLACE[0], found, allowed)
     made = body or {"name": joint.name, "mass": "0 t"}
     own = float(_plain(made["mass"]).split()[0])
-    told = f"{own:g} t of its own and half of {joint.name!r} with its contents"
-    made["mass"] = {"derived": _q(own + 0.0005 * mass, "t"), "from": told}
+    reason = f"{own:g} t of its own and half of {joint.name!r} with its contents"
+    made["mass"] = {"derived": _q(own + 0.0005 * mass, "t"), "from": reason}
     if "displaced_volume" in made:
         volume = float(str(made["displaced_volume"]).split()[0]) + 0.5 * outside
-        made["displaced_volume"] = {"derived": _q(volume, "m^3"), "from": told}
+        made["displaced_volume"] = {"derived": _q(volume, "m^3"), "from": reason}
     else:
         weight = (own + 0.0005 * mass) * sea.gravity
         made["submerged_weight"] = {"derived": _q(weight, "kN"), "from": "mass, above the water"}

@@ -68,12 +68,12 @@ def platform_of(deck: Part, vessel: Part, stages: list[float], waves: bool) -> d
 
 def _answers(vessel: Part) -> bool:
     """Whether a vessel moves by its displacement operators; of earlier versions one with none other given."""
-    told = vessel.optional("SuperimposedMotion")
+    reported = vessel.optional("SuperimposedMotion")
     motion = vessel.optional("PrimaryMotion")
     if motion not in (None, "None", "Prescribed"):
         allowed = "allowed are None, Prescribed: a platform of a scene moves as it is told"
         vessel.note(vessel.refused("PrimaryMotion", str(motion), allowed))
-    return told is None or "RAO" in str(told)
+    return reported is None or "RAO" in str(reported)
 
 
 def _bow_along_x(vessel: Part) -> None:
