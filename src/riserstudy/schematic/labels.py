@@ -50,10 +50,10 @@ class Labels:
         wanted = [(row.z - low) / (high - low) * height for row in rows]
         heights = [(row.text.count("\n") + 1) * LINE for row in rows]
         for row, y in zip(rows, spread(wanted, heights, height), strict=True):
-            shown = (min(max(row.x, left), right), min(max(row.z, low), high))
+            corner = (min(max(row.x, left), right), min(max(row.z, low), high))
             ax.annotate(
                 row.text,
-                shown,
+                corner,
                 (1.0 + REACH / width, y / height),
                 xycoords="data",
                 textcoords="axes fraction",

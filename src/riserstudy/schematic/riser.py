@@ -30,10 +30,10 @@ def riser(view: View, geometry: Geometry) -> None:
     for section, low, high in geometry.sections:
         _section(view, geometry, section, low, high)
         long = high - low > SHORT * length
-        shown = [s for s in _from_the_middle(low, high) if view.shows(geometry.at(s))]
-        if shown:
+        visible = [s for s in _from_the_middle(low, high) if view.shows(geometry.at(s))]
+        if visible:
             text = section_text(section, scene.water is not None)
-            view.name(text, geometry.at(shown[0]), whole=long)
+            view.name(text, geometry.at(visible[0]), whole=long)
         if section.lateral_load:
             _line_load(view, geometry, section.lateral_load, low, high)
         if section.flex_joint_below:
