@@ -82,13 +82,13 @@ def enter_lift(scene: Scene, arrays: outputs.Arrays, facts: RunFacts) -> None:
     below = np.flatnonzero(lift < -TOUCHING)
     if len(below):
         facts["recontact_time"] = float(time[below[0]])
-        told = f"disconnect: the lower end is back on the stack at {time[below[0]]:.4g} s"
+        warning = f"disconnect: the lower end is back on the stack at {time[below[0]]:.4g} s"
         if scene.disconnect.stack is None:
-            told += (
+            warning += (
                 f", and {-lift.min():.3g} m below it later: nothing stops it there, what follows is not "
                 "to be believed; disconnect.stack would"
             )
-        facts["warnings"].append(told)
+        facts["warnings"].append(warning)
     if column := flow_of(scene):
         facts["contents_speed_max"] = float(abs(column.speed).max())
         facts["contents_top_min"] = float(column.top.min())
@@ -99,7 +99,7 @@ def rows_of_limits(scene: Scene, facts: RunFacts) -> list[dict[str, Any]]:
     release = scene.disconnect
     if release is None:
         return []
-    told = {
+    values = {
         "overpull": (facts.get("overpull"), release.at),
         "lmrp_clearance": (facts.get("clearance_min"), facts.get("clearance_time")),
     }
@@ -107,6 +107,6 @@ def rows_of_limits(scene: Scene, facts: RunFacts) -> list[dict[str, Any]]:
         {"output": name, "where": "", "mean": value}
         | dict.fromkeys(("largest", "smallest"), value)
         | {f"{side}_time": time for side in ("largest", "smallest")}
-        for name, (value, time) in told.items()
+        for name, (value, time) in values.items()
         if value is not None
     ]

@@ -96,7 +96,7 @@ class LongRecord(Refinement):
     def _run(self, scene: Scene, mesh: Mesh, step: float, coarse: bool) -> Result:
         """A run of the whole or of a piece; a coarse one has what a comparison needs."""
         self.watch.begin(f"{scene.analysis.duration:.4g} s on {size(len(mesh.l0), step)}")
-        told = thinned(scene, step)[0] if coarse else scene
-        run = march(told, mesh, step, watch=self.watch, extremes=not coarse)
+        shortened = thinned(scene, step)[0] if coarse else scene
+        run = march(shortened, mesh, step, watch=self.watch, extremes=not coarse)
         self.spent.append(cost(run))
         return run
