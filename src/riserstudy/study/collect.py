@@ -136,7 +136,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
 
     shape = tuple(len(values) for values in study.axes.values())
     keep = study.model.keep
-    told = statistics(results, keep)
+    point_statistics = statistics(results, keep)
     places, runs = by_layout(_on_common_nodes(results), keep)
     flat = xr.concat(
         runs,
@@ -148,7 +148,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     )
     order = np.argsort([k for of in places for k in of])
     flat = flat.isel(point=order, missing_dims="ignore")  # nothing to keep: no points either
-    flat = with_details(flat.assign(told), study.base)
+    flat = with_details(flat.assign(point_statistics), study.base)
     for column in point_columns():
         if not column.about.optional or any(column.is_in(r.facts) for r in results):
             flat[column.name] = ("point", [column.value(r.facts) for r in results])

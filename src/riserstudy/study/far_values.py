@@ -21,10 +21,10 @@ def far_values(study: Study) -> list[str]:
     unit, such as counts and seeds, and paths where the scene has no value or zero, are left alone.
     """
     return [
-        f"{study.where}: axes.{name}: {said}; see whether the unit is meant"
+        f"{study.where}: axes.{name}: {text}; see whether the unit is meant"
         for name, axis in study.model.axes.items()
         if isinstance(axis, Numbers)
-        for said in _far(study, axis)
+        for text in _far(study, axis)
     ]
 
 

@@ -49,13 +49,13 @@ class QuickTuner(Tuner):
         file = self.study.grid.file(index).with_values(FREE, "tune")
         scene = file.with_values(self.asked, "--accuracy").scene()
         refinement = Refinement(scene)
-        asked = refinement.result()
+        requested = refinement.result()
         mesh = refinement.finest_mesh if massless(scene) else refinement.finest_mesh.halved()
         analysis = scene.analysis.model_copy(update={"method": "ESDIRK4"})
-        step = asked.facts["step"] * (1.0 if scene.events else LONGER)
+        step = requested.facts["step"] * (1.0 if scene.events else LONGER)
         best = single(scene.model_copy(update={"analysis": analysis}), mesh, step)
-        unsure = {name: off / LEFT for name, off in difference(asked, best).items()}
-        return Place(index, file, best, unsure, sum(map(work_of, asked.facts["refinements"])))
+        unsure = {name: off / LEFT for name, off in difference(requested, best).items()}
+        return Place(index, file, best, unsure, sum(map(work_of, requested.facts["refinements"])))
 
     def cheapest(self, places: list[Place]) -> Setting:
         """The setting of least work among every second mesh and step along the border of those that suffice.

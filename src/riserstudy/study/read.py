@@ -82,10 +82,10 @@ def default_figures(
     limited = {name for name, model in studies.items() if model.limits}
     return {
         f"{name}_{plot.replace(' ', '_')}": FigureModel(
-            caption=f"{model.caption}: {said}", reads=[name], plot=plot
+            caption=f"{model.caption}: {text}", reads=[name], plot=plot
         )
         for name, model in studies.items()
-        for plot, said in _fitting(len(model.axes), moving[name], name in limited)
+        for plot, text in _fitting(len(model.axes), moving[name], name in limited)
     }
 
 

@@ -77,9 +77,9 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     modes = _modes(file, point)
     whole = to_dataset(result, file, absent(set(result.facts["effects"])))
     whole.attrs["source"] = dataset.attrs.get("scene_file") or dataset.attrs.get("source", "")
-    told = xr.Dataset(statistics([result], [str(name) for name in point.data_vars])).squeeze()
+    repeated = xr.Dataset(statistics([result], [str(name) for name in point.data_vars])).squeeze()
     result = _on_nodes_of(point, result)
-    new = labelled(result).merge(told.reindex_like(point[[OVER]]) if OVER in point else {})
+    new = labelled(result).merge(repeated.reindex_like(point[[OVER]]) if OVER in point else {})
     columns = point_columns()
     left_out = {*NOT_COMPARED, *(c.name for c in columns if not c.about.repeats)}
     facts = {c.name: c.value(result.facts) for c in columns if c.name not in left_out}

@@ -151,12 +151,12 @@ def fill_tuned(
 
     points = [one for _, one in pairs]
     failures = attempt(tuned, points, processes, tell)
-    told = [False if one.key in failures else _serves(study, tuned, one) for one in points]
-    known = {k: serves for k, serves in enumerate(told) if serves is not None}
+    serving = [False if one.key in failures else _serves(study, tuned, one) for one in points]
+    known = {k: serves for k, serves in enumerate(serving) if serves is not None}
     by_request = _by_nearest(tuned, points, known)
-    if again := [asked for (asked, _), by in zip(pairs, by_request, strict=True) if by]:
+    if again := [requested for (requested, _), by in zip(pairs, by_request, strict=True) if by]:
         fill(study, again, processes)
-    return Points([asked for asked, _ in pairs], points, by_request)
+    return Points([requested for requested, _ in pairs], points, by_request)
 
 
 def _serves(study: Study, tuned: Study, point: Point) -> bool | None:
@@ -240,8 +240,8 @@ def dataset_tuned(
 def _taken(study: Study, tuned: Study, points: Points, processes: int) -> list[Result]:
     """Results of points, in order."""
     results: dict[int, Result] = {}
-    for of, own, asked in ((tuned, points.tuned, False), (study, points.asked, True)):
-        places = [k for k, by in enumerate(points.by_request) if by is asked]
+    for of, own, requested in ((tuned, points.tuned, False), (study, points.asked, True)):
+        places = [k for k, by in enumerate(points.by_request) if by is requested]
         found, _ = results_of(of, processes, lambda _: None, points=[own[k] for k in places])
         results |= dict(zip(places, found, strict=True))
     return [results[k] for k in range(len(points.asked))]

@@ -119,8 +119,8 @@ def sweep(
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     study = as_study(file, axes, None if keep is None else list(keep), modes)
     points = study.plan
-    for said in far_values(study):
-        warnings.warn(said, stacklevel=2)
+    for text in far_values(study):
+        warnings.warn(text, stacklevel=2)
     with _shown(progress, len({point.key for point in points})) as done:
         failures = attempt(study, points, cores or _cores(), done)
     if failures and (on_error == "raise" or len(failures) == len({p.key for p in points})):

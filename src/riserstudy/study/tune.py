@@ -171,19 +171,19 @@ class Tuner:
         scene = file.with_values(self.asked, "--accuracy").scene()
         try:
             refinement = Refinement(scene)
-            asked = refinement.result()
-            best = _finer(scene, refinement.finest_mesh, asked)
+            requested = refinement.result()
+            best = _finer(scene, refinement.finest_mesh, requested)
         except SimulationError as error:
             raise SimulationError(f"{where}: {error}") from None
-        off = difference(asked, best)
+        off = difference(requested, best)
         unsure = {name: value / FALL for name, value in off.items()}
-        if self._over(asked.facts["error_estimate"]) > 1.0 or self._over(unsure) > UNSURE:
-            found = f"estimated {_percent(asked.facts['error_estimate'])}, true {_percent(off)}"
+        if self._over(requested.facts["error_estimate"]) > 1.0 or self._over(unsure) > UNSURE:
+            found = f"estimated {_percent(requested.facts['error_estimate'])}, true {_percent(off)}"
             raise SimulationError(
                 f"{where} a request misses the accuracy ({found}), so that nothing can be compared with it; "
                 "tune to a larger --accuracy"
             )
-        work = sum(map(work_of, asked.facts["refinements"]))
+        work = sum(map(work_of, requested.facts["refinements"]))
         return Place(index, file, best, unsure, work)
 
     def _over(self, error: dict[str, float]) -> float:
@@ -290,13 +290,13 @@ class Tuner:
 
     def worth(self, setting: Setting, places: list[Place], checks: list[Place]) -> Tuned:
         """What a setting errs by and costs, compared with requests and with what the study had."""
-        asked = sum(place.asked for place in places)
+        requested = sum(place.asked for place in places)
         work = self.work(setting, places)
         own = None
         if self.own:
             had = [self._tried(self.own, place) for place in places + checks]
             theirs = sum(one for _, one in had[: len(places)])
-            own = self.own, max(off for off, _ in had), theirs / asked
+            own = self.own, max(off for off, _ in had), theirs / requested
         return Tuned(
             self.words,
             setting,
@@ -304,7 +304,7 @@ class Tuner:
             [place.index for place in checks],
             max(self.excess(setting, place) for place in places),
             max((self.excess(setting, place) for place in checks), default=0.0),
-            work / asked,
+            work / requested,
             own,
         )
 
