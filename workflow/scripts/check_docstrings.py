@@ -81,10 +81,10 @@ def faults_of(path: Path, kinds: dict[str, set[str]]) -> Iterator[str]:
         yield from (f"{place}:{line}: {fault}" for line, fault in bare_fields(tree, text))
     raised = Raised(tree, kinds)
     for function in public(tree):
-        said = ast.get_docstring(function) or ""
-        wants = [] if folder == COMMANDS else raised.untold(function, said)
+        docstring = ast.get_docstring(function) or ""
+        wants = [] if folder == COMMANDS else raised.untold(function, docstring)
         if folder in PHYSICS:
-            wants += lacks(function, said)
+            wants += lacks(function, docstring)
         yield from (f"{place}:{function.lineno}: {function.name}: {what}" for what in wants)
 
 
@@ -155,8 +155,10 @@ class Raised:
 
     def untold(self, function: ast.FunctionDef, said: str) -> list[str]:
         """What a docstring does not tell of them."""
-        told = said.partition("Raises\n------\n")[2]
-        missing = [e for e in sorted(self.by(function, set())) if not self.kinds[e] & words(told)]
+        section = said.partition("Raises\n------\n")[2]
+        missing = [
+            e for e in sorted(self.by(function, set())) if not self.kinds[e] & words(section)
+        ]
         return [f"no {error} under Raises" for error in missing]
 
     def by(self, function: ast.FunctionDef, seen: set[str]) -> set[str]:

@@ -57,8 +57,8 @@ def faults() -> list[str]:
             for words, instead in WORDS.items():
                 for match in re.finditer(words.replace(" ", r"\s+"), text, re.IGNORECASE):
                     line = text.count("\n", 0, match.start()) + 1
-                    said = " ".join(match[0].split())
-                    found.append(f"{name}:{line}: {said!r}: write {instead!r}")
+                    message = " ".join(match[0].split())
+                    found.append(f"{name}:{line}: {message!r}: write {instead!r}")
     return found
 
 

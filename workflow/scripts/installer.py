@@ -104,11 +104,11 @@ def succeeds(command: Command, env: dict[str, str], lacking: str) -> bool:
     try:
         done = subprocess.run(words, env=env, capture_output=True, text=True, errors="replace")
     except OSError as error:
-        said, failed = str(error), True
+        output, failed = str(error), True
     else:
-        said, failed = done.stderr, done.returncode != 0
+        output, failed = done.stderr, done.returncode != 0
     if failed:
-        why = " ".join(said.split())[:REASON]
+        why = " ".join(output.split())[:REASON]
         print(f"riserstudy: {lacking}, so pip installs (a minute longer): {why}", file=sys.stderr)
     return not failed
 
@@ -130,8 +130,8 @@ def run(*command: object, env: dict[str, str] | None = None) -> None:
 def pip_settings(python: Path) -> dict[str, str]:
     """Options of ``pip install`` that this user has set, in files or in the environment."""
     command = [*map(str, pip_of(python)), "config", "list"]
-    told = subprocess.run(command, capture_output=True, text=True, errors="replace").stdout
-    found = re.findall(r"^(global|install|:env:)\.([\w-]+)=(.*)$", told, re.MULTILINE)
+    reported = subprocess.run(command, capture_output=True, text=True, errors="replace").stdout
+    found = re.findall(r"^(global|install|:env:)\.([\w-]+)=(.*)$", reported, re.MULTILINE)
     settings: dict[str, str] = {}
     for place in ("global", "install", ":env:"):  # the later wins
         settings |= {name: literal(value) for where, name, value in found if where == place}

@@ -21,10 +21,10 @@ def asked_for(said: str) -> list[str]:
 def main() -> int:
     """Exit status: 1 where something is asked for, or where Snakemake cannot read the workflow."""
     done = subprocess.run(["snakemake", "--lint"], capture_output=True, text=True)
-    said = done.stdout + done.stderr
-    answered = LOCKED in said or not done.returncode
-    if asked_for(said) or not answered:
-        print(said)
+    output = done.stdout + done.stderr
+    answered = LOCKED in output or not done.returncode
+    if asked_for(output) or not answered:
+        print(output)
         return 1
     return 0
 

@@ -48,9 +48,9 @@ def commands(_: str) -> str:
 def _with_whole_help(text: str, commands: Mapping[str, Any]) -> str:
     """The list of commands with the whole first sentence of each, which Typer cuts short."""
     for name, command in commands.items():
-        said = str(command.get_short_help_str(LONGEST_HELP))
+        message = str(command.get_short_help_str(LONGEST_HELP))
         text = re.sub(
-            rf"^\* `{name}`: .*$", f"* [`{name}`](#riserstudy-{name}): {said}", text, flags=re.M
+            rf"^\* `{name}`: .*$", f"* [`{name}`](#riserstudy-{name}): {message}", text, flags=re.M
         )
     return text
 

@@ -96,17 +96,17 @@ def is_complete() -> bool:
     if not any(VENV.glob(".locked-*")):
         return False
     about = (VENV / "pyvenv.cfg").read_text("utf-8")
-    told = dict(re.findall(r"^(\S+) = (.*)$", about, re.MULTILINE))
-    here = told.get("command", "").endswith(f" {VENV}")
-    return here and told.get("version") == platform.python_version() and PYTHON.exists()
+    answers = dict(re.findall(r"^(\S+) = (.*)$", about, re.MULTILINE))
+    here = answers.get("command", "").endswith(f" {VENV}")
+    return here and answers.get("version") == platform.python_version() and PYTHON.exists()
 
 
 def not_locked() -> list[str]:
     """Installed packages that no lock names, besides this project and the installer."""
     named = {name for lock in LOCKS for name in re.findall(r"^([\w.-]+)==", lock.read_text(), re.M)}
     command = [*map(str, pip_of(PYTHON)), "list", "--format=freeze"]
-    told = subprocess.run(command, check=True, capture_output=True, text=True)
-    names = [line.partition("==")[0] for line in told.stdout.splitlines()]
+    answers = subprocess.run(command, check=True, capture_output=True, text=True)
+    names = [line.partition("==")[0] for line in answers.stdout.splitlines()]
     kept = {plain(name) for name in (*named, "pip", "setuptools", "riserstudy")}
     return [name for name in names if plain(name) not in kept]
 

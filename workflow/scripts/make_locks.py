@@ -62,9 +62,16 @@ def pinned(group: str) -> list[str]:
 def about_pure(uv: Path, env: dict[str, str]) -> str:
     """Whether the dependency that newer Pythons use without its compiled part has a wheel for them now."""
     version = ".".join(map(str, PURE_FROM))
-    asked = (uv, "pip", "compile", "--quiet", f"--python-version={version}", "--only-binary=:all:")
+    requested = (
+        uv,
+        "pip",
+        "compile",
+        "--quiet",
+        f"--python-version={version}",
+        "--only-binary=:all:",
+    )
     found = subprocess.run(
-        [*map(str, asked), "-"], input=PURE, text=True, capture_output=True, env=env
+        [*map(str, requested), "-"], input=PURE, text=True, capture_output=True, env=env
     )
     if not found.returncode:
         return (

@@ -49,13 +49,15 @@ STYLE = """<style>.water{fill:#4a8fc4;opacity:.18}.bed{fill:#8a949c;opacity:.6}
 
 def drive_off() -> str:
     """The run in motion of Liu et al. (2017) as a small SVG that plays by itself."""
-    shown = read_studies(ROOT / "config", "liu2017").in_motion
-    if shown is None:
+    displayed = read_studies(ROOT / "config", "liu2017").in_motion
+    if displayed is None:
         raise LookupError("liu2017 shows no run in motion")
-    with xr.open_dataset(ROOT / f"results/liu2017/{shown.study}.nc") as data:
-        found = hero([("liu2017", motion_of(shown, data))])
+    with xr.open_dataset(ROOT / f"results/liu2017/{displayed.study}.nc") as data:
+        found = hero([("liu2017", motion_of(displayed, data))])
     if found is None:
-        raise LookupError(f"liu2017/{shown.study}: its top does not travel over a foot that stands")
+        raise LookupError(
+            f"liu2017/{displayed.study}: its top does not travel over a foot that stands"
+        )
     head, _, rest = found[1].svg.partition(">")
     head = head.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ')
     return f"{head}>{STYLE}{rest}\n"

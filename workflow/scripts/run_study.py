@@ -231,11 +231,11 @@ def run_snakemake(options: argparse.Namespace, env: dict[str, str]) -> int:
         text=True,
         errors="replace",
     ) as process:
-        said = list(show_progress(process.stdout or (), Progress(options.tier)))
-    if process.returncode and (fault := bad_input(said)):
+        text = list(show_progress(process.stdout or (), Progress(options.tier)))
+    if process.returncode and (fault := bad_input(text)):
         return refuse(fault, BAD_INPUT)
     if process.returncode:
-        print(failure(said), file=sys.stderr)
+        print(failure(text), file=sys.stderr)
     return process.returncode
 
 
@@ -329,9 +329,9 @@ def summarise(seconds: float) -> None:
     for what, path in (("report", report), ("table", table)):
         if path.exists():
             print(f"  {what:9} {path}{' (of an earlier run)' if path in old else ''}")
-    told = graded if table in old else [table] if table.exists() else []
-    if told:
-        rows = [row for path in told for row in graded_in(path)]
+    reported = graded if table in old else [table] if table.exists() else []
+    if reported:
+        rows = [row for path in reported for row in graded_in(path)]
         print(f"\n{verdicts(rows)}")
         if failed := [f"{row['paper']} {row['id']}" for row in rows if row["verdict"] == "fails"]:
             print(f"\nFails: {', '.join(failed)}")
