@@ -31,7 +31,7 @@ from riserstudy.simulation.refine import run
 from riserstudy.study import store
 from riserstudy.study.needed import needed
 from riserstudy.study.read import read_studies
-from riserstudy.study.simulate_points import tells_error
+from riserstudy.study.simulate_points import has_error_estimate
 from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).resolve().parents[1] / "config"
@@ -75,7 +75,9 @@ def main(most: int = 6) -> None:
         plan = study.plan[:: max(1, len(study.plan) // most)][:most]
         files = [study.grid.file(point.index) for point in plan]
         runs = [
-            Point(p.key, f, run(f.scene(), estimated=tells_error(study, p)), study.model.keep)
+            Point(
+                p.key, f, run(f.scene(), estimated=has_error_estimate(study, p)), study.model.keep
+            )
             for p, f in zip(plan, files, strict=True)
         ]
         for name, measure in CONTAINERS.items():

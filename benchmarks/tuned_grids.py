@@ -115,7 +115,7 @@ def price(name: str, folder: Path) -> float:
     plain = study_of(name)
     vars(plain)["base"] = plain.base.with_values(values, "fixed")
     with pytest.MonkeyPatch.context() as patch:  # no point tells its error
-        patch.setattr(simulate_points, "tells_error", lambda *_: False)
+        patch.setattr(simulate_points, "has_error_estimate", lambda *_: False)
         alone, _ = spent(lambda: write_study(plain, target, 1, lambda _: None))
     ratio = (tuning + points) / alone
     told = "–"

@@ -63,19 +63,19 @@ def kernel_digest() -> str:
 @cache
 def engine_digest() -> str:
     """Digest of all sources that a simulated number depends on."""
-    return digest(sources_behind(ENGINE))
+    return digest(dependencies(ENGINE))
 
 
 # What a module depends on
 
 
-def sources_behind(module: str) -> frozenset[Path]:
+def dependencies(module: str) -> frozenset[Path]:
     """Source files of a module, of all that it imports, and what they read from beside themselves."""
-    return _sources_behind(module, tuple(root.absolute() for root in ROOTS.values()))
+    return _dependencies(module, tuple(root.absolute() for root in ROOTS.values()))
 
 
 @cache
-def _sources_behind(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
+def _dependencies(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
     seen: set[str] = set()
     files: set[Path] = set()
     left = [module]

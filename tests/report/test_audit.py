@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from riserstudy.report.audit import UNSAID, missed, told_by
+from riserstudy.report.audit import UNSAID, missed, relevant_errors
 
 TABLES = """
 create table parameters (point, path, value);
@@ -34,7 +34,7 @@ insert into numbers_and_claims values
     ],
 )
 def test_an_error_counts_where_what_it_tells_of_is_kept(keep, errors):
-    assert told_by(keep) == errors
+    assert relevant_errors(keep) == errors
 
 
 def database(rows):
@@ -91,7 +91,7 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
         blow=(None, "a stop is met"), fine=(None, None), silent=(None, None), asked=(None, None)
     )
     of = missed(db, files)
-    assert (of.points, of.off, of.asked, of.asked_off, of.estimated) == (4, 1, 1, 0, 2)
+    assert (of.points, of.off, of.asked, of.missed_by_request, of.estimated) == (4, 1, 1, 0, 2)
     assert of.verdicts == [("paper", "N1")]
     assert of.reasons == [("a stop is met", 1, ["paper/blow"])]
     assert "3 others have a prescribed mesh and step; the error of 2 is estimated" in of.said
@@ -102,7 +102,7 @@ def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
         [("coarse", False, 0.1, 0.08, None, None), ("fine", False, 0.001, 0.008, None, None)]
     )
     of = missed(db, kept(coarse=(None, None), fine=(None, None)))
-    assert (of.asked, of.asked_off, of.verdicts) == (2, 1, [("paper", "N2")])
+    assert (of.asked, of.missed_by_request, of.verdicts) == (2, 1, [("paper", "N2")])
 
 
 def test_where_nothing_misses_that_is_all_that_is_said():

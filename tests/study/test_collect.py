@@ -12,7 +12,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.study.collect import dataset_of, write_dataset
 from riserstudy.study.grid import Point
 from riserstudy.study.models import Numbers, StudyModel
-from riserstudy.study.simulate_points import lacks, tells_error
+from riserstudy.study.simulate_points import has_error_estimate, lacks
 from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -96,8 +96,8 @@ def test_one_point_in_eight_tells_its_error_whatever_the_study_and_few_points_al
 
     no_modes = SimpleNamespace(modes=None)
     few, many = (SimpleNamespace(grid=range(n), model=no_modes) for n in (16, 200))
-    assert all(tells_error(few, point) for point in points(16))
-    told = [tells_error(many, point) for point in points(200)]
+    assert all(has_error_estimate(few, point) for point in points(16))
+    told = [has_error_estimate(many, point) for point in points(200)]
     assert 10 < sum(told) < 45
     silent, telling = Result({}, {}), Result({}, {"error_estimate": {}})
     for point, tells in zip(points(200), told, strict=True):

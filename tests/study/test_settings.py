@@ -9,7 +9,7 @@ import xarray as xr
 
 from riserstudy.database.parameters import parameters_of
 from riserstudy.database.read_dataset import read_dataset
-from riserstudy.dataset.behind import file_behind
+from riserstudy.dataset.provenance import scene_file_of
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.jobs.plan_checks import refuse_settings
 from riserstudy.model.mesh import prescribed
@@ -141,7 +141,9 @@ def test_every_point_says_how_it_was_run_and_runs_so_again(study_of, tmp_path, s
 
 def at(dataset, place):
     """The scene behind a point."""
-    return file_behind(dataset, dict(zip(dataset["by_request"].dims, map(int, place), strict=True)))
+    return scene_file_of(
+        dataset, dict(zip(dataset["by_request"].dims, map(int, place), strict=True))
+    )
 
 
 def test_the_database_knows_the_parameters_of_points_by_request(study_of, tmp_path):
@@ -166,7 +168,7 @@ def test_points_that_cannot_be_completed_as_tuned_are_run_by_request(study_of, m
         return {point.key: SimulationError("a step fails") for point in points[::2]}
 
     monkeypatch.setattr(settings, "attempt", failing)
-    monkeypatch.setattr(settings, "tells_error", lambda *_: True)
+    monkeypatch.setattr(settings, "has_error_estimate", lambda *_: True)
     pairs = [*zip(study.plan, hopeless.plan, strict=True)][:6]
     points = fill_tuned(study, hopeless, pairs, 1)
     assert points.by_request == [True, False] * 3

@@ -12,7 +12,7 @@ import pytest
 from edits import edit, prose_edit
 
 from riserstudy import digests
-from riserstudy.digests import ENGINE, digest, sources_behind
+from riserstudy.digests import ENGINE, dependencies, digest
 from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, cache_folder
 from riserstudy.jobs.workplan import COLLECT, DATABASE, DERIVE, GRADE, REPORT, Workplan
@@ -50,13 +50,13 @@ def found():
     """Digests of everything that a rule carries."""
     forget()
     kernels = digests.kernel_digest()
-    return {"kernels": kernels} | {part: digest(sources_behind(part)) for part in PARTS}
+    return {"kernels": kernels} | {part: digest(dependencies(part)) for part in PARTS}
 
 
 def behind(file):
     """Names of the digests that a file counts in."""
     kernels = {"kernels"} if file.parent.name in ("solve", "effects") else set()
-    return kernels | {part for part in PARTS if file in sources_behind(part)}
+    return kernels | {part for part in PARTS if file in dependencies(part)}
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -106,7 +106,7 @@ def test_what_runs_reads_no_file_of_the_package_that_does_not_count(tmp_path):
     opened = {Path(line) for line in ran.stdout.splitlines()}
     data = {path for path in opened if path.suffix not in (".py", ".pyc") and path.is_file()}
     assert {path.name for path in data} >= {"usual_units.json"}
-    assert data <= sources_behind(ENGINE) | sources_behind(COLLECT)
+    assert data <= dependencies(ENGINE) | dependencies(COLLECT)
 
 
 @pytest.mark.parametrize("name", ["report/page.css", "dataset/variables.yaml"])
@@ -116,13 +116,13 @@ def test_an_edit_of_a_file_that_a_module_names_changes_what_depends_on_the_modul
         file.write("\n")
     changed = {part for part, now in found().items() if now != before[part]}
     assert REPORT in changed
-    assert (ENGINE in changed) == (package / name in sources_behind(ENGINE))
+    assert (ENGINE in changed) == (package / name in dependencies(ENGINE))
 
 
 def test_nothing_behind_a_result_reads_docstrings_or_annotations():
     """What is left out of digests, because nothing reads it, is read by nothing."""
     plan = Workplan.read(ROOT / "config", {"tier": "preview"})
-    files = set().union(*map(sources_behind, PARTS), plan.figure_code("liu2020", "fig05"))
+    files = set().union(*map(dependencies, PARTS), plan.figure_code("liu2020", "fig05"))
     readers = DOCSTRING_READERS | (ANNOTATION_READERS - {"inspect"}) | {"model_json_schema"}
     reading = {
         file.relative_to(PACKAGE).as_posix(): words
@@ -147,7 +147,7 @@ def chapter(tmp_path, monkeypatch):
 
 def names_behind(module):
     forget()
-    return {path.name for path in sources_behind(module)}
+    return {path.name for path in dependencies(module)}
 
 
 def test_a_chapter_s_data_counts_where_the_module_names_it(chapter):

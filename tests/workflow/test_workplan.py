@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from riserstudy import digests
-from riserstudy.digests import digest, source_of, sources_behind
+from riserstudy.digests import dependencies, digest, source_of
 from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, chapter_files
 from riserstudy.jobs.workplan import Workplan
@@ -97,7 +97,7 @@ def test_what_is_imported_is_behind_the_digest(module):
     ran = subprocess.run([sys.executable, "-c", names], capture_output=True, text=True, check=True)
     imported = {Path(line) for line in ran.stdout.splitlines()}
     assert source_of(module) in imported
-    assert imported <= sources_behind(module)
+    assert imported <= dependencies(module)
 
 
 @pytest.mark.parametrize("module", ["riserstudy.report", "riserstudy.schematic"])
@@ -121,9 +121,9 @@ def modules_loaded_by(*modules):
 
 
 def test_what_a_source_reads_from_beside_it_counts(tmp_path, monkeypatch):
-    names = {path.name for path in sources_behind("riserstudy.report")}
+    names = {path.name for path in dependencies("riserstudy.report")}
     assert {"page.html", "page.js"} <= names
-    assert "variables.yaml" in {path.name for path in sources_behind("riserstudy.study.collect")}
+    assert "variables.yaml" in {path.name for path in dependencies("riserstudy.study.collect")}
 
 
 def test_bytecode_beside_the_sources_is_nothing_that_counts(tmp_path, monkeypatch):
@@ -137,7 +137,7 @@ def test_bytecode_beside_the_sources_is_nothing_that_counts(tmp_path, monkeypatc
                 (folder / "__pycache__/module.cpython-313.pyc").write_bytes(b"\0")
         monkeypatch.setitem(digests.ROOTS, "riserstudy", package)
         made.append(
-            [digest(sources_behind(f"riserstudy.{x}")) for x in ("numerics.measure", "report")]
+            [digest(dependencies(f"riserstudy.{x}")) for x in ("numerics.measure", "report")]
         )
     assert made[0] == made[1]
 
@@ -150,7 +150,7 @@ def test_chapters_of_a_study_of_one_s_own_count_with_all_that_they_import(tmp_pa
         "from riserstudy.figures.style import COLOURS\ncolour = 1\n"
     )
     monkeypatch.chdir(tmp_path)
-    names = {path.name for path in sources_behind("chapters.mine.figures")}
+    names = {path.name for path in dependencies("chapters.mine.figures")}
     assert {"figures.py", "helpers.py", "style.py"} <= names
 
 

@@ -50,7 +50,7 @@ def begin_once():
     at_work = workflow.executor_plugin and not (workflow.dryrun or workflow.touch)
     damaged, notes = begin(PLAN.papers, PLAN.outputs(), at_work, PLAN.tier)
     workflow.dag.forcefiles.update(damaged)
-    PLAN.leave_points(Path(".cache/points.json"))
+    PLAN.write_point_counts(Path(".cache/points.json"))
     for note in notes:
         print(f"riserstudy: note: {note}", file=sys.stderr)
     for warning in PLAN.warnings:

@@ -74,7 +74,7 @@ def install(python: Path, *words: object, env: dict[str, str] | None = None) -> 
 def uv_installs(uv: Path, python: Path, words: Command, env: dict[str, str]) -> bool:
     """Whether uv could install it; tells why not."""
     settings = pip_settings(python)
-    options = ["--no-index"] if said_yes(settings.get("no-index", "")) else []
+    options = ["--no-index"] if agreed(settings.get("no-index", "")) else []
     command = (uv, "pip", "install", "--quiet", "--python", python, *options, *words)
     return succeeds(command, with_settings(env, settings), "uv could not install")
 
@@ -145,7 +145,7 @@ def literal(text: str) -> str:
     return text
 
 
-def said_yes(text: str) -> bool:
+def agreed(text: str) -> bool:
     """Whether an option is switched on."""
     return text.lower() in ("1", "true", "yes", "on", "y", "t")
 

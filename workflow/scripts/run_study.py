@@ -60,7 +60,7 @@ def main(arguments: list[str]) -> int:
             return refuse(f"a snakemake (pid {pid}) is at work here; try again when it has ended.")
         run = uuid.uuid4().hex
         write(lock, f"{os.getpid()} {run}")
-        stop_when_told()
+        install_signal_handlers()
         try:
             unlock()
             status = run_snakemake(options, environment(run))
@@ -177,7 +177,7 @@ def foreign_snakemake() -> int | None:
     return None
 
 
-def stop_when_told() -> None:
+def install_signal_handlers() -> None:
     """Turn a request to end, and the end of the `make` that started us, into an interrupt."""
 
     def interrupt(_signal: int, _frame: FrameType | None) -> NoReturn:

@@ -9,7 +9,7 @@ from riserstudy.chapters import function_of
 from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import history
 from riserstudy.dataset.origins import joined, origins_of
-from riserstudy.dataset.points_behind import parent
+from riserstudy.dataset.supporting_points import parent
 from riserstudy.scene.origin import unwrap
 
 if TYPE_CHECKING:

@@ -15,8 +15,8 @@ from riserstudy.cli.shared import (
     SetOption,
     check_tables,
     compile_kernels,
+    print_warnings,
     quantity,
-    say_warnings,
     scene_of,
     show,
     wrote,
@@ -61,7 +61,7 @@ def recoil(
 
     announce(file)
     dataset = simulate(file)
-    say_warnings(dataset)
+    print_warnings(dataset)
     show(recoil_table.recoil(file.scene(), dataset), csv)
     show_limits(dataset)
     if output is not None:
@@ -126,7 +126,7 @@ def watch_circles(
 
     announce(file)
     dataset = simulate(file)
-    say_warnings(dataset)
+    print_warnings(dataset)
     found = circles(of, dataset, Times(*times), modes)
     show(found.table, csv)
     if output is not None:

@@ -15,7 +15,7 @@ from riserstudy.cli.shared import (
     UnitsOption,
     compile_kernels,
     place_of,
-    say_warnings,
+    print_warnings,
     scene_of,
     wrote,
 )
@@ -109,7 +109,7 @@ def table(
 
         compile_kernels(scene)
         dataset = simulate(file or source)
-        say_warnings(dataset)
+        print_warnings(dataset)
     if one is None and dataset is not None:
         made = tables.tables_of(scene, dataset)
     else:
@@ -125,8 +125,8 @@ def table(
 
 def _run_of(source: Path) -> tuple[Any, Any]:
     """The scene and the dataset of one run."""
-    from riserstudy.dataset.behind import scene_behind
     from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.provenance import scene_behind
 
     dataset = opened(source)
     if "point_key" in dataset:
@@ -181,7 +181,7 @@ def statistics(
     else:
         run = of_run.isel(place(of_run, place_of(at)))
         made = statistics_tables.of_a_run(run, begin, times["--exposure"])
-        _tell_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
+        _warn_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
     tables.write_csv(tables.in_units(made, units), output)
     wrote(output)
 
@@ -189,7 +189,7 @@ def statistics(
 SHORT = 10.0  # records that an exposure may last before a warning is given
 
 
-def _tell_of_short_record(record: float, exposure: float | None) -> None:
+def _warn_of_short_record(record: float, exposure: float | None) -> None:
     """Say that extremes of a long exposure rest on little."""
     if exposure and exposure > SHORT * record:
         print(

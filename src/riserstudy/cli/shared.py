@@ -81,12 +81,12 @@ def compile_kernels(scene: Scene) -> None:
 
 def compile_as_needed() -> None:
     """Let kernels be compiled as a command comes to them, and report that on stderr."""
-    from riserstudy.simulation.compile import tell_of_compiling
+    from riserstudy.simulation.compile import report_compiling
 
     def tell(said: str) -> None:
         print(f"riserstudy: {said}", file=sys.stderr, flush=True)
 
-    tell_of_compiling(tell)
+    report_compiling(tell)
     _plain_xarray()
 
 
@@ -168,7 +168,7 @@ def place_of(at: list[str] | None) -> dict[str, str]:
     return {name.strip(): value.strip() for name, _, value in given}
 
 
-def say_warnings(dataset: Any) -> None:
+def print_warnings(dataset: Any) -> None:
     """Print what a run warns of."""
     for warning in json.loads(dataset.attrs["warnings"]):
         print(f"riserstudy: warning: {warning}", file=sys.stderr)

@@ -17,8 +17,8 @@ from riserstudy.cli.shared import (
     compile_as_needed,
     compile_kernels,
     place_of,
+    print_warnings,
     recipe_lines,
-    say_warnings,
     scene_of,
     wrote,
 )
@@ -89,7 +89,7 @@ def run(
         tables.write_csv(tables.in_units(made, units or UnitSystem.SI), output)
     else:
         write_dataset(dataset, output)
-    say_warnings(dataset)
+    print_warnings(dataset)
     print(_summary(dataset))
     for line in _recoil(file, dataset):
         print(line)
@@ -182,7 +182,7 @@ def check(
 
     announce(file)
     dataset = simulate(file)
-    say_warnings(dataset)
+    print_warnings(dataset)
     show_limits(dataset, units)
     verdicts = {row["verdict"] for row in json.loads(dataset.attrs["limits"])}
     if verdicts & {EXCEEDED, UNKNOWN}:

@@ -20,7 +20,7 @@ from riserstudy.database.wide_table import facts_of_points
 from riserstudy.database.write_papers import datasets_of, remove_papers, studies_of, write_papers
 from riserstudy.database.write_parameters import Values
 from riserstudy.database.write_study import marks, remove_study, remove_unused, write_study
-from riserstudy.digests import digest, sources_behind
+from riserstudy.digests import dependencies, digest
 from riserstudy.errors import SimulationError
 
 DATA_FILES = ("schema.sql",)
@@ -111,7 +111,7 @@ def schema() -> str:
 
 def builder() -> str:
     """Digest of the code that builds."""
-    return digest(sources_behind(__name__))
+    return digest(dependencies(__name__))
 
 
 def _update(db: sqlite3.Connection, sources: Sources, folder: Path) -> Built:

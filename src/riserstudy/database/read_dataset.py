@@ -24,7 +24,7 @@ from riserstudy.dataset.extremes import (
     Variable,
     elsewhere,
     from_arrays,
-    told_once,
+    without_repeats,
 )
 from riserstudy.errors import InputError
 
@@ -88,7 +88,9 @@ def read_dataset(path: Path) -> Contents:
             file.set_auto_mask(False)
             attributes = {name: file.getncattr(name) for name in file.ncattrs()}
             coordinates = {n: file[n][:] for n in WHERE if n in file.variables}
-            grids = [(grid, [*told_once(grid.variables, coordinates)]) for grid in _grids(file)]
+            grids = [
+                (grid, [*without_repeats(grid.variables, coordinates)]) for grid in _grids(file)
+            ]
             grids[0][1].extend(_told(file, grids[0][0]))
             return Contents(attributes, grids)
     except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
@@ -106,7 +108,7 @@ def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
         v
         for name, v in file.variables.items()
         if name not in file.dimensions
-        and not _is_told(name, dims_of)
+        and not _is_reported(name, dims_of)
         and SHAPED not in v.dimensions
     ]
     every = [tuple(d for d in v.dimensions if d not in OF_A_RUN) for v in wanted]
@@ -125,7 +127,7 @@ def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
         yield Grid([_axis(file, name) for name in axes], [_variable(file, v, axes) for v in mine])
 
 
-def _is_told(name: str, dims_of: dict[str, tuple[str, ...]]) -> bool:
+def _is_reported(name: str, dims_of: dict[str, tuple[str, ...]]) -> bool:
     """Whether statistics stand for a variable, or it is these."""
     dims = dims_of[name]
     if NAMES["value"] in dims_of:

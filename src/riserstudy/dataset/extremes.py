@@ -61,7 +61,7 @@ def elsewhere(name: str, dims: Collection[str], others: Mapping[str, Collection[
     return short != name and short in others and "time" not in others[short]
 
 
-def told_once(
+def without_repeats(
     variables: Sequence[Variable], coordinates: Mapping[str, NDArray[Any]]
 ) -> Iterator[Statistic]:
     """Statistics of variables; of a history not what an envelope tells, too, which sees every step.
@@ -86,7 +86,7 @@ def of_runs(runs: xr.Dataset) -> list[Statistic]:
         if within and not elsewhere(name, within, dims)
     ]
     coordinates = {name: runs[name].values for name in WHERE if name in runs.coords}
-    return [_timed(of, runs) for of in told_once(variables, coordinates)]
+    return [_timed(of, runs) for of in without_repeats(variables, coordinates)]
 
 
 def _timed(of: Statistic, runs: xr.Dataset) -> Statistic:

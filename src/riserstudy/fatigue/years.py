@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.behind import scene_behind
 from riserstudy.dataset.place import value_of
+from riserstudy.dataset.provenance import scene_behind
 from riserstudy.errors import InputError
 from riserstudy.fatigue.occurrence import Occurrence, within
 from riserstudy.fatigue.response import ORDER, Response, in_parts

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from riserstudy.dataset.points_behind import Axes, studies_behind
+from riserstudy.dataset.supporting_points import Axes, supporting_studies
 from riserstudy.grading.verdict import verdict_of_claim, verdict_of_number
 from riserstudy.records.graded import Case, Kind, Place, Verdict
 
@@ -20,7 +20,7 @@ class Behind:
     def __init__(self, paper: str, datasets: Mapping[str, xr.Dataset]):
         studies: dict[str, Axes] = {}
         for name, dataset in datasets.items():
-            studies |= studies_behind(name, dataset)
+            studies |= supporting_studies(name, dataset)
         self._values = {
             f"{paper}/{study}": {axis: frozenset(values) for axis, values in axes.items()}
             for study, axes in studies.items()

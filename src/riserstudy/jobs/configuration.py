@@ -137,7 +137,7 @@ class Configuration:
         """All studies of all papers."""
         return list(self._studies.values())
 
-    def leave_points(self, where: Path) -> None:
+    def write_point_counts(self, where: Path) -> None:
         """Write how many points each study has: what runs the studies tells by it what time is left."""
         counts = {
             f"{paper}/{name}": len(study.plan) for (paper, name), study in self._studies.items()

@@ -15,7 +15,7 @@ from collections.abc import Set
 from pathlib import Path
 from typing import Any
 
-from riserstudy.digests import defining, digest, sources_behind
+from riserstudy.digests import defining, dependencies, digest
 from riserstudy.figures import module_of_plot
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.false_claims import false_claims_path
@@ -49,7 +49,7 @@ class Workplan(Configuration):
 
     def study_digest(self, paper: str, study: str) -> str:
         """Axes, point keys and the code that joins points into a dataset."""
-        return f"{self.study(paper, study).digest}-{digest(sources_behind(COLLECT))}"
+        return f"{self.study(paper, study).digest}-{digest(dependencies(COLLECT))}"
 
     def settings_files(self, paper: str, study: str, *_shard: str) -> list[str]:
         """The file of what a study is tuned to; none where nothing is tuned."""
@@ -64,7 +64,7 @@ class Workplan(Configuration):
 
     def settings_digest(self, paper: str, study: str) -> str:
         """Axes and point keys of a study, and the code that tunes."""
-        return f"{self.study(paper, study).digest}-{digest(sources_behind(SETTINGS))}"
+        return f"{self.study(paper, study).digest}-{digest(dependencies(SETTINGS))}"
 
     def threads(self, paper: str, study: str) -> int:
         """Threads that a study can use."""
@@ -108,7 +108,7 @@ class Workplan(Configuration):
 
     def derived_code(self, paper: str, name: str) -> Set[Path]:
         """Sources of the function that derives a dataset."""
-        return sources_behind(DERIVE) | sources_behind(_module(paper, "derived", name))
+        return dependencies(DERIVE) | dependencies(_module(paper, "derived", name))
 
     def derived_digest(self, paper: str, name: str) -> str:
         """The code that derives, and what it is told."""
@@ -130,7 +130,7 @@ class Workplan(Configuration):
         scenes = scenes_of(model, self.setting(1))
         about = [self.tier, model.model_dump_json(), {n: key_of(f.scene()) for n, f in scenes}]
         about += [{p.name: _hash(p.read_bytes().hex()) for p in references(self.config, name)}]
-        return f"{_hash(json.dumps(about))}-{digest(sources_behind(module_of(model)))}"
+        return f"{_hash(json.dumps(about))}-{digest(dependencies(module_of(model)))}"
 
     def measured_threads(self, paper: str, name: str) -> int:
         """All there are for a dataset that tells times: nothing may run beside it."""
@@ -147,10 +147,10 @@ class Workplan(Configuration):
         """Sources of the function, the plot or the schematic that draws a figure."""
         figure = self.files[paper].figures.get(name)
         if figure is None:
-            return sources_behind("riserstudy.schematic")
+            return dependencies("riserstudy.schematic")
         if figure.plot:
-            return sources_behind(module_of_plot(figure.plot))
-        return sources_behind(_module(paper, "figures", name))
+            return dependencies(module_of_plot(figure.plot))
+        return dependencies(_module(paper, "figures", name))
 
     def figure_digest(self, paper: str, name: str) -> str:
         """The code that draws, and what a plot for any grid, or a schematic, is to show."""
@@ -172,7 +172,7 @@ class Workplan(Configuration):
     def grade_code(self, paper: str) -> Set[Path]:
         """Sources of the checks, and of what makes verdicts of them."""
         modules = {_module(paper, "claims", name) for name in self.published[paper].checks}
-        return frozenset().union(*map(sources_behind, (GRADE, *modules)))
+        return frozenset().union(*map(dependencies, (GRADE, *modules)))
 
     def grade_digest(self, paper: str) -> str:
         """Printed numbers and claims, false ones, the words they are judged by, and the code that grades."""
@@ -187,12 +187,12 @@ class Workplan(Configuration):
     @property
     def report_digest(self) -> str:
         """The code of the report."""
-        return digest(sources_behind(REPORT))
+        return digest(dependencies(REPORT))
 
     @property
     def database_digest(self) -> str:
         """The code that builds the results database."""
-        return digest(sources_behind(DATABASE))
+        return digest(dependencies(DATABASE))
 
     @property
     def published_files(self) -> list[str]:

@@ -17,11 +17,11 @@ from riserstudy.study.models import StudyFile, StudyModel
 TOLERANCE = 0.01  # estimated error above which a point counts as off, where none is asked for
 ROUNDING = 1e-9  # above a tolerance that is none
 #: which error tells how good a variable is, by how its name begins; that of displacement tells the rest
-TOLD_BY = {
+RELEVANT_ERRORS = {
     "moment": ("bending_moment", "largest_stress"),
     "tension": ("effective_tension", "largest_stress", "tensioner_force", "riser_reaction"),
 }
-ERRORS = ("displacement", *TOLD_BY)
+ERRORS = ("displacement", *RELEVANT_ERRORS)
 UNSAID = "one mesh and one step serve all points of a study"
 #: points with whether a mesh is prescribed, and the accuracy that each asks for: an axis may set it
 POINTS = f"""
@@ -70,7 +70,7 @@ class Missed(NamedTuple):
     points: int
     off: int
     asked: int  # points that ask for an accuracy
-    asked_off: int
+    missed_by_request: int
     estimated: int  # points with mesh and step prescribed that tell an error
     reasons: list[tuple[str, int, list[str]]]  # why of those that miss: points and datasets
     worst: float
@@ -84,11 +84,11 @@ class Missed(NamedTuple):
         if not self.off:
             return f"All {self.points} points have estimated errors within their tolerance."
         asked = (
-            f"{self.asked_off} of the {self.asked} points that request an accuracy miss it"
-            if self.asked_off
+            f"{self.missed_by_request} of the {self.asked} points that request an accuracy miss it"
+            if self.missed_by_request
             else f"All {self.asked} points that request an accuracy are estimated to reach it"
         )
-        fixed, prescribed = self.off - self.asked_off, self.points - self.asked
+        fixed, prescribed = self.off - self.missed_by_request, self.points - self.asked
         told = (
             f"{prescribed} others have a prescribed mesh and step; "
             f"the error of {self.estimated} is estimated"
@@ -109,13 +109,13 @@ def audit(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[Row]:
     return [_row(points) for points in by_text.values()]
 
 
-def told_by(keep: list[str] | None) -> list[str]:
+def relevant_errors(keep: list[str] | None) -> list[str]:
     """Errors that count for a study: of what it keeps, all where it keeps everything."""
     if keep is None:
         return list(ERRORS)
     names = {
         error: [name for name in keep if name.startswith(begins)]
-        for error, begins in TOLD_BY.items()
+        for error, begins in RELEVANT_ERRORS.items()
     }
     others = set(keep).difference(*names.values())
     return [*(["displacement"] if others else []), *(error for error, of in names.items() if of)]
@@ -128,7 +128,7 @@ def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[dict[st
     points = [dict(zip(names, row, strict=True)) for row in cursor]
     for point in points:
         study = _study(files, point)
-        point["counts"] = told_by(study.keep if study else None)
+        point["counts"] = relevant_errors(study.keep if study else None)
         told = {name: point[f"error_{name}"] for name in point["counts"]}
         point["told"] = any(error is not None for error in told.values())
         point["error"] = max((error or 0.0 for error in told.values()), default=0.0)

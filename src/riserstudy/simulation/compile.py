@@ -44,7 +44,7 @@ def compile_once(tell: Callable[[str], None]) -> None:
         tell(f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile anew")
 
 
-def tell_of_compiling(tell: Callable[[str], None]) -> None:
+def report_compiling(tell: Callable[[str], None]) -> None:
     """Report compiling from its first kernel on: a command compiles what it needs, and nothing else."""
     from riserstudy.simulation.compile_times import follow  # which loads the compiler
 

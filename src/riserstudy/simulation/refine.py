@@ -14,10 +14,10 @@ from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, T
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sudden import sudden_starts
-from riserstudy.simulation.as_asked import as_asked
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter
 from riserstudy.simulation.outputs import keep_stations
+from riserstudy.simulation.prescribed_run import run_prescribed
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import finish, march, single
 from riserstudy.simulation.run_cost import cost, duration, total_seconds
@@ -74,7 +74,7 @@ def run(
     result = (
         refinement_of(scene, watch).result()
         if scene.analysis.mesh is None
-        else as_asked(scene, estimated, watch)
+        else run_prescribed(scene, estimated, watch)
     )
     result.facts["wall_seconds"] = watch.spent
     if scene.fatigue:
@@ -163,13 +163,13 @@ class Refinement:
             if finer is not None:
                 self._compare(finer)
                 if stale := self._stale:
-                    self._look_again(finer, stale)
+                    self._reestimate(finer, stale)
                 way = self._next_way()
                 if way is None or left == 0 or self._too_fine(way):
                     if not self.thin or self._repeated(left):
                         return way is None
                 else:
-                    self._ask_patience()
+                    self._check_patience()
                     self._halve(way)
             left -= 1
 
@@ -343,7 +343,7 @@ class Refinement:
         old = [way for way in self.ways if self.seen[way].since >= STALE]
         return next((w for w in old if self._excess(self.seen[w].error) > MATTERS), None)
 
-    def _look_again(self, finer: Result, way: str) -> None:
+    def _reestimate(self, finer: Result, way: str) -> None:
         """See how changes by a way fall with the other as it is now, by two runs coarser in it alone.
 
         Where the first fails, the way is halved once more.
@@ -373,7 +373,7 @@ class Refinement:
             k: v for k, v in self.error.items() if k in finer.facts["error_estimate"]
         }
 
-    def _ask_patience(self) -> None:
+    def _check_patience(self) -> None:
         """Begin no run that would not end in time: each takes twice as long as the one before."""
         if self.watch.spent + 2.0 * self.spent[-1]["solve_seconds"] > self.watch.patience:
             raise TakesTooLong("the next run would take too long")

@@ -292,7 +292,7 @@ def joined(parts: list[Known]) -> Known:
     return Known(sum(p.points for p in parts), sum(p.estimated for p in parts), effects)
 
 
-def said_of(known: Known) -> dict[str, str]:
+def attributes_of_points(known: Known) -> dict[str, str]:
     """Attributes of a dataset that say what is known of its points."""
     estimated = f"{known.estimated} of {known.points} points, chosen by their keys"
     return {"effects": json.dumps(known.effects), "errors_estimated": estimated}
@@ -313,7 +313,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         "tables": json.dumps(study.tables),
         "origins": json.dumps({p: o.status for p, o in origins.items()}),
         "evidence": json.dumps({p: o.why for p, o in origins.items()}),
-        **said_of(known_of(results)),
+        **attributes_of_points(known_of(results)),
         **({"error_because": because} if (because := study.model.error_because) else {}),
         "history": history(f"simulated study {study.name} of {study.paper}, tier {study.tier}"),
     }

@@ -21,11 +21,11 @@ from riserstudy.study.collect import (
     PACKED,
     ROUNDED,
     Known,
+    attributes_of_points,
     dataset_of,
     joined,
     known_of,
     results_of,
-    said_of,
     write_dataset,
 )
 from riserstudy.study.settings import Settings, dataset_tuned, with_setting
@@ -171,7 +171,7 @@ def _take_in(parts: list[Part], axis: str, length: int, target: Path) -> None:
         for name, of in like.variables.items():
             _declare(whole, name, of, name in rounded)
         about = {name: like.getncattr(name) for name in like.ncattrs()}
-        whole.setncatts(about | said_of(joined([part.known for part in parts])))
+        whole.setncatts(about | attributes_of_points(joined([part.known for part in parts])))
         whole.set_auto_maskandscale(False)
         sets: dict[str, Any] = {}
         for part in parts:

@@ -6,7 +6,7 @@ import hashlib
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.digests import digest, sources_behind
+from riserstudy.digests import dependencies, digest
 from riserstudy.study import store
 from riserstudy.study.grid import Point
 
@@ -34,7 +34,7 @@ def key_of_modes(key: str, count: int) -> str:
 @cache
 def _code() -> str:
     """Digest of what computes modes, which the engine's need not cover."""
-    return digest(sources_behind(MODES))
+    return digest(dependencies(MODES))
 
 
 def lacks_modes(study: Study, point: Point) -> bool:

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.behind import file_behind, provenance
 from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import labelled, to_dataset
 from riserstudy.dataset.place import place
+from riserstudy.dataset.provenance import provenance, scene_file_of
 from riserstudy.digests import engine_digest
 from riserstudy.records.facts import point_columns
 from riserstudy.study.collect import NODE_DIGITS, laid_on, statistics
@@ -71,7 +71,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     estimated = bool(
         point.get("error_estimated", np.isfinite(point.get("error_displacement", 0.0)))
     )
-    file = file_behind(dataset, index)
+    file = scene_file_of(dataset, index)
     result = run(file.scene(), estimated=estimated)
     limits = uses(file, result) if "limit" in point.dims else {}
     modes = _modes(file, point)

@@ -27,7 +27,7 @@ from riserstudy.study.grid import Point
 from riserstudy.study.models import Numbers
 from riserstudy.study.quick_tune import quick_tune
 from riserstudy.study.setting import Setting
-from riserstudy.study.simulate_points import Count, attempt, fill, tells_error
+from riserstudy.study.simulate_points import Count, attempt, fill, has_error_estimate
 from riserstudy.study.study import Study
 from riserstudy.study.tune import Say, tune
 
@@ -161,7 +161,7 @@ def fill_tuned(
 
 def _serves(study: Study, tuned: Study, point: Point) -> bool | None:
     """Whether a stored point estimates an error within what the study requests; None: it estimates none."""
-    if not tells_error(tuned, point):
+    if not has_error_estimate(tuned, point):
         return None
     held = store.about(point.key)
     return held is None or not exceeds(study, held["facts"])

@@ -20,7 +20,7 @@ FEW = 16  # points of a study, up to which the error of each is estimated
 ONE_IN = 8  # points of others, by their keys: the same whatever the study
 
 
-def tells_error(study: Study, point: Point) -> bool:
+def has_error_estimate(study: Study, point: Point) -> bool:
     """Whether the error of a point is estimated where its mesh and step are prescribed.
 
     To estimate it takes as long again as the run. In a study whose points have one mesh and one step it is
@@ -35,7 +35,9 @@ def lacks(study: Study, point: Point, stored: Result | None) -> bool:
 
 
 def _lacks_run(study: Study, point: Point, stored: Result | None) -> bool:
-    return stored is None or (tells_error(study, point) and "error_estimate" not in stored.facts)
+    return stored is None or (
+        has_error_estimate(study, point) and "error_estimate" not in stored.facts
+    )
 
 
 #: is told how many points are done, and of how many
@@ -116,7 +118,7 @@ def _simulate(study: Study, point: Point) -> SimulationError | None:
     file, keep = study.grid.file(point.index), study.model.keep
     try:
         if study.model.modes is None or _lacks_run(study, point, store.get(point.key, keep)):
-            result = run(file.scene(), estimated=tells_error(study, point))
+            result = run(file.scene(), estimated=has_error_estimate(study, point))
             store.put(point.key, result, file, keep)
         if lacks_modes(study, point):
             make_modes(study, point, file)

@@ -11,7 +11,7 @@ from itertools import combinations, product
 from pathlib import Path
 from typing import Any
 
-from riserstudy.digests import digest, engine_digest, sources_behind
+from riserstudy.digests import dependencies, digest, engine_digest
 from riserstudy.errors import InputError
 from riserstudy.folders import remembered
 from riserstudy.scene.load import SceneFile, read_scene
@@ -183,7 +183,7 @@ class Study:
     def _behind_plan(self) -> str:
         """Digest of scene, axes, tables that they name, and the code that checks them."""
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
-        code = [engine_digest(), digest(sources_behind(Grid.__module__))]
+        code = [engine_digest(), digest(dependencies(Grid.__module__))]
         about = [code, canonical(self.base.tree), canonical(axes), self._contents_of_tables]
         return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:32]
 

@@ -138,7 +138,7 @@ def depth(line: Line) -> float:
     return sum(length for _, length in lengths_of(line.part))
 
 
-def leave_points(deck: Part, names: list[str]) -> None:
+def write_point_counts(deck: Part, names: list[str]) -> None:
     """Leave out the points between lines of the riser, which may have no mass to speak of."""
     buoys = deck.named("6DBuoys")
     for buoy in [buoys[name] for name in names if name in buoys]:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from riserstudy.scene.orcaflex.deck import EMPTY, Part
 
-MOST_SHOWN = 40  # characters of a value
+MOST_LISTED = 40  # characters of a value
 #: what an entry says that switches something off
 OFF = ("0", "0.0", "None", "(none)", "(no damping)", "False", "No")
 #: entries that draw, and change no result
@@ -72,5 +72,5 @@ def _entry(part: Part, key: str, value: Any) -> Entry:
     of, bracket, rest = part.path.partition("[")
     name, _, inner = rest.partition("]")
     text = " ".join(str(value).split())
-    text = text if len(text) <= MOST_SHOWN else f"{text[:MOST_SHOWN]} ..."
+    text = text if len(text) <= MOST_LISTED else f"{text[:MOST_LISTED]} ..."
     return Entry(of, name if bracket else "", f"{inner}.{key}".lstrip("."), text)

@@ -16,7 +16,7 @@ from ruamel.yaml.error import MantissaNoDotYAML1_1Warning
 from riserstudy.errors import InputError, InputErrors
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.orcaflex.chain import Bearings, Roles, leave_points, roles
+from riserstudy.scene.orcaflex.chain import Bearings, Roles, roles, write_point_counts
 from riserstudy.scene.orcaflex.constraints import turns_in
 from riserstudy.scene.orcaflex.deck import Part
 from riserstudy.scene.orcaflex.ends import GROUND, PLACE, rotation, upright
@@ -92,7 +92,7 @@ def _tree(deck: Part, path: Path) -> dict[str, Any]:
     with deck.noting():
         current = current_of(environment)
     cast = roles(deck, _bearings(deck))
-    leave_points(deck, cast.nodes[1:-1])
+    write_point_counts(deck, cast.nodes[1:-1])
     foot = _foot(deck, cast, sea)
     made = top_of(deck, cast, foot.elevation, sea)
     bottom: dict[str, Any] = {"hold": "wellhead", "elevation": f"{foot.elevation:.10g} m"}

@@ -10,7 +10,7 @@ import matplotlib.font_manager  # noqa: F401  makes its cache before home is ano
 import pytest
 import xarray as xr
 
-from riserstudy.dataset.behind import file_behind
+from riserstudy.dataset.provenance import scene_file_of
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.simulate import simulate
@@ -173,7 +173,7 @@ def test_a_scene_of_a_dataset_reads_no_file_that_is_not_in_the_dataset(run, tmp_
         record["tables"] = {}
         other = run.assign_attrs(provenance=json.dumps(record))
         with pytest.raises(InputError, match="only the tables that the dataset holds"):
-            file_behind(other, {}).scene()
+            scene_file_of(other, {}).scene()
 
 
 PIECES = [
@@ -200,7 +200,7 @@ def test_a_dataset_that_holds_anything_else_is_refused_in_one_line(run, seed):
 
 def refusal_of(dataset):
     try:
-        file_behind(dataset, {}).scene()
+        scene_file_of(dataset, {}).scene()
     except InputError as error:
         return str(error)
     return None
@@ -211,9 +211,9 @@ def test_a_point_of_a_study_whose_axis_was_damaged_is_refused(run):
     for sets in ("{", "[]", "{}", '{"1.0": 3}', '{"1.0": {"top.tension": NaN}}', None):
         study["tension"].attrs = {} if sets is None else {"sets": sets}
         with pytest.raises(InputError):
-            file_behind(study, {"tension": 0})
+            scene_file_of(study, {"tension": 0})
     study["tension"].attrs["sets"] = '{"1.0": {"top.tension": "2 MN"}}'
-    assert file_behind(study, {"tension": 0}).scene().top.tension == 2e6
+    assert scene_file_of(study, {"tension": 0}).scene().top.tension == 2e6
 
 
 def test_the_tables_of_a_rerun_stand_in_its_own_dataset(commands, run, sandbox):

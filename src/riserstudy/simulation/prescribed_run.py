@@ -17,7 +17,7 @@ from riserstudy.simulation.watch import Watch, size
 COARSER = ("step", "mesh", "step", "mesh")  # what is doubled from run to run, in turn
 
 
-def as_asked(scene: Scene, estimated: bool, watch: Watch) -> Result:
+def run_prescribed(scene: Scene, estimated: bool, watch: Watch) -> Result:
     """A run with the scene's own mesh and step; its error from coarser runs.
 
     These go first, so that the time of the run itself is not that of loading kernels. Mesh and step are

@@ -6,7 +6,7 @@ import pytest
 
 from riserstudy.errors import SimulationError
 from riserstudy.scene.load import read_scene
-from riserstudy.simulation import as_asked as module
+from riserstudy.simulation import prescribed_run as module
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.refine import run
 

@@ -59,7 +59,7 @@ def provenance(dataset: xr.Dataset) -> dict[str, Any]:
     return record
 
 
-def file_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
+def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     """The scene file of one point, which holds its tables.
 
     Parameters
@@ -92,8 +92,8 @@ def file_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
 
 
 def scene_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:
-    """The scene of one point, as ``file_behind`` has it."""
-    return file_behind(dataset, index).scene()
+    """The scene of one point, as ``scene_file_of`` has it."""
+    return scene_file_of(dataset, index).scene()
 
 
 def _name(dataset: xr.Dataset | xr.DataArray) -> str:

@@ -29,7 +29,7 @@ def axes_of(dataset: xr.Dataset) -> Axes:
     return {str(axis): dataset[axis].values.tolist() for axis in dataset["point_key"].dims}
 
 
-def studies_behind(name: str, dataset: xr.Dataset) -> dict[str, Axes]:
+def supporting_studies(name: str, dataset: xr.Dataset) -> dict[str, Axes]:
     """Axes of the simulated studies behind a dataset, itself where it is simulated; by name.
 
     Parameters
