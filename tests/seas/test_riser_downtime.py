@@ -1,5 +1,6 @@
 """Hours that a riser's limits leave of a record: its demands are those of runs, and its hours follow them."""
 
+import csv
 import json
 
 import numpy as np
@@ -174,3 +175,29 @@ def test_options_that_do_not_fit_are_refused(commands, tmp_path, record, more, t
     write_record(record, path)
     code, _, err = commands("downtime", path, *more)
     assert (code, told in err) == (2, True), err
+
+
+def test_what_settings_buy_is_what_each_of_them_has_alone(commands, tmp_path, record):
+    path, table = tmp_path / "sea.nc", tmp_path / "hours.csv"
+    write_record(record, path)
+    own = SEA | {"limits": LIMITS[:1]}
+    base = ["downtime", path, "--scene", RISER, *words(own), "--seeds", "1", "--error", "0.2"]
+    values = [f"limits[0].largest={angle} deg" for angle in (0.5, 0.6, 0.8)]
+    asked = [word for value in values for word in ("--vary", value)]
+    code, _, err = commands(*base, *asked, "--csv", table)
+    assert code == 0, err
+    rows = list(csv.DictReader(table.open()))
+    shares = [float(row["workable (%)"]) for row in rows]
+    assert [row["setting"] for row in rows] == values
+    assert shares == sorted(shares)
+    assert shares[0] < shares[-1]
+    out = commands(*base, "--set", values[1])[1]
+    assert f"drilling: {shares[1]:.2f}% of" in out
+
+
+@pytest.mark.parametrize("option", ["--vary", "--x-towards"])
+def test_options_of_a_riser_need_one(commands, tmp_path, record, option):
+    path = tmp_path / "sea.nc"
+    write_record(record, path)
+    code, _, err = commands("downtime", path, "--limit", "hs <= 2 m", option, "a=1")
+    assert (code, f"{option}: a=1; allowed with --scene" in err) == (2, True), err

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import sys
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -27,8 +29,9 @@ from riserstudy.errors import InputError
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.dataset.table import Table
     from riserstudy.seas.directions import Directions
-    from riserstudy.seas.hours import Hours
+    from riserstudy.seas.hours import Hours, SeaLimit
     from riserstudy.seas.riser_downtime import Downtime
     from riserstudy.seas.years import Band
 
@@ -58,6 +61,14 @@ def downtime(
         typer.Option(min=0, help="last years to keep back, predicted from those before"),
     ] = 0,
     settings: SetOption = None,
+    vary: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="the hours with this value in place, a row each: platform.position.surge='5 m'; "
+            "may be repeated",
+            metavar="PATH=VALUE",
+        ),
+    ] = None,
     sectors: Annotated[
         int | None,
         typer.Option(
@@ -105,41 +116,76 @@ def downtime(
         check_output(plot, ("figure",), reads, force, "--plot")
     if output is not None:
         check_output(output, ("dataset",), reads, force)
-    if not (scene or limit):
-        raise InputError("downtime", "--limit", "none", "give limits on the sea, or --scene")
-    if output is not None and not scene:
-        raise InputError(
-            "downtime", "-o", str(output), "allowed with --scene, whose responses it is"
-        )
-    if (sectors or x_towards) and not scene:
-        raise InputError("downtime", "--sectors", str(sectors), "allowed with --scene")
-    if scene and hold_back:
-        allowed = "allowed with limits on the sea"
-        raise InputError("downtime", "--hold-back", "not with --scene", allowed)
-    from riserstudy.seas.hours import hours, sea_limit
+    with_scene = {"-o": output, "--sectors": sectors, "--x-towards": x_towards, "--vary": vary}
+    refuse(scene, limit, with_scene, {"--hold-back": hold_back})
+    if vary and (output or plot):
+        raise InputError("downtime", "--vary", vary[0], "allowed with --csv alone")
+    from riserstudy.seas.hours import sea_limit
     from riserstudy.seas.record import read_record
 
     limits = [sea_limit(one) for one in limit or []]
     lengths = [quantity("--window", one, "s") / 3600.0 for one in window or []]
     sea = read_record(record)
-    if scene:
-        file = scene_of(scene, settings)
-        directions = _directions(sectors, x_towards)
-        made = riser_downtime(file, sea, limits, directions, seeds, error, most, cores)
-        show_riser(made, lengths, ahead, csv, units)
-        if output is not None:
-            from riserstudy.dataset.netcdf import write_netcdf
-
-            write_netcdf(made.responses, output, {})
-            wrote(output)
-        if plot is not None:
-            from riserstudy.figures import save
-            from riserstudy.figures.governing import governing
-
-            first = made.hours.modes[0]
-            save(governing(made.responses, first.mode, first.hours.share), plot)
-            wrote(plot)
+    if not scene:
+        of_the_sea(sea, limits, lengths, ahead, hold_back, csv, plot, record.name)
         return
+    directions = _directions(sectors, x_towards)
+    simulated = partial(
+        riser_downtime, sea=sea, limits=limits, directions=directions,
+        seeds=seeds, error=error, most=most, cores=cores,
+    )  # fmt: skip
+    if vary:
+        show(varied(scene, settings or [], vary, simulated), csv)
+        return
+    made = simulated(scene_of(scene, settings))
+    show_riser(made, lengths, ahead, csv, units)
+    if output is not None:
+        from riserstudy.dataset.netcdf import write_netcdf
+
+        write_netcdf(made.responses, output, {})
+        wrote(output)
+    if plot is not None:
+        from riserstudy.figures import save
+        from riserstudy.figures.governing import governing
+
+        first = made.hours.modes[0]
+        save(governing(made.responses, first.mode, first.hours.share), plot)
+        wrote(plot)
+
+
+def refuse(
+    scene: Path | None, limit: list[str] | None, with_scene: dict[str, Any], without: dict[str, Any]
+) -> None:
+    """Refuse options that do not fit: some go with a scene, others without one."""
+    if not (scene or limit):
+        raise InputError("downtime", "--limit", "none", "give limits on the sea, or --scene")
+    for options, fits, allowed in (
+        (with_scene, scene is not None, "allowed with --scene"),
+        (without, scene is None, "allowed with limits on the sea"),
+    ):
+        for name, value in options.items():
+            if value and not fits:
+                raise InputError("downtime", name, shown(value), allowed)
+
+
+def shown(value: Any) -> str:
+    """An option's value in an error."""
+    return ", ".join(value) if isinstance(value, list) else str(value)
+
+
+def of_the_sea(
+    sea: xr.Dataset,
+    limits: list[SeaLimit],
+    lengths: list[float],
+    ahead: int,
+    hold_back: int,
+    csv: Path | None,
+    plot: Path | None,
+    name: str,
+) -> None:
+    """Print hours that limits on the sea leave."""
+    from riserstudy.seas.hours import hours
+
     if hold_back:
         held_back(sea, limits, hold_back)
     found = hours(sea, limits)
@@ -151,9 +197,34 @@ def downtime(
         from riserstudy.figures import save
         from riserstudy.figures.calendar import calendar
 
-        title = f"{record.name}: hours with {' and '.join(limit or [])}"
+        title = f"{name}: hours with {' and '.join(map(str, limits))}"
         save(calendar(found.by_month(), title), plot)
         wrote(plot)
+
+
+def varied(
+    scene: Path, settings: list[str], vary: list[str], simulated: Callable[[Any], Downtime]
+) -> Table:
+    """Hours by mode for each of some settings: what each of them buys."""
+    from riserstudy.dataset.table import Cell, Table
+
+    files = [(one, scene_of(scene, [*settings, one])) for one in vary]  # all are checked first
+    rows: list[list[Cell]] = []
+    for setting, file in files:
+        _say(setting)
+        made = simulated(file)
+        for line in made.lines:
+            _say(line)
+        rows += [
+            [setting, one.mode, 100.0 * one.hours.share, 100.0 * one.low, 100.0 * one.high,
+             8766.0 * one.hours.share]
+            for one in made.hours.modes
+        ]  # fmt: skip
+    return Table(
+        ["setting", "mode", "workable", "at worst", "at best", "hours a year"],
+        ["", "", "%", "%", "%", "h"],
+        rows,
+    )
 
 
 def riser_downtime(

@@ -30,6 +30,10 @@ class SeaLimit(NamedTuple):
     largest: bool  # whether the bound is above
     value: float  # SI
 
+    def __str__(self) -> str:
+        sign = "<=" if self.largest else ">="
+        return f"{self.quantity.long_name} {sign} {self.value:g} {self.quantity.unit}"
+
     def met(self, record: xr.Dataset) -> NDArray[np.bool_]:
         """Whether each row meets it; a row without a value does not."""
         values = record[self.quantity.name].values
