@@ -33,6 +33,7 @@ def measures(runs: xr.Dataset) -> xr.Dataset:
     return xr.Dataset(
         {
             "deflection": _largest(runs, "x"),
+            "deflection_from_line": _from_line(runs),
             "deflection_place": place(deflection, s, "s_node", s >= 0.0),
             "vibration": amplitude_at(runs["x"], period).max("s"),
             "drift": SPAN * abs(drift_rate(mid, period) / mid.mean("time")),
@@ -50,6 +51,14 @@ def extreme(runs: xr.Dataset, name: str) -> xr.DataArray:
     """Largest magnitude in the record, by its envelopes."""
     sides = [abs(runs[f"{name}_{side}"]) for side in ("max", "min")]
     return xr.concat(sides, "side").max("side")
+
+
+def _from_line(runs: xr.Dataset) -> xr.DataArray:
+    """Largest distance (m) from the straight line between the ends, of which the lower is at zero."""
+    top = runs["x"].isel(s=-1, time=0, drop=True)
+    line = top * runs["s_node"] / runs["s_node"][-1]
+    sides = [abs(runs[f"x_{side}"] - line) for side in ("max", "min")]
+    return xr.concat(sides, "side").max(("side", "s_node"))
 
 
 def _largest(runs: xr.Dataset, name: str) -> xr.DataArray:

@@ -138,10 +138,15 @@ def base(trends: xr.Dataset, name: str) -> xr.DataArray:
 
 
 def trend(trends: xr.Dataset, measures: list[str], axis: str, grows: float, change: Word) -> Found:
-    """All measures grow (1) or fall (-1) along an axis; value: last over first, of the first."""
+    """All measures grow (1) or fall (-1) along an axis; value: last over first, of the first.
+
+    Deflection counts from the line between the ends, where the top has drifted.
+    """
     dims = {"length": "length", "ratio": "tension_ratio", "factor": "buoyant_factor"}
     dim = dims[axis]
-    along = [solved(trends[f"{name}_by_{axis}"]) for name in measures]
+    named = [f"{name}_by_{axis}" for name in measures]
+    bent = [name.replace("deflection", "deflection_from_line") for name in named]
+    along = [solved(trends[b if b in trends else n]) for b, n in zip(bent, named, strict=True)]
     value = along[0].isel({dim: -1}, drop=True) / along[0].isel({dim: 0}, drop=True)
     return judged(value, all_of(*(growing(measure, dim, change, grows) for measure in along)))
 

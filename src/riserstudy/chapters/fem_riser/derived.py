@@ -18,6 +18,7 @@ from riserstudy.scene.units import to_si
 #: what is measured of a run, and its unit
 MEASURES = {
     "deflection": "m",
+    "deflection_from_line": "m",
     "deflection_place": "1",
     "vibration": "m",
     "drift": "1",

@@ -64,7 +64,7 @@ READINGS = {
     "R3": "the share that is left, the tension ratio being to the weight without blocks",
     "R4": "the share that the blocks carry, the tension ratio being to the weight without blocks",
 }
-APART = "vibration; drift in 40 s (m)"
+APART = "vibration, drift (m)"
 
 
 # the sea
