@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from PIL import Image
 from ruamel.yaml import YAML
 
@@ -31,6 +32,7 @@ from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[2] / "config"
+PAGE = 180.0  # mm, the width of a journal's page
 
 
 class Small(NamedTuple):
@@ -182,6 +184,16 @@ def test_a_title_states_one_finding_in_few_words(paper, name):
     words, numbers = (12, 2) if paper in GRADED else (14, 5)
     assert len(spoken(title)) <= words, title
     assert len(re.findall(r"(?<![\w.])\d+(?:\.\d+)?", title)) <= numbers, title
+
+
+@pytest.mark.parametrize("paper, name", [(p, n) for p, n in FIGURES if p in GRADED])
+def test_text_is_not_below_6_points_on_a_page_of_180_mm(paper, name):
+    figure = drawn(paper, name)
+    FigureCanvasAgg(figure).draw()
+    shrunk = min(1.0, PAGE / (25.4 * figure.get_size_inches()[0]))
+    for text in figure.findobj(Text):
+        if text.get_visible() and text.get_text().strip():
+            assert shrunk * text.get_fontsize() >= 6.0, text.get_text()
 
 
 @pytest.mark.parametrize("paper, name", FIGURES)
