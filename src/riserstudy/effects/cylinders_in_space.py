@@ -3,7 +3,8 @@ r"""Tensioner cylinders in space, between points of the deck and points of the t
 Reach is the distance of a cylinder's ends less its length at mid-stroke; it pulls the ring along its
 line. The ring turns with the top of the riser below it. Unequal pulls leave a moment
 :math:`m = \sum_c a_c \times F_c` about the ring's centre, so the telescopic joint above starts with
-:math:`M - m` where the riser below ends with M.
+:math:`M - m` where the riser below ends with M. Its part along the ring's axis is a torque, which the riser,
+free to twist, does not feel.
 
 The deck moves with a platform whose motion is prescribed, or horizontally with a vessel that floats freely:
 the vessel is then the riser's top node, and bears the horizontal part of the pulls. Prescribed motion of
@@ -162,6 +163,12 @@ def turn(cylinders, s):
         moment[1] += pull * (arm[2, c] * line[0, c] - arm[0, c] * line[2, c])
         moment[2] += pull * (arm[0, c] * line[1, c] - arm[1, c] * line[0, c])
     m, i = len(s.dof) - len(s.dim), cylinders.node
+    if m == 3 and i > 0:  # torsion is free: a torque about the ring's axis bends nothing
+        tx, ty, tz = s.tangent[0, i - 1], s.tangent[1, i - 1], s.tangent[2, i - 1]
+        torque = tx * moment[0] + ty * moment[1] + tz * moment[2]
+        moment[0] -= torque * tx
+        moment[1] -= torque * ty
+        moment[2] -= torque * tz
     if i == s.length.shape[0]:  # no joint above, and no moment
         return 0.0
     for u in range(m):
