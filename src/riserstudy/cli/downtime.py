@@ -36,69 +36,83 @@ if TYPE_CHECKING:
     from riserstudy.seas.years import Band
 
 
+RecordArgument = Annotated[
+    Path, typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv")
+]
+SceneOption = Annotated[
+    Path | None,
+    typer.Option(
+        help="riser whose limits hold, with an irregular sea and a duration",
+        metavar="SCENE.yaml",
+    ),
+]
+LimitOption = Annotated[
+    list[str] | None,
+    typer.Option(help="'hs <= 2.5 m'; may be repeated: all must be met", metavar="LIMIT"),
+]
+WindowOption = Annotated[
+    list[str] | None,
+    typer.Option(help="length of work in one go: '24 h'; may be repeated", metavar="TIME"),
+]
+NextOption = Annotated[int, typer.Option("--next", min=1, help="years to come")]
+HoldBackOption = Annotated[
+    int,
+    typer.Option(min=0, help="last years to keep back, predicted from those before"),
+]
+VaryOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        help="the hours with this value in place, a row each: platform.position.surge='5 m'; "
+        "may be repeated",
+        metavar="PATH=VALUE",
+    ),
+]
+SectorsOption = Annotated[
+    int | None,
+    typer.Option(
+        min=2, max=36, help="headings that the record's directions become; with --x-towards"
+    ),
+]
+XTowardsOption = Annotated[
+    str | None,
+    typer.Option(help="bearing that the scene's x points to: '90 deg'", metavar="ANGLE"),
+]
+SeedsOption = Annotated[int, typer.Option(min=1, help="runs of each sea state")]
+ErrorOption = Annotated[
+    float,
+    typer.Option(
+        min=0.001,
+        max=0.5,
+        help="of the response between sea states, as part of what is allowed",
+    ),
+]
+MostOption = Annotated[int, typer.Option(min=20, help="sea states to simulate at most")]
+CoresOption = Annotated[int | None, typer.Option(min=1, help="processes; absent: as many as cores")]
+ResponsesOption = Annotated[
+    Path | None,
+    typer.Option(
+        "-o", "--output", help="write the simulated responses here (netCDF)", metavar="OUT.nc"
+    ),
+    Writes("dataset"),
+]
+
+
 def downtime(
-    record: Annotated[
-        Path, typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv")
-    ],
-    scene: Annotated[
-        Path | None,
-        typer.Option(
-            help="riser whose limits hold, with an irregular sea and a duration",
-            metavar="SCENE.yaml",
-        ),
-    ] = None,
-    limit: Annotated[
-        list[str] | None,
-        typer.Option(help="'hs <= 2.5 m'; may be repeated: all must be met", metavar="LIMIT"),
-    ] = None,
-    window: Annotated[
-        list[str] | None,
-        typer.Option(help="length of work in one go: '24 h'; may be repeated", metavar="TIME"),
-    ] = None,
-    ahead: Annotated[int, typer.Option("--next", min=1, help="years to come")] = 10,
-    hold_back: Annotated[
-        int,
-        typer.Option(min=0, help="last years to keep back, predicted from those before"),
-    ] = 0,
+    record: RecordArgument,
+    scene: SceneOption = None,
+    limit: LimitOption = None,
+    window: WindowOption = None,
+    ahead: NextOption = 10,
+    hold_back: HoldBackOption = 0,
     settings: SetOption = None,
-    vary: Annotated[
-        list[str] | None,
-        typer.Option(
-            help="the hours with this value in place, a row each: platform.position.surge='5 m'; "
-            "may be repeated",
-            metavar="PATH=VALUE",
-        ),
-    ] = None,
-    sectors: Annotated[
-        int | None,
-        typer.Option(
-            min=2, max=36, help="headings that the record's directions become; with --x-towards"
-        ),
-    ] = None,
-    x_towards: Annotated[
-        str | None,
-        typer.Option(help="bearing that the scene's x points to: '90 deg'", metavar="ANGLE"),
-    ] = None,
-    seeds: Annotated[int, typer.Option(min=1, help="runs of each sea state")] = 5,
-    error: Annotated[
-        float,
-        typer.Option(
-            min=0.001,
-            max=0.5,
-            help="of the response between sea states, as part of what is allowed",
-        ),
-    ] = 0.05,
-    most: Annotated[int, typer.Option(min=20, help="sea states to simulate at most")] = 400,
-    cores: Annotated[
-        int | None, typer.Option(min=1, help="processes; absent: as many as cores")
-    ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "-o", "--output", help="write the simulated responses here (netCDF)", metavar="OUT.nc"
-        ),
-        Writes("dataset"),
-    ] = None,
+    vary: VaryOption = None,
+    sectors: SectorsOption = None,
+    x_towards: XTowardsOption = None,
+    seeds: SeedsOption = 5,
+    error: ErrorOption = 0.05,
+    most: MostOption = 400,
+    cores: CoresOption = None,
+    output: ResponsesOption = None,
     csv: CsvOption = None,
     plot: PlotOption = None,
     units: UnitsOption = UnitSystem.FIELD,
