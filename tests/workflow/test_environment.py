@@ -30,7 +30,9 @@ def test_a_lock_pins_each_package_once_with_hashes_and_names_no_place(lock):
 
 
 def test_the_locks_agree_where_they_share_a_package():
-    pins = {pin for lock in LOCKS for pin in re.findall(r"^(\S+==\S+)", lock.read_text(), re.M)}
+    """But for that of the validator of run crates, which is installed into an environment of its own."""
+    together = [lock for lock in LOCKS if lock.name != "crate.lock"]
+    pins = {pin for lock in together for pin in re.findall(r"^(\S+==\S+)", lock.read_text(), re.M)}
     names = Counter(pin.partition("==")[0] for pin in pins)
     assert max(names.values()) == 1
 
