@@ -62,6 +62,27 @@ def _away(s, i):
 
 
 @inner
+def _resist(s, i, y, p):
+    """Force p at node i against a displacement of size y."""
+    for c in range(len(s.dim) - 1):
+        s.force[c, i] -= p * s.r[c, i] / y
+    return 0.0
+
+
+@inner
+def _stiffen(s, i, y, p, slope):
+    """Stiffness of node i: the slope along its displacement of size y, p / y across it."""
+    d = len(s.dim)
+    across = p / y if y > 0.0 else slope
+    for a in range(d - 1):
+        s.k_node[i, a * d + a] += across
+        if y > 0.0:
+            for b in range(d - 1):
+                s.k_node[i, a * d + b] += (slope - across) * s.r[a, i] * s.r[b, i] / (y * y)
+    return 0.0
+
+
+@inner
 def _tabulated(soil, k, y):
     """Resistance, its slope by y and its energy."""
     count = soil.force.shape[2]
@@ -88,29 +109,20 @@ def _tabulated(soil, k, y):
 def table_force(soil, s):
     """Resistance against the displacement."""
     for k in range(soil.node.shape[0]):
-        i = soil.node[k]
-        y = _away(s, i)
+        y = _away(s, soil.node[k])
         if y > 0.0:
             p, _, _ = _tabulated(soil, k, y)
-            for c in range(len(s.dim) - 1):
-                s.force[c, i] -= p * s.r[c, i] / y
+            _resist(s, soil.node[k], y, p)
     return 0.0
 
 
 @inner
 def table_tangent(soil, s):
     """Slope along the displacement, p / y across it."""
-    d = len(s.dim)
     for k in range(soil.node.shape[0]):
-        i = soil.node[k]
-        y = _away(s, i)
+        y = _away(s, soil.node[k])
         p, slope, _ = _tabulated(soil, k, y)
-        across = p / y if y > 0.0 else slope
-        for a in range(d - 1):
-            s.k_node[i, a * d + a] += across
-            if y > 0.0:
-                for b in range(d - 1):
-                    s.k_node[i, a * d + b] += (slope - across) * s.r[a, i] * s.r[b, i] / (y * y)
+        _stiffen(s, soil.node[k], y, p, slope)
     return 0.0
 
 
@@ -145,29 +157,20 @@ def _clay(soil, k, y):
 def clay_force(soil, s):
     """Resistance against the displacement."""
     for k in range(soil.node.shape[0]):
-        i = soil.node[k]
-        y = _away(s, i)
+        y = _away(s, soil.node[k])
         if y > 0.0:
             p, _, _ = _clay(soil, k, y)
-            for c in range(len(s.dim) - 1):
-                s.force[c, i] -= p * s.r[c, i] / y
+            _resist(s, soil.node[k], y, p)
     return 0.0
 
 
 @inner
 def clay_tangent(soil, s):
     """Slope along the displacement, p / y across it."""
-    d = len(s.dim)
     for k in range(soil.node.shape[0]):
-        i = soil.node[k]
-        y = _away(s, i)
+        y = _away(s, soil.node[k])
         p, slope, _ = _clay(soil, k, y)
-        across = p / y if y > 0.0 else slope
-        for a in range(d - 1):
-            s.k_node[i, a * d + a] += across
-            if y > 0.0:
-                for b in range(d - 1):
-                    s.k_node[i, a * d + b] += (slope - across) * s.r[a, i] * s.r[b, i] / (y * y)
+        _stiffen(s, soil.node[k], y, p, slope)
     return 0.0
 
 
