@@ -219,6 +219,18 @@ def test_points_without_numbers_are_refused(tmp_path):
         summed(of, table(tmp_path, "hs (m),tp (s),share (%)\n2,8,90\n"))
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_a_place_without_a_number_in_one_run_counts_neither_as_no_damage_nor_as_that_of_others(
+    seed, tmp_path
+):
+    of = study(seeds=(1, 2, 3))
+    values = of["damage_rate"].values
+    there = np.argwhere(np.isfinite(values))
+    values[tuple(np.random.default_rng(seed).choice(there))] = np.nan
+    with pytest.raises(InputError, match="points without numbers"):
+        summed(of, table(tmp_path, "hs (m),tp (s),share (%)\n2,8,90\n"))
+
+
 def test_tables_and_figure_hold_the_same_numbers(tmp_path):
     found = summed(study(), table(tmp_path, "hs (m),tp (s),share (%)\n1,8,60\n3,9.5,30\n6,11,10\n"))
     along = tables.along(found)

@@ -30,7 +30,7 @@ def along(years: Years) -> Table:
     """Largest damage a year round the wall along the riser: unfactored and factored, of every detail."""
     columns, units, values = ["s"], ["m"], [years.s]
     for worst, rates in zip(years.worst, years.rates, strict=True):
-        most = np.where(np.isnan(rates).all(axis=0), np.nan, np.nan_to_num(rates).max(axis=0))
+        most = np.fmax.reduce(rates, axis=0)  # no number where a detail is not
         columns += [f"damage of {worst.detail}", f"factored damage of {worst.detail}"]
         units += ["1/year", "1/year"]
         values += [most, most * worst.safety_factor]

@@ -135,12 +135,14 @@ def over_years(
     occurs = within(occurs, grid, calm)
     every = study["damage_rate"].transpose(*seeds, *grid, *PLACES)
     rates = every.mean(seeds).values if seeds else every.values
-    if np.isnan(every.values).all(axis=(-3, -2, -1)).any():
+    missing = np.isnan(every.values.reshape(-1, *every.shape[-3:]))
+    elsewhere = missing.all(axis=0)  # where a detail is not
+    if elsewhere.all() or (missing != elsewhere).any():
         allowed = "allowed is a study whose points are all complete"
         raise InputError(_name(study), "damage_rate", "points without numbers", allowed)
-    response = Response(grid, np.nan_to_num(rates))
+    response = Response(grid, np.where(elsewhere, 0.0, rates))
     total = in_parts(response, occurs.values, occurs.shares)
-    total[np.isnan(rates).all(axis=tuple(range(len(grid))))] = np.nan
+    total[elsewhere] = np.nan
     runs = every.values.reshape(-1, *rates.shape) if seeds else every.values[None]
     worst = _worst(study, response, occurs, total, runs)
     governing = max(range(len(worst)), key=lambda k: worst[k].factored)

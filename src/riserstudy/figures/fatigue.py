@@ -27,8 +27,8 @@ def fatigue(years: Years) -> Figure:
 def _along(ax: Axes, years: Years) -> None:
     most = max(worst.factored for worst in years.worst)
     for k, (worst, rates) in enumerate(zip(years.worst, years.rates, strict=True)):
-        here = ~np.isnan(rates).all(axis=0)
-        damage = worst.safety_factor * np.nan_to_num(rates).max(axis=0)
+        damage = worst.safety_factor * np.fmax.reduce(rates, axis=0)
+        here = np.isfinite(damage)
         colour = COLOURS[k % len(COLOURS)]
         shown = here & (damage > LEAST * most)
         mark = {"marker": "o", "linestyle": ""} if here.sum() == 1 else {"linewidth": 1.2}
