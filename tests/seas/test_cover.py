@@ -6,11 +6,11 @@ import pytest
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.limits import Limit
 from riserstudy.seas.cover import cover
-from riserstudy.seas.extremes import check_seeds, demand
 from riserstudy.seas.riser_hours import by_rows, met, riser_hours
 from riserstudy.seas.sea_states import SeaStates, sea_states
 from riserstudy.seas.surface import Surface
 from riserstudy.seas.synthetic import synthetic
+from riserstudy.study.demand_in_sea import check_seeds, demand
 
 LIMITS = [
     Limit(output="ufj_angle", largest="4 rad", mode="drilling"),

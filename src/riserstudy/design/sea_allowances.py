@@ -9,15 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import demand_of
-from riserstudy.dataset.statistics import gumbel
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.refine import run
+from riserstudy.study.demand_in_sea import demand
 from riserstudy.study.in_sea import Sea, in_sea
 
 FloatArray = NDArray[np.float64]
-ALIKE = 1e-9  # spread of the seeds, relative to the largest, that is rounding
 
 
 def allowances(
@@ -52,10 +51,7 @@ def allowances(
 
 def allowance(added: FloatArray) -> float:
     """What nine seas in ten do not exceed, by what each seed added, (seeds,), in its unit; not below zero."""
-    most = float(added.max())
-    if np.isnan(added).any() or np.ptp(added) <= ALIKE * abs(most):
-        return max(most, 0.0)
-    return max(gumbel(added).fractile, 0.0)
+    return max(demand(added, "largest", 1.0).value, 0.0)
 
 
 def at_rest(scene: Scene) -> Scene:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from riserstudy.figures.style import COLOURS, headline
 from riserstudy.seas.cover import scale_of
+from riserstudy.seas.riser_hours import excess_of
 from riserstudy.seas.surface import Surface
 
 if TYPE_CHECKING:
@@ -93,7 +94,6 @@ def _surface(responses: xr.Dataset) -> tuple[Surface, FloatArray, FloatArray]:
 def _excess(responses: xr.Dataset, demand: FloatArray) -> FloatArray:
     """By how much each limit is exceeded, (n, limits), as part of what is allowed."""
     allowed = responses["allowed"].values
-    sign = np.where(responses["side"].values == "smallest", -1.0, 1.0)
     scale = scale_of(allowed, responses["demand_of_limit"].values)
-    excess: FloatArray = sign * (demand - allowed) / scale
+    excess: FloatArray = excess_of(demand, allowed, responses["side"].values.tolist()) / scale
     return excess

@@ -14,12 +14,12 @@ from riserstudy.digests import engine_digest
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.cover import Cover, cover
 from riserstudy.seas.directions import FROM, Directions
-from riserstudy.seas.extremes import check_seeds
 from riserstudy.seas.hours import SeaLimit, met_by_rows
 from riserstudy.seas.record import with_peak_period
 from riserstudy.seas.riser_hours import RiserHours, by_rows, met, riser_hours
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.sea_states import SeaStates, sea_states
+from riserstudy.study.demand_in_sea import check_seeds
 from riserstudy.study.in_sea import sea_of
 
 if TYPE_CHECKING:

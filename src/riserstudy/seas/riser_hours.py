@@ -59,6 +59,12 @@ class Met(NamedTuple):
     demand: FloatArray
 
 
+def excess_of(demand: FloatArray, allowed: FloatArray, sides: Sequence[str]) -> FloatArray:
+    """By how much demands, (n, limits), are beyond what is allowed, (limits,); below zero: within."""
+    excess: FloatArray = np.where(np.array(sides) == "smallest", -1.0, 1.0) * (demand - allowed)
+    return excess
+
+
 def met(of: SeaStates, cover: Cover, deviation: FloatArray, limits: Sequence[Limit]) -> Met:
     """Limits that are met in the sea states of a record.
 
@@ -70,13 +76,13 @@ def met(of: SeaStates, cover: Cover, deviation: FloatArray, limits: Sequence[Lim
         a number where not known.
     """
     allowed = np.array([limit.allowable for limit in limits])
-    sign = np.where([limit.side == "smallest" for limit in limits], -1.0, 1.0)
     demand = cover.surface.at(of.states)
     kept = ~cover.held_out
+    # of one seed no error is known, of a run that failed nothing, which the demand says already
     seeds = Surface(cover.states[kept], np.nan_to_num(deviation[kept])).at(of.states)
     scale = np.maximum(scale_of(allowed, cover.responses[kept]), np.abs(demand))
     off = cover.error * scale + NINE_IN_TEN * np.abs(seeds)
-    excess = sign * (demand - allowed)  # not a number is not met
+    excess = excess_of(demand, allowed, [limit.side for limit in limits])  # not a number is not met
     return Met(excess <= 0.0, excess + off <= 0.0, excess - off <= 0.0, demand)
 
 

@@ -13,8 +13,8 @@ from riserstudy.dataset.limits import checked, label
 from riserstudy.errors import InputError
 from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
-from riserstudy.seas.extremes import demand
 from riserstudy.study import store
+from riserstudy.study.demand_in_sea import demand
 from riserstudy.study.in_sea import Sea, phases_of, values_of
 from riserstudy.study.simulate_points import attempt
 from riserstudy.study.study import Study
