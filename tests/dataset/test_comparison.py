@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.dataset.beside import difference, pairs
+from riserstudy.dataset.comparison import difference, pairs
 from riserstudy.errors import InputError
-from riserstudy.figures.beside import beside
+from riserstudy.figures.comparison import comparison
 
 TIME, S = np.arange(0.0, 100.0, 0.25), np.array([0.0, 100.0, 200.0, 300.0])
 
@@ -143,7 +143,7 @@ def test_a_figure_has_a_panel_for_each_column(table):
         ["time (s)", "effective_tension at 100 m (kN)", "ufj_angle (deg)"],
         *(TIME, tension(TIME, 100.0), TIME),
     )
-    figure = beside(pairs(run(), path), "a run", "other.csv")
+    figure = comparison(pairs(run(), path), "a run", "other.csv")
     assert [ax.get_ylabel() for ax in figure.axes] == [
         "effective tension at 100 m (kN)",
         "ufj angle (deg)",

@@ -37,11 +37,11 @@ def compare(
     from rich.console import Console
     from rich.table import Table
 
-    from riserstudy.dataset.beside import difference, pairs
+    from riserstudy.dataset.comparison import difference, pairs
     from riserstudy.dataset.diff import opened
     from riserstudy.dataset.place import place
     from riserstudy.figures import save
-    from riserstudy.figures.beside import MOST, beside
+    from riserstudy.figures.comparison import MOST, comparison
     from riserstudy.figures.style import as_written
 
     of_run = opened(dataset)
@@ -63,7 +63,7 @@ def compare(
                 "" if math.isnan(off.lag) else f"{round(off.lag, 4) + 0.0:.3g} s",
                 _number(scale * off.rms_in_phase),
             )
-        save(beside(found, str(of_run.attrs.get("title", "a run")), other.name), output)
+        save(comparison(found, str(of_run.attrs.get("title", "a run")), other.name), output)
     console = Console(markup=False)
     if not console.is_terminal:
         console.width = 160  # a file has no width to wrap at

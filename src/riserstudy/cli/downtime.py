@@ -179,12 +179,8 @@ def refuse(
     ):
         for name, value in options.items():
             if value and not fits:
-                raise InputError("downtime", name, shown(value), allowed)
-
-
-def shown(value: Any) -> str:
-    """An option's value in an error."""
-    return ", ".join(value) if isinstance(value, list) else str(value)
+                found = ", ".join(value) if isinstance(value, list) else str(value)
+                raise InputError("downtime", name, found, allowed)
 
 
 def of_the_sea(

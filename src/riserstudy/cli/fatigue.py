@@ -108,7 +108,7 @@ def fatigue(
             f"sea states with vortex-induced vibration simulated bring {100 * years.by_vibration:.3g} % of it"
         )
     if without is not None:
-        _tell_without(years, _summed(without, scatter, seas, gamma, at, calm))
+        _print_comparison(years, _summed(without, scatter, seas, gamma, at, calm))
     for path, table in ((along, tables.along(years)), (by_sea, tables.by_sea(years))):
         if path is not None:
             write_csv(table, path)
@@ -156,7 +156,7 @@ def _in_columns(table: Any) -> list[str]:
     return [f"  {line}" for line in in_columns(table)]
 
 
-def _tell_without(years: Years, without: Years) -> None:
+def _print_comparison(years: Years, without: Years) -> None:
     """Print what vortex-induced vibration brings of each detail's damage."""
     rest = {of.detail: of.rate for of in without.worst}
     for of in years.worst:

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
-from riserstudy.dataset.beside import Pair
+from riserstudy.dataset.comparison import Pair
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
 MOST = 6  # panels
 
 
-def beside(pairs: Sequence[Pair], title: str, other: str) -> Figure:
+def comparison(pairs: Sequence[Pair], title: str, other: str) -> Figure:
     """Both over time, or along the riser, in the units of the reader.
 
     Parameters

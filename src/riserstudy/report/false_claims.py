@@ -48,7 +48,7 @@ def false_claims(folder: Path) -> FalseClaims | None:
     rows = read_csv(path) if path.exists() else []
     if not rows:
         return None
-    return FalseClaims(_said(rows), [_of(row) for row in rows])
+    return FalseClaims(_summary(rows), [_of(row) for row in rows])
 
 
 def _of(row: dict[str, str]) -> FalseClaim:
@@ -64,7 +64,7 @@ def _of(row: dict[str, str]) -> FalseClaim:
     )
 
 
-def _said(rows: list[dict[str, str]]) -> str:
+def _summary(rows: list[dict[str, str]]) -> str:
     """How many are accepted, undecided and refused, with the 95 % interval of the rate.
 
     References

@@ -108,7 +108,7 @@ def varied(variants: xr.Dataset) -> dict[str, Any]:
     }
 
 
-def heave_beside(heave: xr.Dataset, upright: xr.Dataset) -> dict[str, Any]:
+def heave_compared(heave: xr.Dataset, upright: xr.Dataset) -> dict[str, Any]:
     """Amplitude of the axial force at the bottom (kN) with cylinders in space and upright."""
     upright_force = upright["effective_tension"].isel(s=0)
     swing = 0.5 * (upright_force.max("time") - upright_force.min("time"))
