@@ -143,6 +143,8 @@ def _lines(
         f"{count} sea states{many} of {riser.exposure:g} s, {riser.seeds} seeds each; "
         f"at {compared} that were compared the response is off by up to {off:.1%}"
     ]
+    if riser.seeds == 1:
+        lines.append("what other seeds would bring is not known, and in no band")
     if FROM in record and not directions:
         lines.append(
             "directions of the record are not used: all seas come from the scene's heading"

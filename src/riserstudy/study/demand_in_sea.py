@@ -41,6 +41,11 @@ def demand(values: FloatArray, side: str, runs: float) -> Demand:
     Extremes of the seeds follow a Gumbel distribution F; that of r runs one after the other is F^r. Means
     have the mean of the seeds.
 
+    Parameters
+    ----------
+    values : demands of runs, (seeds,), in the unit of their output.
+    runs : so many of them, one after the other, fit into the interval.
+
     References
     ----------
     Gumbel 1958, Statistics of Extremes; standard error by maximum likelihood.
