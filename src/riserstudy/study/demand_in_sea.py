@@ -36,14 +36,14 @@ def check_seeds(seeds: int) -> None:
 
 
 def demand(values: FloatArray, side: str, runs: float) -> Demand:
-    """Demand in an interval that so many runs fit into, by the demands of runs of several seeds, (seeds,).
+    """Demand in an interval that so many runs fit into, by the demands of runs of several seeds.
 
     Extremes of the seeds follow a Gumbel distribution F; that of r runs one after the other is F^r. Means
     have the mean of the seeds.
 
     Parameters
     ----------
-    values : demands of runs, (seeds,), in the unit of their output.
+    values : (n,) demands of runs of n seeds, in the unit of their output.
     runs : so many of them, one after the other, fit into the interval.
 
     References
