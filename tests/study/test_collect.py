@@ -10,7 +10,7 @@ import xarray as xr
 
 from riserstudy.dataset.result import Result
 from riserstudy.study.collect import dataset_of, write_dataset
-from riserstudy.study.grid import Point
+from riserstudy.study.grid import Grid, Point
 from riserstudy.study.models import Numbers, StudyModel
 from riserstudy.study.simulate_points import has_error_estimate, lacks
 from riserstudy.study.study import Study
@@ -89,18 +89,30 @@ def test_numbers_of_few_digits_are_stored_as_they_are(tmp_path):
     assert found.dtype == short.dtype
 
 
-def test_one_point_in_eight_tells_its_error_whatever_the_study_and_few_points_all_do():
-    def points(count):
-        keys = [hashlib.sha256(bytes([k])).hexdigest() for k in range(count)]
-        return [Point((k,), key) for k, key in enumerate(keys)]
+def a_study_of(lengths, seed):
+    """Shape of a study, and its points with keys that are drawn, as those of a version of the engine."""
+    grid = Grid(None, [[{}] * length for length in lengths], "")
+    keys = (hashlib.sha256(bytes([seed, *index])).hexdigest() for index in np.ndindex(*lengths))
+    points = [Point(index, key) for index, key in zip(np.ndindex(*lengths), keys, strict=True)]
+    return SimpleNamespace(grid=grid, model=SimpleNamespace(modes=None)), points
 
-    no_modes = SimpleNamespace(modes=None)
-    few, many = (SimpleNamespace(grid=range(n), model=no_modes) for n in (16, 200))
-    assert all(has_error_estimate(few, point) for point in points(16))
-    told = [has_error_estimate(many, point) for point in points(200)]
+
+def test_errors_are_estimated_at_few_points_all_and_of_others_at_some_whatever_their_keys():
+    for seed in range(100):
+        for lengths in [(4, 4), (1,), (17,), (4, 5), (3, 3, 3)]:
+            study, points = a_study_of(lengths, seed)
+            estimated = sum(has_error_estimate(study, point) for point in points)
+            assert estimated >= min(2, len(points))
+            if len(points) <= 16:
+                assert estimated == len(points)
+
+
+def test_one_point_in_eight_tells_its_error_and_is_lacking_without_it():
+    many, points = a_study_of((200,), 0)
+    told = [has_error_estimate(many, point) for point in points]
     assert 10 < sum(told) < 45
     silent, telling = Result({}, {}), Result({}, {"error_estimate": {}})
-    for point, tells in zip(points(200), told, strict=True):
+    for point, tells in zip(points, told, strict=True):
         assert lacks(many, point, None)
         assert lacks(many, point, silent) == tells
         assert not lacks(many, point, telling)

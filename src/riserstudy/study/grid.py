@@ -70,6 +70,12 @@ class Grid:
     def __len__(self) -> int:
         return math.prod(len(axis) for axis in self.axes)
 
+    @property
+    def ends(self) -> tuple[Index, Index]:
+        """Places of the first and the last point."""
+        lengths = [len(axis) for axis in self.axes]
+        return tuple(0 for _ in lengths), tuple(length - 1 for length in lengths)
+
     def points(self, first: int = 0, stride: int = 1) -> Iterator[Point]:
         """All points, the last axis fastest, or from the first one every so many.
 

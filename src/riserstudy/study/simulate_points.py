@@ -17,16 +17,18 @@ from riserstudy.study.processes import each
 from riserstudy.study.study import Study
 
 FEW = 16  # points of a study, up to which the error of each is estimated
-ONE_IN = 8  # points of others, by their keys: the same whatever the study
+ONE_IN = 8  # points of others, by their keys: mostly the same whatever the study
 
 
 def has_error_estimate(study: Study, point: Point) -> bool:
     """Whether the error of a point is estimated where its mesh and step are prescribed.
 
     To estimate it takes as long again as the run. In a study whose points have one mesh and one step it is
-    much the same from point to point, so that one in so many tells it.
+    much the same from point to point, so that one in so many tells it. The first and the last point of the
+    grid always do: keys are as good as drawn, and might leave a study of some twenty points with none.
     """
-    return len(study.grid) <= FEW or int(point.key[:4], 16) % ONE_IN == 0
+    grid = study.grid
+    return len(grid) <= FEW or point.index in grid.ends or int(point.key[:4], 16) % ONE_IN == 0
 
 
 def lacks(study: Study, point: Point, stored: Result | None) -> bool:
