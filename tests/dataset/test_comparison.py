@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.dataset.comparison import difference, pairs
+from riserstudy.dataset.comparison import compared, difference
 from riserstudy.errors import InputError
 from riserstudy.figures.comparison import comparison
 
@@ -48,9 +48,9 @@ def test_the_same_in_any_unit_differs_by_nothing(table, unit, per):
     path = table(
         ["time (s)", f"effective_tension at 300 m ({unit})"], TIME, per * tension(TIME, 300.0)
     )
-    (pair,) = pairs(run(), path)
+    (pair,) = compared(run(), path).pairs
     off = difference(pair)
-    assert pair.interpolated == ""
+    assert pair.notes == []
     # to the digits of the kip
     assert off.rms < 1e-6 * 1.3e6
     assert abs(off.lag) < 1e-6
@@ -64,10 +64,10 @@ def test_a_lag_is_found_and_taken_out(table, seed):
     path = table(
         ["time (s)", "effective_tension at 100 m (kN)"], times, tension(times + late, 100.0)
     )
-    (pair,) = pairs(run(), path)
+    (pair,) = compared(run(), path).pairs
     off = difference(pair)
     assert off.lag == pytest.approx(late, abs=0.02)
-    assert pair.interpolated == "over time"
+    assert pair.notes == ["the run is interpolated over time"]
     exact = 5e4 * np.sqrt(2.0) * abs(np.sin(np.pi * late / 10.0))
     assert off.rms == pytest.approx(exact, rel=0.02)
     # what is left is less than a step of lag leaves
@@ -79,7 +79,8 @@ def test_peaks_and_the_largest_difference_are_those_that_were_added(table, seed)
     rng = np.random.default_rng(seed)
     theirs, k = tension(TIME, 0.0), int(rng.integers(40, 300))
     theirs[k] += 500.0
-    (pair,) = pairs(run(), table(["time (s)", "effective_tension at 0 m (kN)"], TIME, theirs))
+    path = table(["time (s)", "effective_tension at 0 m (kN)"], TIME, theirs)
+    (pair,) = compared(run(), path).pairs
     off = difference(pair)
     assert (off.largest, off.at) == pytest.approx((-5e5, TIME[k]))
     assert off.peak == pytest.approx(1.05e6 - 1e3 * theirs.max(), rel=1e-3)
@@ -88,14 +89,15 @@ def test_peaks_and_the_largest_difference_are_those_that_were_added(table, seed)
 
 def test_a_place_between_stations_is_interpolated_and_told(table):
     path = table(["time (s)", "effective_tension at 150 m (kN)"], TIME, tension(TIME, 150.0))
-    (pair,) = pairs(run(), path)
-    assert pair.interpolated == "between 100 and 200 m"
+    (pair,) = compared(run(), path).pairs
+    assert pair.notes == ["the run is interpolated between 100 and 200 m"]
     assert difference(pair).rms < 1e-3
 
 
 def test_values_along_the_riser(table):
     s = np.linspace(0.0, 300.0, 13)
-    (pair,) = pairs(run(), table(["s (m)", "bending_moment_max (kN m)"], s, s + 3.0))
+    path = table(["s (m)", "bending_moment_max (kN m)"], s, s + 3.0)
+    (pair,) = compared(run(), path).pairs
     off = difference(pair)
     assert off.rms == pytest.approx(3e3)
     assert np.isnan(off.lag)
@@ -116,13 +118,13 @@ def test_values_along_the_riser(table):
 )
 def test_what_cannot_be_compared_is_refused_with_the_remedy(table, headings, said):
     with pytest.raises(InputError, match=said):
-        pairs(run(), table(headings, TIME, TIME))
+        compared(run(), table(headings, TIME, TIME))
 
 
 def test_tables_that_do_not_overlap_or_rise_are_refused(table):
     for times, said in ((TIME + 1e3, "0 rows lie between"), (-TIME, "does not rise")):
         with pytest.raises(InputError, match=said):
-            pairs(run(), table(["time (s)", "ufj_angle (deg)"], times, TIME))
+            compared(run(), table(["time (s)", "ufj_angle (deg)"], times, TIME))
 
 
 def test_the_command_prints_differences_and_draws_both(table, commands, tmp_path):
@@ -143,7 +145,7 @@ def test_a_figure_has_a_panel_for_each_column(table):
         ["time (s)", "effective_tension at 100 m (kN)", "ufj_angle (deg)"],
         *(TIME, tension(TIME, 100.0), TIME),
     )
-    figure = comparison(pairs(run(), path), "a run", "other.csv")
+    figure = comparison(compared(run(), path).pairs, "a run", "other.csv")
     assert [ax.get_ylabel() for ax in figure.axes] == [
         "effective tension at 100 m (kN)",
         "ufj angle (deg)",

@@ -4,40 +4,66 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from riserstudy.cli.shared import AtOption, UnitsOption, place_of, wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem, read_in, reading_in
+from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.dataset.comparison import Difference, Pair
+    from riserstudy.scene.models import Scene
 
 COLUMNS = ("quantity", "rms", "of range", "largest", "at", "peak", "low", "lag", "rms in phase")
+
+
+ColumnOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--column",
+        help="what a column is of a run: 'Line 1 Te=effective_tension at 300 m (kN)'; may be repeated",
+        metavar="NAME=HEADING",
+    ),
+]
+EndAOption = Annotated[
+    str | None,
+    typer.Option(
+        help="where OrcaFlex's arc length begins: top, bottom, or '872 m down' of a part",
+        metavar="PLACE",
+    ),
+]
 
 
 def compare(
     dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
     other: Annotated[
-        Path, typer.Argument(help="table of another program or a measurement", metavar="OTHER.csv")
+        Path, typer.Argument(help="file of another program or a measurement", metavar="OTHER.csv")
     ],
     output: Annotated[
         Path,
         typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png"),
         Writes("figure"),
     ],
+    column: ColumnOption = None,
+    end_a: EndAOption = None,
     at: AtOption = None,
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
     """Compare a run with a time series or values along the riser: differences, lag, and a figure.
 
-    The first column of the table is `time (s)` or `s (m)`; the others name a variable, place and unit, such
-    as `effective_tension at 300 m (kN)`.
+    The first column of a table is `time (s)` or `s (m)`; the others name a variable, place and unit, such
+    as `effective_tension at 300 m (kN)`. `wall_tension` is converted by the pressures of the scene. Cells are
+    apart by commas, semicolons or tabs. Time histories and range graphs of OrcaFlex are read as they are:
+    `Effective tension (kN)` over `Arc length (m)`. Time series of SIMA, RIFLEX, Matlab and others are read by
+    qats (`pip install "riserstudy[formats]"`), with `--column` for their names.
     """
-    from rich.console import Console
-    from rich.table import Table
-
-    from riserstudy.dataset.comparison import difference, pairs
+    from riserstudy.dataset.comparison import compared, difference
     from riserstudy.dataset.diff import opened
     from riserstudy.dataset.place import place
     from riserstudy.figures import save
@@ -46,35 +72,73 @@ def compare(
 
     of_run = opened(dataset)
     check_output(output, ("figure",), [dataset, other], force)
-    run = of_run.isel(place(of_run, place_of(at)))
-    found = pairs(run, other)
-    table = Table(*COLUMNS)
+    index = place(of_run, place_of(at))
+    found, notes = compared(
+        of_run.isel(index),
+        other,
+        scene=_scene(of_run, index),
+        called=_called(column),
+        end_a=end_a,
+    )
     with reading_in(units), as_written():
-        for pair in found:
-            off, (scale, unit) = difference(pair), read_in(pair.unit)
-            along = "s" if pair.axis == "time" else "m"
-            table.add_row(
-                f"{pair.heading.partition('(')[0].strip()} ({unit})",
-                _number(scale * off.rms),
-                "" if math.isnan(off.relative) else f"{_number(100.0 * off.relative)} %",
-                _number(scale * off.largest),
-                f"{off.at:.4g} {along}",
-                *(_number(scale * value) for value in (off.peak, off.low)),
-                "" if math.isnan(off.lag) else f"{round(off.lag, 4) + 0.0:.3g} s",
-                _number(scale * off.rms_in_phase),
-            )
+        _print([(pair, difference(pair)) for pair in found])
         save(comparison(found, str(of_run.attrs.get("title", "a run")), other.name), output)
+    print("differences: run less table; a lag is positive where the run is later")
+    for note in notes:
+        print(f"{other.name}: {note}")
+    for pair in found:
+        for note in pair.notes:
+            print(f"{pair.title}: {note}")
+    if len(found) > MOST:
+        print(f"the figure shows the first {MOST} of {len(found)} columns")
+    wrote(output)
+
+
+def _called(settings: list[str] | None) -> dict[str, str]:
+    """Headings in the words of a run, by what the file calls its columns."""
+    called = {}
+    for setting in settings or []:
+        name, equals, heading = setting.rpartition("=")
+        if not equals or not name.strip() or name.strip() in called:
+            found = "no NAME=HEADING" if name.strip() not in called else "given twice"
+            allowed = "allowed is 'Line 1 Te=effective_tension at 300 m (kN)'"
+            raise InputError("--column", setting, found, allowed)
+        called[name.strip()] = heading.strip()
+    return called
+
+
+def _scene(of_run: xr.Dataset, index: dict[str, int]) -> Scene | None:
+    """The scene behind the point; None where the dataset has none."""
+    from riserstudy.dataset.provenance import scene_behind
+
+    if not {"provenance", "scene"} & of_run.attrs.keys():
+        return None
+    return scene_behind(of_run, index)
+
+
+def _print(found: list[tuple[Pair, Difference]]) -> None:
+    """Print differences as a table, in the units of the reader."""
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(*COLUMNS)
+    for pair, off in found:
+        scale, unit = read_in(pair.unit)
+        along = "s" if pair.axis == "time" else "m"
+        table.add_row(
+            f"{pair.name} ({unit})",
+            _number(scale * off.rms),
+            "" if math.isnan(off.relative) else f"{_number(100.0 * off.relative)} %",
+            _number(scale * off.largest),
+            f"{off.at:.4g} {along}",
+            *(_number(scale * value) for value in (off.peak, off.low)),
+            "" if math.isnan(off.lag) else f"{round(off.lag, 4) + 0.0:.3g} s",
+            _number(scale * off.rms_in_phase),
+        )
     console = Console(markup=False)
     if not console.is_terminal:
         console.width = 160  # a file has no width to wrap at
     console.print(table)
-    print("differences: run less table; a lag is positive where the run is later")
-    for pair in found:
-        if pair.interpolated:
-            print(f"{pair.heading}: the run is interpolated {pair.interpolated}")
-    if len(found) > MOST:
-        print(f"the figure shows the first {MOST} of {len(found)} columns")
-    wrote(output)
 
 
 def _number(value: float) -> str:

@@ -33,7 +33,7 @@ def comparison(pairs: Sequence[Pair], title: str, other: str) -> Figure:
             linewidth=1.2,
             label=other,
         )
-        name = pair.heading.partition("(")[0].strip().replace("_", " ")
+        name = pair.name.replace("_", " ")
         ax.set_ylabel(f"{name} ({unit})" if unit != "1" else name, fontsize="small")
     axes[-1].set_xlabel("time (s)" if pairs[0].axis == "time" else "arclength from the bottom (m)")
     key_below(figure, axes[-1], 2)

@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.scene.outputs import wall_lacks
+from riserstudy.scene.pressures import pressures as columns_at_rest
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
@@ -125,19 +126,5 @@ def nodes_of(mesh: Mesh, section: int) -> slice:
 
 def pressures(scene: Scene, mesh: Mesh, elevation: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Gauge pressures (Pa) inside and outside at the nodes, both of the shape of the elevations (m)."""
-    gravity, water = scene.gravity or 0.0, scene.water
-    inside, outside = np.zeros(elevation.shape), np.zeros(elevation.shape)
-    if water is not None and water.surface is not None:
-        outside = np.maximum(water.density * gravity * (water.surface - elevation), 0.0)
-    filled = [k for k, section in enumerate(scene.riser) if section.contents]
-    above: float | FloatArray = 0.0
-    for k in reversed(filled):
-        contents, nodes = scene.riser[k].contents, nodes_of(mesh, k)
-        if contents is None:
-            continue
-        top = elevation[..., nodes][..., -1:]
-        if k == filled[-1] and contents.level is not None:
-            above = contents.density * gravity * (contents.level - top)
-        inside[..., nodes] = above + contents.density * gravity * (top - elevation[..., nodes])
-        above = inside[..., nodes][..., :1]
-    return np.maximum(inside, 0.0), outside
+    places = [nodes_of(mesh, k) for k in range(len(scene.riser))]
+    return columns_at_rest(scene, places, elevation)

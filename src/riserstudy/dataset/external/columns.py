@@ -1,0 +1,145 @@
+"""A column of another file: what it is, where along the riser, in which unit, and its numbers.
+
+The heading of a column names a variable of the run, where along the riser it is, and the unit:
+``effective_tension at 300 m (kN)``. The first column is ``time (s)``, or ``s (m)`` of values along the riser.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.dataset.unit_systems import AS_STORED
+from riserstudy.errors import InputError
+from riserstudy.scene.units import factor
+
+FloatArray = NDArray[np.float64]
+_NUMBER = r"-?(?:\d+\.?\d*|\.\d+)"
+_HEADING = re.compile(
+    rf"(?P<name>\w+)(?: at (?P<place>{_NUMBER}) m)?\s*(?:\((?P<unit>[^()]+)\)|\[(?P<other>[^][]+)\])",
+    re.ASCII,
+)
+SI = {stored: written for written, stored in AS_STORED.items()} | {"Pa": "N/m^2"}
+EXAMPLE = "write, for example, `effective_tension at 300 m (kN)`"
+
+
+class Heading(NamedTuple):
+    """What a heading says: variable, arclength from the bottom (m) or None, unit.
+
+    Attributes
+    ----------
+    size : whether the column is the size of a quantity that a run has with its sign.
+    """
+
+    name: str
+    place: float | None
+    unit: str
+    size: bool = False
+
+
+class Column(NamedTuple):
+    """Numbers of another file over time (s) or arclength from the bottom (m), in its own unit.
+
+    Attributes
+    ----------
+    title : how the file calls it.
+    along, values : (n,); a value that is missing is not a number.
+    """
+
+    title: str
+    heading: Heading
+    along: FloatArray
+    values: FloatArray
+
+
+class External(NamedTuple):
+    """What is read of another file.
+
+    Attributes
+    ----------
+    axis : "time" or "s".
+    notes : what was decided in reading it, a line each.
+    """
+
+    axis: str
+    columns: list[Column]
+    notes: list[str]
+
+
+def heading_of(path: Path, text: str) -> Heading:
+    """What a heading in the words of a run says.
+
+    Raises
+    ------
+    InputError
+        When it is none.
+    """
+    found = _HEADING.fullmatch(text.strip())
+    if not found:
+        raise InputError(path, text, "is no heading with a unit", EXAMPLE)
+    place = None if found["place"] is None else float(found["place"])
+    return Heading(found["name"], place, (found["unit"] or found["other"]).strip())
+
+
+def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) -> FloatArray:
+    """Numbers in the unit of a variable of a dataset, of their shape.
+
+    Raises
+    ------
+    InputError
+        When the unit is not known, or of another dimension.
+    """
+    si = SI.get(stored, stored)
+    if unit in (si, stored):
+        return values
+    # kN.m, as decks of other programs write it, and kN m
+    product = re.sub(r"(?<=[A-Za-z])[.·]\s*(?=[A-Za-z])", "*", unit.replace("°", "deg"))
+    try:
+        return values * factor("*".join(product.split()), si)
+    except ValueError as error:
+        raise InputError(
+            path, title, f"unit {unit!r} {error}", f"allowed is such as {si}"
+        ) from None
+
+
+def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
+    """Times (s) or places (m), (n,), as they are.
+
+    Raises
+    ------
+    InputError
+        When one is missing, or they do not rise.
+    """
+    missing = np.flatnonzero(~np.isfinite(along))
+    if len(missing):
+        raise InputError(
+            path, title, f"row {missing[0] + 1} has no number", "write a number in each row"
+        )
+    falls = np.flatnonzero(np.diff(along) <= 0.0)
+    if len(falls):
+        k = int(falls[0])
+        found = f"does not rise from row to row: {along[k + 1]:.10g} follows {along[k]:.10g} in row {k + 2}"
+        raise InputError(path, title, found, "sort the rows, each time or place once")
+    return along
+
+
+def only_once(path: Path, columns: list[Column]) -> list[Column]:
+    """Columns, as they are.
+
+    Raises
+    ------
+    InputError
+        When two are the same variable at the same place.
+    """
+    seen: dict[tuple[str, float | None], str] = {}
+    for column in columns:
+        key = (column.heading.name, column.heading.place)
+        if key in seen:
+            found = f"is the same variable and place as {seen[key]!r}"
+            raise InputError(path, column.title, found, "leave one of them out")
+        seen[key] = column.title
+    return columns

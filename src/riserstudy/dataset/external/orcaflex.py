@@ -1,0 +1,142 @@
+"""Headings of OrcaFlex's text results: which variable of a run each is, and where arc length begins.
+
+A result is named by its variable and unit, ``Effective tension (kN)``; the values of a range graph are over
+``Arc length (m)``, which counts from end A of the line, by their minimum, maximum and mean. Where end A is,
+a file does not say. Bend moment and shear force are sizes, without a sign.
+
+References
+----------
+Orcina, OrcaFlex help: Line results; Results: Producing results; Line data: Structure.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+from riserstudy.dataset.external.columns import Heading
+from riserstudy.errors import InputError
+
+#: variables of lines, and of a run; whether OrcaFlex's has no sign
+VARIABLES = {
+    "effective tension": ("effective_tension", False),
+    "wall tension": ("wall_tension", False),
+    "bend moment": ("bending_moment", True),
+    "shear force": ("shear_force", True),
+    "x": ("x", False),
+    "y": ("y", False),
+    "z": ("z", False),
+}
+#: what no run has in this definition
+OTHERWISE = {
+    "end force": "it is a force in space; compare the effective tension at that end",
+    "max von mises stress": "it has shear and torsion, which von_mises_stress leaves out",
+    "x bend moment": "it is one of two components; compare Bend moment",
+    "y bend moment": "it is one of two components; compare Bend moment",
+}
+STATISTICS = {
+    "min": "min", "minimum": "min", "max": "max", "maximum": "max", "mean": "mean",
+    "std dev": "std", "standard deviation": "std",
+}  # fmt: skip
+AXES = {"time": "time", "arc length": "s"}
+_NAMES = sorted([*VARIABLES, *OTHERWISE], key=len, reverse=True)
+_RESULT = re.compile(
+    rf"(?:(?P<before>.*?)\W+)??(?P<name>{'|'.join(_NAMES)})\s*\((?P<unit>[^()]+)\)(?P<after>.*)",
+    re.IGNORECASE,
+)
+_PLACE = re.compile(
+    r"\W*(?:at )?(?:(?P<end>end [ab])|arc length:?\s*(?P<arc>\d+\.?\d*)\s*m?)\W*", re.IGNORECASE
+)
+END_A = "allowed is `top`, `bottom`, or its arclength from the riser's lower end with its way, `872 m down`"
+
+
+class EndA(NamedTuple):
+    """Where arc length begins: metres from the riser's lower end, and 1 where it counts upwards, else -1."""
+
+    s: float
+    way: int
+
+    def place(self, arc: float) -> float:
+        """Arclength from the lower end (m) of an arc length (m)."""
+        return self.s + self.way * arc
+
+
+def end_a(text: str, length: float) -> EndA:
+    """What an option says of end A, of a riser of a length (m).
+
+    Raises
+    ------
+    InputError
+        When it says neither an end nor a place and a way.
+    """
+    if text in ("top", "bottom"):
+        return EndA(length, -1) if text == "top" else EndA(0.0, 1)
+    found = re.fullmatch(r"(\d+\.?\d*) m (up|down)", text.strip())
+    if not found or not 0.0 <= float(found[1]) <= length:
+        raise InputError("--end-a", text, "no place on the riser", END_A)
+    return EndA(float(found[1]), 1 if found[2] == "up" else -1)
+
+
+def axis_of(title: str) -> tuple[str, str] | None:
+    """Axis of a run and unit, of a first heading in OrcaFlex's words."""
+    found = re.fullmatch(r"(time|arc length)\s*\((\w+)\)", title.strip(), re.IGNORECASE)
+    return (AXES[found[1].lower()], found[2]) if found else None
+
+
+def heading_of(
+    path: Path, title: str, above: list[str], end: EndA | None, length: float
+) -> Heading | None:
+    """What a heading in OrcaFlex's words is of a run; None where it is not in these words.
+
+    Parameters
+    ----------
+    above : lines above the headings: a range graph may have its variable there.
+    length : of the riser (m).
+
+    Raises
+    ------
+    InputError
+        When it is defined otherwise than what a run has, or its place is not said.
+    """
+    statistic = STATISTICS.get(re.sub(r"[^a-z]+", " ", title.lower()).strip())
+    texts = above if statistic else [title]
+    found = [m for m in (_RESULT.fullmatch(text.strip()) for text in texts) if m]
+    if not found:
+        return None
+    if len({(m["name"].lower(), m["unit"]) for m in found}) > 1:
+        allowed = "say which with --column"
+        raise InputError(path, title, "several variables stand above the headings", allowed)
+    name = found[0]["name"].lower()
+    if name in OTHERWISE:
+        raise InputError(path, title, "is defined otherwise than in a run", OTHERWISE[name])
+    ours, size = VARIABLES[name]
+    after = found[0]["after"] or ""
+    suffix = STATISTICS.get(re.sub(r"[^a-z]+", " ", after.lower()).strip(), statistic)
+    if suffix in ("mean", "std"):
+        raise InputError(path, title, "no run has it along the riser", "leave the column out")
+    if suffix:
+        return Heading(f"{ours}_{suffix}", None, found[0]["unit"], size)
+    return Heading(ours, _place(path, title, after, end, length), found[0]["unit"], size)
+
+
+def _place(path: Path, title: str, after: str, end: EndA | None, length: float) -> float | None:
+    """Arclength from the lower end (m) that a heading ends with; None where it ends with its unit."""
+    if not after.strip():
+        return None
+    found = _PLACE.fullmatch(after)
+    if not found:
+        allowed = f"say where with --column '{title}=effective_tension at 300 m (kN)'"
+        raise InputError(path, title, f"{after.strip()!r} is no place on a line", allowed)
+    if end is None:
+        raise InputError(
+            path, title, "where end A is, the file does not say", f"add --end-a: {END_A}"
+        )
+    if found["arc"]:
+        return end.place(float(found["arc"]))
+    if found["end"].lower() == "end a":
+        return end.s
+    if end.s not in (0.0, length):
+        allowed = "say where with --column"
+        raise InputError(path, title, "end B of a line that is a part of the riser", allowed)
+    return length - end.s

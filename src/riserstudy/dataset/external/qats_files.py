@@ -1,0 +1,73 @@
+"""Time series of the trade, as QATS reads them: SIMO, RIFLEX and SIMA, Matlab, TDMS, OpenFAST, Bladed.
+
+QATS is no dependency: ``pip install "riserstudy[formats]"`` adds it, and all that it brings.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import InputError, shown
+
+FloatArray = NDArray[np.float64]
+#: endings of files that QATS is asked for; its pickles are left out: to open one runs what is in it
+ENDINGS = (".ts", ".tda", ".asc", ".bin", ".dat", ".h5", ".mat", ".tdms", ".outb", ".out")
+NEEDS = 'install it with pip install "riserstudy[formats]"'
+MOST_BYTES = 2_000_000_000
+MOST_NAMES = 12
+
+
+class Series(NamedTuple):
+    """A time series: what the file calls it, its unit or "", times (s) and values (n,)."""
+
+    title: str
+    unit: str
+    time: FloatArray
+    values: FloatArray
+
+
+def read_series(path: Path, titles: list[str]) -> list[Series]:
+    """Series of a file, by their names in it.
+
+    Parameters
+    ----------
+    titles : which. Groups of a series stand before its name, with a slash between.
+
+    Raises
+    ------
+    InputError
+        When QATS is not installed, the file cannot be read, or it has no such series.
+    """
+    try:
+        from qats.io.registry import find_reader
+    except ImportError:
+        raise InputError(path, "", f"{path.suffix} files need the library qats", NEEDS) from None
+    if not path.is_file():
+        raise InputError(path, "", "No such file or directory", "allowed is a readable file")
+    if path.stat().st_size > MOST_BYTES:
+        found = f"larger than {MOST_BYTES // 10**9} GB"
+        raise InputError(path, "", found, "allowed is a smaller file")
+    try:
+        source = find_reader(str(path)).open(str(path))
+        known = {"/".join((*one.group, one.name)): one for one in source.series()}
+        missing = [title for title in titles if title not in known]
+        if not missing:
+            read = source.read([known[title] for title in titles])
+    except Exception as error:  # of any reader, about what is in the file
+        found = f"qats cannot read it: {type(error).__name__}: {error}"
+        allowed = "allowed is a file of its format, with the file of names that belongs to it"
+        raise InputError(path, "", found, allowed) from None
+    if missing:
+        names = ", ".join([*known][:MOST_NAMES])
+        more = f" and {len(known) - MOST_NAMES} more" if len(known) > MOST_NAMES else ""
+        raise InputError(
+            path, missing[0], "no series of the file", f"allowed are {shown(names)}{more}"
+        )
+    return [
+        Series(title, one.unit or "", np.asarray(one.t, float), np.asarray(one.x, float))
+        for title, one in zip(titles, read, strict=True)
+    ]

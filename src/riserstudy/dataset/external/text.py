@@ -1,0 +1,165 @@
+"""Tables of text: cells apart by comma, semicolon or tab, headings above numbers.
+
+What programs and spreadsheets write: lines of titles above the headings, units on a line of their own, commas
+as decimal marks, cells that are empty. Whatever is decided or left out is in the notes.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import InputError
+from riserstudy.inputs.text import read_text
+
+FloatArray = NDArray[np.float64]
+MOST_BYTES = 100_000_000
+MISSING = ("", "-", "~", "n/a", "nan")  # cells without a number
+MARKS = (("tab", "\t"), ("semicolon", ";"), ("comma", ","))
+_PLAIN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_UNIT = re.compile(r"\([^()]*\)|\[[^][]*\]|")
+
+
+class Text(NamedTuple):
+    """A table of text.
+
+    Attributes
+    ----------
+    above : lines above the headings.
+    headings : (k,). columns : k of (n,), not a number where a cell is empty.
+    notes : what was decided in reading it.
+    """
+
+    above: list[str]
+    headings: list[str]
+    columns: list[FloatArray]
+    notes: list[str]
+
+
+def read_table(path: Path) -> Text:
+    """Read a table.
+
+    Raises
+    ------
+    InputError
+        When it is no table of numbers below headings.
+    """
+    lines = read_text(path, MOST_BYTES).splitlines()
+    name, mark = _mark(lines)
+    rows = [(k, [cell.strip() for cell in row]) for k, row in _rows(path, lines, mark) if any(row)]
+    decimal = _decimal_comma(path, mark, rows)
+    first = next((n for n, (_, row) in enumerate(rows) if _is_numbers(row, decimal)), None)
+    if not first:  # 0 is a table without headings
+        raise InputError(
+            path, "", "no numbers below a line of headings", "write a heading above each column"
+        )
+    titles, used = _headings(rows, first)
+    width = max((k + 1 for k, cell in enumerate(titles) if cell), default=0)
+    if width < 2:
+        found = f"one column, read with the {name} between cells"
+        raise InputError(path, "", found, "write a heading above each of two columns or more")
+    columns = _numbers(path, rows[first:], titles[:width], decimal)
+    above = [" ".join(cell for cell in row if cell) for _, row in rows[: first - used]]
+    notes = [f"{len(above)} lines above the headings are left out"] if above else []
+    if decimal:
+        notes.append(f"commas are decimal marks, cells are apart by the {name}")
+    return Text(above, titles[:width], columns, notes)
+
+
+def _mark(lines: list[str]) -> tuple[str, str]:
+    """Name and sign of what is between cells: the first of tab, semicolon and comma in half of the lines."""
+    full = [line for line in lines[:1000] if line.strip()]
+    for name, mark in MARKS:
+        if full and sum(mark in line for line in full) > 0.5 * len(full):
+            return name, mark
+    return MARKS[-1]
+
+
+def _rows(path: Path, lines: list[str], mark: str) -> list[tuple[int, list[str]]]:
+    reader = csv.reader(lines, delimiter=mark)
+    try:
+        return [(reader.line_num, row) for row in reader]
+    except csv.Error as error:
+        found = f"{error}"
+        raise InputError(path, f"line {reader.line_num}", found, "write cells of text") from None
+
+
+def _decimal_comma(path: Path, mark: str, rows: list[tuple[int, list[str]]]) -> bool:
+    """Whether commas are decimal marks: where cells are apart by another sign, and none has a point."""
+    if mark == ",":
+        return False
+    point = comma = 0
+    for line, row in rows:
+        for cell in row:
+            if "," in cell and _PLAIN.fullmatch(cell.replace(",", ".", 1)):
+                comma = comma or line
+            elif "." in cell and _PLAIN.fullmatch(cell):
+                point = point or line
+        if point and comma:
+            found = f"has a decimal comma, and line {point} a decimal point"
+            raise InputError(
+                path, f"line {comma}", found, "write one decimal mark in all of the file"
+            )
+    return bool(comma)
+
+
+def _value(cell: str, decimal: bool) -> float | None:
+    """Number of a cell, not a number of an empty one; None of a text."""
+    if cell.lower() in MISSING:
+        return math.nan
+    text = cell.replace(",", ".", 1) if decimal else cell
+    return float(text) if _PLAIN.fullmatch(text) else None
+
+
+def _is_numbers(row: list[str], decimal: bool) -> bool:
+    """Whether a row is one of numbers: its first cell is one, and no cell is a text."""
+    first = _value(row[0], decimal) if row else None
+    known = first is not None and math.isfinite(first)
+    return known and all(_value(cell, decimal) is not None for cell in row)
+
+
+def _headings(rows: list[tuple[int, list[str]]], first: int) -> tuple[list[str], int]:
+    """Headings, with units of a line of their own, and how many lines they take."""
+    titles = rows[first - 1][1]
+    if first < 2 or not any(titles) or not all(_UNIT.fullmatch(cell) for cell in titles):
+        return titles, 1
+    names = rows[first - 2][1]
+    names = names + [""] * (len(titles) - len(names))
+    return [f"{n} {u}".strip() for n, u in zip(names, titles, strict=False)], 2
+
+
+def _numbers(
+    path: Path, rows: list[tuple[int, list[str]]], titles: list[str], decimal: bool
+) -> list[FloatArray]:
+    """Numbers below the headings; empty cells beyond the last heading are no cells."""
+    width, numbers = len(titles), list[float]()
+    for line, row in rows:
+        if len(row) < width or any(row[width:]):
+            cells = max((k + 1 for k, cell in enumerate(row) if cell), default=0)
+            raise InputError(
+                path,
+                f"line {line}",
+                f"{cells} cells, {width} headings",
+                "write a cell for each heading",
+            )
+        for cell, title in zip(row, titles, strict=False):
+            value = _value(cell, decimal)
+            if value is None or math.isinf(value):
+                found = f"{cell!r} below {title!r}"
+                raise InputError(
+                    path, f"line {line}", found, "allowed are finite numbers, or nothing"
+                )
+            numbers.append(value)
+    columns = np.array(numbers, np.float64).reshape(-1, width).T
+    for title, column in zip(titles, columns, strict=True):
+        if not title:
+            raise InputError(path, "", "a column without a heading", "write one above each column")
+        if not np.isfinite(column).any():
+            raise InputError(path, title, "has no numbers", "leave the column out")
+    return [*columns]
