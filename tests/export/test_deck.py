@@ -1,177 +1,19 @@
 """Scenes as decks: what comes back is the same riser at rest, and what did not go is named."""
 
-import math
 import sys
 
 import numpy as np
 import pytest
+from drawn_decks import drawn, file_of, there_and_back
 from ruamel.yaml import YAML
 
 from riserstudy import load_scene, simulate
 from riserstudy.cli import main
 from riserstudy.errors import InputError
 from riserstudy.export.orcaflex import write_deck
-from riserstudy.scene.load import SceneFile
 from riserstudy.scene.orcaflex import read_deck
-from riserstudy.scene.origin import unwrap
 
 MESH = {"analysis": {"mesh": {"elements": 40}}}
-
-
-def section(chance, name, length, dressed):
-    outer = round(float(chance.uniform(0.45, 0.6)), 3)
-    inner = round(outer - float(chance.uniform(0.03, 0.06)), 3)
-    steel = 7850.0 * 0.25 * math.pi * (outer**2 - inner**2)
-    foam = float(chance.uniform(0.0, 400.0)) if dressed else 0.0
-    wet = 9.80665 * (steel + foam - 1025.0 * 0.25 * math.pi * outer**2) * (0.3 if dressed else 1.0)
-    made = {
-        "name": name,
-        "length": f"{length} m",
-        "outer_diameter": f"{outer} m",
-        "inner_diameter": f"{inner} m",
-        "young_modulus": "207 GPa",
-        "mass": f"{steel + foam} kg/m",
-        "submerged_weight": f"{wet} N/m",
-        "drag": {"coefficient": 1.1, "diameter": f"{outer + 2e-3 * foam} m"},
-        "added_mass": {"coefficient": 1.0, "diameter": f"{outer + 1e-3 * foam} m"},
-    }
-    if chance.random() < 0.5:
-        made["tangential_drag"] = {"coefficient": 0.01, "diameter": f"{outer} m"}
-    if dressed and chance.random() < 0.5:
-        made["lines"] = [
-            {
-                "name": "choke",
-                "count": 2,
-                "outer_diameter": "0.16 m",
-                "inner_diameter": "0.11 m",
-                "wall_density": "7850 kg/m^3",
-                "contents": "1300 kg/m^3",
-                "young_modulus": "207 GPa",
-                "tension": "shared",
-            }
-        ]
-    return made
-
-
-def drawn(seed):
-    """A scene of one of five kinds of upper end, of some sections in some current."""
-    chance = np.random.default_rng(seed)
-    kind = ("held", "tension", "upright", "joint", "inclined")[seed % 5]
-    lengths = [40.0, float(chance.integers(200, 900)), 60.0]
-    low = -float(sum(lengths)) - float(chance.integers(8, 14))
-    riser = [
-        section(chance, f"part {k}", length, dressed=k == 1) for k, length in enumerate(lengths)
-    ]
-    if chance.random() < 0.7:
-        mud = [f"{rho} kg/m^3" for rho in (1200, 1200 if chance.random() < 0.5 else 1350, 1200)]
-        for one, rho in zip(riser, mud, strict=True):
-            one["contents"] = {"density": rho}
-    if chance.random() < 0.4:
-        riser[1]["flex_joint_below"] = {"stiffness": "40 kN*m/deg"}
-    ring = low + sum(lengths)
-    scene = {
-        "title": kind,
-        "gravity": "9.80665 m/s^2",
-        "water": {"density": "1025 kg/m^3", "surface": "0 m", "seabed": f"{low - 6.0} m"},
-        "riser": riser,
-        "bottom": {
-            "hold": "wellhead",
-            "elevation": f"{low} m",
-            "rotation": {"stiffness": f"{chance.integers(10, 90)} kN*m/deg"},
-        },
-        "platform": {"position": {"surge": f"{chance.uniform(-0.01, 0.02) * sum(lengths):.2f} m"}},
-        "current": {
-            "profile": [
-                {"depth": f"{d} m", "speed": f"{v} m/s"}
-                for d, v in ((0, 0.9), (150, 0.3), (3000, 0.1))
-            ],
-            "heading": f"{chance.choice([0, 0, 180, 40])} deg",
-        },
-        "analysis": {},
-    }
-    hanging = SceneFile(
-        "x",
-        unwrap(
-            scene | {"top": {"x": "held", "z": "held", "elevation": f"{ring} m"}, "platform": {}}
-        )[0],
-    )
-    weight, _ = hanging.scene().hanging
-    pull = 1.4 * max(weight, 3e5)
-    joint = {"length": "12 m", "bending_stiffness": "5e8 N*m^2"}
-    above = {
-        "x": "platform",
-        "z": "platform",
-        "elevation": f"{ring + 12.0} m",
-        "rotation": {"stiffness": "8 kN*m/deg"},
-    }
-    cylinders = {
-        "count": 6,
-        "mid_stroke": str(chance.choice(["riser unstretched", "riser in equilibrium"])),
-    }
-    law = chance.choice(["linear", "table", "gas"])
-    laws = {
-        "linear": {"linear": {"tension": f"{pull / 6} N", "stiffness": f"{pull / 200} N/m"}},
-        "table": {
-            "table": [
-                {"reach": f"{r} m", "force": f"{pull / 6 * (1 + 0.03 * r)} N"}
-                for r in (-6, -2, 1, 7)
-            ],
-            "interpolation": "linear",
-        },
-        "gas": {
-            "gas": {
-                "area": "0.05 m^2",
-                "pressure": f"{pull / 6 / 0.05} Pa absolute",
-                "volume": "2 m^3",
-                "exponent": 1.1,
-            }
-        },
-    }
-    scene["top"] = {
-        "held": {
-            "x": "platform",
-            "z": "platform",
-            "elevation": f"{ring + 4e-4 * sum(lengths):.3f} m",
-            "rotation": "free",
-        },
-        "tension": {"x": "platform", "z": "free", "tension": f"{pull} N", "rotation": "free"},
-        "upright": {
-            "x": "platform",
-            "z": "free",
-            "rotation": "free",
-            "tensioners": cylinders | laws[law],
-        },
-        "joint": above | {"telescopic_joint": joint | {"tension": f"{pull} N"}},
-        "inclined": above
-        | {
-            "telescopic_joint": joint,
-            "body": {"name": "ring", "mass": "12 t", "displaced_volume": "1.5 m^3"},
-            "tensioners": cylinders
-            | laws[law]
-            | {
-                "arrangement": {
-                    "ring_radius": "1 m",
-                    "deck_radius": "5 m",
-                    "deck_elevation": f"{ring + 16.0} m",
-                    "first_bearing": "0 deg",
-                }
-            },
-        },
-    }[kind]
-    return scene
-
-
-def file_of(tree, source="drawn.yaml"):
-    plain, origins, faults = unwrap(tree)
-    assert not faults
-    return SceneFile(str(source), plain, origins)
-
-
-def there_and_back(file, folder):
-    deck = write_deck(file)
-    path = folder / "deck.yml"
-    path.write_text(deck.text)
-    return file_of(read_deck(path).tree, path), deck.left_out
 
 
 @pytest.mark.parametrize("seed", range(15))

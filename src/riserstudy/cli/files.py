@@ -77,6 +77,9 @@ def export_deck(
         typer.Option("-o", "--output", help="text model to write", metavar="DECK.yml"),
         Writes("deck"),
     ],
+    orcaflex: Annotated[
+        bool, typer.Option("--orcaflex", help="as OrcaFlex's text model, the one format yet")
+    ] = True,
     settings: SetOption = None,
     force: ForceOption = False,
 ) -> None:

@@ -52,7 +52,9 @@ class Deck:
             if called or any(within(bare, place) for place in self.said):
                 continue
             if not any(within(path, place) for place in self.otherwise):
-                missing[bare if bare.count(".") < 2 else bare.rpartition(".")[0]] = None
+                parent = bare.rpartition(".")[0]
+                whole = bare.count(".") > 1 and not any(within(p, parent) for p in self.said)
+                missing[parent if whole else bare] = None
         return [*lines, *(f"{path}: not written" for path in missing)]
 
     def text(self) -> str:

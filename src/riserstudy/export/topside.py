@@ -208,18 +208,23 @@ def _cylinders(deck: Deck, rig: Tensioners, ring: str, rest: Rest, high: float) 
             deck.otherwise["top.tensioners.arrangement"] = "absent: cylinders lean with the joint"
     length = math.hypot(outer - inner, height - zero)
     aside = (deck.scene.top.offset or 0.0) if place is None else 0.0
-    law = _law(deck, rig, length)
+    law, nothing = _law(deck, rig, length), _rows(np.array([-REACH, REACH]) + length, np.zeros(2))
+    if rig.mid_stroke == "riser in equilibrium":
+        deck.otherwise["top.tensioners.mid_stroke"] = (
+            "links have their lengths at rest; who reads the deck counts reach from the unstretched riser, "
+            f"{rest.unstretched - zero:+.4g} m off"
+        )
     for c, bearing in enumerate(bearings):
         x, y = math.cos(bearing), math.sin(bearing)
-        if not rig.working[c]:
-            continue
+        works = rig.working[c]
         deck.add("Links", {
-            "Name": f"Tensioner {c + 1}", "LinkType": "Spring/damper",
+            "Name": f"Tensioner {c + 1}{'' if works else ', failed'}", "LinkType": "Spring/damper",
             LINK: [
                 [held(deck), outer * x + aside, outer * y, height, None],
                 [ring, inner * x, inner * y, 0, None],
             ],
-            **law, "LinearDamper": True, "DampingConstant": 1e-3 * rig.damper,
+            **(law if works else nothing), "LinearDamper": True,
+            "DampingConstant": 1e-3 * rig.damper if works else 0.0,
         })  # fmt: skip
 
 
@@ -228,6 +233,11 @@ def _law(deck: Deck, rig: Tensioners, length: float) -> dict[str, Any]:
     gravity = deck.scene.gravity or 0.0
     if rig.linear or rig.linearised:
         tension, slope = linear_law(rig, gravity)
+        if rig.linearised:
+            line = f"the straight line of {1e-3 * tension:.6g} kN and {1e-3 * slope:.6g} kN/m at mid-stroke"
+            deck.otherwise |= {
+                f"top.tensioners.{name}": line for name in (_named(rig), "linearised")
+            }
         if slope:
             unstretched = length - tension / slope
             return {
@@ -252,10 +262,15 @@ def _law(deck: Deck, rig: Tensioners, length: float) -> dict[str, Any]:
         reach = np.unique(np.append(reach, 0.0))
         force = gas_force(gas, reach) - rig.piston_mass * gravity
         reach, force = reach[force >= 0.0], force[force >= 0.0]
-    deck.otherwise["top.tensioners"] = (
+    deck.otherwise[f"top.tensioners.{_named(rig)}"] = (
         f"the law is a table of {len(reach)} points from {reach[0]:.4g} m to {reach[-1]:.4g} m"
     )
     return _rows(reach + length, force)
+
+
+def _named(rig: Tensioners) -> str:
+    """The field of a law that is a curve."""
+    return next(name for name in ("gas", "two_chamber_gas", "table") if getattr(rig, name))
 
 
 def _rows(length: FloatArray, force: FloatArray) -> dict[str, Any]:

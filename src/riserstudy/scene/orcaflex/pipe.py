@@ -15,6 +15,8 @@ from riserstudy.scene.orcaflex.deck import Part
 if TYPE_CHECKING:
     from riserstudy.scene.orcaflex.ends import Line
 
+SAME = 1e-6  # m
+
 
 def lengths_of(line: Part) -> list[tuple[str, float]]:
     """Line types and lengths (m) of the sections of a line, from its end A on.
@@ -91,6 +93,22 @@ def wall(kind: Part) -> dict[str, Any]:
         allowed = "allowed are General, Homogeneous pipe"
         raise kind.refused("Category", kind.text("Category"), allowed)
     return fields | {"mass": mass}
+
+
+def stressed(kind: Part, filled: bool) -> dict[str, Any]:
+    """Diameters of the wall that carries, where a line type has them apart from OD and ID.
+
+    Parameters
+    ----------
+    filled : whether contents fill ID, which then is the inner diameter.
+    """
+    if not (kind.given("StressOD") and kind.given("StressID")):
+        return {}
+    outer, inner = kind.number("StressOD"), kind.number("StressID")
+    if filled and abs(inner - kind.number("ID")) > SAME:
+        kind.otherwise["StressID"] = f"{inner:g} m is left out: contents fill ID"
+        return {}
+    return {"outer_diameter": _q(outer, "m"), "inner_diameter": _q(inner, "m")}
 
 
 def mass_of(kind: Part) -> float:

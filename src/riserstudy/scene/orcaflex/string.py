@@ -9,7 +9,16 @@ from typing import Any, NamedTuple
 from riserstudy.scene.orcaflex.chain import Roles, depth
 from riserstudy.scene.orcaflex.deck import Part
 from riserstudy.scene.orcaflex.ends import Line, in_series
-from riserstudy.scene.orcaflex.pipe import across, along, disc, kind_of, lengths_of, submerged, wall
+from riserstudy.scene.orcaflex.pipe import (
+    across,
+    along,
+    disc,
+    kind_of,
+    lengths_of,
+    stressed,
+    submerged,
+    wall,
+)
 from riserstudy.scene.orcaflex.sea import Sea
 
 SLACK = (
@@ -86,6 +95,7 @@ def _section(deck: Part, cast: Roles, piece: Piece, sea: Sea) -> dict[str, Any]:
         line.demand("ContentsMethod", "Uniform")
     if (inside := line.given("ContentsDensity")) and kind.number("ID"):
         section["contents"] = {"density": _q(1000.0 * inside, "kg/m^3")}
+    section |= stressed(kind, "contents" in section)
     if piece.begins and (joint := _joint(deck, cast, piece)):
         section["flex_joint_below"] = joint
     return section

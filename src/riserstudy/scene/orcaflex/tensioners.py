@@ -31,6 +31,11 @@ class Pull(NamedTuple):
     law: tuple[tuple[float, float], ...]  # reach (m) and pull (kN); one point: constant
     damping: float  # kN s/m
 
+    @property
+    def idle(self) -> bool:
+        """Whether it never pulls, as a cylinder that has failed."""
+        return not self.damping and all(force == 0.0 for _, force in self.law)
+
 
 def fastened(part: Part) -> list[str]:
     """What a link or winch is fastened to.
@@ -61,11 +66,13 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
     if len(pulls) < len(parts):
         raise parts[0].faults[-1]
     count = len(pulls)
-    first = pulls[0]
-    bearings = sorted(pull.deck[2] for pull in pulls)
-    even = all(abs(b - bearings[0] - 360.0 * k / count) < 1e-3 for k, b in enumerate(bearings))
-    alike = {(*pull.deck[:2], pull.ring_radius, pull.law, pull.damping) for pull in pulls}
-    if len(alike) > 1 or (first.deck[0] and not even):
+    if not _evenly(pulls):
+        pulls.sort(key=lambda pull: pull.deck[2])
+    failed = [k for k, pull in enumerate(pulls) if pull.idle]
+    first = next((pull for pull in pulls if not pull.idle), pulls[0])
+    alike = {(pull.law, pull.damping) for pull in pulls if not pull.idle}
+    places = {(*pull.deck[:2], pull.ring_radius) for pull in pulls}
+    if max(len(alike), len(places)) > 1 or (first.deck[0] and not _evenly(pulls)):
         found = "links that differ, or are not evenly around the line"
         raise parts[0].refused("Connection", found, "allowed are equal ones, evenly on a circle")
     damping = {"damping": _q(first.damping, "kN*s/m")} if first.damping else {}
@@ -74,15 +81,23 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
         "mid_stroke": "riser unstretched",
         **_law(first.law),
         **damping,
+        **({"failed": failed} if failed else {}),
     }
     return made | {
         "arrangement": {
             "ring_radius": _q(first.ring_radius, "m"),
             "deck_radius": _q(first.deck[0], "m"),
             "deck_elevation": _q(first.deck[1], "m"),
-            "first_bearing": _q(bearings[0], "deg"),
+            "first_bearing": _q(pulls[0].deck[2], "deg"),
         },
     }
+
+
+def _evenly(pulls: list[Pull]) -> bool:
+    """Whether tensioners, as they stand, are one spacing further round each."""
+    bearings = [pull.deck[2] for pull in pulls]
+    steps = [b - bearings[0] - 360.0 * k / len(pulls) for k, b in enumerate(bearings)]
+    return all(abs(math.remainder(step, 360.0)) < 1e-3 for step in steps)
 
 
 class Constant(NamedTuple):
