@@ -181,11 +181,62 @@ def test_with_nothing_open_one_case_is_judged():
 
 
 @pytest.mark.parametrize(
-    "answer, said", [(lambda i: 1.0, "returns 1.0"), (lambda i: None, "returns None")]
+    "answer, said",
+    [
+        (lambda i: 1.0, "returns 1.0"),
+        (lambda i: None, "returns None"),
+        (lambda i: True, "returns True"),
+        (lambda: claim(1.0, 1.0), "takes 0 positional arguments|too many positional"),
+        (lambda i, other: claim(1.0, 1.0), "missing a required argument: 'other'"),
+    ],
 )
 def test_a_check_that_answers_something_else_is_refused(answer, said):
     with pytest.raises(InputError, match=said):
         grade_claims(file(), {"small": answer})
+
+
+@pytest.mark.parametrize("answer", [True, "1", [1.0], 1j, np.ones(2)])
+def test_what_is_no_number_is_no_answer(answer):
+    number = {"id": "N", "kind": "number", "statement": "1", "published": 1.0, "rounding": 0.1}
+    with pytest.raises(InputError, match="return a number"):
+        grade_claims(file(items=[number | {"check": "one"}]), {"one": lambda i: answer})
+
+
+@pytest.mark.parametrize("kind", [int, float, np.int64, np.float32])
+def test_a_number_of_any_kind_is_one(kind):
+    number = {"id": "N", "kind": "number", "statement": "1", "published": 1.0, "rounding": 0.1}
+    (found,) = grade_claims(file(items=[number | {"check": "one"}]), {"one": lambda i: kind(1)})
+    assert found.verdict == "reproduced"
+
+
+@pytest.mark.parametrize("margin", [np.ones(3), [1.0, -1.0], np.ones((1, 1))])
+def test_a_margin_is_one_number(margin):
+    with pytest.raises(ValueError, match="allowed is one number"):
+        claim(1.0, margin)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_check_that_changes_its_inputs_changes_no_other_answer(seed):
+    rng = np.random.default_rng(seed)
+    bound = rng.uniform(0.2, 0.8)
+
+    def spoils(inputs):
+        found = claim(inputs["x"], bound - inputs["x"])
+        inputs["x"] = 99.0
+        inputs.clear()
+        return found
+
+    item = {"kind": "claim", "statement": "x is small", "check": "small"}
+    both = file(seed=seed, items=[item | {"id": "A"}, item | {"id": "B"}])
+    shares = {one.grounds.share.met for one in grade_claims(both, {"small": spoils})}
+    assert shares == {np.sum(sampled(both)["x"] < bound)}
+
+
+def test_a_margin_that_is_not_known_is_no_answer():
+    """Neither true nor false: counted as missing, in whichever samples it is."""
+    unknown = lambda i: claim(1.0, np.nan if i["x"] > 0.9 else 1.0)  # noqa: E731
+    (found,) = grade_claims(file(), {"small": unknown})
+    assert found.grounds.missing.cases == np.sum(sampled(file())["x"] > 0.9)
 
 
 def test_a_check_that_is_not_there_is_refused():
@@ -198,6 +249,9 @@ def test_a_check_that_is_not_there_is_refused():
     [
         ("x: {assumed: 2, range: [0, 1], because: so}", "is not inside its range"),
         ("x: {assumed: c, options: [a, b], because: so}", "none of its options"),
+        ("x: {assumed: a, options: [a, b, a], because: so}", "one stands twice"),
+        ("x: {assumed: 1, range: [0, .inf], because: so}", "finite number"),
+        ("x: {given: .nan}", "finite number"),
         ("x: {assumed: 1, because: so}", "needs one of range and options"),
         ("x: {calibrated: 1, to: N}", "no number 'N'"),
         ("x: {assumed: 1, range: [0, 2]}", "because"),

@@ -54,6 +54,8 @@ class Assumed(Strict):
     def _base_is_inside(self) -> Self:
         if (self.range is None) == (self.options is None):
             raise ValueError("needs one of range and options")
+        if self.options is not None and len({*self.options}) < len(self.options):
+            raise ValueError("options: one stands twice, and would be drawn twice as often")
         if self.options is not None and self.assumed not in self.options:
             raise ValueError(f"assumed: {self.assumed!r} is none of its options")
         if self.range is not None:

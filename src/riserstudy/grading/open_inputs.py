@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -29,8 +30,15 @@ def claim(value: float, judged_by: float | Condition) -> Found:
     value : what is told of it, in its unit; not a number where nothing is found.
     judged_by : a margin, which is above zero where the claim is true; or a condition in words of size, as
         ``more``, ``less`` and ``alike`` give it.
+
+    Raises
+    ------
+    ValueError
+        When the margin is not one number.
     """
     condition = judged_by if isinstance(judged_by, Condition) else plain(xr.DataArray(judged_by))
+    if condition.margin.ndim:
+        raise ValueError(f"a margin of shape {condition.margin.shape}; allowed is one number")
     return judged(xr.DataArray(float(value)), condition)
 
 
@@ -103,13 +111,24 @@ def _function(checks: Mapping[str, Check], one: OpenClaim) -> Check:
 
 def _answer(function: Check, inputs: Mapping[str, Value], one: OpenClaim, options: Any) -> Found:
     """What a check finds with some inputs."""
-    answer = function(inputs, **options)
-    if one.kind == "number" and isinstance(answer, int | float | np.floating):
+    _takes(function, inputs, one, options)
+    answer = function(dict(inputs), **options)
+    is_number = isinstance(answer, int | float | np.floating | np.integer)
+    if one.kind == "number" and is_number and not isinstance(answer, bool):
         return Found(xr.DataArray(float(answer)))
     if one.kind == "claim" and isinstance(answer, Found):
         return answer
     allowed = "return a number, or of a claim `claim(value, margin)`"
     raise InputError("items", f"{one.id}.check", f"{one.check} returns {answer!r}"[:120], allowed)
+
+
+def _takes(function: Check, inputs: Mapping[str, Value], one: OpenClaim, options: Any) -> None:
+    """Refuse options that a check does not take, before it is run."""
+    try:
+        inspect.signature(function).bind(inputs, **options)
+    except TypeError as error:
+        allowed = "name the arguments of the function, after its inputs"
+        raise InputError("items", f"{one.id}.with", f"{one.check}: {error}", allowed) from None
 
 
 def _dataset(
