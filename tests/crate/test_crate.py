@@ -129,6 +129,18 @@ def test_an_unpacked_crate_reruns_by_one_command(study, commands, tmp_path):
     assert same(packed, numbers(unpacked))
 
 
+def test_files_older_than_a_zip_can_say_are_packed(study, commands, tmp_path):
+    """As in archives that are made to be the same twice: their files are of 1970."""
+    subprocess.run(["cp", "-a", study[0], tmp_path / "old"], check=True)
+    for path in (tmp_path / "old/config").rglob("*"):
+        os.utime(path, (0, 0))
+    code, _, wrong = commands("crate", tmp_path / "old.zip", "--study", tmp_path / "old")
+    assert (code, wrong) == (0, "")
+    with zipfile.ZipFile(tmp_path / "old.zip") as archive:
+        assert archive.testzip() is None
+        assert any(name.startswith("config/") for name in archive.namelist())
+
+
 @pytest.mark.parametrize("name", ["there.zip", "study.tar", "nowhere/study.zip", "notes"])
 def test_only_a_new_archive_is_written(study, commands, tmp_path, name):
     (tmp_path / "there.zip").write_text("what somebody needs")

@@ -37,7 +37,10 @@ def pack(study: Path, target: Path) -> int:
     files = [*beside, *inputs_of(study), *results, *sorted(seals)]
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     try:
-        with zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED) as archive:
+        # files of reproducible archives may be older than a zip can say
+        with zipfile.ZipFile(
+            partial, "w", zipfile.ZIP_DEFLATED, strict_timestamps=False
+        ) as archive:
             archive.writestr(NAME, text)
             for file in dict.fromkeys(files):
                 archive.write(file, file.relative_to(study).as_posix())
