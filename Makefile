@@ -16,13 +16,15 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
 .PHONY: help study test test-slow test-page test-cluster test-wheel check docs wheel lock figures bench references clean
-.PHONY: test-crate test-hostile test-faults test-pythons test-strangers
+.PHONY: environment test-crate test-formats test-container test-hostile test-faults test-pythons test-strangers
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
 export PYTHON
 
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "%-10s %s\n", $$1, $$2 }' Makefile
+
+environment: $(READY)  ## make .venv from the locks, and no more
 
 study: $(READY)  ## simulate, grade, draw and report everything (TIER=preview|standard|reference CORES=n)
 	@exec $(STUDY)
@@ -38,6 +40,12 @@ test-cluster: .venv/.slurm-$(ID)  ## run a study through a Slurm of one node (ro
 
 test-crate: .venv/.crate-$(ID)  ## check the run crate of a study against the profiles of run crates
 	@$(IN_ENVIRONMENT) RISERSTUDY_CRATE_PYTHON='$(CURDIR)/.venv/crate/bin/python' pytest -q --benchmark-disable tests/crate
+
+test-formats: .venv/.formats-$(ID)  ## read time series of other programs through qats (brings Qt, 0.7 GB)
+	@$(IN_ENVIRONMENT) pytest -q --benchmark-disable tests/dataset/external
+
+test-container: .venv/.container-$(ID)  ## lint Containerfile, run its steps in a clean root (root; Debian: mmdebstrap)
+	@$(IN_ENVIRONMENT) RISERSTUDY_CLEAN_ROOT=1 pytest -q -s --benchmark-disable tests/workflow/test_container.py
 
 test-page: $(READY)  ## open the report in Chromium (Debian: chromium, chromium-driver)
 	@$(IN_ENVIRONMENT) pytest -q --benchmark-disable -m page
@@ -91,6 +99,6 @@ $(READY):
 	@.venv/crate/bin/python workflow/scripts/installer.py crate.lock
 	@touch $@
 
-.venv/.bench-$(ID) .venv/.slurm-$(ID): .venv/.%-$(ID): %.lock $(READY)
+.venv/.bench-$(ID) .venv/.slurm-$(ID) .venv/.formats-$(ID) .venv/.container-$(ID): .venv/.%-$(ID): %.lock $(READY)
 	@.venv/bin/python workflow/scripts/installer.py $<
 	@touch $@

@@ -178,7 +178,9 @@ def test_where_the_index_has_no_uv_pip_installs_and_one_line_says_why(
     assert "uv was not found, so pip installs" in line
 
 
-@pytest.mark.parametrize("name", ["requirements", "build", "slurm", "bench", "installer"])
+@pytest.mark.parametrize(
+    "name", ["requirements", "build", "slurm", "bench", "formats", "container", "installer"]
+)
 def test_a_lock_is_the_blocks_of_its_packages(name):
     text = (ROOT / f"{name}.lock").read_text()
     names = re.findall(r"^([\w.-]+)==", text, re.MULTILINE)

@@ -39,7 +39,7 @@ def main() -> None:
         env = with_settings(dict(os.environ), leading_to_the_index(tools / "python"))
         uv = (tools / "uv", "pip", "compile", *OPTIONS)
         run(*uv, "pyproject.toml", "--group=dev", "--output-file=requirements.lock", env=env)
-        for group in ("build", "bench", "slurm", "installer"):
+        for group in ("build", "bench", "slurm", "formats", "container", "installer"):
             agree = ("--constraints", "requirements.lock")
             run(*uv, f"--group={group}", *agree, f"--output-file={group}.lock", env=env)
         # for an environment of its own, as it needs an older release of a library of ours
