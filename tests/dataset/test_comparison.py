@@ -146,7 +146,23 @@ def test_a_figure_has_a_panel_for_each_column(table):
         *(TIME, tension(TIME, 100.0), TIME),
     )
     figure = comparison(compared(run(), path).pairs, "a run", "other.csv")
-    assert [ax.get_ylabel() for ax in figure.axes] == [
-        "effective tension at 100 m (kN)",
-        "ufj angle (deg)",
+    assert [ax.get_title(loc="left") for ax in figure.axes] == [
+        "(a) effective tension at 100 m",
+        "(b) ufj angle",
     ]
+    assert [ax.get_ylabel() for ax in figure.axes] == ["kN", "deg"]
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_station_written_with_few_digits_is_that_station(table, seed):
+    """Nodes of a mesh have places such as 165.3165..., which headings round."""
+    rng = np.random.default_rng(seed)
+    stations = np.sort(rng.uniform(0.0, 300.0, 9))
+    swing = np.sin(0.3 * TIME)[:, None] * stations
+    data = {"effective_tension": (("time", "s"), swing, {"units": "N"})}
+    finer = xr.Dataset(data, {"time": TIME, "s": stations})
+    k = int(rng.integers(9))
+    path = table(["time (s)", f"effective_tension at {stations[k]:.4f} m (N)"], TIME, swing[:, k])
+    (pair,) = compared(finer, path).pairs
+    assert pair.notes == []
+    assert difference(pair).rms < 1e-9

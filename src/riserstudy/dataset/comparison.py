@@ -20,6 +20,7 @@ from riserstudy.scene.models import Scene
 
 FloatArray = NDArray[np.float64]
 FEWEST = 4  # rows that are compared
+SAME = 1e-6  # share of the riser's length by which two places are one: the digits of a heading
 WALL, EFFECTIVE = "wall_tension", "effective_tension"
 #: what other programs print by another definition than a run has it
 OTHERWISE = {
@@ -214,11 +215,13 @@ def _at(path: Path, title: str, values: xr.DataArray, place: float) -> tuple[xr.
     if dim is None:
         raise InputError(path, title, "is not along the riser", "leave `at ... m` out")
     stations = values[dim].values
-    if not stations[0] <= place <= stations[-1]:
+    near = SAME * stations[-1]
+    if not stations[0] - near <= place <= stations[-1] + near:
         allowed = f"allowed is {stations[0]:g} to {stations[-1]:g} m"
         raise InputError(path, title, f"{place:g} m is not on the riser", allowed)
-    if place in stations:
-        return values.sel({dim: place}, drop=True), ""
+    nearest = int(np.argmin(np.abs(stations - place)))
+    if abs(stations[nearest] - place) <= SAME * stations[-1]:
+        return values.isel({dim: nearest}, drop=True), ""
     below, above = stations[stations < place][-1], stations[stations > place][0]
     return values.interp({dim: place}).drop_vars(dim), f"between {below:g} and {above:g} m"
 

@@ -28,7 +28,7 @@ from riserstudy.scene.pressures import pressures
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
-SAME = 1e-9  # share of the riser's length by which two places are one
+SAME = 1e-6  # share of the riser's length by which two places are one
 
 
 class Added(NamedTuple):

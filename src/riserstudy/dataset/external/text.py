@@ -66,7 +66,7 @@ def read_table(path: Path) -> Text:
         raise InputError(path, "", found, "write a heading above each of two columns or more")
     columns = _numbers(path, rows[first:], titles[:width], decimal)
     above = [" ".join(cell for cell in row if cell) for _, row in rows[: first - used]]
-    notes = [f"{len(above)} lines above the headings are left out"] if above else []
+    notes = [f"left out: {len(above)} of the lines, above the headings"] if above else []
     if decimal:
         notes.append(f"commas are decimal marks, cells are apart by the {name}")
     return Text(above, titles[:width], columns, notes)
