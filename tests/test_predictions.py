@@ -29,19 +29,49 @@ def rows():
         return list(csv.reader(file))
 
 
-def test_the_table_is_the_sealed_one():
-    [seal] = re.findall(r"Seal: `sha256 ([0-9a-f]{64})`", PAGE)
-    assert hashlib.sha256((FOLDER / "stepped_current.csv").read_bytes()).hexdigest() == seal
+#: tables of predictions, by their section of the page
+SECTIONS = {
+    "stepped_current": "Model riser in a stepped current",
+    "kept_back_years": "Years kept back",
+}
 
 
-def test_the_page_shows_the_sealed_table():
-    shown = re.findall(r"^\| ([0-9.]+) \| ([0-9]+) \| ([0-9.]+) \|", PAGE, re.MULTILINE)
+def section(name):
+    return PAGE.partition(f"## {SECTIONS[name]}\n")[2].partition("\n## ")[0]
+
+
+@pytest.mark.parametrize("name", SECTIONS)
+def test_the_table_is_the_sealed_one(name):
+    [seal] = re.findall(r"Seal: `sha256 ([0-9a-f]{64})`", section(name))
+    assert hashlib.sha256((FOLDER / f"{name}.csv").read_bytes()).hexdigest() == seal
+    changes = [ROOT / "CHANGELOG.md", *(ROOT / "changelog.d").glob("predictions*.md")]
+    assert any(seal in path.read_text("utf-8") for path in changes)
+
+
+def test_each_table_has_a_section_and_a_row_of_the_page():
+    opened = {path.stem for path in FOLDER.glob("*_opened.csv")}
+    assert {path.stem for path in FOLDER.glob("*.csv")} - opened == {*SECTIONS}
+    for title in SECTIONS.values():
+        assert f"(#{title.lower().replace(' ', '-')})" in PAGE
+
+
+def test_the_page_shows_the_sealed_speeds():
+    text = section("stepped_current")
+    shown = re.findall(r"^\| ([0-9.]+) \| ([0-9]+) \| ([0-9.]+) \|", text, re.MULTILINE)
     sealed = rows()[1:]
     assert len(shown) == len(sealed)
     for (speed, mode, frequency), row in zip(shown, sealed, strict=True):
         assert float(speed) == float(row[0])
         assert mode == row[1]
         assert float(frequency) == pytest.approx(float(row[2]), abs=0.006)
+
+
+def test_the_page_shows_the_sealed_years():
+    with (FOLDER / "kept_back_years.csv").open(encoding="utf-8") as file:
+        sealed = [tuple(row) for row in csv.reader(file)][1:]
+    line = r"^\| ([0-9.]+ m) \| (\d) \| ([0-9.]+) \| ([0-9.]+) to ([0-9.]+) \|"
+    shown = re.findall(line, section("kept_back_years"), re.MULTILINE)
+    assert [(f"hs <= {limit}", *rest) for limit, *rest in shown] == sealed
 
 
 @pytest.mark.parametrize("k", [1, 4])
