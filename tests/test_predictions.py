@@ -74,6 +74,23 @@ def test_the_page_shows_the_sealed_years():
     assert [(f"hs <= {limit}", *rest) for limit, *rest in shown] == sealed
 
 
+def test_the_page_tells_what_came_of_the_years():
+    with (FOLDER / "kept_back_years_opened.csv").open(encoding="utf-8") as file:
+        came = list(csv.DictReader(file))
+    for one in came:
+        inside = float(one["low"]) <= float(one["came"]) <= float(one["high"])
+        assert (one["inside"] == "yes") == inside
+    outside = {
+        years: [o for o in came if o["years"] == years and o["inside"] == "no"] for years in "15"
+    }
+    singles = sum(one["years"] == "1" for one in came)
+    first = PAGE.partition("|---|")[2].splitlines()[1]
+    assert f"{len(outside['5'])} of 5 means" in first
+    assert f"{len(outside['1'])} of {singles} single years" in first
+    calmer = sum(float(o["came"]) > float(o["high"]) for part in outside.values() for o in part)
+    assert f"in {calmer} of the {sum(map(len, outside.values()))} cases" in PAGE
+
+
 @pytest.mark.parametrize("k", [1, 4])
 def test_the_engine_still_predicts_it(k):
     """With another seed, within 10 % of what was sealed with an error of 5 %."""

@@ -69,13 +69,26 @@ class CleanRoot:
         """Run a command of a shell in the root, as the user and in the place that hold."""
         environment = {"PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"}
         environment |= {"HOME": "/root" if self.user == "0" else "/home/riser", "LANG": "C.UTF-8"}
-        environment |= {n: v for n, v in os.environ.items() if REACHING.match(n)} | self.environment
+        environment |= self._reaching() | self.environment
         inside = f"cd {shlex.quote(self.place)} && {command}"
         as_user = ["setpriv", f"--reuid={self.user}", f"--regid={self.user}", "--clear-groups"]
         words = ["chroot", self.folder, *as_user, "/bin/bash", "-o", "pipefail", "-c", inside]
         done = subprocess.run([*map(str, words)], env=environment, capture_output=True, text=True)
         assert done.returncode == 0, f"{command}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
         return done.stdout
+
+    def _reaching(self):
+        """Variables by which this system reaches the index, with the certificates that they name.
+
+        Installing certificates writes those of the release alone, so that they are copied before each step.
+        """
+        variables = {name: value for name, value in os.environ.items() if REACHING.match(name)}
+        for value in variables.values():
+            here, there = Path(value), self.folder / value.lstrip("/")
+            if here.is_absolute() and here.is_file():
+                there.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(here, there)
+        return variables
 
     def base(self, step):
         """Make the base, of the same release, and let it reach what this system reaches."""
