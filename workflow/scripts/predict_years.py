@@ -1,7 +1,7 @@
 """Hours of years kept back, from those before: `python workflow/scripts/predict_years.py RECORD [--open]`.
 
-Without --open rows of the kept years are dropped before anything is computed, and predictions are written; with
-it the sealed ones are compared with what came. The record is the netCDF of `riserstudy seas`.
+Without --open rows of the kept years are dropped before anything is computed, and predictions are written;
+with it the sealed ones are compared with what came. The record is the netCDF of `riserstudy seas`.
 """
 
 from __future__ import annotations
