@@ -5,7 +5,7 @@ from __future__ import annotations
 LONGEST = 400  # characters of a part of a message
 
 
-def shown(value: object) -> str:
+def printable(value: object) -> str:
     """Text of a value for a message: of bounded length, on one line, without control characters."""
     text = str(value)
     text = text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..."
@@ -39,8 +39,8 @@ class InputError(RiserStudyError):
 
     def __init__(self, where: object, field: str, found: str, allowed: str):
         self.where, self.field, self.found, self.allowed = str(where), field, found, allowed
-        place = f"{shown(where)}: {shown(field)}" if field else shown(where)
-        super().__init__(f"{place}: {shown(found)}; {shown(allowed)}")
+        place = f"{printable(where)}: {printable(field)}" if field else printable(where)
+        super().__init__(f"{place}: {printable(found)}; {printable(allowed)}")
 
     def __reduce__(self) -> tuple[type[InputError], tuple[str, str, str, str]]:
         """What another process is told."""
@@ -61,7 +61,7 @@ class InputErrors(InputError):
         super().__init__(first.where, first.field, first.found, first.allowed)
         self.faults = tuple(faults)
         if len(faults) > 1:
-            mark = f"{shown(first.where)}: "
+            mark = f"{printable(first.where)}: "
             lines = "".join(f"\n  {str(fault).removeprefix(mark)}" for fault in faults)
             self.args = (f"{mark}{len(faults)} faults:{lines}",)
 

@@ -9,7 +9,7 @@ from riserstudy import load_scene
 from riserstudy.chapters.design.derived.tension import window_of
 from riserstudy.design import engine_tension as engine
 from riserstudy.design.tension import Rig, Tolerances
-from riserstudy.design.tension_table import Asked, tension_table
+from riserstudy.design.tension_table import TensionRequest, tension_table
 from riserstudy.scene.load import SceneFile
 
 RISER = "config/scenes/design/riser.yaml"
@@ -99,8 +99,8 @@ def test_cylinders_need_the_tension_at_which_the_riser_on_a_constant_one_is_slac
 @pytest.mark.parametrize("seed", range(4))
 def test_a_plumb_riser_on_cylinders_needs_by_the_engine_what_the_formula_gives(seed):
     held, _ = hung(seed)
-    rows = tension_table(held.scene(), Asked(Tolerances(1.05, 0.96), Rig(6, 1, 0.95, 0.0)))
-    told = {row.what: row for row in rows.totals}
+    rows = tension_table(held.scene(), TensionRequest(Tolerances(1.05, 0.96), Rig(6, 1, 0.95, 0.0)))
+    told = {row.quantity: row for row in rows.totals}
     assert told["engine"].tension == pytest.approx(told["formula"].tension, rel=1e-6)
     assert "in place of the tensioners" in told["engine"].note
     ratio = told["setting"].tension / told["formula"].tension

@@ -91,7 +91,7 @@ def test_simulated_sea_states_are_summed_by_their_shares(tmp_path):
     assert inside.s == 0.0
     assert weld.error_between == 0.0
     assert np.isnan(found.rates[0, :, 0]).all()
-    assert not found.said
+    assert not found.notes
     assert found.error_runs == pytest.approx(0.02)
 
 
@@ -173,7 +173,7 @@ def test_a_record_of_seas_is_a_table_of_its_hours(tmp_path):
     expected = summed(of, table(tmp_path, "hs (m),tp (s),count\n" + rows))
     found = over_years(of, occurs, {})
     assert found.worst[0].rate == pytest.approx(expected.worst[0].rate, rel=1e-12)
-    assert found.said == ("1 rows of the record lack a value and do not count",)
+    assert found.notes == ("1 rows of the record lack a value and do not count",)
 
 
 @pytest.mark.parametrize(
@@ -204,12 +204,12 @@ def test_a_table_that_cannot_be_meant_is_refused(text, said, tmp_path):
 def test_calmer_seas_count_as_the_calmest_when_it_is_said(tmp_path):
     found = summed(study(), table(tmp_path, "hs (m),tp (s),share (%)\n0.2,8,100\n"), calm=True)
     assert found.worst[0].rate == pytest.approx(rate(1.0, 8.0))
-    assert found.said == ("significant_height below 1, 100 % of the time, counts as 1",)
+    assert found.notes == ("significant_height below 1, 100 % of the time, counts as 1",)
 
 
 def test_time_that_a_table_leaves_out_is_told(tmp_path):
     found = summed(study(), table(tmp_path, "hs (m),tp (s),share (%)\n2,8,90\n"))
-    assert found.said == ("10 % of the time is not in scatter.csv and does no damage",)
+    assert found.notes == ("10 % of the time is not in scatter.csv and does no damage",)
 
 
 def test_points_without_numbers_are_refused(tmp_path):

@@ -35,7 +35,7 @@ PROGRESS = re.compile(
 )
 
 
-def faults_of(kind, seeds, tell=lambda _: None):
+def faults_of(kind, seeds, notify=lambda _: None):
     """Faults by seed, and how often each exit code came."""
     faults, codes = {}, Counter()
     context = multiprocessing.get_context("spawn")
@@ -63,7 +63,7 @@ def faults_of(kind, seeds, tell=lambda _: None):
         codes[code] += 1
         if fault:
             faults[seed] = fault
-            tell(f"{kind} {seed}: {fault}")
+            notify(f"{kind} {seed}: {fault}")
     if worker:
         worker.kill()
         worker.join()

@@ -32,7 +32,7 @@ LADDER = STUDY.scenes["S2c"].model_copy(
 @pytest.fixture(scope="module")
 def surge():
     """Scene S2c, short, on two meshes by every method."""
-    few = {"scenes": {"S2c": LADDER}, "repeats": {"standard": 1}, "asked": {"standard": [0.05]}}
+    few = {"scenes": {"S2c": LADDER}, "repeats": {"standard": 1}, "requested": {"standard": [0.05]}}
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("riserstudy.numerics.outside.PATIENCE", 60.0)  # as long as it takes
         return accuracy(STUDY.model_copy(update=few), Setting(CONFIG, "standard"))
@@ -97,7 +97,7 @@ def test_a_reference_refuses_outputs_that_it_has_not(surge):
 
 
 def test_both_figures_are_drawn_from_it(surge):
-    for name in ("accuracy", "asked"):
+    for name in ("accuracy", "requested"):
         assert draw("numerics", name, {"accuracy": surge}).axes
 
 
@@ -116,7 +116,7 @@ def test_the_title_counts_the_scenes_in_which_a_method_is_quickest(surge):
 
 def test_the_change_of_the_reference_is_in_the_key_where_it_is_drawn(surge):
     def key(accuracy):
-        figure = draw("numerics", "asked", {"accuracy": accuracy})
+        figure = draw("numerics", "requested", {"accuracy": accuracy})
         return [text.get_text() for text in figure.legends[0].get_texts()]
 
     halved = surge.copy(deep=True)
@@ -142,7 +142,7 @@ def test_every_scene_is_a_line_or_named_as_too_slow(surge):
     late["request_seconds"][:] = np.nan
     for name, values, words in (
         ("cost", given | {"accuracy": late}, " over the time limit"),
-        ("asked", {"accuracy": late}, "not within the time allowed: S2c"),
+        ("requested", {"accuracy": late}, "not within the time allowed: S2c"),
     ):
         said = [text.get_text() for ax in draw("numerics", name, values).axes for text in ax.texts]
         assert words in said

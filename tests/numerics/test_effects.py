@@ -98,7 +98,7 @@ def test_shares_of_time_are_shares_and_absent_effects_have_none():
     assert "wave" not in prices.share
     assert all(share >= 0.0 for share in prices.share.values())
     assert sum(prices.share.values()) < 1.1
-    assert "(platform.surge)" in prices.said[1]
+    assert "(platform.surge)" in prices.sentences[1]
 
 
 def test_advice_keeps_what_decides_and_lets_go_what_does_not():
@@ -124,7 +124,7 @@ def test_a_scene_that_cannot_run_has_a_ledger_without_times():
     falling = SHORT.with_values({"top.tension": "1 kN"}, "")
     prices = priced(falling)
     assert prices.share == {}
-    assert prices.said[0].startswith("no times: ")
+    assert prices.sentences[0].startswith("no times: ")
 
 
 def test_the_dataset_and_its_figure_name_every_scene(tmp_path):

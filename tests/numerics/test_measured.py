@@ -86,7 +86,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours(tmp_path):
     found["error_moment"][1] = 0.005
     said = draw("numerics", "long_runs", {"long_runs": found}).get_suptitle()
     assert said == f"The paper's run takes {float(found['cpu_seconds'][1]):.2g} s instead of 46 h"
-    assert engine({"long_runs": found}).said[0].startswith("Long simulation, 46 hours: ")
+    assert engine({"long_runs": found}).sentences[0].startswith("Long simulation, 46 hours: ")
 
 
 def key_of_random_scenes(found):
@@ -118,7 +118,7 @@ def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_mor
     assert "misses the request" in key_of_random_scenes(missed)
     assert (
         engine({"random_scenes": found})
-        .said[0]
+        .sentences[0]
         .startswith("2 random scenes requested 1 %: 0 refused")
     )
 
@@ -140,7 +140,7 @@ def test_a_request_that_takes_long_is_a_row_that_says_so():
     found = random_scenes(hasty, Setting(CONFIG, "preview", 1))
     assert all(message.startswith("not judged: ") for message in found["message"].values)
     assert found["true"].isnull().all()
-    said = engine({"random_scenes": found}).said[0]
+    said = engine({"random_scenes": found}).sentences[0]
     assert said.startswith("2 random scenes requested 1 %: 0 refused, 2 not judged")
 
 

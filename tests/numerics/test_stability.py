@@ -199,7 +199,7 @@ def test_the_explicit_limit_is_a_tick_where_a_stable_step_was_predicted(few):
 
 def test_the_report_tells_what_is_not_as_it_should_be(few):
     chapter = engine({"stability": few})
-    assert chapter.said[0].startswith("Hard cases that ended as expected: ")
+    assert chapter.sentences[0].startswith("Hard cases that ended as expected: ")
     assert [row.case for row in chapter.findings] == list(few["case"].values[~few["as_expected"]])
     table = next(table for table in chapter.tables if table.title == "Hard cases")
     assert [row[0].text for row in table.rows] == list(FEW)

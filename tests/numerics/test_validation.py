@@ -76,7 +76,7 @@ def test_an_engine_that_errs_does_not_hold_and_is_named(found, monkeypatch):
     found = validation(study, SETTING)
     assert found["holds"].values.tolist() == [False, False, True]
     assert float(found["error"][0]) == pytest.approx(0.002, rel=0.02)
-    (said,) = engine({"validation": found}).said
+    (said,) = engine({"validation": found}).sentences
     assert said.startswith("Numbers within their tolerance of what is known: 1 of 3")
     assert "beam under tension, frequency 1 and beam under tension, frequency 5" in said
     (table,) = tables({"validation": found})

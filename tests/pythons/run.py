@@ -32,10 +32,10 @@ def main(pythons, place):
         shutil.move(folders[0] / part, folders[0] / f"{part}-1")
     study(folders[0], 2)
     one = folders[0] / "results-1"
-    ends = [tell(f"{pythons[0]}, 2 cores against 1", changes(one, folders[0] / "results"), 0.0)]
+    ends = [notify(f"{pythons[0]}, 2 cores against 1", changes(one, folders[0] / "results"), 0.0)]
     for folder, python in zip(folders[1:], pythons[1:], strict=True):
         found = changes(one, folder / "results")
-        ends.append(tell(f"{python} against {pythons[0]}", found, BETWEEN_PYTHONS))
+        ends.append(notify(f"{python} against {pythons[0]}", found, BETWEEN_PYTHONS))
     return all(ends)
 
 
@@ -81,7 +81,7 @@ def environment():
     return {name: value for name, value in os.environ.items() if name not in own}
 
 
-def tell(what, found, allowed):
+def notify(what, found, allowed):
     """Print a comparison; whether it is as allowed."""
     good = found.largest <= allowed and not any(one.why for one in found.varied)
     worst = max(found.varied, key=lambda one: one.change, default=None)

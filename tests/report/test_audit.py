@@ -88,13 +88,13 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
         ]
     )
     files = kept(
-        blow=(None, "a stop is met"), fine=(None, None), silent=(None, None), asked=(None, None)
+        blow=(None, "a stop is met"), fine=(None, None), silent=(None, None), requested=(None, None)
     )
     of = missed(db, files)
-    assert (of.points, of.off, of.asked, of.missed_by_request, of.estimated) == (4, 1, 1, 0, 2)
+    assert (of.points, of.off, of.requested, of.missed_by_request, of.estimated) == (4, 1, 1, 0, 2)
     assert of.verdicts == [("paper", "N1")]
     assert of.reasons == [("a stop is met", 1, ["paper/blow"])]
-    assert "3 others have a prescribed mesh and step; the error of 2 is estimated" in of.said
+    assert "3 others have a prescribed mesh and step; the error of 2 is estimated" in of.sentences
 
 
 def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
@@ -102,9 +102,9 @@ def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
         [("coarse", False, 0.1, 0.08, None, None), ("fine", False, 0.001, 0.008, None, None)]
     )
     of = missed(db, kept(coarse=(None, None), fine=(None, None)))
-    assert (of.asked, of.missed_by_request, of.verdicts) == (2, 1, [("paper", "N2")])
+    assert (of.requested, of.missed_by_request, of.verdicts) == (2, 1, [("paper", "N2")])
 
 
 def test_where_nothing_misses_that_is_all_that_is_said():
     db = database([("fine", True, None, 0.001, 0.002, None)])
-    assert missed(db, kept(fine=(None, None))).said.startswith("All 1 points")
+    assert missed(db, kept(fine=(None, None))).sentences.startswith("All 1 points")

@@ -33,13 +33,13 @@ def test_a_finding_is_what_the_most_particular_figure_with_a_number_says():
         figure("samples", "all swing by 1 to 3 m", CLAIM, OTHER),
         figure("fig04", "it swings", CLAIM),
     )
-    assert (one.said, one.figure, one.short) == ("It swings by 2 m.", "paper-fig03", "fig03")
+    assert (one.sentences, one.figure, one.short) == ("It swings by 2 m.", "paper-fig03", "fig03")
     assert (one.claim, one.paper) == (CLAIM, "Name")
 
 
 def test_a_finding_without_a_figure_says_nothing_of_its_own():
     (one,) = found(figure("fig03", "it swings by 2 m", OTHER))
-    assert (one.said, one.figure) == ("", "")
+    assert (one.sentences, one.figure) == ("", "")
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -86,7 +86,7 @@ def patient(monkeypatch, patience):
     monkeypatch.setattr(Watch, "spent", property(lambda _: spent[0]))
     told = []
     scene = read_scene(SCENE).with_values(SETS, "test").scene()
-    return run(scene, patience, tell=lambda what, _: told.append(what)).facts, told
+    return run(scene, patience, notify=lambda what, _: told.append(what)).facts, told
 
 
 def test_patience_ends_with_the_finest_run_and_its_estimate(monkeypatch):

@@ -163,8 +163,8 @@ def test_points_that_cannot_be_completed_as_tuned_are_run_by_request(study_of, m
     study = study_of("surge")
     hopeless = with_setting(study, GOOD)
 
-    def failing(of, points, processes, tell):
-        assert attempt(of, points[1::2], processes, tell) == {}
+    def failing(of, points, processes, notify):
+        assert attempt(of, points[1::2], processes, notify) == {}
         return {point.key: SimulationError("a step fails") for point in points[::2]}
 
     monkeypatch.setattr(settings, "attempt", failing)
@@ -172,7 +172,7 @@ def test_points_that_cannot_be_completed_as_tuned_are_run_by_request(study_of, m
     pairs = [*zip(study.plan, hopeless.plan, strict=True)][:6]
     points = fill_tuned(study, hopeless, pairs, 1)
     assert points.by_request == [True, False] * 3
-    assert [store.has(asked.key) for asked in points.asked] == points.by_request
+    assert [store.has(requested.key) for requested in points.requested] == points.by_request
     assert [store.has(one.key) for one in points.tuned] == [not by for by in points.by_request]
 
 
@@ -217,13 +217,13 @@ def test_true_errors_of_held_out_points_stay_below_the_request(study_of, name):
     tuned = with_setting(study, found.setting)
     for index in others(study, [], max(4, len(study.grid) // 20), 11):
         everywhere = {"analysis.output.stations": None}
-        scene, asked = (
+        scene, requested = (
             of.grid.file(index).with_values(everywhere, "test").scene() for of in (tuned, study)
         )
-        refinement = Refinement(asked)
+        refinement = Refinement(requested)
         refinement.result()
         mesh = refinement.finest_mesh.halved().halved()
         step = min(scene.analysis.step, refinement.step) / 4.0
         coarse = single(scene, prescribed(scene, found.setting.elements), scene.analysis.step)
-        fine = single(asked, mesh, step)
+        fine = single(requested, mesh, step)
         assert max(controlled(difference(coarse, fine)).values()) <= 0.02

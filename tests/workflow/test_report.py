@@ -219,13 +219,13 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
         (97, 100),
     ]
     assert found["A10"].options[0].shares == [("along, 1 m/s", 69), ("against (2)", 100)]
-    assert found["A10"].said == [
+    assert found["A10"].sentences == [
         "Base case: 3, true.",
         "As in A1.",
         "Margin to the threshold: +10 % (90 % range −2 to +30 %).",
     ]
-    assert found["A2"].said == ["Base case: 1.5, true.", "Margin to the threshold: +25 %."]
-    assert found["B0"].said == []
+    assert found["A2"].sentences == ["Base case: 1.5, true.", "Margin to the threshold: +25 %."]
+    assert found["B0"].sentences == []
     assert found["A10"].why == "Decided by the flow; U: m/s."
     assert found["A4"].why == "No single input or pair decides it."
     assert found["B0"].why == "-3.142e+06 N for -3.142e+06 N: 0 % off."

@@ -85,7 +85,7 @@ def faults_of(path: Path, kinds: dict[str, set[str]]) -> Iterator[str]:
         wants = [] if folder == COMMANDS else raised.untold(function, docstring)
         if folder in PHYSICS:
             wants += lacks(function, docstring)
-        yield from (f"{place}:{function.lineno}: {function.name}: {what}" for what in wants)
+        yield from (f"{place}:{function.lineno}: {function.name}: {kind}" for kind in wants)
 
 
 def registers(tree: ast.Module) -> bool:
@@ -113,8 +113,8 @@ def bare_fields(tree: ast.Module, text: str) -> Iterator[tuple[int, str]]:
 def comment_on(field: ast.AnnAssign, lines: list[str]) -> str:
     """The comment beside a field, or in the line above it."""
     above = lines[field.lineno - 2].strip()
-    beside = " ".join(lines[field.lineno - 1 : field.end_lineno]).partition("#")[2]
-    return f"{above} {beside}" if above.startswith("#") else beside
+    comment = " ".join(lines[field.lineno - 1 : field.end_lineno]).partition("#")[2]
+    return f"{above} {comment}" if above.startswith("#") else comment
 
 
 def public(tree: ast.Module) -> Iterator[ast.FunctionDef]:
@@ -128,15 +128,15 @@ def public(tree: ast.Module) -> Iterator[ast.FunctionDef]:
                     yield function
 
 
-def lacks(function: ast.FunctionDef, said: str) -> Iterator[str]:
+def lacks(function: ast.FunctionDef, docstring: str) -> Iterator[str]:
     """Units and shapes that a docstring does not give."""
     every = (*function.args.args, *function.args.kwonlyargs)
     kinds = [ast.unparse(a.annotation) for a in every if a.annotation]
     kinds += [ast.unparse(function.returns)] if function.returns else []
     kinds = [kind for kind in kinds if "Callable" not in kind]
-    if any(map(NUMBER.search, kinds)) and not unit_in(said):
+    if any(map(NUMBER.search, kinds)) and not unit_in(docstring):
         yield "no unit of its numbers"
-    if any(map(ARRAY.search, kinds)) and not SHAPE.search(said):
+    if any(map(ARRAY.search, kinds)) and not SHAPE.search(docstring):
         yield "no shape of its arrays"
 
 
@@ -153,9 +153,9 @@ class Raised:
         functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
         self.private = {f.name: f for f in functions if f.name[0] == "_" and f.name[:2] != "__"}
 
-    def untold(self, function: ast.FunctionDef, said: str) -> list[str]:
+    def untold(self, function: ast.FunctionDef, docstring: str) -> list[str]:
         """What a docstring does not tell of them."""
-        section = said.partition("Raises\n------\n")[2]
+        section = docstring.partition("Raises\n------\n")[2]
         missing = [
             e for e in sorted(self.by(function, set())) if not self.kinds[e] & words(section)
         ]

@@ -63,6 +63,6 @@ def faults() -> list[str]:
 
 
 if __name__ == "__main__":
-    told = faults()
-    print(*told, sep="\n")
-    sys.exit(bool(told))
+    found = faults()
+    print(*found, sep="\n")
+    sys.exit(bool(found))

@@ -13,9 +13,9 @@ LOCKED = "Specify a conda environment or container for each rule."
 TITLE = re.compile(r"^    \* (.*?):?$", re.MULTILINE)
 
 
-def asked_for(said: str) -> list[str]:
+def wanted(output: str) -> list[str]:
     """Titles of the lints in what Snakemake says, without the one that the locks answer."""
-    return [title for title in TITLE.findall(said) if title != LOCKED]
+    return [title for title in TITLE.findall(output) if title != LOCKED]
 
 
 def main() -> int:
@@ -23,7 +23,7 @@ def main() -> int:
     done = subprocess.run(["snakemake", "--lint"], capture_output=True, text=True)
     output = done.stdout + done.stderr
     answered = LOCKED in output or not done.returncode
-    if asked_for(output) or not answered:
+    if wanted(output) or not answered:
         print(output)
         return 1
     return 0

@@ -77,13 +77,13 @@ def files_of_effects(_: str) -> str:
 def quantities(_: str) -> str:
     """Variables of datasets with their units."""
     rows = [
-        f"| `{name}` | {about.get('units', '')} | {_told(about)} |"
+        f"| `{name}` | {about.get('units', '')} | {_in_words(about)} |"
         for name, about in variables().items()
     ]
     return "\n".join(["| variable | unit | |", "|---|---|---|", *rows])
 
 
-def _told(about: dict[str, str]) -> str:
+def _in_words(about: dict[str, str]) -> str:
     return ": ".join(about[key] for key in ("long_name", "comment") if key in about)
 
 

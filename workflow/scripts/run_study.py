@@ -239,9 +239,9 @@ def run_snakemake(options: argparse.Namespace, env: dict[str, str]) -> int:
     return process.returncode
 
 
-def bad_input(said: list[str]) -> str | None:
+def bad_input(output: list[str]) -> str | None:
     """Tell what is wrong in the configuration, when that is why Snakemake did not start."""
-    for before, line in pairwise(said):
+    for before, line in pairwise(output):
         if before.startswith("WorkflowError in") and line.startswith("riserstudy: "):
             return line.removeprefix("riserstudy: ")
     return None
@@ -289,13 +289,13 @@ def show_line(text: str, terminal: bool) -> None:
         print(text, flush=True)
 
 
-def failure(said: list[str]) -> str:
+def failure(output: list[str]) -> str:
     """Tell which rules failed and how their logs end, or why Snakemake did not start."""
     parts = []
-    for number, line in enumerate(said):
+    for number, line in enumerate(output):
         if found := re.match(r"Error in rule (\w+):", line):
             block: dict[str, str] = {}
-            for entry in said[number + 1 : number + 9]:
+            for entry in output[number + 1 : number + 9]:
                 key, _, value = entry.strip().partition(": ")
                 block.setdefault(key, value)
             parts.append(
@@ -307,9 +307,9 @@ def failure(said: list[str]) -> str:
                 parts += [f"{log} ends:", *(f"    {line}" for line in tail[-LOG_TAIL:])]
     if not parts:
         error = re.compile(r"\w*(Error|Exception)\b")
-        first = next((i for i, line in enumerate(said) if error.match(line)), -LOG_TAIL)
-        parts = ["riserstudy: snakemake stopped:", *said[first:][:LOG_TAIL]]
-    parts += [line for line in said if line.startswith("Complete log")]
+        first = next((i for i, line in enumerate(output) if error.match(line)), -LOG_TAIL)
+        parts = ["riserstudy: snakemake stopped:", *output[first:][:LOG_TAIL]]
+    parts += [line for line in output if line.startswith("Complete log")]
     return "\n".join(parts)
 
 
@@ -326,9 +326,9 @@ def summarise(seconds: float) -> None:
     graded = sorted(Path("results").glob("*/reproduction.csv"))
     newest = max((path.stat().st_mtime for path in graded), default=0.0)
     old = {path for path in (report, table) if path.exists() and path.stat().st_mtime < newest}
-    for what, path in (("report", report), ("table", table)):
+    for kind, path in (("report", report), ("table", table)):
         if path.exists():
-            print(f"  {what:9} {path}{' (of an earlier run)' if path in old else ''}")
+            print(f"  {kind:9} {path}{' (of an earlier run)' if path in old else ''}")
     reported = graded if table in old else [table] if table.exists() else []
     if reported:
         rows = [row for path in reported for row in graded_in(path)]

@@ -117,7 +117,7 @@ class Progress:
 
     def _at_first(self, rule: str) -> dict[str, float]:
         """Time (s) of steps of a rule that no run had yet, by message: by points where it simulates."""
-        step, point = (self.first[what].get(rule) for what in ("a_step", "a_point"))
+        step, point = (self.first[kind].get(rule) for kind in ("a_step", "a_point"))
         if step is None:
             return {}
         if point is None or not self.points:
@@ -129,7 +129,7 @@ class Progress:
         gone = f"{self.steps or 'no step'} done, {lasting(self.clock() - self.began)}"
         if (left := self.seconds_left()) is not None:
             gone = f"{self.percent(left)} %, {gone}, about {lasting(left)} left"
-        at_work = ", ".join(_said(step.message) for step in self.at_work.values())
+        at_work = ", ".join(_shortened(step.message) for step in self.at_work.values())
         cores = f"{self.cores} core{'s' if self.cores > 1 else ''}"
         return f"{gone} on {cores}: {at_work}" if at_work else f"{gone} on {cores}"
 
@@ -213,7 +213,7 @@ def _planned(planned: Path) -> dict[str, float]:
         return {}
 
 
-def _said(message: str) -> str:
+def _shortened(message: str) -> str:
     """What a step does, with the points that it has done of how many, as its log tells."""
     points = points_done(message)
     return f"{message} ({points[0]} of {points[1]} points)" if points else message

@@ -28,7 +28,7 @@ from riserstudy.cli import (
     tune,
 )
 from riserstudy.cli.examples import EXAMPLES
-from riserstudy.errors import RiserStudyError, shown
+from riserstudy.errors import RiserStudyError, printable
 
 OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothing refers to
 
@@ -62,8 +62,8 @@ app = typer.Typer(
 )
 
 
-def _version(asked: bool) -> None:
-    if asked:
+def _version(requested: bool) -> None:
+    if requested:
         print(f"riserstudy {riserstudy.__version__}")
         raise typer.Exit
 
@@ -99,7 +99,7 @@ def main() -> None:
         sys.exit(error.exit_code)
     except Exception as error:
         if hasattr(error, "format_message"):  # a usage error of the command line itself
-            print(f"riserstudy: command line: {shown(error.format_message())}", file=sys.stderr)
+            print(f"riserstudy: command line: {printable(error.format_message())}", file=sys.stderr)
             sys.exit(2)
         raise
 

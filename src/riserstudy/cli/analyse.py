@@ -95,7 +95,7 @@ def effects(
     more = "" if every or not off else f" Use --all to list {off} that need more input."
     console.print(f"{counts}.{more}", highlight=False)
     console.print(f"Degrees of freedom: {solved_for(file)}.", highlight=False)
-    for line in price.said[:1] if times else []:
+    for line in price.sentences[:1] if times else []:
         console.print(line, highlight=False)
 
 
@@ -112,14 +112,14 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     from rich.table import Table
 
     from riserstudy.numerics.advice import advice
-    from riserstudy.simulation.show import shown
+    from riserstudy.simulation.show import progress_line
 
     file = scene_of(scene, settings)
     compile_as_needed()
-    with shown(True) as tell:
-        given = advice(file, lambda what: tell(what, 0.0) if tell else None)
+    with progress_line(True) as notify:
+        given = advice(file, lambda message: notify(message, 0.0) if notify else None)
     console = Console(markup=False)
-    for line in given.said:
+    for line in given.sentences:
         console.print(line, highlight=False)
     table = Table("change", title=str(file.tree["title"]))
     for name in ("displ.", "moment", "tension", "run time"):

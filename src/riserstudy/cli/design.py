@@ -86,10 +86,12 @@ def tension(
         print("not evaluated: " + ", ".join(missing))
         raise typer.Exit(4)
     compile_as_needed()
-    from riserstudy.design.tension_table import Asked, lines, tension_table
+    from riserstudy.design.tension_table import TensionRequest, lines, tension_table
 
     ceiling = None if limit is None or share is None else (limit, share)
-    requested = Asked(Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle))
+    requested = TensionRequest(
+        Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle)
+    )
     rows = tension_table(riser, requested._replace(overpull=pulled, ceiling=ceiling))
     for line in lines(rows):
         print(line)
@@ -178,7 +180,7 @@ def envelope(
     seas = [Sea(*pair) for pair in pairs]
     for one in seas:
         in_sea(file, one, 1).scene()  # refuses a scene without a sea before anything runs
-    found = computed(file, far, speeds, seas, seeds, _tell)
+    found = computed(file, far, speeds, seas, seeds, _notify)
     show(found.table, csv)
     for name, why in found.missing.items():
         print(f"{name}: not evaluated: {why}; the envelope leaves it out")
@@ -241,8 +243,8 @@ def viv(
         wrote(plot)
 
 
-def _tell(said: str) -> None:
-    print(f"riserstudy: {said}", file=sys.stderr, flush=True)
+def _notify(line: str) -> None:
+    print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
 
 def _sea(text: str) -> tuple[float, float]:

@@ -221,10 +221,10 @@ def varied(
     files = [(one, scene_of(scene, [*settings, one])) for one in vary]  # all are checked first
     rows: list[list[Cell]] = []
     for setting, file in files:
-        _say(setting)
+        _notify(setting)
         made = simulated(file)
         for line in made.lines:
-            _say(line)
+            _notify(line)
         rows += [
             [setting, one.mode, 100.0 * one.hours.share, 100.0 * one.low, 100.0 * one.high,
              8766.0 * one.hours.share]
@@ -262,7 +262,7 @@ def riser_downtime(
         error=error,
         most=most,
         cores=cores or available_cores(),
-        say=_say,
+        notify=_notify,
     )
 
 
@@ -279,8 +279,8 @@ def _directions(sectors: int | None, x_towards: str | None) -> Directions | None
     return Directions(sectors, quantity("--x-towards", x_towards, "rad"))
 
 
-def _say(what: str) -> None:
-    print(f"riserstudy: {what}", file=sys.stderr, flush=True)
+def _notify(line: str) -> None:
+    print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
 
 def show_riser(
@@ -331,9 +331,9 @@ def held_back(sea: xr.Dataset, limits: list, count: int) -> None:  # type: ignor
         hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)
     )
     predicted = known.next_years(count)
-    said = "inside" if predicted.low <= came.band.share <= predicted.high else "outside"
+    outcome = "inside" if predicted.low <= came.band.share <= predicted.high else "outside"
     print(
-        f"kept back from {first} on: predicted {banded(predicted)}, came {came.band.share:.2%}: {said}"
+        f"kept back from {first} on: predicted {banded(predicted)}, came {came.band.share:.2%}: {outcome}"
     )
 
 

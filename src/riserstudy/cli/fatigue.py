@@ -90,7 +90,7 @@ def fatigue(
     from riserstudy.fatigue import tables
 
     years = _summed(study, scatter, seas, gamma, at, calm)
-    for line in years.said:
+    for line in years.notes:
         print(line)
     if not math.isnan(years.error_runs):
         known = sum(math.isfinite(sea.error) for sea in years.seas)

@@ -126,13 +126,13 @@ def table(
 def _run_of(source: Path) -> tuple[Any, Any]:
     """The scene and the dataset of one run."""
     from riserstudy.dataset.diff import opened
-    from riserstudy.dataset.provenance import scene_behind
+    from riserstudy.dataset.provenance import scene_of_point
 
     dataset = opened(source)
     if "point_key" in dataset:
         allowed = "allowed is the dataset of one run; `riserstudy results` lists points of studies"
         raise InputError(source, "", "a study", allowed)
-    return scene_behind(dataset, {}), dataset
+    return scene_of_point(dataset, {}), dataset
 
 
 def statistics(

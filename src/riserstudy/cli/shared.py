@@ -83,10 +83,10 @@ def compile_as_needed() -> None:
     """Let kernels be compiled as a command comes to them, and report that on stderr."""
     from riserstudy.simulation.compile import report_compiling
 
-    def tell(said: str) -> None:
-        print(f"riserstudy: {said}", file=sys.stderr, flush=True)
+    def notify(line: str) -> None:
+        print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
-    report_compiling(tell)
+    report_compiling(notify)
     _plain_xarray()
 
 

@@ -111,13 +111,13 @@ def announce(file: Any) -> None:
     """Say before a long run what it will take, and what makes it long."""
     from riserstudy.scene.sudden import sudden_wave
     from riserstudy.simulation.forecast import forecast
-    from riserstudy.simulation.show import shown
+    from riserstudy.simulation.show import progress_line
     from riserstudy.simulation.watch import Watch
 
     for warning in sudden_wave(file.scene()):
         print(f"riserstudy: warning: {warning}", file=sys.stderr, flush=True)
-    with shown(True) as tell:
-        price = forecast(file.scene(), Watch(tell=tell))
+    with progress_line(True) as notify:
+        price = forecast(file.scene(), Watch(notify=notify))
     if price and price.seconds > WORTH_TELLING:
         minutes = f"{price.seconds / 60.0:.2g} min" if price.seconds > 90.0 else ""
         print(

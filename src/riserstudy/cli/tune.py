@@ -46,7 +46,7 @@ def tune(
 
     check_tunable(one, points)
     compile_kernels(one.grid.file((0,) * len(one.axes)).scene())
-    found = tuned_of(one, accuracy, points, seed, _say)
+    found = tuned_of(one, accuracy, points, seed, _notify)
     for line in _lines(one, found):
         print(line)
     if write:
@@ -54,8 +54,8 @@ def tune(
         print(f"{studies}: written into studies.{one.name}")
 
 
-def _say(what: str) -> None:
-    print(f"riserstudy: {what}", file=sys.stderr, flush=True)
+def _notify(line: str) -> None:
+    print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
 
 def _study(path: Path, name: str | None) -> Study:

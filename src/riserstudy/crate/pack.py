@@ -33,8 +33,8 @@ def pack(study: Path, target: Path) -> int:
         raise InputError("crate", str(study), found, "run the study here first")
     results = [study / name for name in outputs_of(study)]
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
-    beside = [study / name for name in ("Snakefile", *BESIDE) if (study / name).exists()]
-    files = [*beside, *inputs_of(study), *results, *sorted(seals)]
+    others = [study / name for name in ("Snakefile", *BESIDE) if (study / name).exists()]
+    files = [*others, *inputs_of(study), *results, *sorted(seals)]
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     try:
         # files of reproducible archives may be older than a zip can say

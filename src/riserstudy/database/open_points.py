@@ -112,8 +112,8 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
             for row in ask(db, statement, (point,)).rows:
                 places[point] = row
     if not wanted or (missing := [point for point in wanted if point not in places]):
-        what = f"no point {missing[0]}" if wanted else "no points"
-        raise InputError(database, "points", what, "allowed are numbers of table points")
+        missing_text = f"no point {missing[0]}" if wanted else "no points"
+        raise InputError(database, "points", missing_text, "allowed are numbers of table points")
     parts = []
     for study, path in dict.fromkeys((places[point][0], places[point][1]) for point in wanted):
         mine = [point for point in places if places[point][0] == study]

@@ -91,7 +91,7 @@ def read_dataset(path: Path) -> Contents:
             grids = [
                 (grid, [*without_repeats(grid.variables, coordinates)]) for grid in _grids(file)
             ]
-            grids[0][1].extend(_told(file, grids[0][0]))
+            grids[0][1].extend(_statistics(file, grids[0][0]))
             return Contents(attributes, grids)
     except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
         found = f"no whole dataset ({error})"
@@ -135,7 +135,7 @@ def _is_reported(name: str, dims_of: dict[str, tuple[str, ...]]) -> bool:
     return elsewhere(name, dims, dims_of)
 
 
-def _told(file: netCDF4.Dataset, grid: Grid) -> Iterator[Statistic]:
+def _statistics(file: netCDF4.Dataset, grid: Grid) -> Iterator[Statistic]:
     """Statistics that a study took of its runs."""
     if NAMES["value"] in file.variables:
         held = {kind: file[name][...] for kind, name in NAMES.items() if name in file.variables}

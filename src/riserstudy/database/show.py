@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from riserstudy.database.ask import Answer
-from riserstudy.errors import shown
+from riserstudy.errors import printable
 
 WIDEST = 60  # characters of a text on a screen
 
@@ -41,7 +41,7 @@ def _cell(value: Any) -> str:
         return ""
     if isinstance(value, float):
         return f"{value:.6g}"
-    text = shown(value)
+    text = printable(value)
     return text if len(text) <= WIDEST else f"{text[: WIDEST - 4]} ..."
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from riserstudy.database.ask import ask, opened
 from riserstudy.database.sources import KINDS, described, digest_of
-from riserstudy.errors import InputError, shown
+from riserstudy.errors import InputError, printable
 from riserstudy.folders import SEALS
 from riserstudy.study import store
 
@@ -44,7 +44,7 @@ def verify(database: Path) -> Verified:
         keys = [str(key) for (key,) in ask(db, "select distinct key from points").rows]
     wrong += [*_files(database.parent, files)]
     wrong += [
-        f"{database}: {shown(repr(key))} is no key" for key in keys if not _KEY.fullmatch(key)
+        f"{database}: {printable(repr(key))} is no key" for key in keys if not _KEY.fullmatch(key)
     ]
     keys = [key for key in keys if _KEY.fullmatch(key)]
     damaged = [key for key in keys if store.has(key) and store.about(key) is None]

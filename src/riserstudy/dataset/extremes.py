@@ -143,7 +143,7 @@ def from_arrays(labels: Sequence[str], held: Mapping[str, NDArray[Any]]) -> Iter
         yield Statistic(quantity, statistic, unit, name, held["value"][:, k], at)
 
 
-def told(dataset: xr.Dataset, quantity: str, statistic: str) -> xr.DataArray | None:
+def statistic_of(dataset: xr.Dataset, quantity: str, statistic: str) -> xr.DataArray | None:
     """A statistic that a study took of its runs, over its axes; None where it has none."""
     label = f"{quantity} {statistic}"
     if NAMES["value"] not in dataset or label not in dataset[OVER]:
@@ -153,9 +153,9 @@ def told(dataset: xr.Dataset, quantity: str, statistic: str) -> xr.DataArray | N
 
 def largest_size(dataset: xr.Dataset, quantity: str) -> xr.DataArray | None:
     """Largest magnitude of a quantity that a study took of its runs; None where it has none."""
-    sides = [told(dataset, quantity, side) for side in ("max", "min")]
+    sides = [statistic_of(dataset, quantity, side) for side in ("max", "min")]
     if sides[0] is None or sides[1] is None:
-        return told(dataset, quantity, "absmax")
+        return statistic_of(dataset, quantity, "absmax")
     return abs(sides[0]).where(abs(sides[0]) >= abs(sides[1]), abs(sides[1]))
 
 

@@ -34,7 +34,7 @@ def origins_of(dataset: xr.Dataset) -> dict[str, str]:
         sets = json.loads(dataset[axis].attrs.get("sets", "{}"))
         values = [sets.get(str(value), {}) for value in np.ravel(dataset[axis].values).tolist()]
         of = {p: found for p, found in of.items() if not all(_cover(one, p) for one in values)}
-        for path, status in _said(values):
+        for path, status in _statuses(values):
             of.setdefault(path, set()).add(status)
     return _first(of)
 
@@ -57,7 +57,7 @@ def _cover(sets: Mapping[str, Any], path: str) -> bool:
     return any(within(path, own) for own in sets)
 
 
-def _said(values: Iterable[Mapping[str, Any]]) -> Iterator[tuple[str, str]]:
+def _statuses(values: Iterable[Mapping[str, Any]]) -> Iterator[tuple[str, str]]:
     """What values of an axis say of themselves, by path."""
     for sets in values:
         for path, value in sets.items():

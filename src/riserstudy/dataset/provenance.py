@@ -91,7 +91,7 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     return file.with_values(sets, f"{source}: axes")
 
 
-def scene_behind(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:
+def scene_of_point(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:
     """The scene of one point, as ``scene_file_of`` has it."""
     return scene_file_of(dataset, index).scene()
 
@@ -101,18 +101,18 @@ def _name(dataset: xr.Dataset | xr.DataArray) -> str:
     return str(dataset.encoding.get("source", "dataset"))
 
 
-def _mapping(said: xr.Dataset | xr.DataArray, name: str) -> dict[str, Any]:
+def _mapping(labelled: xr.Dataset | xr.DataArray, name: str) -> dict[str, Any]:
     """What an attribute holds as JSON."""
     try:
-        value = json.loads(said.attrs[name])
+        value = json.loads(labelled.attrs[name])
     except (KeyError, TypeError, ValueError, RecursionError):
-        raise _damaged(said, name, "no JSON") from None
+        raise _damaged(labelled, name, "no JSON") from None
     if not isinstance(value, dict):
-        raise _damaged(said, name, "no mapping")
+        raise _damaged(labelled, name, "no mapping")
     return value
 
 
-def _damaged(said: xr.Dataset | xr.DataArray, name: str, found: str) -> InputError:
+def _damaged(labelled: xr.Dataset | xr.DataArray, name: str, found: str) -> InputError:
     """What is said of a dataset that no simulation wrote like this."""
     allowed = "the file is damaged, or not of this program; run its scene again"
-    return InputError(_name(said), name, found, allowed)
+    return InputError(_name(labelled), name, found, allowed)

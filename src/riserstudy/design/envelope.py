@@ -38,7 +38,7 @@ def envelope(
     currents: Sequence[float],
     seas: Sequence[Sea],
     seeds: int,
-    tell: Callable[[str], None] = lambda _: None,
+    notify: Callable[[str], None] = lambda _: None,
 ) -> Envelope:
     """Offsets between which the limits of each mode are met, on risers at rest with allowances for seas.
 
@@ -48,7 +48,7 @@ def envelope(
     currents : speeds of the current at the surface (m/s).
     seas : irregular seas; none: calm.
     seeds : runs of each sea.
-    tell : is given what runs next.
+    notify : is given what runs next.
 
     Raises
     ------
@@ -61,12 +61,12 @@ def envelope(
     limits = scene.limits or []
     moved(scene, 0.0)  # refuses a scene that cannot be moved
     with_speeds = [with_current(scene, speed) for speed in currents]
-    added = [allowances(file, sea, seeds, tell) for sea in seas] or [[0.0] * len(limits)]
+    added = [allowances(file, sea, seeds, notify) for sea in seas] or [[0.0] * len(limits)]
     labels = [label(limit) for limit in limits]
     found = np.full((len(added), len(currents), len(limits), len(SIDES)), math.nan)
     missing: dict[str, str] = {}
     for c, (speed, of) in enumerate(zip(currents, with_speeds, strict=True)):
-        tell(f"offsets in a current of {speed:g} m/s")
+        notify(f"offsets in a current of {speed:g} m/s")
         for n, between in enumerate(_each(of, reach, added)):
             for k, one in enumerate(between):
                 found[n, c, k] = one[:2]

@@ -20,7 +20,7 @@ FloatArray = NDArray[np.float64]
 
 
 def allowances(
-    file: SceneFile, sea: Sea, seeds: int, tell: Callable[[str], None] = lambda _: None
+    file: SceneFile, sea: Sea, seeds: int, notify: Callable[[str], None] = lambda _: None
 ) -> list[float]:
     """What a sea adds to the demand of each limit of a scene, that nine seas in ten do not exceed.
 
@@ -29,7 +29,7 @@ def allowances(
 
     Parameters
     ----------
-    tell : is given what runs next.
+    notify : is given what runs next.
 
     Raises
     ------
@@ -43,7 +43,7 @@ def allowances(
     rest = _extremes(at_rest(scene))
     added = np.zeros((seeds, len(limits)))
     for seed in range(seeds):
-        tell(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
+        notify(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
         rows = _extremes(in_sea(file, sea, seed + 1).scene())
         added[seed] = [_added(scene, limit, rest, rows) for limit in limits]
     return [allowance(column) for column in added.T]

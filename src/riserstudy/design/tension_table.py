@@ -12,7 +12,7 @@ from riserstudy.design.window import lift_off, lift_off_lacks, window
 from riserstudy.scene.models import Scene
 
 
-class Asked(NamedTuple):
+class TensionRequest(NamedTuple):
     """What a tension is wanted for."""
 
     tolerances: Tolerances
@@ -24,7 +24,7 @@ class Asked(NamedTuple):
 class Found(NamedTuple):
     """A tension of a riser."""
 
-    what: str
+    quantity: str
     tension: float | None  # N; None: not evaluated
     note: str = ""
 
@@ -42,11 +42,11 @@ class Rows(NamedTuple):
 
     def table(self) -> Table:
         """The same as a table in SI units."""
-        rows = [[row.what, row.tension, row.note] for row in (*self.ends, *self.totals)]
+        rows = [[row.quantity, row.tension, row.note] for row in (*self.ends, *self.totals)]
         return Table(["quantity", "tension", "note"], ["", "N", ""], rows)
 
 
-def tension_table(scene: Scene, asked: Asked) -> Rows:
+def tension_table(scene: Scene, request: TensionRequest) -> Rows:
     """Minimum tension by formula and engine, the setting, and the window that it lies in.
 
     Raises
@@ -56,7 +56,7 @@ def tension_table(scene: Scene, asked: Asked) -> Rows:
     SimulationError
         When no equilibrium is found.
     """
-    needed, first = formula.needed(scene, asked.tolerances), scene.lowest_riser_section
+    needed, first = formula.needed(scene, request.tolerances), scene.lowest_riser_section
     names = [f"lower end of {section.name}" for section in scene.riser]
     names.append(f"upper end of {scene.riser[-1].name}")
     below = "stack or conductor, below the flex joint: not counted"
@@ -64,39 +64,39 @@ def tension_table(scene: Scene, asked: Asked) -> Rows:
         Found(name, float(value), below if k < first else "")
         for k, (name, value) in enumerate(zip(names, needed, strict=True))
     ]
-    of = formula.governing(scene, asked.tolerances)
+    of = formula.governing(scene, request.tolerances)
     totals = [
         Found("formula", of.tension, f"governed by the {names[of.end]}"),
-        _engine(scene, asked),
+        _engine(scene, request),
     ]
-    units = f"with {asked.rig.failed} of {asked.rig.units} units out"
-    least = Found("setting", setting(of.tension, asked.rig), units)
-    return Rows(ends, [*totals, least, *_window(scene, asked, of.tension)])
+    units = f"with {request.rig.failed} of {request.rig.units} units out"
+    least = Found("setting", setting(of.tension, request.rig), units)
+    return Rows(ends, [*totals, least, *_window(scene, request, of.tension)])
 
 
-def _engine(scene: Scene, asked: Asked) -> Found:
+def _engine(scene: Scene, request: TensionRequest) -> Found:
     if missing := engine.lacks(scene):
         return Found("engine", None, ", ".join(missing))
-    slack = engine.needed(scene, asked.tolerances)
+    slack = engine.needed(scene, request.tolerances)
     note = f"slack first {slack.s:.4g} m from the bottom"
     if scene.top.tensioners:
         note += "; constant tension on the ring in place of the tensioners"
     return Found("engine", slack.tension, note)
 
 
-def _window(scene: Scene, asked: Asked, minimum: float) -> list[Found]:
+def _window(scene: Scene, request: TensionRequest, minimum: float) -> list[Found]:
     """Floor by the LMRP, ceiling, and what is between floors and ceiling; nothing where none is wanted."""
     rows, lifted = [], None
-    if asked.overpull is not None:
+    if request.overpull is not None:
         if missing := lift_off_lacks(scene):
             return [Found("floor, LMRP lift-off", None, ", ".join(missing))]
-        lifted = lift_off(scene, asked.overpull)
-        least = setting(lifted, asked.rig._replace(failed=0))
+        lifted = lift_off(scene, request.overpull)
+        least = setting(lifted, request.rig._replace(failed=0))
         rows.append(Found("floor, LMRP lift-off", least, "weights as given, all units working"))
-    if asked.ceiling is None:
+    if request.ceiling is None:
         return rows
-    limit, share = asked.ceiling
-    of = window(minimum, lifted, asked.rig, limit, share)
+    limit, share = request.ceiling
+    of = window(minimum, lifted, request.rig, limit, share)
     note = f"{100.0 * share:g} % of the dynamic tension limit"
     rows.append(Found("ceiling", of.ceilings[of.ceiling], note))
     text = "above the floor" if of.gap >= 0.0 else "no setting: the ceiling is below the floor"
@@ -106,13 +106,13 @@ def _window(scene: Scene, asked: Asked, minimum: float) -> list[Found]:
 def lines(rows: Rows) -> list[str]:
     """The rows as readable lines in kN."""
     texts = [
-        f"{(row.tension or 0.0) / 1e3:10.2f} kN  {row.what}"
+        f"{(row.tension or 0.0) / 1e3:10.2f} kN  {row.quantity}"
         + (f"  ({row.note})" if row.note else "")
         for row in rows.ends
     ]
     for row in rows.totals:
         if row.tension is None:
-            texts.append(f"{row.what}: not evaluated: {row.note}")
+            texts.append(f"{row.quantity}: not evaluated: {row.note}")
         else:
-            texts.append(f"{row.what}: {row.tension / 1e3:.2f} kN, {row.note}")
+            texts.append(f"{row.quantity}: {row.tension / 1e3:.2f} kN, {row.note}")
     return texts

@@ -26,7 +26,7 @@ from riserstudy.solve.jit import inner
 from riserstudy.solve.state import SUPPLIED
 
 
-class LentForce(NamedTuple):
+class ForceTable(NamedTuple):
     """Force on a node over time, in its first directions; reports how the node moves."""
 
     node: int
@@ -35,7 +35,7 @@ class LentForce(NamedTuple):
     probe: int  # first of its probes: velocity (m/s) and acceleration (m/s2) of each direction
 
 
-class ToldMotion(NamedTuple):
+class MotionTable(NamedTuple):
     """Motion of a node over time, in its first directions."""
 
     node: int
@@ -54,38 +54,38 @@ def _piece(time, now):
 
 
 @inner
-def force(lent, s):
+def force(table, s):
     """The load as it is now."""
-    k, _, x = _piece(lent.time, s.clock[0])
-    for c in range(lent.load.shape[1]):
-        s.force[c, lent.node] += (1.0 - x) * lent.load[k, c] + x * lent.load[k + 1, c]
+    k, _, x = _piece(table.time, s.clock[0])
+    for c in range(table.load.shape[1]):
+        s.force[c, table.node] += (1.0 - x) * table.load[k, c] + x * table.load[k + 1, c]
     return 0.0
 
 
 @inner
-def power(lent, s):
+def power(table, s):
     """Power that it supplies (W)."""
-    k, _, x = _piece(lent.time, s.clock[0])
-    for c in range(lent.load.shape[1]):
-        load = (1.0 - x) * lent.load[k, c] + x * lent.load[k + 1, c]
-        s.flow[SUPPLIED] += load * s.v[c, lent.node]
+    k, _, x = _piece(table.time, s.clock[0])
+    for c in range(table.load.shape[1]):
+        load = (1.0 - x) * table.load[k, c] + x * table.load[k + 1, c]
+        s.flow[SUPPLIED] += load * s.v[c, table.node]
     return 0.0
 
 
 @inner
-def probe(lent, s):
+def probe(table, s):
     """Report velocity and acceleration of the node."""
-    for c in range(lent.load.shape[1]):
-        s.probe[lent.probe + 2 * c] = s.v[c, lent.node]
-        s.probe[lent.probe + 2 * c + 1] = s.a[c, lent.node]
+    for c in range(table.load.shape[1]):
+        s.probe[table.probe + 2 * c] = s.v[c, table.node]
+        s.probe[table.probe + 2 * c + 1] = s.a[c, table.node]
     return 0.0
 
 
 @inner
-def place(told, s):
+def place(table, s):
     """Put the node where it is told to be, with the velocity and acceleration it has there."""
-    k, h, x = _piece(told.time, s.clock[0])
-    path, i = told.path, told.node
+    k, h, x = _piece(table.time, s.clock[0])
+    path, i = table.path, table.node
     for c in range(path.shape[2]):
         d = path[0, k + 1, c] - path[0, k, c]
         slope, twist = h * path[1, k, c] - d, d - h * path[1, k + 1, c]
@@ -96,5 +96,5 @@ def place(told, s):
     return 0.0
 
 
-register(LentForce, device=force, power=power, probe=probe)
-register(ToldMotion, place=place)
+register(ForceTable, device=force, power=power, probe=probe)
+register(MotionTable, place=place)

@@ -31,7 +31,7 @@ class Deck:
     file: SceneFile
     scene: Scene
     objects: dict[str, Any] = field(default_factory=dict)
-    said: set[str] = field(default_factory=set)
+    carried: set[str] = field(default_factory=set)
     otherwise: dict[str, str] = field(default_factory=dict)
 
     def add(self, of: str, entry: dict[str, Any]) -> None:
@@ -49,7 +49,7 @@ class Deck:
         for path, _ in leaves(self.file.tree):
             bare = re.sub(r"\[\d+\]", "", path)
             called = bare.rpartition(".")[2] in CALLED
-            if called or any(within(bare, place) for place in self.said):
+            if called or any(within(bare, place) for place in self.carried):
                 continue
             if not any(within(path, place) for place in self.otherwise):
                 parent = bare.rpartition(".")[0]

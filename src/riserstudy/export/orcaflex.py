@@ -61,7 +61,7 @@ def write_deck(file: SceneFile) -> Exported:
     pipes.line_types(deck)
     top, upper = topside.top(deck, _rest(file))
     foot = ["Fixed", 0, 0, scene.bottom.elevation]
-    deck.said |= {"bottom.hold", "bottom.elevation", "bottom.rotation"}
+    deck.carried |= {"bottom.hold", "bottom.elevation", "bottom.rotation"}
     pipes.lines(deck, top, upper, foot, pipes.stiffness(scene.bottom.rotation))
     if clay:
         deck.objects["Lines"][-1]["PyModel"] = clay

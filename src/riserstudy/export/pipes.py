@@ -45,7 +45,7 @@ def line_types(deck: Deck) -> None:
     """Write the line types, one a section."""
     for k, section in enumerate(deck.scene.riser):
         deck.add("LineTypes", _line_type(deck, section, k))
-    deck.said |= {
+    deck.carried |= {
         f"riser.{name}"
         for name in (
             "length", "joints", "outer_diameter", "inner_diameter", "young_modulus", "mass", "wall_density",
@@ -134,7 +134,7 @@ def _water(deck: Deck, section: Section, k: int, outer: float, pipe: bool) -> di
     if drag:
         across = drag.constant if not drag.table else _mean(deck, drag.table, k)
         entry["NormalDragLiftDiameter"] = drag.diameter
-        deck.said |= set() if drag.table else {"riser.drag.coefficient"}
+        deck.carried |= set() if drag.table else {"riser.drag.coefficient"}
     if sliding:
         along = sliding.coefficient
         entry["AxialDragLiftDiameter"] = sliding.diameter

@@ -25,7 +25,7 @@ def environment(deck: Deck, water: Water) -> dict[str, Any]:
     if surface is None or seabed is None:
         name = "water.surface" if surface is None else "water.seabed"
         raise deck.refused(name, "missing", "a deck needs the levels of surface and seabed")
-    deck.said |= {"water"}
+    deck.carried |= {"water"}
     made: dict[str, Any] = {
         "WaterSurfaceZ": surface, "KinematicViscosity": 1.35e-6, "VerticalDensityVariation": "Constant",
         "Density": 1e-3 * water.density, "SeabedType": "Flat", "SeabedOrigin": [0, 0],
@@ -39,7 +39,7 @@ def _current(deck: Deck, surface: float) -> dict[str, Any]:
     flow = deck.scene.current
     if flow is None:
         return {"RefCurrentSpeed": 0}
-    deck.said |= {f"current.{name}" for name in ("profile", "heading", "headings", "beyond")}
+    deck.carried |= {f"current.{name}" for name in ("profile", "heading", "headings", "beyond")}
     z, velocity = current_velocity(flow, deck.scene.water)
     keep = _needed(z, velocity)
     z, velocity = z[keep][::-1], velocity[:, keep][:, ::-1]
@@ -95,7 +95,7 @@ def _waves(deck: Deck) -> dict[str, Any]:
             "WavePeriod": 10,
         }
         return {"KinematicStretchingMethod": "Vertical stretching", "WaveTrains": [calm]}
-    deck.said |= {
+    deck.carried |= {
         f"wave.{n}" for n in ("heading", "above_mean_level", "height", "amplitude", "period")
     }
     train: dict[str, Any] = {"Name": "Wave1", "WaveDirection": math.degrees(wave.heading or 0.0)}
@@ -103,10 +103,10 @@ def _waves(deck: Deck) -> dict[str, Any]:
         height = wave.height or 2.0 * (wave.amplitude or 0.0)
         train = {**train, "WaveType": "Airy", "WaveHeight": height, "WavePeriod": wave.period}
     else:
-        deck.said |= {
+        deck.carried |= {
             f"wave.{n}" for n in ("significant_height", "peak_period", "peak_enhancement")
         }
-        deck.said |= {"wave.components", "wave.seed"}
+        deck.carried |= {"wave.components", "wave.seed"}
         deck.otherwise["wave.seed"] = "the record of the deck is another: it draws its own phases"
         train |= {
             "WaveType": "JONSWAP", "WaveJONSWAPParameters": "Partially specified",
@@ -121,22 +121,22 @@ def stages(deck: Deck) -> dict[str, Any]:
     """General data: duration in a stage that builds up and one after it; none in statics."""
     scene, a = deck.scene, deck.scene.analysis
     made: dict[str, Any] = {"UnitsSystem": "SI"}
-    deck.said |= {"gravity", "analysis.duration", "analysis.output.interval"}
+    deck.carried |= {"gravity", "analysis.duration", "analysis.output.interval"}
     if a.duration is None:
         return made
     response = scene.platform and scene.platform.response
     cruise = scene.platform and scene.platform.cruise
     ramps = {
-        path: what.ramp
-        for path, what in (
+        path: ending.ramp
+        for path, ending in (
             ("wave.ramp", scene.wave), ("platform.response.ramp", response), ("platform.cruise.ramp", cruise),
         )
-        if what
+        if ending
     }  # fmt: skip
     longest = max((ramp for ramp in ramps.values() if ramp), default=0.0)
     first = min(longest or 0.1 * a.duration, a.duration)
     for path, ramp in ramps.items():
-        deck.said.add(path)
+        deck.carried.add(path)
         if ramp != first:
             reason = "none" if ramp is None else f"{ramp:g} s"
             deck.otherwise[path] = f"{reason}; the deck builds up over its first stage, {first:g} s"
@@ -152,7 +152,7 @@ def vessel(deck: Deck) -> None:
         return
     place = platform and platform.position
     at = [(place.surge or 0.0), (place.sway or 0.0), (place.heave or 0.0)] if place else [0, 0, 0]
-    deck.said |= {f"platform.position.{name}" for name in ("surge", "sway", "heave")}
+    deck.carried |= {f"platform.position.{name}" for name in ("surge", "sway", "heave")}
     turned = place and [getattr(place, name) for name in ("roll", "pitch", "yaw")]
     response, cruise = (platform.response, platform.cruise) if platform else (None, None)
     entry: dict[str, Any] = {
@@ -165,7 +165,7 @@ def vessel(deck: Deck) -> None:
     if turned and any(turned):
         deck.otherwise["platform.position"] = "roll, pitch and yaw are left out"
     if cruise:
-        deck.said |= {"platform.cruise.speed", "platform.cruise.heading"}
+        deck.carried |= {"platform.cruise.speed", "platform.cruise.heading"}
         heading = math.degrees(cruise.heading or 0.0)
         modes = ["Speed change", "Constant speed"]
         entry[
@@ -191,14 +191,16 @@ def _vessel_type(deck: Deck) -> dict[str, Any]:
     tables: list[dict[str, Any]] = []
     origin = [0.0, 0.0, 0.0]
     if response:
-        deck.said |= {
+        deck.carried |= {
             f"platform.response.{n}" for n in ("operators", "phases", "headings", "symmetry")
         }
-        deck.said |= {"platform.response.motions", "platform.centre_of_rotation"}
+        deck.carried |= {"platform.response.motions", "platform.centre_of_rotation"}
         made["RAOPhaseConvention"] = "leads" if response.phases == "lead" else "lags"
         origin = [centre.x or 0.0, centre.y or 0.0, centre.elevation] if centre else origin
         names = ["RAOPeriodOrFrequency"]
-        names += [f"RAO{name.capitalize()}{what}" for name in MOTIONS for what in ("Amp", "Phase")]
+        names += [
+            f"RAO{name.capitalize()}{ending}" for name in MOTIONS for ending in ("Amp", "Phase")
+        ]
         tables = [
             {
                 "RAODirection": math.degrees(heading or 0.0),
@@ -211,7 +213,9 @@ def _vessel_type(deck: Deck) -> dict[str, Any]:
     if not tables:
         still = [[w, *[0.0] * 12] for w in (0.1, 10.0)]
         names = ["RAOPeriodOrFrequency"]
-        names += [f"RAO{name.capitalize()}{what}" for name in MOTIONS for what in ("Amp", "Phase")]
+        names += [
+            f"RAO{name.capitalize()}{ending}" for name in MOTIONS for ending in ("Amp", "Phase")
+        ]
         tables = [{"RAODirection": 0, ", ".join(names): still}]
     raos = {"RAOOrigin": origin, "PhaseOrigin": [None, None, None], "RAOs": tables}
     return made | {"Draughts": [{"Name": "Draught", "DisplacementRAOs": raos}]}
@@ -246,7 +250,7 @@ def soil(deck: Deck) -> str | None:
         raise deck.refused("soil.resistance", "a soil that changes with depth, or springs", allowed)
     if deck.scene.water and deck.scene.water.seabed != ground.mudline:
         deck.otherwise["soil.mudline"] = "the seabed of the deck"
-    deck.said |= {"soil"}
+    deck.carried |= {"soil"}
     deck.otherwise["soil.resistance.straight_up_to"] = "the deck has its own beginning of the curve"
     curve = {
         "DepthBelowSeabedFrom": 0, "ModelType": "API RP 2A soft clay",

@@ -50,7 +50,7 @@ def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
     """
     of, scene = deck.scene.top, deck.scene
     offset = of.offset or 0.0
-    deck.said |= {"top.x", "top.z", "top.offset", "top.elevation", "top.rotation"}
+    deck.carried |= {"top.x", "top.z", "top.offset", "top.elevation", "top.rotation"}
     if of.held_at_tension is not None:
         allowed = "give top.elevation: a deck has no end that is held at a tension"
         raise deck.refused("top.held_at_tension", f"{of.held_at_tension:g} N", allowed)
@@ -98,7 +98,7 @@ def _free(deck: Deck, rest: Rest) -> list[Any]:
 def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> None:
     """A barrel that hangs on the vessel, on a constraint that slides in the ring."""
     of = deck.scene.top
-    deck.said |= {"top.telescopic_joint.length", "top.telescopic_joint.bending_stiffness"}
+    deck.carried |= {"top.telescopic_joint.length", "top.telescopic_joint.bending_stiffness"}
     _body(deck, of.body, "Free", rest.unstretched)
     deck.add("Constraints", {"Name": SLIDE, "InFrameConnection": RING, **_sliding()})
     deck.add("LineTypes", {
@@ -143,7 +143,7 @@ def _body(deck: Deck, body: Body | None, on: str, height: float) -> None:
         if body.added_mass:
             across, along = body.added_mass.horizontal or 0.0, body.added_mass.vertical or 0.0
             added = [1e-3 * across, 1e-3 * across, 1e-3 * along]
-        deck.said |= {"top.body"}
+        deck.carried |= {"top.body"}
     else:
         deck.otherwise["top.body"] = f"absent: the ring of the deck has {1e3 * LIGHT:g} kg"
     deck.add("6DBuoys", {
@@ -172,7 +172,7 @@ def pulls(deck: Deck, ring: str, rest: Rest, along: float | None) -> None:
         ("top.tension", of.tension), ("top.telescopic_joint.tension", joint and joint.tension),
     ):  # fmt: skip
         if tension:
-            deck.said.add(path)
+            deck.carried.add(path)
             deck.add("Winches", {
                 "Name": "Constant tension", "WinchType": "Simple",
                 "Connection, ConnectionX, ConnectionY, ConnectionZ": [
@@ -189,7 +189,7 @@ def pulls(deck: Deck, ring: str, rest: Rest, along: float | None) -> None:
 
 def _cylinders(deck: Deck, rig: Tensioners, ring: str, rest: Rest, high: float) -> None:
     """One link a cylinder."""
-    deck.said |= {
+    deck.carried |= {
         f"top.tensioners.{name}"
         for name in (
             "count", "mid_stroke", "gas", "two_chamber_gas", "linearised", "linear", "table", "interpolation",

@@ -39,7 +39,7 @@ class Occurrence(NamedTuple):
 
     values: dict[str, Array]
     shares: Array
-    said: tuple[str, ...]  # what was left out or added up, a line each
+    notes: tuple[str, ...]  # what was left out or added up, a line each
 
 
 def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
@@ -116,9 +116,9 @@ def of_record(record: xr.Dataset, axes: list[str]) -> Occurrence:
     whole = np.isfinite(table).all(axis=1)
     found, counts = np.unique(table[whole], axis=0, return_counts=True)
     lacking = int((~whole).sum())
-    said = (f"{lacking} rows of the record lack a value and do not count",) if lacking else ()
+    notes = (f"{lacking} rows of the record lack a value and do not count",) if lacking else ()
     return Occurrence(
-        {axis: found[:, k] for k, axis in enumerate(columns)}, counts / counts.sum(), said
+        {axis: found[:, k] for k, axis in enumerate(columns)}, counts / counts.sum(), notes
     )
 
 
@@ -192,14 +192,14 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
     InputError
         When a state that occurs is outside of the range: axis, share of the time and largest value.
     """
-    values, said = dict(of.values), [*of.said]
+    values, notes = dict(of.values), [*of.notes]
     for axis, places in grid.items():
         there = values[axis][of.shares > 0.0]
         low, high = float(places[0]), float(places[-1])
         slack = 1e-9 * max(abs(low), abs(high))
         below, above = values[axis] < low - slack, values[axis] > high + slack
         if calm and below.any():
-            said.append(
+            notes.append(
                 f"{axis} below {low:g}, {100 * of.shares[below].sum():.3g} % of the time, counts as {low:g}"
             )
             values[axis] = np.maximum(values[axis], low)
@@ -214,4 +214,4 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
                 f"simulate more values of {axis}"
                 + ("" if above.any() else ", or count calmer ones as the calmest by --calm"),
             )
-    return Occurrence(values, of.shares, tuple(said))
+    return Occurrence(values, of.shares, tuple(notes))

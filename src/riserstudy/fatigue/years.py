@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.place import value_of
-from riserstudy.dataset.provenance import scene_behind
+from riserstudy.dataset.provenance import scene_of_point
 from riserstudy.errors import InputError
 from riserstudy.fatigue.occurrence import Occurrence, within
 from riserstudy.fatigue.response import ORDER, Response, in_parts
@@ -69,7 +69,7 @@ class Years(NamedTuple):
     error_runs: (
         float  # estimated relative error of runs, each by its damage; NaN where none is known
     )
-    said: tuple[str, ...]
+    notes: tuple[str, ...]
 
     @property
     def half(self) -> list[Sea]:
@@ -155,7 +155,7 @@ def over_years(
         found,
         [(axis, str(study[axis].attrs.get("units", ""))) for axis in grid],
         _error_of(found),
-        occurs.said,
+        occurs.notes,
     )
 
 
@@ -239,7 +239,7 @@ def _between(here: Response, occurs: Occurrence, rate: float) -> float:
 def _safety_factors(study: xr.Dataset) -> list[float]:
     """Of the details of the scene behind a study."""
     index = {str(axis): 0 for axis in study["point_key"].dims} if "point_key" in study else {}
-    fatigue = scene_behind(study, index).fatigue
+    fatigue = scene_of_point(study, index).fatigue
     if fatigue is None:
         raise InputError(_name(study), "fatigue", "not in the scene", "run the scene again")
     return [detail.safety_factor for detail in fatigue.details]

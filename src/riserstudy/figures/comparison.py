@@ -20,9 +20,9 @@ def comparison(pairs: Sequence[Pair], title: str, other: str) -> Figure:
     ----------
     title : of the run. other : what the table is called.
     """
-    shown = pairs[:MOST]
-    figure, axes = panels(len(shown), 1, 2.2, sharex=True)
-    for ax, pair in zip(axes, shown, strict=True):
+    chosen = pairs[:MOST]
+    figure, axes = panels(len(chosen), 1, 2.2, sharex=True)
+    for ax, pair in zip(axes, chosen, strict=True):
         factor, unit = read_in(pair.unit)
         ax.plot(pair.along, factor * pair.ours, color=COLOURS[0], linewidth=1.2, label="run")
         ax.plot(

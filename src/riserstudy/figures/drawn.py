@@ -33,14 +33,14 @@ class Drawn(NamedTuple):
 
 def headline(figure: Figure) -> str:
     """What a figure says: its title, or that of its first panel; "" where it says nothing."""
-    axes = _shown(figure)
+    axes = _visible_axes(figure)
     panel = _LETTER.sub("", _title(axes[0])) if axes else ""
     return _plain(figure.get_suptitle()) or (panel if len(panel) > SAYS else "")
 
 
 def words(figure: Figure) -> str:
     """What is seen: panels with their titles, axes and named series."""
-    panels = [panel for ax in _shown(figure) if (panel := _panel(ax))]
+    panels = [panel for ax in _visible_axes(figure) if (panel := _panel(ax))]
     head = figure.get_suptitle()
     count = f"{len(panels)} panels. " if len(panels) > 1 else ""
     return " ".join([*([f"{head}."] if head else []), count + " ".join(panels)]).replace("\n", " ")
@@ -49,7 +49,7 @@ def words(figure: Figure) -> str:
 def table(figure: Figure) -> str:
     """All that is drawn as CSV text: a row a value, to six digits."""
     rows: list[tuple[str, ...]] = []
-    for number, ax in enumerate(_shown(figure), start=1):
+    for number, ax in enumerate(_visible_axes(figure), start=1):
         title = _title(ax) or str(number)
         labels = _labels(ax)
         for one in _series(ax):
@@ -57,7 +57,7 @@ def table(figure: Figure) -> str:
     return csv_text(HEADER, rows)
 
 
-def _shown(figure: Figure) -> list[Axes]:
+def _visible_axes(figure: Figure) -> list[Axes]:
     return [ax for ax in figure.axes if ax.get_visible() and ax.get_label() != "<colorbar>"]
 
 

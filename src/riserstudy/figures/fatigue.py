@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.fatigue.years import Years
-from riserstudy.figures.style import COLOURS, as_written, beside_letter, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, as_written, headline, key_below, panel_title, panels
 
 LEAST = 1e-6  # of the largest damage, below which a line is not drawn
 
@@ -30,10 +30,10 @@ def _along(ax: Axes, years: Years) -> None:
         damage = worst.safety_factor * np.fmax.reduce(rates, axis=0)
         here = np.isfinite(damage)
         colour = COLOURS[k % len(COLOURS)]
-        shown = here & (damage > LEAST * most)
+        chosen = here & (damage > LEAST * most)
         mark = {"marker": "o", "linestyle": ""} if here.sum() == 1 else {"linewidth": 1.2}
         ax.plot(
-            np.where(shown, damage, np.nan)[here],
+            np.where(chosen, damage, np.nan)[here],
             years.s[here],
             color=colour,
             label=worst.detail,
@@ -45,13 +45,13 @@ def _along(ax: Axes, years: Years) -> None:
         ax.set_xlim(right=3.0 * most)
     ax.set_xlabel("factored damage a year (1/year)")
     ax.set_ylabel("arclength from the bottom (m)")
-    beside_letter(ax, "Along the riser, largest round the wall")
+    panel_title(ax, "Along the riser, largest round the wall")
 
 
 def _by_sea(figure: Figure, ax: Axes, years: Years) -> None:
     """Share of the damage over the first two axes, summed over others."""
     total = sum(sea.damage for sea in years.seas) or 1.0
-    beside_letter(ax, f"By sea state, of {years.worst[years.governing].detail}")
+    panel_title(ax, f"By sea state, of {years.worst[years.governing].detail}")
     places = [sorted({sea.values[k] for sea in years.seas}) for k in range(len(years.axes))]
     if len(places) < 2:
         of_each = [

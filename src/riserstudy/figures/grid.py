@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from riserstudy.dataset.extremes import largest_size, told
+from riserstudy.dataset.extremes import largest_size, statistic_of
 from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
@@ -76,7 +76,7 @@ def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
     """
     ending = next((e for e in (*ENDINGS, SIZE) if name.endswith(e)), "")
     of, statistic = name.removesuffix(ending), ending.removeprefix("_") or "max"
-    own = largest_size(dataset, of) if ending == SIZE else told(dataset, of, statistic)
+    own = largest_size(dataset, of) if ending == SIZE else statistic_of(dataset, of, statistic)
     if own is not None:  # of each run as it is, whatever nodes it was laid on
         return own.rename(name).assign_attrs(attributes(name))
     values = dataset.get(name, dataset.get(name.removesuffix(ending)))

@@ -26,7 +26,7 @@ from riserstudy.figures.grid import (
     read,
 )
 from riserstudy.figures.range_graph import RED
-from riserstudy.figures.style import beside_letter
+from riserstudy.figures.style import panel_title
 from riserstudy.study.plots import EXTREMES
 
 PANELS = 4
@@ -55,7 +55,7 @@ def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     for ax, (called, values) in zip(axes, displayed, strict=True):
         end = str(values.name)
         _draw(figure, ax, values.transpose(up, across), ranges[end], _allowables(dataset, end))
-        beside_letter(ax, called)
+        panel_title(ax, called)
     return figure
 
 
@@ -99,16 +99,18 @@ def _allowables(dataset: xr.Dataset, name: str) -> list[float]:
     return sorted({*levels, *(-level for level in levels if both)})
 
 
-def _draw(figure: Figure, ax: Axes, values: xr.DataArray, told: Range, limits: list[float]) -> None:
+def _draw(
+    figure: Figure, ax: Axes, values: xr.DataArray, levels: Range, limits: list[float]
+) -> None:
     up, across = (values[dim] for dim in values.dims)
     x, y = places_of(across, ax.set_xticks), places_of(up, ax.set_yticks)
     displayed = read(values)
     colours = ax.pcolormesh(
-        x, y, displayed, shading="nearest", cmap=told.colours, vmin=told.low, vmax=told.high
+        x, y, displayed, shading="nearest", cmap=levels.colours, vmin=levels.low, vmax=levels.high
     )
     bar = figure.colorbar(colours, ax=ax, label=label(values))
     for level in limits:
-        if told.low <= level <= told.high:
+        if levels.low <= level <= levels.high:
             bar.ax.axhline(level, color=RED, linewidth=1.4)
         if min(displayed.shape) > 1 and float(displayed.min()) < level < float(displayed.max()):
             ax.contour(x, y, displayed, levels=[level], colors=[RED], linewidths=1.2)

@@ -49,13 +49,13 @@ def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
     static = run.get(name + "_static", run.get(name) if "time" not in run else None)
     sides = [run[name + end] for end in ENDINGS if name + end in run]
     if len(sides) == 2:
-        high, low = (_shown(side) for side in sides)
+        high, low = (_selected(side) for side in sides)
         s = _along(high)
         ax.fill_betweenx(s, low, high, color=COLOURS[0], alpha=0.2, linewidth=0.0)
         ax.plot(high, s, color=COLOURS[0], label="largest and smallest over time")
         ax.plot(low, s, color=COLOURS[0])
     if static is not None:
-        rest = _shown(static)
+        rest = _selected(static)
         ax.plot(rest, _along(rest), color="black", linewidth=0.9, label="at rest")
     for allowable in _limits(run, name):
         ax.axvline(allowable, color=RED, linestyle="--", linewidth=1.0, label="limit")
@@ -69,13 +69,13 @@ def _along(values: xr.DataArray) -> xr.DataArray:
     return read(values[values.dims[-1]])
 
 
-def _shown(values: xr.DataArray) -> xr.DataArray:
+def _selected(values: xr.DataArray) -> xr.DataArray:
     return read(values.dropna(values.dims[-1]))
 
 
 def _largest(sides: list[Any], name: str) -> str:
     """The largest value and its place; of signed quantities the largest size."""
-    values = max((_shown(side) for side in sides), key=lambda v: float(_size(v, name).max()))
+    values = max((_selected(side) for side in sides), key=lambda v: float(_size(v, name).max()))
     k = int(_size(values, name).argmax())
     unit = read_in(attributes(name).get("units", "")).unit
     place = float(_along(values)[k])

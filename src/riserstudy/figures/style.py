@@ -43,7 +43,7 @@ def panels(
     return figure, axes
 
 
-def beside_letter(ax: Axes, title: str) -> None:
+def panel_title(ax: Axes, title: str) -> None:
     """Title of a panel, beside its letter where it has one."""
     letter = ax.get_title(loc="left")
     ax.set_title(f"{letter} {title}".strip(), loc="left", fontsize="small")

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.figures.grid import along, axes_of, key, label, laid_out, places_of, points, read
-from riserstudy.figures.style import COLOURS, GREY, beside_letter, headline
+from riserstudy.figures.style import COLOURS, GREY, headline, panel_title
 
 FloatArray = NDArray[np.float64]
 SLICES = 4  # points of a third axis that are shown, evenly chosen
@@ -33,7 +33,7 @@ def utilisation(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
         raise InputError(title, "plot", "no use of limits", "allowed is a study with limits")
     uses = dataset[["use_of_limit", "point_key"]]
     figure = _lines(uses) if len(axes_of(dataset)) == 1 else _maps(uses)
-    headline(figure, _said(uses["use_of_limit"]))
+    headline(figure, _use_in_words(uses["use_of_limit"]))
     return figure
 
 
@@ -114,12 +114,12 @@ def _governing(ax: Axes, use: xr.DataArray, called: str) -> set[int]:
     return {int(k) for k in which.ravel()}
 
 
-def _frame(ax: Axes, use: xr.DataArray, what: str, called: str) -> tuple[FloatArray, FloatArray]:
+def _frame(ax: Axes, use: xr.DataArray, title: str, called: str) -> tuple[FloatArray, FloatArray]:
     _, up, across = (use[dim] for dim in use.dims)
     x, y = places_of(across, ax.set_xticks), places_of(up, ax.set_yticks)
     ax.set_xlabel(label(across))
     ax.set_ylabel(label(up))
-    beside_letter(ax, f"{what}{', ' if called else ''}{called}")
+    panel_title(ax, f"{title}{', ' if called else ''}{called}")
     ax.grid(False)
     return x, y
 
@@ -131,7 +131,7 @@ def _which(use: xr.DataArray) -> NDArray[np.int64]:
     return np.where(np.isneginf(values.max(axis=place)), -1, values.argmax(axis=place))
 
 
-def _said(use: xr.DataArray) -> str:
+def _use_in_words(use: xr.DataArray) -> str:
     """How many points exceed a limit, and which limit governs most of them."""
     largest, which = use.max("limit"), _which(use)
     beyond, all_points = int((largest > 1.0).sum()), largest.size

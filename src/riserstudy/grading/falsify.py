@@ -157,7 +157,7 @@ def _with_values(dataset: xr.Dataset, axis: str, values: Any) -> xr.Dataset:
     return relabelled.sortby(axis) if np.issubdtype(values.dtype, np.number) else relabelled
 
 
-def _missing(where: str, what: str, there: Iterable[str]) -> InputError:
+def _missing(where: str, kind: str, there: Iterable[str]) -> InputError:
     return InputError(
-        where, what, "is in no dataset of the claim", f"allowed are {', '.join(there)}"
+        where, kind, "is in no dataset of the claim", f"allowed are {', '.join(there)}"
     )

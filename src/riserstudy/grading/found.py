@@ -94,8 +94,10 @@ def consistent(found: Found, paper: str, check: str) -> Found:
     against = (found.true & (margin < 0.0)) | (~found.true & (margin > 0.0))
     if bool(against.any()):
         worst = float(abs(margin.where(against)).max())
-        said = "true" if bool((found.true & (margin < 0.0)).any()) else "false"
-        found_text = f"says {said} where its margin is {-worst if said == 'true' else worst:.3g}"
+        answer = "true" if bool((found.true & (margin < 0.0)).any()) else "false"
+        found_text = (
+            f"says {answer} where its margin is {-worst if answer == 'true' else worst:.3g}"
+        )
         allowed = "return `judged(value, margin)`, which is true where the margin is above zero"
         raise InputError(f"chapters/{paper}/claims.py", check, found_text, allowed)
     return found

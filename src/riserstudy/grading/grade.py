@@ -85,24 +85,24 @@ def graded(
     if item.not_comparable:
         grounds = Grounds(not_comparable=item.not_comparable, note=item.note)
         return Graded(*printed, None, item.unit, None, "not comparable", grounds)
-    asked = Asked(paper, item, checks, datasets, called, others)
-    looked = asked.look(item.reads)
-    base = asked.at_base(looked, item.base)
-    every = asked.look(item.over) if item.over else looked
+    task = Task(paper, item, checks, datasets, called, others)
+    looked = task.look(item.reads)
+    base = task.at_base(looked, item.base)
+    every = task.look(item.over) if item.over else looked
     space = every.granted() if every.granted().value.size else base
     simulated, at_base = float(base.value), _answers(item, base)
     if not math.isfinite(simulated) or bool(at_base.isnull().any()):
-        said = f"{simulated}, and no margin" if math.isfinite(simulated) else f"{simulated}"
-        raise SimulationError(f"{paper}/{item.id}: {item.check} finds {said}")
-    cases = [*_cases(asked, base, space)]
+        found_text = f"{simulated}, and no margin" if math.isfinite(simulated) else f"{simulated}"
+        raise SimulationError(f"{paper}/{item.id}: {item.check} finds {found_text}")
+    cases = [*_cases(task, base, space)]
     verdict = regrade(item.kind, cases)
     if verdict is None:
         raise SimulationError(f"{paper}/{item.id}: {item.check} finds no case to judge")
     found = _answers(item, space)
     off = None if item.published is None else error(simulated, item.published)
-    grounds = _grounds(asked, base, every, found)
+    grounds = _grounds(task, base, every, found)
     if found.ndim:
-        about = asked.about
+        about = task.about
         if space is not every:
             about = about.sel(sample=found["sample"])
         known = regrade(item.kind, [case for case in cases if case.met is not None])
@@ -117,7 +117,7 @@ def graded(
     return Graded(*printed, simulated, item.unit, off, verdict, grounds, *margins, cases)
 
 
-class Asked(NamedTuple):
+class Task(NamedTuple):
     """A number or claim of a paper, and what it is looked up in."""
 
     paper: str
@@ -155,9 +155,9 @@ def _together(item: Item, found: Found, other: Item, theirs: Found) -> Found:
     return judged(found.value, room.where(~on_the_bound, SLACK), found.given)
 
 
-def _grounds(asked: Asked, base: Found, every: Found, found: xr.DataArray) -> Grounds:
+def _grounds(task: Task, base: Found, every: Found, found: xr.DataArray) -> Grounds:
     """A premise, what is left out, when the verdict was certain, the base and further cases."""
-    item, granted = asked.item, every.granted()
+    item, granted = task.item, every.granted()
     premise = None
     if granted is not every:
         premise = Premise(granted.value.size, every.value.size)
@@ -173,50 +173,50 @@ def _grounds(asked: Asked, base: Found, every: Found, found: xr.DataArray) -> Gr
         together=Together(item.together, alone) if alone else None,
         chosen=Chosen(item.chosen.what, item.chosen.varied) if item.chosen else None,
         settled=settled(known > 0.0) if many else None,
-        outcomes=[*_outcomes(asked, base)],
+        outcomes=[*_outcomes(task, base)],
         note=item.note,
     )
 
 
-def _outcomes(asked: Asked, base: Found) -> Iterator[Outcome]:
+def _outcomes(task: Task, base: Found) -> Iterator[Outcome]:
     """The base case of a claim, of which no column tells, and further cases."""
-    item = asked.item
+    item = task.item
 
     def of(name: str, found: Found, about: xr.Dataset) -> Outcome:
         answer = _answers(item, found)
-        many = readings_of(item.kind, answer, about, asked.called)
-        return outcome_of(name, found.value, answer, about, asked.called, many)
+        many = readings_of(item.kind, answer, about, task.called)
+        return outcome_of(name, found.value, answer, about, task.called, many)
 
     if item.published is None:
-        yield of("Base case", base, asked.about)
+        yield of("Base case", base, task.about)
     for name, reads in item.beside.items():
-        found = asked.look(reads)
+        found = task.look(reads)
         there = {dim: value for dim, value in item.base.items() if dim in found.value.dims}
-        yield of(name, asked.at_base(found, there), asked.datasets[next(iter(reads.values()))])
+        yield of(name, task.at_base(found, there), task.datasets[next(iter(reads.values()))])
 
 
-def _cases(asked: Asked, base: Found, space: Found) -> Iterator[Case]:
+def _cases(task: Task, base: Found, space: Found) -> Iterator[Case]:
     """The base case, and each case that is judged; one case where these are the same."""
-    item, datasets = asked.item, asked.datasets
+    item, datasets = task.item, task.datasets
     # a claim is judged over what is open, where a value fitted for the base case may be free
     judging = {*item.over.values()} if item.kind == "claim" and item.over else item.datasets
     calibrated = any(_rests_on_fitted(datasets[name]) for name in judging)
     calibrated |= item.chosen is not None and not item.chosen.varied
 
     def of(found: Found, reads: Mapping[str, str], at: Mapping[str, Any]) -> Iterator[Case]:
-        behind = Behind(asked.paper, {name: datasets[name] for name in reads.values()})
+        sources = Behind(task.paper, {name: datasets[name] for name in reads.values()})
         answer, margin = _answers(item, found), _margin(item, found)
         for index, own in places_of(answer):
             place, one = {**at, **own}, float(answer.values[index])
             known = not math.isnan(one)
             here = math.nan if margin is None else float(margin.values[index])
             yield Case(
-                *(asked.paper, item.id, place, False, known),
+                *(task.paper, item.id, place, False, known),
                 one > 0.0 if known else None,
                 one == NO_DIFFERENCE,
                 None if math.isnan(here) or not known else here,
                 calibrated,
-                behind.rests_on(place),
+                sources.rests_on(place),
             )
 
     if space is base:

@@ -36,7 +36,7 @@ def readings_of(
     """
     axes = axes_of_readings(found)
     if axes and "sample" not in found.dims:
-        axes = _that_tell(found, axes)
+        axes = _deciding_axes(found, axes)
         found = found.isel({dim: 0 for dim in found.dims if dim not in axes}, drop=True)
     return [*_each(kind, found, axes, about, called)] if axes else []
 
@@ -80,7 +80,7 @@ def base_share(found: xr.DataArray, base: Place) -> Share | None:
     return share_of(found.sel({axis: base[axis] for axis in axes}))
 
 
-def _that_tell(found: xr.DataArray, axes: Sequence[str]) -> list[str]:
+def _deciding_axes(found: xr.DataArray, axes: Sequence[str]) -> list[str]:
     """The fewest axes whose values tell the answer, whatever the others are; all of one answer."""
     if float(found.max()) == float(found.min()):
         return [*axes]

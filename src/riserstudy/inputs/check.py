@@ -44,7 +44,7 @@ def _readable(error: ValidationError, source: object) -> InputError:
         elif not _names_alternative(step):
             where += f".{step}" if where else step
     kind, found = first["type"], first["input"]
-    shown = repr(found) if not isinstance(found, dict | list) else "what stands there"
+    value_text = repr(found) if not isinstance(found, dict | list) else "what stands there"
     if kind == "extra_forbidden":
         return InputError(
             source, where, "unknown key", "see `riserstudy schema` for what is allowed"
@@ -57,7 +57,7 @@ def _readable(error: ValidationError, source: object) -> InputError:
         return InputError(source, where, found_text.strip(), allowed.strip())
     if kind == "value_error":
         return InputError(source, where, "does not fit together", message)
-    return InputError(source, where, shown[:120], message[0].lower() + message[1:])
+    return InputError(source, where, value_text[:120], message[0].lower() + message[1:])
 
 
 def _names_alternative(step: object) -> bool:

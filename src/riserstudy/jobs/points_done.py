@@ -11,11 +11,11 @@ class PointsDone:
     """Prints ``12 of 40 points``, not more often than anybody looks."""
 
     def __init__(self) -> None:
-        self._told = 0.0
+        self._last_notice = 0.0
 
     def __call__(self, done: int, total: int) -> None:
         """Print how many are done, of how many."""
         now = time.monotonic()
-        if done == total or now - self._told > OFTEN:
-            self._told = now
+        if done == total or now - self._last_notice > OFTEN:
+            self._last_notice = now
             print(f"{done} of {total} points", flush=True)

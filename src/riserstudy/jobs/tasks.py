@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from riserstudy.dataset.unit_systems import UnitSystem
-from riserstudy.errors import InputError, RiserStudyError, SimulationError, shown
+from riserstudy.errors import InputError, RiserStudyError, SimulationError, printable
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -53,7 +53,7 @@ def run(arguments: Sequence[str]) -> int:
     except Exception as error:
         if not hasattr(error, "format_message"):
             raise
-        print(f"riserstudy: job: {shown(error.format_message())}", file=sys.stderr)
+        print(f"riserstudy: job: {printable(error.format_message())}", file=sys.stderr)
         return BAD_INPUT
 
 

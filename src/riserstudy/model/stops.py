@@ -23,7 +23,7 @@ def stops_touched(rig: Tensioners, reach: FloatArray, time: FloatArray | None = 
         return []
     beyond = np.maximum(reach - rig.stroke.longest, rig.stroke.shortest - reach)
     force = rig.stroke.stop_stiffness * np.maximum(beyond, 0.0) * np.array(rig.working)
-    return _told("stroke", force, " a cylinder", time)
+    return _forces_in_words("stroke", force, " a cylinder", time)
 
 
 def joint_stops_touched(
@@ -43,21 +43,21 @@ def joint_stops_touched(
     return [
         sentence
         for how, over in beyond.items()
-        for sentence in _told(
+        for sentence in _forces_in_words(
             f"telescopic joint {how}", joint.stop.stiffness * np.maximum(over, 0.0), "", time
         )
     ]
 
 
-def _told(what: str, force: FloatArray, each: str, time: FloatArray | None) -> list[str]:
+def _forces_in_words(stop: str, force: FloatArray, each: str, time: FloatArray | None) -> list[str]:
     """A sentence on forces (N), the columns over time, where there is any."""
     if not force.any():
         return []
     if time is None:
-        return [f"{what}: stop touched at rest, largest force {force.max():.3g} N{each}"]
+        return [f"{stop}: stop touched at rest, largest force {force.max():.3g} N{each}"]
     first = float(time[force.any(axis=1).argmax()])
     apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""
     return [
-        f"{what}: stop touched, first at t = {first:.6g} s, largest force {force.max():.3g} N{each}; "
+        f"{stop}: stop touched, first at t = {first:.6g} s, largest force {force.max():.3g} N{each}; "
         f"judged by outputs{apart} from t = {time[0]:.6g} s on"
     ]

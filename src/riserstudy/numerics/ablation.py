@@ -107,10 +107,12 @@ class Ablation(Measured):
 
 
 #: is told what is run next
-Tell = Callable[[str], None]
+Notify = Callable[[str], None]
 
 
-def ablate(file: SceneFile, repeats: int, budget: float, tell: Tell = lambda _: None) -> Ablation:
+def ablate(
+    file: SceneFile, repeats: int, budget: float, notify: Notify = lambda _: None
+) -> Ablation:
     """Every fitting change of a scene, on one mesh with one step.
 
     Parameters
@@ -130,7 +132,7 @@ def ablate(file: SceneFile, repeats: int, budget: float, tell: Tell = lambda _: 
     runs: list[tuple[Ablation | Changed, Scene]] = [(base, scene)]
     every = list(fitting(file))
     for k, (change, other) in enumerate(every, 1):
-        tell(f"{k} of {len(every)} changes: {change.label}")
+        notify(f"{k} of {len(every)} changes: {change.label}")
         changed = Changed(change, change.because or "")
         base.changed.append(changed)
         try:
@@ -141,7 +143,7 @@ def ablate(file: SceneFile, repeats: int, budget: float, tell: Tell = lambda _: 
             changed.message = str(error)
     single(brief(scene, step), mesh, step)
     for k in range(repeats):
-        tell(f"timing {len(runs)} runs, round {k + 1} of {repeats}")
+        notify(f"timing {len(runs)} runs, round {k + 1} of {repeats}")
         for of, which in list(runs):
             try:
                 measure(of, which, mesh, step)

@@ -75,7 +75,7 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
     requested: list[dict[str, Any]] = []
     for i, (name, ladder) in enumerate(scenes.items()):
         file = scene_of(setting.config, name, ladder)
-        met = requests(file, name, study.asked[setting.tier], study.patience)
+        met = requests(file, name, study.requested[setting.tier], study.patience)
         best = reference(file, name, ladder, setting.config)
         others = differences(best, file, ladder) if setting.tier == "reference" else {}
         about.append(best.about)

@@ -13,9 +13,9 @@ from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.forecast import forecast
 from riserstudy.simulation.refine import run
-from riserstudy.simulation.show import shown
+from riserstudy.simulation.show import progress_line
 from riserstudy.simulation.simulate import at_accuracy
-from riserstudy.simulation.watch import Tell, Watch
+from riserstudy.simulation.watch import Notify, Watch
 
 #: relative errors, and None for what a scene without a request gets, from the cheapest on
 REQUESTS = (0.05, 0.01, None, 0.002, 0.0005)
@@ -52,24 +52,24 @@ def prices(file: SceneFile, progress: bool = False) -> Iterator[Price]:
         When one does not end within ``PATIENCE``.
     """
     for share in REQUESTS:
-        with shown(progress) as tell:
-            price = _price(requesting(file, share), share, tell, share == REQUESTS[0])
+        with progress_line(progress) as notify:
+            price = _price(requesting(file, share), share, notify, share == REQUESTS[0])
         yield price
         if price.seconds > SLOWEST and not price.forecast:
             return
 
 
-def _price(scene: Scene, share: float | None, tell: Tell | None, first: bool) -> Price:
+def _price(scene: Scene, share: float | None, notify: Notify | None, first: bool) -> Price:
     """What one request comes to."""
-    if price := forecast(scene, Watch(PATIENCE, tell)):
+    if price := forecast(scene, Watch(PATIENCE, notify)):
         error = deciding(price.error)
         return Price(share, error, price.elements, price.step, price.seconds, True)
     if first:
-        run(scene, PATIENCE, tell=tell)
+        run(scene, PATIENCE, notify=notify)
     started = clock.perf_counter()
-    facts = run(scene, PATIENCE, tell=tell).facts
+    facts = run(scene, PATIENCE, notify=notify).facts
     if "ended_by" in facts:
-        raise TakesTooLong(f"a run does not reach {_asked(share)} within {PATIENCE:g} s")
+        raise TakesTooLong(f"a run does not reach {_requested(share)} within {PATIENCE:g} s")
     seconds = clock.perf_counter() - started
     estimated = deciding(facts.get("error_estimate", {}))
     return Price(share, estimated, facts["elements"], facts.get("step"), seconds, False)
@@ -82,7 +82,7 @@ def requesting(file: SceneFile, share: float | None) -> Scene:
     return file.with_values(dict.fromkeys(OF_ACCURACY), "default").scene()
 
 
-def _asked(share: float | None) -> str:
+def _requested(share: float | None) -> str:
     """A request in a label."""
     return "default" if share is None else f"{100 * share:g} %"
 
@@ -99,7 +99,7 @@ def plot(found: list[Price], title: str, target: Path) -> None:
     ax.loglog([p.seconds for p in found], [p.estimated for p in found], "o-", ms=5)
     for p in found:
         ax.annotate(
-            f"  {_asked(p.requested)}: {p.elements} segments",
+            f"  {_requested(p.requested)}: {p.elements} segments",
             (p.seconds, p.estimated),
             fontsize=8,
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from riserstudy.numerics.ablation import Ablation, Changed, Tell, ablate
+from riserstudy.numerics.ablation import Ablation, Changed, Notify, ablate
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
@@ -30,23 +30,23 @@ class Advice(NamedTuple):
     """All changes, those to act on first, and the advice in words."""
 
     rows: list[Row]
-    said: list[str]
+    sentences: list[str]
 
 
-def advice(file: SceneFile, tell: Tell = lambda _: None) -> Advice:
+def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     """Change every effect of a scene in turn.
 
     Parameters
     ----------
-    tell : is told what is run next.
+    notify : is told what is run next.
 
     Raises
     ------
     SimulationError
         When the scene itself cannot be run.
     """
-    limits = asked(file.scene())
-    base = ablate(file, REPEATS, BUDGET, tell)
+    limits = accuracy_of(file.scene())
+    base = ablate(file, REPEATS, BUDGET, notify)
     rows = [row(base, changed, limits) for changed in base.changed]
     order = (COULD_GO, MISSING, NEEDED, NO_GAIN, NOT_MISSED)
     rows.sort(key=lambda r: order.index(r.verdict) if r.verdict in order else len(order))
@@ -72,7 +72,7 @@ def advice(file: SceneFile, tell: Tell = lambda _: None) -> Advice:
     )
 
 
-def asked(scene: Scene) -> tuple[float, float, float]:
+def accuracy_of(scene: Scene) -> tuple[float, float, float]:
     """Requested accuracy, of displacement, moment and tension."""
     accuracy = scene.analysis.accuracy
     return (accuracy or DISPLACEMENT, accuracy or MOMENT, accuracy or MOMENT)

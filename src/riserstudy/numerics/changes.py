@@ -119,6 +119,6 @@ def _reaches(scene: Scene) -> list[float]:
     return [row.reach for row in (rig and rig.table) or []]
 
 
-def _turned(what: Current | Cruise | None) -> str:
+def _turned(turned: Current | Cruise | None) -> str:
     """A heading hardly other than what goes there has."""
-    return f"{((what.heading if what else None) or 0.0) + TURN!r} rad"
+    return f"{((turned.heading if turned else None) or 0.0) + TURN!r} rad"

@@ -37,7 +37,7 @@ class Prices(NamedTuple):
     """Share of run time by effect, and what else is to be said."""
 
     share: dict[str, float]
-    said: list[str]
+    sentences: list[str]
 
 
 def priced(file: SceneFile) -> Prices:

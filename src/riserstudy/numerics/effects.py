@@ -47,11 +47,11 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
     scenes = dict(bases(setting.studies, setting.tier))
     one = partial(_tried, study.repeats[setting.tier], study.budget[setting.tier])
     came = dict(zip(scenes, each(one, list(scenes.values()), setting.threads), strict=True))
-    tried = {name: what for name, what in came.items() if isinstance(what, Tried)}
-    refused = {name: what for name, what in came.items() if isinstance(what, str)}
-    ablations = {name: what.ablation for name, what in tried.items()}
-    spent = {name: what.costs for name, what in tried.items()}
-    free = {name: what.freedom for name, what in tried.items() if what.freedom}
+    tried = {name: outcome for name, outcome in came.items() if isinstance(outcome, Tried)}
+    refused = {name: outcome for name, outcome in came.items() if isinstance(outcome, str)}
+    ablations = {name: outcome.ablation for name, outcome in tried.items()}
+    spent = {name: outcome.costs for name, outcome in tried.items()}
+    free = {name: outcome.freedom for name, outcome in tried.items() if outcome.freedom}
     dataset = xr.Dataset(_changed(ablations) | _cost(ablations, spent) | kernels(setting.compiled))
     dataset = dataset.assign_coords(scene=list(ablations), change=_labels())
     for key in ("base_seconds", "elements", "unknowns"):

@@ -74,7 +74,7 @@ class Drawn:
     sets: dict[str, Any]
     file: SceneFile
     message: str = ""
-    asked: Result | None = None
+    requested: Result | None = None
     true: dict[str, float] = field(default_factory=dict)
     fixed: Even | None = None  # the cheapest that errs no more
 
@@ -140,15 +140,15 @@ def judge(config: Path, patience: float, anew: bool, one: Drawn) -> Drawn:
     if kept.result is None:
         one.message = f"{NOT_JUDGED}: {kept.missing}"
         return one
-    one.asked = tried.result
+    one.requested = tried.result
     one.true = errors(tried.result, kept.result)
     known = [] if anew else [Even(*row) for row in kept.more["even"]]
-    one.fixed = cheapest(one, scene, by_run(kept.result).errors, known)
-    one.asked = replace(tried.result, arrays={})  # what is left goes from process to process
+    one.fixed = least_work(one, scene, by_run(kept.result).errors, known)
+    one.requested = replace(tried.result, arrays={})  # what is left goes from process to process
     return one
 
 
-def cheapest(one: Drawn, scene: Scene, measure: Measure, known: list[Even]) -> Even | None:
+def least_work(one: Drawn, scene: Scene, measure: Measure, known: list[Even]) -> Even | None:
     """Even mesh and step of least work that err no more than the request; None where none works less.
 
     Parameters
@@ -230,7 +230,7 @@ def solved(one: Drawn) -> Kept:
     if kept.result is None:
         return kept
     measure = by_run(kept.result).errors
-    one.asked = first.result
+    one.requested = first.result
     achieved = max(measure(first.result).values(), default=0.0)
     found = search(one.file, scene, measure, spent_on(one), achieved)
     return replace(kept, more={"even": [list(row) for row in found]})
@@ -238,7 +238,7 @@ def solved(one: Drawn) -> Kept:
 
 def spent_on(one: Drawn) -> float:
     """Segments times iterations of all runs that a request took."""
-    return sum(map(_work, one.asked.facts["refinements"])) if one.asked else 0.0
+    return sum(map(_work, one.requested.facts["refinements"])) if one.requested else 0.0
 
 
 def _work(facts: Mapping[str, Any]) -> float:
@@ -262,7 +262,7 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
             data[f"{kind}_{q}"] = [of.get(q, math.nan) for of in errors]
         data[kind] = [max(of.values(), default=math.nan) for of in errors]
     none: RunFacts = {}
-    facts = [one.asked.facts if one.asked else none for one in drawn]
+    facts = [one.requested.facts if one.requested else none for one in drawn]
     data["elements"] = [f.get("elements", 0) for f in facts]
     data["step"] = [f.get("step", math.nan) for f in facts]
     data["runs"] = [len(f.get("refinements", [])) for f in facts]
@@ -282,7 +282,7 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
 
 def _estimated(one: Drawn) -> dict[str, float]:
     """The estimate, of what the error is known of."""
-    estimate = one.asked.facts["error_estimate"] if one.asked else {}
+    estimate = one.requested.facts["error_estimate"] if one.requested else {}
     return {q: estimate[q] for q in one.true if q in estimate}
 
 

@@ -232,8 +232,8 @@ def as_expected(case: Case, result: CaseResult) -> tuple[bool, str]:
     if outcome in (Outcome.REFUSED, Outcome.UNSTABLE, Outcome.ACCURATE):
         return True, ""
     warned_so = result.estimate > ACCURATE_TO or bool(result.warned)
-    says = f"error {100 * error:.2g} %, estimated {100 * result.estimate:.2g} %"
-    return warned_so, "" if warned_so else f"{outcome} and not said: {says}"
+    words = f"error {100 * error:.2g} %, estimated {100 * result.estimate:.2g} %"
+    return warned_so, "" if warned_so else f"{outcome} and not said: {words}"
 
 
 def stability(study: StabilityStudy, setting: Setting) -> xr.Dataset:
@@ -302,7 +302,7 @@ def by_case(cases: dict[str, Case], results: dict[str, CaseResult]) -> dict[str,
         "family": [case.family for case in cases.values()],
         "expected": [case.expect for case in cases.values()],
         "as_expected": [met for met, _ in verdicts],
-        "finding": [what for _, what in verdicts],
+        "finding": [finding for _, finding in verdicts],
         "written_outcome": [str(w.outcome) for w in written],
         "written_message": [w.tried.message for w in written],
         "written_warnings": [t.warned for t in results.values()],

@@ -104,7 +104,7 @@ def wanted(study: TiersStudy, config: Path) -> Iterator[Wanted]:
 
 def solved(name: str, file: SceneFile) -> Kept:
     """The reference of a scene, from what the default accuracy chooses."""
-    first = attempt(lambda: run(whole(asked(file, DEFAULT))))
+    first = attempt(lambda: run(whole(requested(file, DEFAULT))))
     if first.result is None:
         return none(name, file, first.message)
     kept = converged(name, file, first.result, replace(SMOOTH, enough=ENOUGH))
@@ -115,7 +115,7 @@ def solved(name: str, file: SceneFile) -> Kept:
     return replace(kept, result=replace(kept.result, arrays=extremes))
 
 
-def asked(file: SceneFile, accuracy: str) -> Any:
+def requested(file: SceneFile, accuracy: str) -> Any:
     """The scene with the accuracy of a tier."""
     values = None if accuracy == DEFAULT else accuracy
     return file.with_values({"analysis.accuracy": values}, "tiers").scene()
@@ -123,7 +123,7 @@ def asked(file: SceneFile, accuracy: str) -> Any:
 
 def once(file: SceneFile, accuracy: str, patience: float) -> Attempt:
     """One run, or what it is refused for."""
-    return attempt(lambda: in_time(asked(file, accuracy), patience))
+    return attempt(lambda: in_time(requested(file, accuracy), patience))
 
 
 ABOUT = {

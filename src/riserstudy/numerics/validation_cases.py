@@ -89,10 +89,10 @@ def taut_beam(files: Files) -> Iterator[Row]:
         exact = known.taut_beam_frequency(
             mode, length, tension / stretch, bending / stretch**2, mass
         )
-        what, number = "beam under tension", f"frequency {mode}"
+        case, number = "beam under tension", f"frequency {mode}"
         by = "k √((T + EI k²) / m), k = n π / L, lengths before stretching"
         because = FOURTH
-        yield Row(what, number, "rad/s", CLOSED, by, exact, frequencies[mode - 1], 1e-6, because)
+        yield Row(case, number, "rad/s", CLOSED, by, exact, frequencies[mode - 1], 1e-6, because)
 
 
 def bar(files: Files) -> Iterator[Row]:
@@ -100,9 +100,9 @@ def bar(files: Files) -> Iterator[Row]:
     frequencies = _frequencies(files["S4d"], "axial", 3)
     for mode in (1, 3):
         exact = known.bar_frequency(mode, 1800.0, 8.3505393e9, 318.0)
-        what, by = "hung bar", "(n - 1/2) π / L √(EA / m)"
+        case, by = "hung bar", "(n - 1/2) π / L √(EA / m)"
         number = f"axial frequency {mode}"
-        yield Row(what, number, "rad/s", CLOSED, by, exact, frequencies[mode - 1], 1e-6, FOURTH)
+        yield Row(case, number, "rad/s", CLOSED, by, exact, frequencies[mode - 1], 1e-6, FOURTH)
 
 
 def _hung(**section: Any) -> SceneFile:
@@ -124,10 +124,10 @@ def chain(_: Files) -> Iterator[Row]:
     frequencies = _frequencies(file, "lateral", 2)
     for mode in (1, 2):
         exact = known.hanging_chain_frequency(mode, 300.0, 2700.0, 320.0)
-        what, by = "hanging chain", "j₀ₙ / 2 √(w / (m L)) (Bernoulli)"
+        case, by = "hanging chain", "j₀ₙ / 2 √(w / (m L)) (Bernoulli)"
         because = "second order at the free end, where tension vanishes; rounding of the large EA"
         yield Row(
-            what,
+            case,
             f"frequency {mode}",
             "rad/s",
             CLOSED,
@@ -193,12 +193,12 @@ def own_weight(files: Files) -> Iterator[Row]:
     )
     exact = known.beam_on_varying_tension(length, top - weight * length, weight, bending, mass, 32)
     lowest = _frequencies(file, "lateral", 1)[0]
-    what, by = (
+    case, by = (
         "beam under its own weight and top tension",
         "(EI y′′)′′ - (T y′)′ = m ω² y, Chebyshev",
     )
     because = "the strain of the stiff pipe, 6e-7, and rounding of the fourth derivative"
-    yield Row(what, "frequency 1", "rad/s", SECOND, by, exact, lowest, 1e-5, because)
+    yield Row(case, "frequency 1", "rad/s", SECOND, by, exact, lowest, 1e-5, because)
 
 
 def loaded_beam(files: Files) -> Iterator[Row]:
@@ -208,13 +208,13 @@ def loaded_beam(files: Files) -> Iterator[Row]:
     stretch = 1.0 + tension / axial
     exact = known.taut_beam_under_load(length, tension / stretch, bending / stretch**2, 1.0)
     run = _run(files["S4b"], {"riser[0].lateral_load": "1 N/m"})
-    what, by = "beam under tension and an even load", "EI w′′′′ - T w′′ = q"
+    case, by = "beam under tension and an even load", "EI w′′′′ - T w′′ = q"
     because = FOURTH
     x = float(run["x"].max())
     moment = float(abs(run["bending_moment"]).sel(s=0.5 * length, method="nearest"))
-    yield Row(what, "displacement", "m", CLOSED, by, exact.displacement, x, 1e-6, because)
+    yield Row(case, "displacement", "m", CLOSED, by, exact.displacement, x, 1e-6, because)
     reference = stretch * exact.moment
-    yield Row(what, "moment", "N m", CLOSED, by, reference, moment, 1e-6, because)
+    yield Row(case, "moment", "N m", CLOSED, by, reference, moment, 1e-6, because)
 
 
 def cantilever(files: Files) -> Iterator[Row]:
@@ -222,10 +222,10 @@ def cantilever(files: Files) -> Iterator[Row]:
     length, _, bending = _pipe(files["S4c"])
     along, across = known.elastica_tip(length, bending, 324054.15)
     tip = _run(files["S4c"]).isel(s=-1)
-    what, by = "cantilever bent far over", "the elastica, by elliptic integrals"
+    case, by = "cantilever bent far over", "the elastica, by elliptic integrals"
     because = "the pipe stretches by 4e-5, the elastica does not"
-    yield Row(what, "tip across", "m", CLOSED, by, across, float(tip["x"]), 1e-4, because)
-    yield Row(what, "tip along", "m", CLOSED, by, along, float(tip["z"]), 1e-4, because)
+    yield Row(case, "tip across", "m", CLOSED, by, across, float(tip["x"]), 1e-4, because)
+    yield Row(case, "tip along", "m", CLOSED, by, along, float(tip["z"]), 1e-4, because)
 
 
 def cable(files: Files) -> Iterator[Row]:
@@ -233,9 +233,9 @@ def cable(files: Files) -> Iterator[Row]:
     exact = known.elastic_catenary(850.0, 1000.0, 5e8, 700.0, 300.0)
     run = _run(files["S4e"])
     upper = float(run["effective_tension"].isel(s=-1))
-    what, by = "elastic catenary", "Irvine, Cable Structures, 1981"
+    case, by = "elastic catenary", "Irvine, Cable Structures, 1981"
     because = "200 straight segments, second order"
-    yield Row(what, "tension at the upper end", "N", CLOSED, by, exact.upper, upper, 2e-5, because)
+    yield Row(case, "tension at the upper end", "N", CLOSED, by, exact.upper, upper, 2e-5, because)
 
 
 def current(files: Files) -> Iterator[Row]:
@@ -245,14 +245,14 @@ def current(files: Files) -> Iterator[Row]:
     exact = known.rod_in_current(flow)
     profile = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 600)]
     run = _run(files["S1"], {"current.profile": profile})
-    what, by = (
+    case, by = (
         "riser at rest in an even current",
         "the rod as a boundary value problem, by collocation",
     )
     because = "200 segments"
     x, moment = float(run["x"].max()), float(np.abs(run["bending_moment"]).max())
-    yield Row(what, "displacement", "m", SECOND, by, exact.displacement, x, 1e-4, because)
-    yield Row(what, "moment", "N m", SECOND, by, exact.moment, moment, 1e-4, because)
+    yield Row(case, "displacement", "m", SECOND, by, exact.displacement, x, 1e-4, because)
+    yield Row(case, "moment", "N m", SECOND, by, exact.moment, moment, 1e-4, because)
 
 
 def towed(_: Files) -> Iterator[Row]:
@@ -268,9 +268,9 @@ def towed(_: Files) -> Iterator[Row]:
     x, z = (float(run[name].isel(s=0)) for name in "xz")
     exact = known.towed_angle(500.0, 0.5 * 1025.0, 1.0)
     by = "w sin α = q cos² α"
-    what = "string that hangs in a current"
+    case = "string that hangs in a current"
     yield Row(
-        what, "angle", "rad", CLOSED, by, exact, math.atan2(abs(x), -z), 1e-6, "exact on any mesh"
+        case, "angle", "rad", CLOSED, by, exact, math.atan2(abs(x), -z), 1e-6, "exact on any mesh"
     )
 
 
@@ -287,8 +287,8 @@ def pendulum(_: Files) -> Iterator[Row]:
     file = file.with_values(sets | {"riser[0].submerged_weight": "0 N/m"}, "validation")
     exact = known.compound_pendulum(30.0, 300.0, 1.2e6, 140e3, 3.0)
     lowest = _frequencies(file, "lateral", 1)[0]
-    what, by = "body below a rod", "√(W (L + a) / (M (L + a)² + m L³ / 3))"
-    yield Row(what, "frequency", "rad/s", CLOSED, by, exact, lowest, 1e-5, "the rod bends by 3e-6")
+    case, by = "body below a rod", "√(W (L + a) / (M (L + a)² + m L³ / 3))"
+    yield Row(case, "frequency", "rad/s", CLOSED, by, exact, lowest, 1e-5, "the rod bends by 3e-6")
 
 
 GAS = {"area": 0.1, "pressure": 150e5, "volume": 3.0, "exponent": 1.4}
@@ -328,15 +328,15 @@ def gas(_: Files) -> Iterator[Row]:
     force = run["tensioner_force"].isel(cylinder=0).values
     last = run["time"].values >= 40.0  # from here on the amplitude is whole
     top = int(np.argmax(np.where(last, stroke, -np.inf)))
-    what, by = "cylinder of gas drawn out by heave", "p V^n = const., from mid-stroke"
+    case, by = "cylinder of gas drawn out by heave", "p V^n = const., from mid-stroke"
     because = "the pipe stretches by 1e-8 m; the platform's highest place falls on an output"
     exact = known.gas_pull(**GAS, reach=REACH)
-    yield Row(what, "pull", "N", CLOSED, by, exact, float(force[top]), 1e-6, because)
+    yield Row(case, "pull", "N", CLOSED, by, exact, float(force[top]), 1e-6, because)
     lift = slice(top - 100, top + 1)  # a quarter of a period, from mid-stroke
     work = float(np.trapezoid(force[lift], stroke[lift]))
     done = known.gas_work(**GAS, reach=REACH)
     because = "trapezia between 100 outputs"
-    yield Row(what, "work of a lift", "J", CLOSED, "∫ of the pull", done, work, 1e-5, because)
+    yield Row(case, "work of a lift", "J", CLOSED, "∫ of the pull", done, work, 1e-5, because)
 
 
 HIGH, LOW = known.Chamber(0.205, 2.08e6, 9.38), known.Chamber(0.246, 0.15e6, 2.25)
@@ -364,12 +364,12 @@ def two_chambers(_: Files) -> Iterator[Row]:
         pulled(reach + d) for d in (-aside, 0.0, aside)
     )
     exact, stiffness = known.two_chambers(HIGH, LOW, 1.4, reach)
-    what, by = "direct-acting tensioner drawn out by 3 m", "p V^n = const. in both chambers"
+    case, by = "direct-acting tensioner drawn out by 3 m", "p V^n = const. in both chambers"
     because = "the pipe stretches by 1e-7 m"
-    yield Row(what, "pull", "N", CLOSED, by, exact, pull, 1e-6, because)
+    yield Row(case, "pull", "N", CLOSED, by, exact, pull, 1e-6, because)
     slope = (more - less) / (longer - shorter)
     because = "a difference over 2 cm, second order"
-    yield Row(what, "stiffness", "N/m", CLOSED, by, stiffness, slope, 1e-5, because)
+    yield Row(case, "stiffness", "N/m", CLOSED, by, stiffness, slope, 1e-5, because)
 
 
 PILE = {"diameter": 1.0, "height": 2.0, "period": 8.0, "depth": 60.0}
@@ -416,8 +416,8 @@ def morison(_: Files) -> Iterator[Row]:
         section = {f"riser[0].{key}": load | {"diameter": across} for key, load in loads.items()}
         run = _run(SceneFile("validation", tree).with_values(section, "validation"))
         moment = float(np.abs(run["bending_moment"].isel(s=0)).max())
-        what = f"stiff pile in a wave, {name} alone"
-        yield Row(what, "moment at its foot", "N m", CLOSED, by, exact, moment, 2e-4, because)
+        case = f"stiff pile in a wave, {name} alone"
+        yield Row(case, "moment at its foot", "N m", CLOSED, by, exact, moment, 2e-4, because)
 
 
 def terminal(_: Files) -> Iterator[Row]:
@@ -446,12 +446,12 @@ def terminal(_: Files) -> Iterator[Row]:
     }
     run = _run(SceneFile("validation", tree)).isel(time=-1)
     speed, way = known.driven(force, drag, mass + added, time)
-    what, by = "platform driven to its terminal speed", "√(F/c) tanh(t √(F c) / m)"
+    case, by = "platform driven to its terminal speed", "√(F/c) tanh(t √(F c) / m)"
     because = "the thread that stands for a riser pulls with some newtons"
     now = float(run["platform_speed_x"])
-    yield Row(what, "speed after 400 s", "m/s", CLOSED, by, speed, now, 1e-5, because)
+    yield Row(case, "speed after 400 s", "m/s", CLOSED, by, speed, now, 1e-5, because)
     went = float(run["platform_surge"])
-    yield Row(what, "way after 400 s", "m", CLOSED, "its integral", way, went, 1e-5, because)
+    yield Row(case, "way after 400 s", "m", CLOSED, "its integral", way, went, 1e-5, because)
 
 
 SURGE = {"analysis.duration": "60 s", "analysis.output": {"interval": "0.25 s"}}
@@ -489,12 +489,12 @@ def wave(_: Files) -> Iterator[Row]:
     top = run["z"].isel(s=-1)
     fall = float(top[0] - top.sel(time=0.6, method="nearest"))
     exact = known.fall_of_a_bar(0.5 * pull, stiffness, mass, 0.6 - 0.15)
-    what, because = "bar that loses half its pull", "360 segments; the front is 0.2 s long"
+    case, because = "bar that loses half its pull", "360 segments; the front is 0.2 s long"
     by = "ΔF t / √(EA m), until the wave is back"
-    yield Row(what, "fall of its top in 0.6 s", "m", CLOSED, by, exact, fall, 1e-6, because)
+    yield Row(case, "fall of its top in 0.6 s", "m", CLOSED, by, exact, fall, 1e-6, because)
     below = float(run["effective_tension"].isel(s=0, time=-1))
     by = "T - 2 ΔF, once the wave has been thrown back at the foot"
-    yield Row(what, "tension at its foot", "N", CLOSED, by, 0.0, below, 1e-5, because, pull)
+    yield Row(case, "tension at its foot", "N", CLOSED, by, 0.0, below, 1e-5, because, pull)
 
 
 def decay(_: Files) -> Iterator[Row]:
@@ -513,9 +513,9 @@ def decay(_: Files) -> Iterator[Row]:
     peaks = _tops(z[100:])
     decrement = math.log(peaks[0] / peaks[5]) / 5.0
     exact = known.decrement(ratio)
-    what, by = "mass on a damped spring (Kelvin, Voigt)", "2 π ζ / √(1 - ζ²)"
+    case, by = "mass on a damped spring (Kelvin, Voigt)", "2 π ζ / √(1 - ζ²)"
     because = "steps of a 300th of the period, second order"
-    yield Row(what, "decrement", "1", CLOSED, by, exact, decrement, 3e-4, because)
+    yield Row(case, "decrement", "1", CLOSED, by, exact, decrement, 3e-4, because)
 
 
 def _tops(values: NDArray[np.float64]) -> list[float]:
@@ -540,11 +540,11 @@ def methods(files: Files) -> Iterator[Row]:
         base = files["S2c"].with_values(SURGE | mesh, "validation")
         ours = _envelope(base)
         other = _envelope(base.with_values({"analysis.method": name} | sets, "validation"))
-        what = f"surge, generalised-α and {name}"
+        case = f"surge, generalised-α and {name}"
         for (quantity, unit), tolerance in zip(UNITS.items(), tolerances, strict=True):
             by = f"{name}, on the same mesh"
             one, two = other[quantity], ours[quantity]
-            yield Row(what, quantity, unit, SECOND, by, one, two, tolerance, because)
+            yield Row(case, quantity, unit, SECOND, by, one, two, tolerance, because)
 
 
 def hermite(files: Files) -> Iterator[Row]:
@@ -558,9 +558,9 @@ def hermite(files: Files) -> Iterator[Row]:
     )
     one, other = _envelope(lumped), _envelope(beam)
     for quantity, unit in UNITS.items():
-        what, by = "small surge, lumped masses and finite elements", "Hermite's beam"
+        case, by = "small surge, lumped masses and finite elements", "Hermite's beam"
         because = "the beam neither stretches nor turns: strain 3e-4, slopes 3e-3"
-        yield Row(what, quantity, unit, SECOND, by, other[quantity], one[quantity], 1e-3, because)
+        yield Row(case, quantity, unit, SECOND, by, other[quantity], one[quantity], 1e-3, because)
 
 
 def energy(files: Files) -> Iterator[Row]:
@@ -569,9 +569,9 @@ def energy(files: Files) -> Iterator[Row]:
         sets = SURGE | {"analysis.mesh": {"elements": elements}, "analysis.step": step}
         run = _run(files[name], sets)
         share = float(json.loads(run.attrs["audit"])["unexplained_share"])
-        what, by = f"energy of {name}", "work = stored + dissipated"
+        case, by = f"energy of {name}", "work = stored + dissipated"
         because = "quadrature of the account over steps"
-        yield Row(what, "share unexplained", "1", CONSERVED, by, 0.0, share, 1e-4, because, 1.0)
+        yield Row(case, "share unexplained", "1", CONSERVED, by, 0.0, share, 1e-4, because, 1.0)
 
 
 #: every case, in the order of the page
@@ -583,9 +583,9 @@ def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
         scene = files[name].with_values(short, "validation").scene()
         requested = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
         for quantity, error in other.errors(run(scene)).items():
-            what, because = f"{name} from beginning to end", "the default accuracy"
+            case, because = f"{name} from beginning to end", "the default accuracy"
             yield Row(
-                what, f"largest difference of {quantity}", "1", SECOND,
+                case, f"largest difference of {quantity}", "1", SECOND,
                 other.about.removeprefix("stored: "), 0.0, error, requested[quantity], because, 1.0,
             )  # fmt: skip
 

@@ -222,8 +222,8 @@ class PointColumn:
     @property
     def attributes(self) -> dict[str, str]:
         """As CF has them."""
-        told = {"units": self.about.unit, "long_name": self.about.long_name}
-        return {name: text for name, text in told.items() if text}
+        labels = {"units": self.about.unit, "long_name": self.about.long_name}
+        return {name: text for name, text in labels.items() if text}
 
 
 def columns_of(record: type) -> tuple[PointColumn, ...]:

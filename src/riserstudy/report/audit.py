@@ -69,7 +69,7 @@ class Missed(NamedTuple):
 
     points: int
     off: int
-    asked: int  # points that ask for an accuracy
+    requested: int  # points that ask for an accuracy
     missed_by_request: int
     estimated: int  # points with mesh and step prescribed that tell an error
     reasons: list[tuple[str, int, list[str]]]  # why of those that miss: points and datasets
@@ -79,24 +79,24 @@ class Missed(NamedTuple):
     without: WithoutPoints  # what becomes of these
 
     @property
-    def said(self) -> str:
+    def sentences(self) -> str:
         """In words."""
         if not self.off:
             return f"All {self.points} points have estimated errors within their tolerance."
-        asked = (
-            f"{self.missed_by_request} of the {self.asked} points that request an accuracy miss it"
+        requested = (
+            f"{self.missed_by_request} of the {self.requested} points that request an accuracy miss it"
             if self.missed_by_request
-            else f"All {self.asked} points that request an accuracy are estimated to reach it"
+            else f"All {self.requested} points that request an accuracy are estimated to reach it"
         )
-        fixed, prescribed = self.off - self.missed_by_request, self.points - self.asked
-        told = (
+        fixed, prescribed = self.off - self.missed_by_request, self.points - self.requested
+        sentence = (
             f"{prescribed} others have a prescribed mesh and step; "
             f"the error of {self.estimated} is estimated"
         )
         if not fixed:
-            return f"{asked}. {told}, to {share(TOLERANCE)} at most."
+            return f"{requested}. {sentence}, to {share(TOLERANCE)} at most."
         return (
-            f"{asked}. {told}, in {fixed} to more than {share(TOLERANCE)}. "
+            f"{requested}. {sentence}, in {fixed} to more than {share(TOLERANCE)}. "
             f"The largest is {share(self.worst)}, in {self.where}."
         )
 
@@ -129,9 +129,9 @@ def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[dict[st
     for point in points:
         study = _study(files, point)
         point["counts"] = relevant_errors(study.keep if study else None)
-        told = {name: point[f"error_{name}"] for name in point["counts"]}
-        point["told"] = any(error is not None for error in told.values())
-        point["error"] = max((error or 0.0 for error in told.values()), default=0.0)
+        sentence = {name: point[f"error_{name}"] for name in point["counts"]}
+        point["told"] = any(error is not None for error in sentence.values())
+        point["error"] = max((error or 0.0 for error in sentence.values()), default=0.0)
         point["because"] = study.error_because if study and study.error_because else UNSAID
     return points
 
@@ -192,7 +192,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
     """How many points miss the tolerance, why, and which verdicts rest on one."""
     points = _points(db, files)
     off = [p for p in points if _misses(p)]
-    asked = [p for p in points if not p["fixed"]]
+    requested = [p for p in points if not p["fixed"]]
     worst = max(off, key=lambda p: p["error"], default=None)
     studies = sorted({p["study"] for p in off})
     marks = ", ".join("?" * len(studies))
@@ -208,8 +208,8 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
     return Missed(
         len(points),
         len(off),
-        len(asked),
-        sum(map(_misses, asked)),
+        len(requested),
+        sum(map(_misses, requested)),
         sum(point["told"] for point in points if point["fixed"]),
         _reasons([point for point in off if point["fixed"]]),
         worst["error"] if worst else 0.0,

@@ -45,7 +45,7 @@ class Claim(ItemResult):
     met: int | None
     samples: int | None
     band: tuple[int, int] | None
-    said: list[str]
+    sentences: list[str]
     options: list[ByOption]
     grounds: Grounds
 
@@ -104,14 +104,14 @@ def read_claims(db: sqlite3.Connection) -> list[Claim]:
 def _claim_of(row: dict[str, Any]) -> Claim:
     """A row of the database."""
     grounds = Grounds.from_json(row["grounds"])
-    said = remarks(row["kind"], row["unit"], grounds)
+    sentences = remarks(row["kind"], row["unit"], grounds)
     if row["margin"] is not None:
-        said.append(margin_in_words(row["margin"], row["margin_low"], row["margin_high"]))
+        sentences.append(margin_in_words(row["margin"], row["margin_low"], row["margin_high"]))
     low, high = row["share_low"], row["share_high"]
     return Claim(
         **{name: row[name] for name in AS_IT_IS},
         band=(round(100 * low), round(100 * high)) if low is not None else None,
-        said=said,
+        sentences=sentences,
         options=[_by_option(of) for of in grounds.decided_by if of.by_option],
         grounds=grounds,
     )

@@ -97,7 +97,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         }
         tables = {p: _scenes(p, files[p], datasets, sources.config) for p in sources.papers}
         figures = _figures(db, sources, files, claims, paths, tables)
-        shown = curves(db, sources.config, claims, datasets)
+        drawn_runs = curves(db, sources.config, claims, datasets)
         rows, warned = audit.audit(db, files), audit.warned(db)
         missed = audit.missed(db, files)
         facts = audit.run_facts(db)
@@ -131,7 +131,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         ],
         "short": {paper: short_of(files, paper) for paper in sources.papers},
         "figures_of": _figures_of(figures),
-        "curves": shown,
+        "curves": drawn_runs,
         "engine": engine(measured),
         "engine_chapter": ENGINE,
         "rows": rows,
@@ -173,10 +173,10 @@ def _chapters(
 
 
 def _motion(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> Motion | None:
-    shown = file.in_motion
-    if not shown or (paper, shown.study) not in datasets:
+    drawn_runs = file.in_motion
+    if not drawn_runs or (paper, drawn_runs.study) not in datasets:
         return None
-    return motion_of(shown, datasets[paper, shown.study])
+    return motion_of(drawn_runs, datasets[paper, drawn_runs.study])
 
 
 def _moving(
@@ -185,8 +185,8 @@ def _moving(
     """Runs in motion as the page holds them."""
     runs = {}
     for paper, motion in motions.items():
-        shown = files[paper].in_motion
-        name = shown.study if shown else ""
+        drawn_runs = files[paper].in_motion
+        name = drawn_runs.study if drawn_runs else ""
         runs[paper] = MovingRun(
             paper, name, paths[f"{paper}/{name}"], motion.title, animation(motion)
         )
@@ -228,7 +228,7 @@ def _figures(
         key[0]: studies
         for key, studies in _sets(db, "select figure, study from figure_reads").items()
     }
-    behind = _sets(db, "select study, source from simulated_behind")
+    sources_of = _sets(db, "select study, source from simulated_behind")
     present = {path for (path,) in db.execute("select path from files")}
     figures: list[Figure] = []
     names_of = {
@@ -245,7 +245,7 @@ def _figures(
             names,
             rests,
             {name: reads.get(f"{paper}/{name}", set()) for name in names},
-            behind,
+            sources_of,
             {name: figure.claims for name, figure in file.figures.items()},
         )
         label = labels(names, short_of(files, paper), printed=bool(file.reference))
@@ -254,10 +254,10 @@ def _figures(
             read = (
                 [f"{paper}/{n}" for n in file.figures[name].reads] if name in file.figures else []
             )
-            simulated = set().union(*(behind.get((study,), set()) for study in read))
+            simulated = set().union(*(sources_of.get((study,), set()) for study in read))
             drawn_scene = _drawn_scene(file, name, sources.config)
             picture = pictures[sources.folder / png]
-            beside = [("PDF", pdf), ("PNG", png), ("data as CSV", f"{paper}/{name}.csv")]
+            files_of = [("PDF", pdf), ("PNG", png), ("data as CSV", f"{paper}/{name}.csv")]
             figure = Figure(
                 paper,
                 name,
@@ -265,7 +265,7 @@ def _figures(
                 heading(label[name], picture.title),
                 caption,
                 picture,
-                [(what, path) for what, path in beside if path in present],
+                [(kind, path) for kind, path in files_of if path in present],
                 [(study.split("/")[1], paths[study]) for study in read if study in paths],
                 own[name],
                 [

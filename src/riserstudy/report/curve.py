@@ -75,9 +75,9 @@ def ordered(cases: Cases, first: Sequence[str]) -> Cases:
     }
     names = sorted(varied, key=lambda name: (name not in first, -rank[name]))
     few = len(cases.margin) <= FEW
-    shown = [n for n in names if few or n in first or rank[n] >= SEEN][:MOST_INPUTS]
-    inputs = {name: varied[name] for name in shown}
-    return cases._replace(inputs=inputs, hidden=len(varied) - len(shown))
+    chosen = [n for n in names if few or n in first or rank[n] >= SEEN][:MOST_INPUTS]
+    inputs = {name: varied[name] for name in chosen}
+    return cases._replace(inputs=inputs, hidden=len(varied) - len(chosen))
 
 
 def curve(cases: Cases) -> Curve:

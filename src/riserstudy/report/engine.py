@@ -28,32 +28,32 @@ class Finding(NamedTuple):
 class Engine(NamedTuple):
     """Findings in words, the hard cases behind those that are bad, and everything case by case."""
 
-    said: list[str]
+    sentences: list[str]
     findings: list[Finding]
     tables: list[Table]
 
 
 def engine(datasets: dict[str, xr.Dataset]) -> Engine | None:
     """What was measured of the engine, None where nothing was."""
-    said: list[str] = []
+    sentences: list[str] = []
     findings: list[Finding] = []
     if (stability := datasets.get("stability")) is not None:
-        said += hard_cases(stability)
+        sentences += hard_cases(stability)
         bad = stability.isel(case=~stability["as_expected"].values)
         columns = [map(str, bad[name].values) for name in ("case", "about", "expected", "finding")]
         findings = [Finding(*row) for row in zip(*columns, strict=True)]
     if (steps := datasets.get("stable_step")) is not None:
-        said.append(stable_steps(steps))
-    if (beside := datasets.get("validation")) is not None:
-        said.append(known(beside))
+        sentences.append(stable_steps(steps))
+    if (validation := datasets.get("validation")) is not None:
+        sentences.append(known(validation))
     if (effects := datasets.get("effects")) is not None:
-        said += costs(effects)
+        sentences += costs(effects)
     if (drawn := datasets.get("random_scenes")) is not None:
-        said += random_scenes(drawn)
+        sentences += random_scenes(drawn)
     if (long := datasets.get("long_runs")) is not None:
-        said += long_runs(long)
-    said += references(datasets)
-    return Engine(said, findings, [*tables(datasets)]) if said else None
+        sentences += long_runs(long)
+    sentences += references(datasets)
+    return Engine(sentences, findings, [*tables(datasets)]) if sentences else None
 
 
 def references(datasets: dict[str, xr.Dataset]) -> list[str]:
@@ -120,10 +120,10 @@ def stable_steps(steps: xr.Dataset) -> str:
 def costs(effects: xr.Dataset) -> list[str]:
     """What effects cost, and compiling them."""
     share = effects["time_share"].drop_sel(effect="solver and bookkeeping", errors="ignore")
-    dearest = share.max("scene").sortby(share.max("scene"), ascending=False)[:3]
+    costliest = share.max("scene").sortby(share.max("scene"), ascending=False)[:3]
     named = [
         f"{name} {100 * float(x):.0f} %"
-        for name, x in zip(dearest["effect"].values, dearest.values, strict=True)
+        for name, x in zip(costliest["effect"].values, costliest.values, strict=True)
     ]
     cold = effects.attrs["cold_compile_seconds"]
     spent = effects.attrs["cold_compile_core_seconds"]
@@ -138,11 +138,11 @@ def costs(effects: xr.Dataset) -> list[str]:
 
 def random_scenes(drawn: xr.Dataset) -> list[str]:
     """Whether an accuracy asked for is reached, honestly estimated, and cheap."""
-    asked, count = float(drawn.attrs["requested"]), drawn.sizes["drawn"]
+    requested, count = float(drawn.attrs["requested"]), drawn.sizes["drawn"]
     left = int(drawn["message"].str.startswith("not judged").sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
     counts = (
-        f"{counted(count, 'random scene')} requested {100 * asked:g} %: "
+        f"{counted(count, 'random scene')} requested {100 * requested:g} %: "
         f"{count - left - ran.sizes['drawn']} refused, {left} not judged because the request took long"
     )
     if not ran.sizes["drawn"]:
@@ -153,7 +153,7 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     held = ran.isel(drawn=ran["held_out"].values)
 
     def within(of: xr.Dataset) -> str:
-        return f"{100 * float((of['true'] <= asked).mean()):.0f} %"
+        return f"{100 * float((of['true'] <= requested).mean()):.0f} %"
 
     honest = float(((ratio >= HONEST[0]) & (ratio <= HONEST[1])).mean())
     lines = [
@@ -175,18 +175,18 @@ def long_runs(long: xr.Dataset) -> list[str]:
     lines = []
     for case in dict.fromkeys(long["case"].values.tolist()):
         of = long.isel(run=long["case"].values == case)
-        for error, what in (("error_peak", "the largest moment"), ("error_moment", "all moments")):
+        for error, label in (("error_peak", "the largest moment"), ("error_moment", "all moments")):
             good = of.isel(run=((of[error] <= WANTED) & of["cpu_seconds"].notnull()).values)
             if not good.sizes["run"]:
                 lines.append(
-                    f"Long simulation, {case}: no setting gives {what} to {100 * WANTED:g} %."
+                    f"Long simulation, {case}: no setting gives {label} to {100 * WANTED:g} %."
                 )
                 continue
             best = good.isel(run=int(good["cpu_seconds"].values.argmin()))
             spent, named = float(best["cpu_seconds"]), float(best["published_seconds"])
             paper = f"; the paper names {seconds(named)}" if named == named else ""
             lines.append(
-                f"Long simulation, {case}: {seconds(spent)} of a processor give {what} to "
+                f"Long simulation, {case}: {seconds(spent)} of a processor give {label} to "
                 f"{100 * float(best[error]):.2g} % ({best['candidate'].item()}, {int(best['elements'])} "
                 f"segments, step {float(best['asked_step']):g} s){paper}."
             )

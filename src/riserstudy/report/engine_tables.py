@@ -92,8 +92,8 @@ def changes(effects: xr.Dataset) -> Table:
         for change in of["change"].values:
             one = of.sel(change=change)
             values = [float(abs(one[name])) for name in CHANGES]
-            said = str(one["message"].values)
-            if not said and np.isnan(values).all():
+            sentences = str(one["message"].values)
+            if not sentences and np.isnan(values).all():
                 continue
             time = float(one["time_change"])
             signed = f"{100 * time:+.0f} %" if time == time else ""
@@ -103,7 +103,7 @@ def changes(effects: xr.Dataset) -> Table:
                 *map(_share, values),
                 Cell(signed, _order(time)),
             ]
-            rows.append([*cells, Cell(f"cannot be done without: {said}" if said else "")])
+            rows.append([*cells, Cell(f"cannot be done without: {sentences}" if sentences else "")])
     about = (
         "Each effect taken out of a scene (without) or put in (with), on the same mesh with the same step: "
         "relative change of the largest displacement, moment and top tension, and of the run time."

@@ -38,7 +38,7 @@ class FalseClaim(NamedTuple):
 class FalseClaims(NamedTuple):
     """All false claims, and in one sentence what the grader made of them."""
 
-    said: str
+    sentences: str
     rows: list[FalseClaim]
 
 

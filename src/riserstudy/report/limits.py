@@ -38,7 +38,7 @@ class LimitTable(NamedTuple):
     rows: list[LimitRow]
 
     @property
-    def said(self) -> str:
+    def sentences(self) -> str:
         """How many limits are exceeded somewhere."""
         exceeded = sum(row.verdict.startswith(EXCEEDED) for row in self.rows)
         many = counted(len(self.rows), "limit")
@@ -70,26 +70,26 @@ def _rows(dataset: xr.Dataset) -> list[LimitRow]:
     ]
 
 
-def _row(of: xr.Dataset, axes: list[str], told: Mapping[str, str | float]) -> LimitRow:
+def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float]) -> LimitRow:
     use, verdicts = of["use_of_limit"].values, of["verdict_of_limit"].values
-    factor, unit = read_in(str(told["unit"]))
+    factor, unit = read_in(str(values["unit"]))
     about = (
         _in_words(str(of["limit"].item())),
-        f"{factor * float(told['allowable']):.3g} {unit}",
-        str(told["origin"]),
+        f"{factor * float(values['allowable']):.3g} {unit}",
+        str(values["origin"]),
     )
     if np.isnan(use).all():
         return LimitRow(*about, "–", "–", "–", UNKNOWN)
     demand = of["demand_of_limit"].values
     nearest = (
         np.where(np.isnan(use), np.inf, -use),
-        demand if told["side"] == "smallest" else -demand,
+        demand if values["side"] == "smallest" else -demand,
     )
     place = np.unravel_index(int(np.lexsort([n.ravel() for n in nearest[::-1]])[0]), use.shape)
     at = ", ".join(called(of[axis][k]) for axis, k in zip(axes, place, strict=True))
     value = f"{factor * float(demand[place]):.3g} {unit}"
     share = float(use[place])
-    if told["side"] == "smallest" and float(told["allowable"]) == 0.0:
+    if values["side"] == "smallest" and float(values["allowable"]) == 0.0:
         used = f"margin {value}"  # a floor of zero has no shares
     else:
         used = f"{100.0 * share:.3g} %" if np.isfinite(share) else "exceeded"

@@ -58,10 +58,10 @@ class Motion(NamedTuple):
     histories: list[History]
 
 
-def motion_of(shown: RunInMotion, dataset: xr.Dataset) -> Motion:
+def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
     """The run of a study's dataset that a study file names."""
-    run = dataset.sel(shown.at)
-    scene = _scene(dataset, shown.at)
+    run = dataset.sel(of_run.at)
+    scene = _scene(dataset, of_run.at)
     time = run["time"].values
     geometry = Geometry(scene)
     frames = _some(len(time), FRAMES)
@@ -72,7 +72,7 @@ def motion_of(shown: RunInMotion, dataset: xr.Dataset) -> Motion:
         thin[name].values if name in thin else np.tile(values, (len(frames), 1))
         for name, values in zip("xz", rest, strict=True)
     )
-    colour = thin[shown.colour].values / 1e3
+    colour = thin[of_run.colour].values / 1e3
     if len(s) == 1:  # a mere spring, known at its top: it stretches evenly, under one tension
         foot = geometry.bottom[1]
         x, z = 0.0 * SPRING + x, foot + SPRING * (z - foot)
@@ -84,7 +84,7 @@ def motion_of(shown: RunInMotion, dataset: xr.Dataset) -> Motion:
     if moved is not None or scene.vessel:
         place = _platform(scene, geometry, x, z, None if moved is None else moved[frames])
     return Motion(
-        title=_title(dataset, shown.at),
+        title=_title(dataset, of_run.at),
         scene=scene,
         time=time[frames],
         x=x,
@@ -92,9 +92,9 @@ def motion_of(shown: RunInMotion, dataset: xr.Dataset) -> Motion:
         z=z,
         rest=rest,
         colour=colour,
-        quantity=str(dataset[shown.colour].attrs["long_name"]),
-        unit={"bending_moment": "kN m", "effective_tension": "kN"}[shown.colour],
-        signed=shown.colour == "bending_moment",
+        quantity=str(dataset[of_run.colour].attrs["long_name"]),
+        unit={"bending_moment": "kN m", "effective_tension": "kN"}[of_run.colour],
+        signed=of_run.colour == "bending_moment",
         platform=place,
         moments=time[moments],
         histories=_histories(
@@ -120,9 +120,9 @@ def _some(count: int, most: int) -> NDArray[np.int64]:
 
 def _scene(dataset: xr.Dataset, at: dict[str, Any]) -> Scene:
     """The scene of the dataset with what the place on the axes sets."""
-    said = dataset.attrs
-    held = json.loads(said["tables"])
-    file = SceneFile(said["scene_file"], json.loads(said["scene"]), held=held)
+    attributes = dataset.attrs
+    held = json.loads(attributes["tables"])
+    file = SceneFile(attributes["scene_file"], json.loads(attributes["scene"]), held=held)
     for axis, value in at.items():
         sets = json.loads(dataset[axis].attrs["sets"])
         key = str(dataset[axis].sel({axis: value}).item())
@@ -183,8 +183,8 @@ def _histories(run: xr.Dataset, scene: Scene, moved: Array | None) -> list[Histo
             if lines := {name: line for name, line in lines.items() if np.any(line)}:
                 rows.append(History(label, lines))
     if "stroke" in run:
-        what = "telescopic joint" if scene.top.telescopic_joint else "tensioners"
-        rows.append(History("stroke (m)", {what: run["stroke"].values}))
+        joint = "telescopic joint" if scene.top.telescopic_joint else "tensioners"
+        rows.append(History("stroke (m)", {joint: run["stroke"].values}))
     joints = {"upper": "ufj_angle", "lower": "lfj_angle"}
     angles = {name: DEGREES * run[of].values for name, of in joints.items() if of in run}
     if angles:

@@ -44,7 +44,7 @@ class Finding(NamedTuple):
 
     claim: Claim
     paper: str
-    said: str  # "" where no figure says anything
+    sentences: str  # "" where no figure says anything
     figure: str  # anchor, "" where none is linked
     short: str  # name of the figure
 
@@ -109,14 +109,16 @@ def findings(
     rows = []
     for paper, file in files.items():
         for claim in (c for c in claims if c.paper == paper and c.id == file.finding):
-            shown = _telling([f for f in figures if f.paper == paper and claim in f.claims])
-            said = sentence(shown.picture.title) if shown and shown.picture.title else ""
-            anchor, short = (shown.anchor, shown.label) if shown else ("", "")
-            rows.append(Finding(claim, short_of(files, paper), said, anchor, short))
+            chosen = _figure_with_title(
+                [f for f in figures if f.paper == paper and claim in f.claims]
+            )
+            sentences = sentence(chosen.picture.title) if chosen and chosen.picture.title else ""
+            anchor, short = (chosen.anchor, chosen.label) if chosen else ("", "")
+            rows.append(Finding(claim, short_of(files, paper), sentences, anchor, short))
     return rows
 
 
-def _telling(own: list[Figure]) -> Figure | None:
+def _figure_with_title(own: list[Figure]) -> Figure | None:
     """Of a claim's figures one that says a number, of these the one that shows the fewest other claims."""
     numbers = [figure for figure in own if any(map(str.isdigit, figure.picture.title))]
     return min(reversed(numbers or own), key=lambda figure: len(figure.claims), default=None)

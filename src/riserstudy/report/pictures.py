@@ -51,11 +51,11 @@ class Figure(NamedTuple):
 def picture_of(path: Path) -> Picture:
     """A PNG, with the words that it carries, as a smaller file for the page."""
     with Image.open(path) as image:
-        said = {str(key): str(value) for key, value in getattr(image, "text", {}).items()}
+        texts = {str(key): str(value) for key, value in getattr(image, "text", {}).items()}
         plain = Image.new("RGB", image.size, "white")
         plain.paste(image, mask=image.getchannel("A") if image.mode == "RGBA" else None)
     if (
-        rows := int(said.get(HEAD_ROWS, 0))
+        rows := int(texts.get(HEAD_ROWS, 0))
     ) < plain.height:  # the page has the title as its heading
         plain = plain.crop((0, rows, plain.width, plain.height))
     coverage = Image.Quantize.MAXCOVERAGE
@@ -64,7 +64,7 @@ def picture_of(path: Path) -> Picture:
     few.save(data, "WEBP", lossless=True, quality=80, method=4)
     address = "data:image/webp;base64," + base64.b64encode(data.getvalue()).decode()
     return Picture(
-        address, plain.width, plain.height, said.get("Title", ""), said.get("Description", "")
+        address, plain.width, plain.height, texts.get("Title", ""), texts.get("Description", "")
     )
 
 
@@ -103,7 +103,7 @@ def claims_by_figure(
     names: list[str],
     rests: Mapping[tuple[str, ...], set[str]],
     reads: Mapping[str, set[str]],
-    behind: Mapping[tuple[str, ...], set[str]],
+    sources_of: Mapping[tuple[str, ...], set[str]],
     listed: Mapping[str, Sequence[str]],
 ) -> dict[str, list[Claim]]:
     """Claims of each figure of a chapter: those that name it, else those that rest on what it shows.
@@ -132,9 +132,9 @@ def claims_by_figure(
             claims_of[name] = [c for c in graded if rest[c.id] & reads.get(name, set())]
     linked = {claim.id for of in claims_of.values() for claim in of}
     for claim in (c for c in graded if c.id not in linked):
-        runs = _runs(rest[claim.id], behind)
+        runs = _runs(rest[claim.id], sources_of)
         for name in names:
-            if runs & _runs(reads.get(name, set()), behind):
+            if runs & _runs(reads.get(name, set()), sources_of):
                 claims_of[name].append(claim)
     return claims_of
 
@@ -150,5 +150,5 @@ def _strictly(
     return own + [name for name in added if reads.get(name) and reads[name] <= rest]
 
 
-def _runs(datasets: set[str], behind: Mapping[tuple[str, ...], set[str]]) -> set[str]:
-    return set().union(*(behind.get((name,), set()) for name in datasets))
+def _runs(datasets: set[str], sources_of: Mapping[tuple[str, ...], set[str]]) -> set[str]:
+    return set().union(*(sources_of.get((name,), set()) for name in datasets))

@@ -118,7 +118,7 @@ def flat(tree: Any, path: str = "") -> dict[str, str]:
     elif isinstance(tree, list) and any(isinstance(value, dict) for value in tree):
         parts = [(f"{path}[{k}]", value) for k, value in enumerate(tree)]
     else:
-        text = ", ".join(map(_said, tree)) if isinstance(tree, list) else _said(tree)
+        text = ", ".join(map(_in_words, tree)) if isinstance(tree, list) else _in_words(tree)
         return {path: text}
     joined: dict[str, str] = {}
     for below, value in parts:
@@ -126,7 +126,7 @@ def flat(tree: Any, path: str = "") -> dict[str, str]:
     return joined
 
 
-def _said(value: Any) -> str:
+def _in_words(value: Any) -> str:
     """A value as a scene has it: nothing is "none", and what is on or off is "yes" or "no"."""
     plain = {None: "none", True: "yes", False: "no"}
     return plain[value] if value is None or isinstance(value, bool) else str(value)

@@ -46,9 +46,9 @@ def tiles(figures: Iterable[Figure], measured: Mapping[str, xr.Dataset]) -> list
     for figure in figures:
         if (figure.paper, figure.name) not in DEMANDS:
             continue
-        dataset, tell = made[figure.name]
-        said = tell(measured[dataset]) if dataset in measured else None
-        number, answer, spark = said or ("", sentence(figure.picture.title), "")
+        dataset, sentence_of = made[figure.name]
+        words = sentence_of(measured[dataset]) if dataset in measured else None
+        number, answer, spark = words or ("", sentence(figure.picture.title), "")
         demand = DEMANDS[figure.paper, figure.name]
         found.append(Tile(demand, number, answer, spark, figure.anchor))
     return found
@@ -63,11 +63,11 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         f"({100 * found.coarse:g} % to {100 * found.fine:g} %)."
     )
     scene = accuracy["request_scene"].values
-    asked, seconds = accuracy["requested"].values, accuracy["request_seconds"].values
+    requested, seconds = accuracy["requested"].values, accuracy["request_seconds"].values
     lines = []
     for name in dict.fromkeys(scene):
         of = (scene == name) & (seconds > 0.0)
-        points = sorted(zip(-asked[of], seconds[of], strict=True))
+        points = sorted(zip(-requested[of], seconds[of], strict=True))
         lines.append([(math.log(-x), math.log(y)) for x, y in points])
     return f"{found.words}×", answer, _lines([line for line in lines if len(line) > 1])
 
@@ -94,9 +94,9 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     answer = f"change the answer in at least {least} % of the scenes that have them" if top else ""
     if none:
         answer += f"; {listed(none)} in none"
-    shown = [*ranked[: ROWS - 1], *never(ranked)[:1]]
+    rows = [*ranked[: ROWS - 1], *never(ranked)[:1]]
     number = listed(one.name for one in top) if top else "none"
-    return number, f"{answer}.", _bars([one.changed / one.scenes for one in shown])
+    return number, f"{answer}.", _bars([one.changed / one.scenes for one in rows])
 
 
 def _svg(inside: str) -> str:

@@ -48,8 +48,8 @@ def without_points(
     dropped = Dropped({study: places(db, study, points) for study, points in off.items()})
     of = WithoutPoints([], [], [])
     for verdict in verdicts:
-        asked = "select kind, verdict from numbers_and_claims where paper = ? and id = ?"
-        kind, graded = db.execute(asked, verdict).fetchone()
+        query = "select kind, verdict from numbers_and_claims where paper = ? and id = ?"
+        kind, graded = db.execute(query, verdict).fetchone()
         cases = [*cases_of(db, verdict)]
         if not any(dropped.touches(case) for case in cases):
             of.stand.append(verdict)
@@ -66,8 +66,8 @@ def without_points(
 
 def cases_of(db: sqlite3.Connection, verdict: Verdict) -> Iterable[Case]:
     """Cases of a number or claim, as grading wrote them."""
-    asked = "select place, base, judged, met, same, margin, calibrated, rests_on from margins"
-    rows = db.execute(f"{asked} where paper = ? and id = ?", verdict)
+    query = "select place, base, judged, met, same, margin, calibrated, rests_on from margins"
+    rows = db.execute(f"{query} where paper = ? and id = ?", verdict)
     for place, base, judged, met, same, margin, calibrated, rests_on in rows:
         yield Case(
             *verdict,
@@ -87,10 +87,10 @@ def places(db: sqlite3.Connection, study: str, points: Iterable[int]) -> list[Pl
     axes, table = db.execute(
         "select axes, table_name from studies where study = ?", (study,)
     ).fetchone()
-    asked = (
+    query = (
         "select column_name from columns where table_name = ? and role = 'axis' order by position"
     )
-    columns = [quoted(name) for (name,) in db.execute(asked, (table,))]
+    columns = [quoted(name) for (name,) in db.execute(query, (table,))]
     names, wanted = [*json.loads(axes)], {*points}
     rows = db.execute(f"select {', '.join(['point', *columns])} from {quoted(table)}")
     return [dict(zip(names, at, strict=True)) for point, *at in rows if point in wanted]

@@ -307,12 +307,12 @@ def _events(scene: Parts) -> None:
         raise ValueError("top.tensioners.failing needs analysis.duration: statics are before it")
     if not scene.events:
         return
-    what = "disconnect" if scene.disconnect else "top.tension_loss or tensioners.failing at once"
+    label = "disconnect" if scene.disconnect else "top.tension_loss or tensioners.failing at once"
     if a.duration is None or not scene.events[-1] < a.duration:
         raise ValueError(
-            f"{what} at {scene.events[-1]:g} s: must be before the end of analysis.duration"
+            f"{label} at {scene.events[-1]:g} s: must be before the end of analysis.duration"
         )
     if a.method == "explicit" or a.solver:
-        raise ValueError(f"{what} needs an implicit method of lumped masses")
+        raise ValueError(f"{label} needs an implicit method of lumped masses")
     if scene.vessel and scene.vessel.coupling:
-        raise ValueError(f"{what} does not go with vessel.coupling; leave coupling out")
+        raise ValueError(f"{label} does not go with vessel.coupling; leave coupling out")

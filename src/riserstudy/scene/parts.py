@@ -116,7 +116,7 @@ class Parts(Strict):
         response = platform.response
         moving = [motion for _, motion in platform.harmonics]
         growing = (*moving, platform.cruise, response, self.wave, self.current)
-        return max((what.ramp or 0.0 for what in growing if what), default=0.0)
+        return max((part.ramp or 0.0 for part in growing if part), default=0.0)
 
     @property
     def events(self) -> list[float]:
@@ -172,9 +172,9 @@ class Parts(Strict):
             reasons["top.tensioners"] = "uneven"
         if self.current and (line := self.current.leaves_plane):
             reasons[f"current.{line}"] = True
-        for name, what in (("platform.cruise", platform.cruise), ("wave", self.wave)):
-            if what and abs(math.sin(what.heading or 0.0)) > ALONG_X:
-                reasons[f"{name}.heading"] = what.heading
+        for name, part in (("platform.cruise", platform.cruise), ("wave", self.wave)):
+            if part and abs(math.sin(part.heading or 0.0)) > ALONG_X:
+                reasons[f"{name}.heading"] = part.heading
         if self.vessel and self.vessel.turned:
             reasons[self.vessel.turned] = True
         if any(section.viv for section in self.riser):

@@ -127,7 +127,7 @@ class Response(Strict):
         for heading, rows in self.by_heading.items():
             if twice := [a for a, b in pairwise(rows) if _one_frequency(a, b)]:
                 raise ValueError(
-                    f"operators: a {kind} stands twice, {_said(twice[0])}{_at(heading, self.headings)}; "
+                    f"operators: a {kind} stands twice, {_place_of(twice[0])}{_at(heading, self.headings)}; "
                     "allowed is once a heading, and headings a turn apart are one"
                 )
         if len(tables[0]) < 2 or any(not _same_frequencies(t, tables[0]) for t in tables):
@@ -184,7 +184,7 @@ def _same_frequencies(some: list[Operator], others: list[Operator]) -> bool:
     return len(some) == len(others) and all(map(_one_frequency, some, others))
 
 
-def _said(row: Operator) -> str:
+def _place_of(row: Operator) -> str:
     """The wave of an operator in words."""
     return f"{row.circular:g} rad/s" if row.period is None else f"{row.period:g} s"
 

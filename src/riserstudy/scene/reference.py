@@ -68,7 +68,7 @@ def scene_reference() -> str:
     parts = [HEAD % "; ".join(tables), units()]
     for model in models():
         parts.append(f"## {title(model)}\n\n{_prose(model)}\n")
-        rows = [f"| `{name}` | {shown(field)} |" for name, field in model.model_fields.items()]
+        rows = [f"| `{name}` | {described(field)} |" for name, field in model.model_fields.items()]
         parts.append("| key | value |\n|---|---|\n" + "\n".join(rows) + "\n")
     return "\n".join(parts)
 
@@ -120,7 +120,7 @@ def title(model: type[BaseModel]) -> str:
     return model.__name__.replace("[", " of ").replace("]", "")
 
 
-def shown(field: FieldInfo) -> str:
+def described(field: FieldInfo) -> str:
     """What a field takes, and whether it must be there."""
     text = describe(field.annotation, field.metadata)
     return f"{text}; required" if field.is_required() else text

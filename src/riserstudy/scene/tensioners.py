@@ -196,9 +196,9 @@ class Tensioners(Strict):
             raise ValueError("interpolation: is that of a table; needs table")
         if self.linearised and self.any_gas is None:
             raise ValueError("linearised needs gas or two_chamber_gas")
-        for what in ("stroke", "linearised"):
+        for part in ("stroke", "linearised"):
             for end in ("shortest", "longest", "at"):
-                self._stays_open(f"{what}.{end}", getattr(getattr(self, what), end, None))
+                self._stays_open(f"{part}.{end}", getattr(getattr(self, part), end, None))
         return self
 
     def _serves(self, table: list[TableRow]) -> None:
@@ -229,7 +229,7 @@ class Tensioners(Strict):
                 f"table: from {first:g} m to {last:g} m; must have mid-stroke, 0 m, within it"
             )
 
-    def _stays_open(self, what: str, reach: float | None) -> None:
+    def _stays_open(self, part: str, reach: float | None) -> None:
         """Refuse a reach at which a gas volume is closed."""
         pulling = self.pulling
         pushing = self.two_chamber_gas.low if self.two_chamber_gas else None
@@ -238,11 +238,11 @@ class Tensioners(Strict):
         room = pulling.volume / pulling.area
         if reach >= room:
             raise ValueError(
-                f"{what} {reach:g} m closes the gas volume, which is empty at {room:g} m"
+                f"{part} {reach:g} m closes the gas volume, which is empty at {room:g} m"
             )
         if pushing and reach <= -pushing.volume / pushing.area:
             raise ValueError(
-                f"{what} {reach:g} m closes the low-pressure volume, "
+                f"{part} {reach:g} m closes the low-pressure volume, "
                 f"which is empty at {-pushing.volume / pushing.area:g} m"
             )
 

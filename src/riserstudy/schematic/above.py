@@ -25,11 +25,11 @@ def headings(scene: Scene) -> list[tuple[str, float, str]]:
         ("platform sails", platform and platform.cruise, FREEDOM),
     ]
     rows = []
-    for name, what, colour in named:
-        if what is None:
+    for name, part, colour in named:
+        if part is None:
             continue
-        heading = getattr(what, "heading", None) or 0.0
-        speed = getattr(what, "speed", None)
+        heading = getattr(part, "heading", None) or 0.0
+        speed = getattr(part, "speed", None)
         if name == "current" and scene.current:
             heading = scene.current.towards
             if scene.current.turns:  # at the surface

@@ -126,14 +126,14 @@ class Geometry:
     @cached_property
     def lowest(self) -> float:
         """Lowest of all elevations."""
-        beside = [] if self.seabed is None else [self.seabed]
-        return float(min([*self.line[2], *beside]))
+        surfaces = [] if self.seabed is None else [self.seabed]
+        return float(min([*self.line[2], *surfaces]))
 
     @cached_property
     def highest(self) -> float:
         """Highest of all elevations."""
-        beside = [] if self.surface is None else [self.surface]
-        return float(max([self.deck, *self.line[2], *beside]))
+        surfaces = [] if self.surface is None else [self.surface]
+        return float(max([self.deck, *self.line[2], *surfaces]))
 
     def short_below(self) -> float:
         """Length of the short sections at the lower end."""

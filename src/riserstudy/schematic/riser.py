@@ -137,7 +137,7 @@ def _ground(view: View, place: Point, rolling: bool) -> None:
     view.line([x - size, x + size], [z - size - gap, z - size - gap], linewidth=1.2, zorder=4)
 
 
-def body(view: View, geometry: Geometry, what: Body, place: Point, below: bool) -> None:
+def body(view: View, geometry: Geometry, body_of: Body, place: Point, below: bool) -> None:
     """A concentrated mass, as a symbol: its size is no part of a scene."""
     scene = geometry.scene
     size = 0.26 * view.symbol
@@ -145,8 +145,8 @@ def body(view: View, geometry: Geometry, what: Body, place: Point, below: bool) 
     middle = z - 0.5 * size if below else z
     view.box((x, middle - 0.5 * size), 1.3 * size, size, facecolor="#c9ced3")
     density = scene.water.density if scene.water else 0.0
-    weight = what.weight(scene.gravity or 0.0, density)
-    view.name(body_text(what, scene.gravity or 0.0, density), (x + 0.65 * size, middle))
+    weight = body_of.weight(scene.gravity or 0.0, density)
+    view.name(body_text(body_of, scene.gravity or 0.0, density), (x + 0.65 * size, middle))
     if weight:
         tail = (x, middle - 0.5 * size)
         if not view.whole:

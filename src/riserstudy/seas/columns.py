@@ -93,7 +93,7 @@ class Head(NamedTuple):
     """A column of a file: its quantity, None of one that is not known, and what one of its units is in SI."""
 
     quantity: Column | None
-    said: str
+    heading: str
     factor: float
     unit: str
 

@@ -22,7 +22,7 @@ BATCH = 6  # that are added at a time
 HELD_OUT = 16  # that are compared; half drawn among all rows, half among those near a limit
 NEAR = 0.3  # of what is allowed: how near
 Run = Callable[[FloatArray], FloatArray]
-Say = Callable[[str], None]
+Notify = Callable[[str], None]
 
 
 class Cover(NamedTuple):
@@ -46,7 +46,7 @@ def cover(
     error: float,
     most: int,
     seed: int = 0,
-    say: Say = lambda _: None,
+    notify: Notify = lambda _: None,
 ) -> Cover:
     """Simulate sea states of a record until responses at others are known to an error.
 
@@ -57,7 +57,7 @@ def cover(
     error : largest at sea states that are held out, over what is allowed, or the response if that is more.
     most : sea states at most.
     seed : of the draw of those that are held out.
-    say : is given what comes next.
+    notify : is given what comes next.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def cover(
     """
     draw = np.random.default_rng(seed)
     known = _first(of)
-    say(f"{len(known)} sea states that hold the record between them")
+    notify(f"{len(known)} sea states that hold the record between them")
     responses = run(of.states[known])
     while True:
         surface = Surface(of.states[known], responses)
@@ -76,7 +76,7 @@ def cover(
         more = _next(of, surface, scale, error, set(known))
         if not len(more):
             held = _drawn(of, surface, allowed, scale, known, draw)
-            say(f"{len(held)} sea states to compare with the surface of {len(known)}")
+            notify(f"{len(held)} sea states to compare with the surface of {len(known)}")
             came = run(of.states[held]) if held else responses[:0]
             off = _off(surface.at(of.states[held]), came, scale)
             failed = np.isnan(came).any() and not np.isnan(off).all()
@@ -86,7 +86,7 @@ def cover(
             more, found = held, came
         else:
             worst = float(np.nanmax(surface.bend(of.states[more]) / scale))
-            say(
+            notify(
                 f"{len(more)} sea states more: {worst:.1%} between flat and cubic, {len(known)} done"
             )
             found = run(of.states[more])

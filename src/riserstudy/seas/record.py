@@ -55,7 +55,7 @@ def read_record(path: Path) -> xr.Dataset:
     """
     import xarray as xr
 
-    frame, said = _from_netcdf(path) if path.suffix == ".nc" else _from_csv(path)
+    frame, notes = _from_netcdf(path) if path.suffix == ".nc" else _from_csv(path)
     if "significant_wave_height" not in frame:
         allowed = "allowed is a column such as 'significant_wave_height (m)'"
         raise InputError(path, "significant_wave_height", "no such column", allowed)
@@ -69,7 +69,7 @@ def read_record(path: Path) -> xr.Dataset:
         "Conventions": "CF-1.11",
         "title": f"sea states of {path.name}",
         "interval_hours": interval_hours(record["time"].values),
-        "conversions": said,
+        "conversions": notes,
     }
     return record
 
@@ -133,7 +133,7 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
         io.StringIO(text), sep=separator, dtype=str, keep_default_na=False, skipinitialspace=True
     )
     heads = [head(str(path), str(name)) for name in cells.columns]
-    at = next((k for k, one in enumerate(heads) if one.said == "time"), None)
+    at = next((k for k, one in enumerate(heads) if one.heading == "time"), None)
     if at is None:
         raise InputError(path, "time", "no such column", "allowed is a column 'time', in UTC")
     columns = {"time": _times(path, cells.iloc[:, at], heads[at].unit)}
@@ -146,13 +146,13 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
     left = [
         str(cells.columns[k]) for k, one in enumerate(heads) if one.quantity is None and k != at
     ]
-    said = [
+    notes = [
         f"{one.quantity.name} from {one.unit}"
         for one in heads
         if one.quantity and one.factor != 1.0
     ]
-    said += [f"left out: {', '.join(left)}"] if left else []
-    return pd.DataFrame(columns).set_index("time"), "; ".join(said)
+    notes += [f"left out: {', '.join(left)}"] if left else []
+    return pd.DataFrame(columns).set_index("time"), "; ".join(notes)
 
 
 def _times(path: Path, cells: pd.Series, pattern: str) -> pd.Series:
@@ -182,7 +182,7 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
     if bad.any():
         row = int(bad.to_numpy().argmax())
         raise InputError(
-            f"{path}, row {row + 2}", one.said, repr(cells.iloc[row]), "allowed is a number"
+            f"{path}, row {row + 2}", one.heading, repr(cells.iloc[row]), "allowed is a number"
         )
     return values.astype(float) * one.factor
 
@@ -199,7 +199,7 @@ def _from_netcdf(path: Path) -> tuple[pd.DataFrame, str]:
     if clock is None or not np.issubdtype(data[clock].dtype, np.datetime64):
         raise InputError(path, "time", "no times", "allowed is a coordinate 'time' by CF")
     standard = {one.standard_name: one for one in COLUMNS}
-    data, columns, said = data.squeeze(drop=True), {}, []
+    data, columns, notes = data.squeeze(drop=True), {}, []
     for name, values in data.data_vars.items():
         by_name = NAMES.get(plain(str(name)))
         one = standard.get(str(values.attrs.get("standard_name", "")), by_name)
@@ -208,10 +208,12 @@ def _from_netcdf(path: Path) -> tuple[pd.DataFrame, str]:
         unit = str(values.attrs.get("units", ""))
         wanted = head(str(path), f"{one.name} ({_written(unit)})")
         columns[one.name] = values.values.astype(float) * wanted.factor
-        said += [f"{one.name} from {unit}"] if wanted.factor != 1.0 else []
+        notes += [f"{one.name} from {unit}"] if wanted.factor != 1.0 else []
     import pandas as pd
 
-    return pd.DataFrame(columns, pd.DatetimeIndex(data[clock].values, name="time")), "; ".join(said)
+    return pd.DataFrame(columns, pd.DatetimeIndex(data[clock].values, name="time")), "; ".join(
+        notes
+    )
 
 
 def _written(unit: str) -> str:

@@ -56,7 +56,7 @@ def riser_downtime(
     error: float = 0.05,
     most: int = 400,
     cores: int = 1,
-    say: Callable[[str], None] = lambda _: None,
+    notify: Callable[[str], None] = lambda _: None,
 ) -> Downtime:
     """Hours of a record that the limits of a riser leave.
 
@@ -69,7 +69,7 @@ def riser_downtime(
     seeds : runs of each sea state: 1, or 5 and more.
     error : of the response between sea states, over what is allowed, or the response if that is more.
     most : sea states to simulate at most, of a heading.
-    say : is given what comes next.
+    notify : is given what comes next.
 
     Raises
     ------
@@ -89,8 +89,8 @@ def riser_downtime(
         if not own.rows.any():
             continue
         if directions:
-            say(f"heading {heading:g} deg: {own.rows.sum()} rows")
-        parts.append(_part(heading, scene, own, seeds, interval, error, most, cores, say))
+            notify(f"heading {heading:g} deg: {own.rows.sum()} rows")
+        parts.append(_part(heading, scene, own, seeds, interval, error, most, cores, notify))
     known, rows = by_rows([(p.of, met(p.of, p.cover, p.deviation, p.riser.limits)) for p in parts])
     worst = np.max([part.cover.error for part in parts], axis=0)
     sea = met_by_rows(record, limits)
@@ -120,11 +120,11 @@ def _part(
     error: float,
     most: int,
     cores: int,
-    say: Callable[[str], None],
+    notify: Callable[[str], None],
 ) -> Part:
     """Simulate the sea states of one heading."""
     riser = RiserResponse(file, seeds, interval, cores)
-    found = cover(of, riser, riser.allowed, error, most, say=say)
+    found = cover(of, riser, riser.allowed, error, most, notify=notify)
     none = np.full(len(riser.limits), math.nan)
     deviation = [riser.deviation.get((h, t), none) for h, t in found.states.tolist()]
     return Part(heading, riser, of, found, np.array(deviation))

@@ -27,7 +27,7 @@ def marker(group: str | None = None) -> Path:
     return kernel_cache() / (f"compiled-{group}" if group else "compiled")
 
 
-def compile_once(tell: Callable[[str], None]) -> None:
+def compile_once(notify: Callable[[str], None]) -> None:
     """Compile all kernels on all cores, unless that was done, and say so: it takes minutes."""
     if marker().exists():
         return
@@ -37,27 +37,29 @@ def compile_once(tell: Callable[[str], None]) -> None:
         kernel_cache().mkdir(parents=True, exist_ok=True)
         with FileLock(kernel_cache() / "compiling"):
             if lacking := [group for group in GROUPS if not marker(group).exists()]:
-                tell(f"compiling the kernels on {on}, once for this version: 2 to 6 minutes")
+                notify(f"compiling the kernels on {on}, once for this version: 2 to 6 minutes")
                 compile_groups(lacking, cores)
             join_markers()
     except OSError as error:  # nothing can be kept: each run compiles what it needs
-        tell(f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile anew")
+        notify(
+            f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile anew"
+        )
 
 
-def report_compiling(tell: Callable[[str], None]) -> None:
+def report_compiling(notify: Callable[[str], None]) -> None:
     """Report compiling from its first kernel on: a command compiles what it needs, and nothing else."""
     from riserstudy.simulation.compile_times import follow  # which loads the compiler
 
     def report(kernel: str, done: int, spent: float) -> None:
         if kernel:
-            tell(f"compiling: {done} functions in {spent:.0f} s, now {kernel}")
+            notify(f"compiling: {done} functions in {spent:.0f} s, now {kernel}")
             return
         once = "once for this version"
         try:
             kernel_cache().mkdir(parents=True, exist_ok=True)
         except OSError as error:
             once = f"in every run: {kernel_cache()} cannot be written ({error.strerror})"
-        tell(f"compiling the kernels that this scene needs, up to a minute, {once}")
+        notify(f"compiling the kernels that this scene needs, up to a minute, {once}")
 
     follow(report)
 

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.effects.exchange import LentForce, ToldMotion
+from riserstudy.effects.exchange import ForceTable, MotionTable
 from riserstudy.errors import SimulationError
 from riserstudy.model.model import Effect, Model, Unknowns
 from riserstudy.model.vessel import floating, loose_nodes, unknowns
@@ -40,9 +40,9 @@ class Sides(NamedTuple):
     """The two models, and what they give to each other."""
 
     platform: Model
-    lent: LentForce
+    force: ForceTable
     riser: Model
-    told: ToldMotion
+    motion: MotionTable
     reaction: list[int]  # probes of the riser's model: its force on the platform, by direction
 
 
@@ -60,8 +60,8 @@ def sides_of(scene: Scene, model: Model, steps: int) -> Sides:
     free = unknowns(scene, d, 1)
     count = sum(node == 1 for node, _ in free)
     times = np.arange(steps + 1, dtype=np.float64)
-    lent = LentForce(1, times.copy(), np.zeros((steps + 1, count)), probe(*"va" * count))
-    effects.append(Effect("exchange", lent, "vessel.coupling"))
+    force = ForceTable(1, times.copy(), np.zeros((steps + 1, count)), probe(*"va" * count))
+    effects.append(Effect("exchange", force, "vessel.coupling"))
     loose = loose_nodes(scene, d)
     held = [(i, u) for i in range(2 + loose) for u in range(m + d) if (i, u - m) not in free]
     # a metre of string without mass or stiffness, with the platform for its top
@@ -69,13 +69,13 @@ def sides_of(scene: Scene, model: Model, steps: int) -> Sides:
     platform.s.r[:, :2] = s.r[:, [top]]
     platform.s.r[-1, 0] -= 1.0
 
-    motion = ToldMotion(top, times.copy(), np.zeros((3, steps + 1, count)))
+    motion = MotionTable(top, times.copy(), np.zeros((3, steps + 1, count)))
     motion.path[0] = s.r[:count, top]
     riser = model.extended(
         [Effect("exchange", motion, "vessel.coupling")], [(top, m + c) for c in range(count)]
     )
     reaction = [model.probes[f"riser_reaction_{axis}"] for axis in "xy"[:count]]
-    return Sides(platform, lent, riser, motion, reaction)
+    return Sides(platform, force, riser, motion, reaction)
 
 
 def march_in_turns(
@@ -106,16 +106,16 @@ def march_in_turns(
     forces_and_tangent(riser.programs, riser.state)
     count = steps_in(duration, coupling.interval)
     times = np.append(coupling.interval * np.arange(count), duration)
-    sides.lent.load[:] = _reaction(sides)
+    sides.force.load[:] = _reaction(sides)
     most, rounds = 0, 0
     for begin, end in pairwise(times):
-        for table in (sides.lent, sides.told):
+        for table in (sides.force, sides.motion):
             table.time[:] = np.linspace(begin, end, method.steps + 1)
         one = method._replace(step=(end - begin) / method.steps)
         outcome, needed = _turn(sides, coupling, one, record, sums)
         if outcome != DONE:
             break
-        sides.lent.load[:] = _reaction(sides)
+        sides.force.load[:] = _reaction(sides)
         most, rounds = max(most, needed), rounds + needed
     about = {
         "scheme": coupling.scheme,
@@ -139,13 +139,13 @@ def _turn(
     for rounds in range(1, MOST_ROUNDS + 1):
         for side, start in starts:
             _restore(side.s, start)
-        outcome, seen = _step_by_step(platform, method, sides.lent.time, alone)
+        outcome, seen = _step_by_step(platform, method, sides.force.time, alone)
         if outcome != DONE:
             time, _, size = alone.failure
-            sums.failure[:] = time, sides.told.node, size
+            sums.failure[:] = time, sides.motion.node, size
             return outcome, rounds
-        moved = _tell(sides, seen)
-        move_to(riser.programs, riser.state, float(sides.told.time[0]))
+        moved = _notify(sides, seen)
+        move_to(riser.programs, riser.state, float(sides.motion.time[0]))
         if coupling.scheme == "staggered" or (rounds > 1 and moved <= tolerance):
             for kind in (ITERATIONS, HALVED):
                 sums.count[kind] += aside.count[kind]
@@ -153,13 +153,13 @@ def _turn(
                 riser.programs, riser.state, riser.spare, method, riser.fixed, record, sums
             )
             return int(outcome), rounds
-        outcome, seen = _step_by_step(riser, method, sides.told.time, aside)
+        outcome, seen = _step_by_step(riser, method, sides.motion.time, aside)
         if outcome != DONE:
             sums.failure[:] = aside.failure
             return outcome, rounds
-        sides.lent.load[:] = seen.probe[:, sides.reaction]
+        sides.force.load[:] = seen.probe[:, sides.reaction]
     raise SimulationError(
-        f"vessel.coupling: the turn from {sides.told.time[0]:.6g} s on does not settle in {MOST_ROUNDS} "
+        f"vessel.coupling: the turn from {sides.motion.time[0]:.6g} s on does not settle in {MOST_ROUNDS} "
         f"rounds, the last changed it by {moved:.3g} m; take a shorter interval or a greater tolerance, "
         "or leave coupling out"
     )
@@ -172,9 +172,9 @@ def _step_by_step(side: Model, method: Method, times: FloatArray, sums: Sums) ->
     return int(outcome), seen.value
 
 
-def _tell(sides: Sides, seen: Record) -> float:
+def _notify(sides: Sides, seen: Record) -> float:
     """Tell the riser's top where the platform was; by how much that has changed (m)."""
-    path, first = sides.told.path, sides.lent.probe
+    path, first = sides.motion.path, sides.force.probe
     before = path[0].copy()
     count = path.shape[2]
     path[0] = seen.top[:, :count]
@@ -185,7 +185,7 @@ def _tell(sides: Sides, seen: Record) -> float:
 
 def _reaction(sides: Sides) -> FloatArray:
     """Force of the riser on the platform, as its model was last evaluated, shape (c,), N."""
-    ends, count = sides.riser.s.ends, sides.told.path.shape[2]
+    ends, count = sides.riser.s.ends, sides.motion.path.shape[2]
     return np.asarray(ends[0, 1, :count] + ends[1, 1, :count])
 
 

@@ -154,7 +154,7 @@ def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
     """Histories of both runs by field: at the nodes of the coarse one, or at the fine one's stations."""
     if "time" not in coarse or "time" not in fine:
         return {}
-    low, up = map(_told, (coarse, fine), _every(coarse, fine))
+    low, up = map(_thinned, (coarse, fine), _every(coarse, fine))
     places = _places(coarse, fine)
     if len(fine["s"]) == len(fine["s_node"]):
         up = _at(up, places)
@@ -173,7 +173,7 @@ def _places(coarse: Arrays, fine: Arrays) -> Array:
     return coarse["s_node"] if len(fine["s"]) == len(fine["s_node"]) else fine["s"]
 
 
-def _told(arrays: Arrays, every: int) -> Arrays:
+def _thinned(arrays: Arrays, every: int) -> Arrays:
     """Arrays of a run with one of so many of its outputs."""
     names = (*HISTORIES, "mesh_moment")
     return arrays | {name: arrays[name][::every] for name in names if name in arrays}

@@ -31,7 +31,7 @@ from riserstudy.simulation.tolerance import (
     in_words,
     raise_if_buckling,
 )
-from riserstudy.simulation.watch import Tell, Watch, size
+from riserstudy.simulation.watch import Notify, Watch, size
 
 RUNS = 16  # halvings of mesh or step, at most
 SEGMENTS = 50_000  # of the finest mesh, at most
@@ -44,7 +44,7 @@ FIRST_ORDER = 2.0  # by which each halving reduces an error
 
 
 def run(
-    scene: Scene, patience: float = math.inf, estimated: bool = True, tell: Tell | None = None
+    scene: Scene, patience: float = math.inf, estimated: bool = True, notify: Notify | None = None
 ) -> Result:
     """Simulate a scene.
 
@@ -57,7 +57,7 @@ def run(
     patience : time (s) after which the finest run so far is the result; its fact ``ended_by`` and a warning
         say so. A run that would not end within it is not begun, one that does not is broken off.
     estimated : whether a run with mesh and step in the scene tells its error, which takes as long again.
-    tell : is told what is at work, and what share of it is done.
+    notify : is told what is at work, and what share of it is done.
 
     Raises
     ------
@@ -70,7 +70,7 @@ def run(
     """
     from riserstudy.simulation.long_record import refinement_of  # which is built on this file
 
-    watch = Watch(patience, tell)
+    watch = Watch(patience, notify)
     result = (
         refinement_of(scene, watch).result()
         if scene.analysis.mesh is None

@@ -7,13 +7,13 @@ import time as clock
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from riserstudy.simulation.watch import Tell
+from riserstudy.simulation.watch import Notify
 
 LATE = 5.0  # s, after which runs are told of where nobody looks on
 
 
 @contextmanager
-def shown(progress: bool) -> Iterator[Tell | None]:
+def progress_line(progress: bool) -> Iterator[Notify | None]:
     """What is told of runs, and shows it: on a terminal or in a notebook as one line that changes.
 
     Elsewhere, as in a log, each run that is at work after a while gets a line of its own on stderr.
@@ -28,19 +28,19 @@ def shown(progress: bool) -> Iterator[Tell | None]:
         yield _lines()
         return
     with console.status("") as status:
-        yield lambda what, share: status.update(
-            f"{what}" + (f" ({100 * share:.0f} %)" if share > 0.0 else "")
+        yield lambda title, share: status.update(
+            f"{title}" + (f" ({100 * share:.0f} %)" if share > 0.0 else "")
         )
 
 
-def _lines() -> Tell:
+def _lines() -> Notify:
     """Tell by lines."""
-    started, said = clock.perf_counter(), ""
+    started, last = clock.perf_counter(), ""
 
-    def tell(what: str, share: float) -> None:
-        nonlocal said
-        if (share == 0.0 or what != said) and clock.perf_counter() - started > LATE:
-            print(f"riserstudy: {what}", file=sys.stderr, flush=True)
-            said = what
+    def notify(title: str, share: float) -> None:
+        nonlocal last
+        if (share == 0.0 or title != last) and clock.perf_counter() - started > LATE:
+            print(f"riserstudy: {title}", file=sys.stderr, flush=True)
+            last = title
 
-    return tell
+    return notify

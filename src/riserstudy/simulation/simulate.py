@@ -55,15 +55,15 @@ def simulate(
     """
     from riserstudy.scene.load import read_scene
     from riserstudy.simulation.refine import run
-    from riserstudy.simulation.show import shown
+    from riserstudy.simulation.show import progress_line
 
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     if accuracy is not None:
         file = at_accuracy(file, f"{100 * accuracy!r} %")
     limit = seconds(patience)
     checked = file.scene()
-    with shown(progress) as tell:
-        result = run(checked, limit, tell=tell)
+    with progress_line(progress) as notify:
+        result = run(checked, limit, notify=notify)
     return to_dataset(result, file, absent(set(result.facts["effects"])))
 
 

@@ -15,7 +15,7 @@ OFTEN = 0.2  # s between two looks
 BEGUN = 1e-9  # share that is told of a run that has written no output yet
 
 #: is told what is at work, and what share of it is done
-Tell = Callable[[str, float], None]
+Notify = Callable[[str, float], None]
 
 
 class Watch:
@@ -24,29 +24,29 @@ class Watch:
     Parameters
     ----------
     patience : time (s) from now on that all marches together may take.
-    tell : is told of each run when it begins, with a share of 0, and then of the share that is done.
+    notify : is told of each run when it begins, with a share of 0, and then of the share that is done.
     """
 
-    def __init__(self, patience: float = math.inf, tell: Tell | None = None) -> None:
-        self.patience, self._tell = patience, tell
+    def __init__(self, patience: float = math.inf, notify: Notify | None = None) -> None:
+        self.patience, self._notify = patience, notify
         self._started = clock.perf_counter()
-        self._what = ""
+        self._title = ""
 
     @property
     def spent(self) -> float:
         """Time since it was made (s)."""
         return clock.perf_counter() - self._started
 
-    def begin(self, what: str) -> None:
+    def begin(self, title: str) -> None:
         """Tell what is at work from now on."""
-        self._what = what
-        if self._tell:
-            self._tell(what, 0.0)
+        self._title = title
+        if self._notify:
+            self._notify(title, 0.0)
 
     @contextmanager
     def over(self, record: Record, sums: Sums) -> Iterator[None]:
         """Look on while a march writes its outputs into a record, and make it stop when time is up."""
-        if self._tell is None and self.patience == math.inf:
+        if self._notify is None and self.patience == math.inf:
             yield
             return
         done = threading.Event()
@@ -55,8 +55,8 @@ class Watch:
             while not done.wait(OFTEN):
                 if self.spent > self.patience:
                     sums.stop[0] = 1
-                elif self._tell:
-                    self._tell(self._what, max(BEGUN, share(record)))
+                elif self._notify:
+                    self._notify(self._title, max(BEGUN, share(record)))
 
         looking = threading.Thread(target=look, daemon=True)
         looking.start()

@@ -73,9 +73,7 @@ class KernelLocator(UserProvidedCacheLocator):
 
     def get_disambiguator(self) -> str:
         """What tells functions of one name in a file apart."""
-        return (
-            _told_apart_by(self._code) if _is_ours(self._py_file) else super().get_disambiguator()
-        )
+        return _code_hash(self._code) if _is_ours(self._py_file) else super().get_disambiguator()
 
     @classmethod
     def get_suitable_cache_subpath(cls, py_file: str) -> str:
@@ -93,7 +91,7 @@ def _is_ours(py_file: str) -> bool:
     return Path(py_file).absolute().is_relative_to(PACKAGE.absolute())
 
 
-def _told_apart_by(code: CodeType) -> str:
+def _code_hash(code: CodeType) -> str:
     """Hash of what a function does, not of where it stands nor of its docstring.
 
     A docstring is a constant and moves others about, so constants count by value, in the order of use.
@@ -107,7 +105,7 @@ def _told_apart_by(code: CodeType) -> str:
                 number += 256 * arguments[place - 1]
                 arguments[place - 1] = 0
             value = code.co_consts[number]
-            constants.append(_told_apart_by(value) if isinstance(value, CodeType) else repr(value))
+            constants.append(_code_hash(value) if isinstance(value, CodeType) else repr(value))
             arguments[place] = 0
     names = (code.co_name, code.co_names, code.co_varnames, code.co_freevars)
     pairs = zip(operations, arguments, strict=True)

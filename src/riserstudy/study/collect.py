@@ -55,7 +55,7 @@ NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
 def results_of(
     study: Study,
     processes: int,
-    tell: Callable[[str], None],
+    notify: Callable[[str], None],
     count: Count | None = None,
     points: list[Point] | None = None,
 ) -> tuple[list[Result], int]:
@@ -78,7 +78,7 @@ def results_of(
         absent = _take(study, absent, kept, shared)
         if not absent:
             break
-    tell(
+    notify(
         f"{study.paper}/{study.name}: {made} points simulated, {len(wanted) - made} from the store"
     )
     if absent:

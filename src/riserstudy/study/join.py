@@ -54,7 +54,7 @@ def write_study(
     study: Study,
     target: Path,
     processes: int,
-    tell: Callable[[str], None],
+    notify: Callable[[str], None],
     count: Count | None = None,
     settings: Settings | None = None,
 ) -> None:
@@ -63,7 +63,7 @@ def write_study(
     Parameters
     ----------
     settings : what the study was tuned to, where it is.
-    tell : is told in words how many points were simulated.
+    notify : is told in words how many points were simulated.
     count : is told of each point that is done; absent: nobody is.
 
     Raises
@@ -82,9 +82,9 @@ def write_study(
     def made(of: Study, as_tuned: Study | None) -> tuple[xr.Dataset, list[Result]]:
         nonlocal before
         if settings:
-            dataset, results = dataset_tuned(of, settings, as_tuned, processes, tell, counted)
+            dataset, results = dataset_tuned(of, settings, as_tuned, processes, notify, counted)
         else:
-            results, _ = results_of(of, processes, tell, counted)
+            results, _ = results_of(of, processes, notify, counted)
             dataset = dataset_of(of, results)
         before += len(results)
         return dataset, results
@@ -101,7 +101,7 @@ def write_study(
             for part in parts:
                 part.path.unlink(missing_ok=True)
         before = 0
-        tell(f"{study.paper}/{study.name}: points have several meshes, and are joined at once")
+        notify(f"{study.paper}/{study.name}: points have several meshes, and are joined at once")
     write_dataset(made(study, tuned)[0], target)
 
 

@@ -124,7 +124,7 @@ class AccuracyStudy(EngineStudy):
     peers: dict[str, dict[str, list[Pair]]] = Field(default_factory=dict)
     repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
     budget: Positive
-    asked: dict[Literal["preview", "standard", "reference"], list[float]]
+    requested: dict[Literal["preview", "standard", "reference"], list[float]]
     methods: dict[str, Method]
     scenes: dict[str, Ladder]
 

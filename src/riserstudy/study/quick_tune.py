@@ -20,7 +20,7 @@ from riserstudy.study.corners import corners
 from riserstudy.study.grid import Index
 from riserstudy.study.setting import FINER, SHORTER, Setting, layers_of, meshes, steps
 from riserstudy.study.study import Study
-from riserstudy.study.tune import FREE, Place, Say, Tuned, Tuner, check_tunable, work_of
+from riserstudy.study.tune import FREE, Notify, Place, Tuned, Tuner, check_tunable, work_of
 
 LONGER = (
     2.0  # times the step of a request, whose method is of second order; with events it is of fourth
@@ -45,9 +45,9 @@ class QuickTuner(Tuner):
         SimulationError
             When it cannot be completed.
         """
-        self.say(f"a request and a finer run at index {index}")
+        self.notify(f"a request and a finer run at index {index}")
         file = self.study.grid.file(index).with_values(FREE, "tune")
-        scene = file.with_values(self.asked, "--accuracy").scene()
+        scene = file.with_values(self.request, "--accuracy").scene()
         refinement = Refinement(scene)
         requested = refinement.result()
         mesh = refinement.finest_mesh if massless(scene) else refinement.finest_mesh.halved()
@@ -57,7 +57,7 @@ class QuickTuner(Tuner):
         unsure = {name: off / LEFT for name, off in difference(requested, best).items()}
         return Place(index, file, best, unsure, sum(map(work_of, requested.facts["refinements"])))
 
-    def cheapest(self, places: list[Place]) -> Setting:
+    def least_work(self, places: list[Place]) -> Setting:
         """The setting of least work among every second mesh and step along the border of those that suffice.
 
         Raises
@@ -66,7 +66,7 @@ class QuickTuner(Tuner):
             When none takes less than requests.
         """
         scenes = [place.file.scene() for place in places]
-        best, least = None, sum(place.asked for place in places)
+        best, least = None, sum(place.work_of_request for place in places)
         finest = max(place.best.facts["elements"] for place in places) // 2
         counts = [_halvable(count) for count in meshes(scenes, finest)[::-2][::-1]]
         layers = layers_of(scenes, None)[-1]
@@ -103,7 +103,7 @@ def _halvable(elements: float) -> int:
     return TWICE * math.ceil(elements / TWICE) if elements >= TWICE else round(elements)
 
 
-def quick_tune(study: Study, seed: int, say: Say = lambda _: None) -> Tuned:
+def quick_tune(study: Study, seed: int, notify: Notify = lambda _: None) -> Tuned:
     """A setting for a small study, and what it is worth.
 
     Raises
@@ -114,10 +114,10 @@ def quick_tune(study: Study, seed: int, say: Say = lambda _: None) -> Tuned:
         When the point cannot be run, or no setting that takes less than requests suffices.
     """
     check_tunable(study, 1)
-    tuner = QuickTuner(study, None, say)
+    tuner = QuickTuner(study, None, notify)
     index, *checks = corners(study, 1 + HELD_OUT, seed)
     place = tuner.place(index)
-    setting = tuner.cheapest([place])
+    setting = tuner.least_work([place])
     left = [index, *checks]
     errors: dict[Index, float] = {}
     for _ in range(ROUNDS):
@@ -131,7 +131,7 @@ def quick_tune(study: Study, seed: int, say: Say = lambda _: None) -> Tuned:
         left = [worst, *left, *(one for one in errors if one != worst)]
         errors = {}
     work = tuner.work(setting, [place]) if not left else math.inf
-    if work >= place.asked:
+    if work >= place.work_of_request:
         raise SimulationError(f"{study.where}: no setting takes less than requests")
     return Tuned(
         accuracy=tuner.words,
@@ -140,6 +140,6 @@ def quick_tune(study: Study, seed: int, say: Say = lambda _: None) -> Tuned:
         checked=checks,
         error=tuner.excess(setting, place),
         held_out=max(errors.values()),
-        work=work / place.asked,
+        work=work / place.work_of_request,
         own=None,
     )

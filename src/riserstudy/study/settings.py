@@ -29,7 +29,7 @@ from riserstudy.study.quick_tune import quick_tune
 from riserstudy.study.setting import Setting
 from riserstudy.study.simulate_points import Count, attempt, fill, has_error_estimate
 from riserstudy.study.study import Study
-from riserstudy.study.tune import Say, tune
+from riserstudy.study.tune import Notify, tune
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -55,11 +55,15 @@ class Settings:
     work: float | None
 
 
-def tuned_for(study: Study, say: Say) -> Settings:
+def tuned_for(study: Study, notify: Notify) -> Settings:
     """Settings for a study; none where requests are cheaper, or no setting serves."""
     count, seed = study.tuned_at
     try:
-        found = quick_tune(study, seed, say) if count == 1 else tune(study, None, count, seed, say)
+        found = (
+            quick_tune(study, seed, notify)
+            if count == 1
+            else tune(study, None, count, seed, notify)
+        )
     except SimulationError as error:
         accuracy = study.base.tree["analysis"].get("accuracy") or ""
         return Settings(None, str(error), accuracy, count, 0, seed, None, None)
@@ -113,7 +117,7 @@ def with_setting(study: Study, setting: Setting) -> Study:
 class Points(NamedTuple):
     """Points of a study by request, the same as they were tuned, and which of them are run by request."""
 
-    asked: list[Point]
+    requested: list[Point]
     tuned: list[Point]
     by_request: list[bool]
 
@@ -144,13 +148,13 @@ def fill_tuned(
     total = len({one.key for _, one in pairs})
     done: list[int] = []
 
-    def tell(more: int) -> None:
+    def notify(more: int) -> None:
         done.append(more)
         if count:
             count(sum(done), total)
 
     points = [one for _, one in pairs]
-    failures = attempt(tuned, points, processes, tell)
+    failures = attempt(tuned, points, processes, notify)
     serving = [False if one.key in failures else _serves(study, tuned, one) for one in points]
     known = {k: serves for k, serves in enumerate(serving) if serves is not None}
     by_request = _by_nearest(tuned, points, known)
@@ -197,7 +201,7 @@ def dataset_tuned(
     settings: Settings,
     tuned: Study | None,
     processes: int,
-    tell: Callable[[str], None],
+    notify: Callable[[str], None],
     count: Count | None = None,
 ) -> tuple[xr.Dataset, list[Result]]:
     """Dataset of a study that was tuned, and its results.
@@ -207,7 +211,7 @@ def dataset_tuned(
     Parameters
     ----------
     tuned : the study with its setting; None where there is none.
-    tell : is told in words how many points were simulated, ``count`` of each point that is done.
+    notify : is told in words how many points were simulated, ``count`` of each point that is done.
 
     Raises
     ------
@@ -215,7 +219,7 @@ def dataset_tuned(
         When points cannot be completed.
     """
     if tuned is None:
-        results, _ = results_of(study, processes, tell, count)
+        results, _ = results_of(study, processes, notify, count)
         by_request = [True] * len(results)
         dataset = dataset_of(study, results)
     else:
@@ -224,7 +228,7 @@ def dataset_tuned(
         by_request = points.by_request
         results = _taken(study, tuned, points, processes)
         again = sum(by_request)
-        tell(f"{study.paper}/{study.name}: {len(results)} points, {again} of them by request")
+        notify(f"{study.paper}/{study.name}: {len(results)} points, {again} of them by request")
         dataset = dataset_of(tuned, results)
         keys = [a.key if by else b.key for a, b, by in zip(*points, strict=True)]
         dataset["point_key"].values = np.array(keys, object).reshape(dataset["point_key"].shape)
@@ -240,8 +244,8 @@ def dataset_tuned(
 def _taken(study: Study, tuned: Study, points: Points, processes: int) -> list[Result]:
     """Results of points, in order."""
     results: dict[int, Result] = {}
-    for of, own, requested in ((tuned, points.tuned, False), (study, points.asked, True)):
+    for of, own, requested in ((tuned, points.tuned, False), (study, points.requested, True)):
         places = [k for k, by in enumerate(points.by_request) if by is requested]
         found, _ = results_of(of, processes, lambda _: None, points=[own[k] for k in places])
         results |= dict(zip(places, found, strict=True))
-    return [results[k] for k in range(len(points.asked))]
+    return [results[k] for k in range(len(points.requested))]

@@ -62,12 +62,12 @@ def fill(study: Study, points: Iterable[Point], processes: int, count: Count | N
     total = len({point.key for point in every})
     done: list[int] = []
 
-    def tell(more: int) -> None:
+    def notify(more: int) -> None:
         done.append(more)
         if count:
             count(sum(done), total)
 
-    failures = attempt(study, every, processes, tell)
+    failures = attempt(study, every, processes, notify)
     made = total - done[0]
     if failures:
         point = next(point for point in every if point.key in failures)
@@ -80,23 +80,23 @@ def fill(study: Study, points: Iterable[Point], processes: int, count: Count | N
 
 
 def attempt(
-    study: Study, points: Iterable[Point], processes: int, tell: Callable[[int], None]
+    study: Study, points: Iterable[Point], processes: int, notify: Callable[[int], None]
 ) -> dict[str, SimulationError]:
     """Simulate what the store lacks of some points, and say why points cannot be completed, by their keys.
 
     Parameters
     ----------
-    tell : is told how many more of the points, each counted once, are done: first how many are stored.
+    notify : is told how many more of the points, each counted once, are done: first how many are stored.
     """
     each_once = {point.key: point for point in points}
     stored = partial(store.get, keep=study.model.keep)
     missing = [p for key, p in each_once.items() if lacks(study, p, stored(key))]
-    tell(len(each_once) - len(missing))
+    notify(len(each_once) - len(missing))
     failures = {}
     outcomes = each(partial(_simulate, study), missing, processes)
     done: list[str] = []
     for point, why in zip(missing, outcomes, strict=True):
-        tell(1)
+        notify(1)
         if why:
             failures[point.key] = why
         done += _keys(study, point)

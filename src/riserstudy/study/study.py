@@ -145,7 +145,7 @@ class Study:
 
         To check 40 000 takes ten seconds; so what was checked once is remembered by all that it depends on.
         """
-        keys = remembered(f"plans/{self._behind_plan}", lambda: [p.key for p in self.grid.points()])
+        keys = remembered(f"plans/{self._plan_digest}", lambda: [p.key for p in self.grid.points()])
         every = product(*(range(len(axis)) for axis in self.grid.axes))
         return [Point(index, key) for index, key in zip(every, keys, strict=True)]
 
@@ -153,7 +153,7 @@ class Study:
     def kernel_groups(self) -> list[str]:
         """Groups of kernels that its points run, by the scene as each value of an axis alone changes it."""
 
-        def asked() -> list[str]:
+        def find_groups() -> list[str]:
             lengths = [len(axis) for axis in self.grid.axes]
             ends = [{0, *(range(n) if n <= ALL_OF else (n - 1,))} for n in lengths]
             first = (0,) * len(lengths)
@@ -163,7 +163,7 @@ class Study:
             return sorted({group(scene) for group in kinds for scene in scenes})
 
         modes = "-modes" if self.model.modes else ""
-        return list(remembered(f"groups{modes}/{self._behind_plan}", asked))
+        return list(remembered(f"groups{modes}/{self._plan_digest}", find_groups))
 
     @property
     def tuned_at(self) -> tuple[int, int]:
@@ -180,7 +180,7 @@ class Study:
         return texts_of_tables([self.base.tree, axes], Path(self.base.source).parent)
 
     @property
-    def _behind_plan(self) -> str:
+    def _plan_digest(self) -> str:
         """Digest of scene, axes, tables that they name, and the code that checks them."""
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
         code = [engine_digest(), digest(dependencies(Grid.__module__))]

@@ -121,7 +121,7 @@ def sweep(
     points = study.plan
     for text in far_values(study):
         warnings.warn(text, stacklevel=2)
-    with _shown(progress, len({point.key for point in points})) as done:
+    with _progress(progress, len({point.key for point in points})) as done:
         failures = attempt(study, points, cores or _cores(), done)
     if failures and (on_error == "raise" or len(failures) == len({p.key for p in points})):
         point = next(p for p in points if p.key in failures)
@@ -235,7 +235,7 @@ def _cores() -> int:
 
 
 @contextmanager
-def _shown(progress: bool, count: int) -> Iterator[Callable[[int], None]]:
+def _progress(progress: bool, count: int) -> Iterator[Callable[[int], None]]:
     """Something to tell how many more points are done: to a terminal or a notebook, or as lines elsewhere."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
@@ -255,7 +255,7 @@ class Lines:
 
     def __init__(self, count: int):
         self._count, self._done, self._stored = count, 0, -1
-        self._began = self._told = time.monotonic()
+        self._began = self._last_notice = time.monotonic()
 
     def __call__(self, more: int) -> None:
         """So many more points are done; told first how many are stored."""
@@ -263,13 +263,13 @@ class Lines:
         if self._stored < 0:
             self._stored = self._done
             if self._done < self._count:
-                self._tell(f"{self._count} points, {self._stored} of them stored")
-        elif now - self._told > EVERY or self._done == self._count:
-            self._told = now
+                self._notify(f"{self._count} points, {self._stored} of them stored")
+        elif now - self._last_notice > EVERY or self._done == self._count:
+            self._last_notice = now
             share = (self._done - self._stored) / (self._count - self._stored)
             left = (now - self._began) * (1.0 / share - 1.0)
             to_go = f", about {left:.2g} s to go" if self._done < self._count else ""
-            self._tell(f"{self._done} of {self._count} points{to_go}")
+            self._notify(f"{self._done} of {self._count} points{to_go}")
 
-    def _tell(self, said: str) -> None:
-        print(f"sweep: {said}", file=sys.stderr, flush=True)
+    def _notify(self, line: str) -> None:
+        print(f"sweep: {line}", file=sys.stderr, flush=True)

@@ -37,7 +37,7 @@ TUNED = (None, *(method for method, _ in METHODS.values()))  # methods that may 
 OWN = ("mesh", "step", "method", "accuracy")  # of an analysis, which tuning chooses
 FREE = {f"analysis.{name}": None for name in OWN} | {"analysis.output.stations": None}
 #: is told what is at work
-Say = Callable[[str], None]
+Notify = Callable[[str], None]
 
 
 @dataclass
@@ -48,7 +48,7 @@ class Place:
     file: SceneFile
     best: Result
     unsure: dict[str, float]
-    asked: float
+    work_of_request: float
 
 
 @dataclass
@@ -96,7 +96,7 @@ def check_tunable(study: Study, count: int) -> None:
 
 
 def tune(
-    study: Study, accuracy: str | None, count: int, seed: int, say: Say = lambda _: None
+    study: Study, accuracy: str | None, count: int, seed: int, notify: Notify = lambda _: None
 ) -> Tuned:
     """The cheapest setting that meets an accuracy at a few points, and at others that it is held against.
 
@@ -113,17 +113,17 @@ def tune(
         When a point cannot be run to compare others with, or no setting suffices.
     """
     check_tunable(study, count)
-    tuner = Tuner(study, accuracy, say)
+    tuner = Tuner(study, accuracy, notify)
     places = [tuner.place(index) for index in corners(study, count, seed)]
     seen: list[Index] = [one.index for one in places]
     for _ in range(ROUNDS):
-        setting = tuner.cheapest(places)
+        setting = tuner.least_work(places)
         fresh = others(study, seen, max(4, count // 2), seed)
         checks = [tuner.place(index) for index in fresh]
         found = [tuner.excess(setting, one) for one in checks]
         if max(found, default=0.0) <= 1.0:
             return tuner.worth(setting, places, checks)
-        say(f"{described(setting)} errs by {max(found):.2f} of the accuracy at another point")
+        notify(f"{described(setting)} errs by {max(found):.2f} of the accuracy at another point")
         seen += fresh
         places += checks
     raise SimulationError(
@@ -144,17 +144,17 @@ class Tuner:
 
     study: Study
     accuracy: str | None
-    say: Say
+    notify: Notify
     target: dict[str, float] = field(init=False)
-    asked: dict[str, str] = field(init=False)
+    request: dict[str, str] = field(init=False)
     known: dict[tuple[Setting, Index], tuple[float, float]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         free = self.study.base.with_values(FREE, self.study.where)
         own = (self.study.base.tree.get("analysis") or {}).get("accuracy")
         wanted = self.accuracy or own
-        self.asked = {"analysis.accuracy": wanted} if wanted else {}
-        self.target = allowed_of(free.with_values(self.asked, "--accuracy").scene())
+        self.request = {"analysis.accuracy": wanted} if wanted else {}
+        self.target = allowed_of(free.with_values(self.request, "--accuracy").scene())
 
     def place(self, index: Index) -> Place:
         """A point with a run to compare others with.
@@ -166,9 +166,9 @@ class Tuner:
         """
         at = dict(zip(self.study.axes, index, strict=True))
         where = f"{self.study.where}: at index {at}"
-        self.say(f"a request and a finer run at index {at}")
+        self.notify(f"a request and a finer run at index {at}")
         file = self.study.grid.file(index).with_values(FREE, "tune")
-        scene = file.with_values(self.asked, "--accuracy").scene()
+        scene = file.with_values(self.request, "--accuracy").scene()
         try:
             refinement = Refinement(scene)
             requested = refinement.result()
@@ -192,7 +192,7 @@ class Tuner:
     @property
     def words(self) -> str:
         """The accuracy in words."""
-        return str(self.asked.get("analysis.accuracy") or _percent(self.target))
+        return str(self.request.get("analysis.accuracy") or _percent(self.target))
 
     def work(self, setting: Setting, places: list[Place]) -> float:
         """Segments times Newton iterations (1) of a setting at some points together."""
@@ -230,7 +230,7 @@ class Tuner:
                 return math.inf
         return self.work(setting, places)
 
-    def cheapest(self, places: list[Place]) -> Setting:
+    def least_work(self, places: list[Place]) -> Setting:
         """The setting of least work that suffices at all points.
 
         Raises
@@ -241,14 +241,16 @@ class Tuner:
         scenes = [place.file.scene() for place in places]
         own = self.own
         best: Setting | None = None
-        least = sum(place.asked for place in places)  # a setting that takes more is of no use
+        least = sum(
+            place.work_of_request for place in places
+        )  # a setting that takes more is of no use
         if own and (work := self._suffices(own, places)) < least:
             best, least = own, work
         # twice as fine as the finest request
         counts = meshes(scenes, max(place.best.facts["elements"] for place in places) // 2)
         for layers in reversed(layers_of(scenes, own)):
             for method in reversed(METHODS):
-                self.say(f"{method} on {'graded' if layers else 'even'} meshes")
+                self.notify(f"{method} on {'graded' if layers else 'even'} meshes")
                 every = [
                     [Setting(n, layers, step, method) for step in steps(scenes)] for n in counts
                 ]
@@ -290,7 +292,7 @@ class Tuner:
 
     def worth(self, setting: Setting, places: list[Place], checks: list[Place]) -> Tuned:
         """What a setting errs by and costs, compared with requests and with what the study had."""
-        requested = sum(place.asked for place in places)
+        requested = sum(place.work_of_request for place in places)
         work = self.work(setting, places)
         own = None
         if self.own:
@@ -309,7 +311,7 @@ class Tuner:
         )
 
 
-def _finer(scene: Scene, mesh: Mesh, asked: Result) -> Result:
+def _finer(scene: Scene, mesh: Mesh, requested: Result) -> Result:
     """A run on segments a quarter as long as a request's, by half its step with the fourth-order method.
 
     With events the request is by that method already; the step is a quarter then.
@@ -322,7 +324,7 @@ def _finer(scene: Scene, mesh: Mesh, asked: Result) -> Result:
     if not massless(scene):
         mesh = mesh.halved().halved()
     analysis = scene.analysis.model_copy(update={"method": "ESDIRK4"})
-    step = asked.facts["step"] * (0.25 if scene.events else 0.5)
+    step = requested.facts["step"] * (0.25 if scene.events else 0.5)
     return single(scene.model_copy(update={"analysis": analysis}), mesh, step)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 from surroundings import CYLINDERS, Case, N, stirred
 
-from riserstudy.effects.exchange import LentForce, ToldMotion
+from riserstudy.effects.exchange import ForceTable, MotionTable
 
 
 def lent_force(record, s):
@@ -34,19 +34,19 @@ def told_motion(record, s):
 
 
 CASES = {
-    LentForce: Case(
-        lambda d: LentForce(
+    ForceTable: Case(
+        lambda d: ForceTable(
             2, np.array([0.0, 3.0, 5.5, 8.0]), 1e5 * stirred(4, d - 1), 2 * CYLINDERS
         ),
         directions=(2, 3),
     ),
-    ToldMotion: Case(
-        lambda d: ToldMotion(N, np.array([0.0, 3.0, 5.5, 8.0]), stirred(3, 4, d - 1)),
+    MotionTable: Case(
+        lambda d: MotionTable(N, np.array([0.0, 3.0, 5.5, 8.0]), stirred(3, 4, d - 1)),
         directions=(2, 3),
     ),
 }
 
 PLAIN = {
-    LentForce: [("device", lent_force), ("probe", lent_force_reports)],
-    ToldMotion: [("place", told_motion)],
+    ForceTable: [("device", lent_force), ("probe", lent_force_reports)],
+    MotionTable: [("place", told_motion)],
 }

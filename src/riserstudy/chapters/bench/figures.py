@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib import colormaps
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, beside_letter, headline, panels
+from riserstudy.figures.style import COLOURS, headline, panel_title, panels
 
 STATIONS = (433.0, 333.0, 233.0, 133.0)  # m from the bottom
 SHOWN = 40.0  # s at the end of the histories at these
@@ -26,7 +26,7 @@ def statics(s1: xr.Dataset, s4b: xr.Dataset, s4c: xr.Dataset, s4e: xr.Dataset) -
         ax.plot(scene["x"], scene["z"], color=COLOURS[0])
         ax.set_xlabel("lateral position x (m)")
         ax.set_ylabel("elevation z (m)")
-        beside_letter(ax, title)
+        panel_title(ax, title)
     for ax in axes[2:]:
         ax.set_aspect("equal", adjustable="datalim")
     most = [float(abs(scene["x"]).max()) for _, scene in named[:2]]
@@ -49,7 +49,7 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
         )
     axes[0].set_xlabel("time (s)")
     axes[0].set_ylabel("lateral position x (m)")
-    beside_letter(axes[0], "S2, at four heights")
+    panel_title(axes[0], "S2, at four heights")
     axes[0].set_xlim(float(s2["time"][-1]) - SHOWN, float(s2["time"][-1]))
     for colour, (name, scene) in zip(COLOURS, (("S2", s2), ("S2c", s2c)), strict=False):
         for side in ("max", "min"):

@@ -17,9 +17,9 @@ from riserstudy.figures.style import (
     COLOURS,
     GREY,
     PRINTED,
-    beside_letter,
     headline,
     key_below,
+    panel_title,
     panels,
 )
 
@@ -151,7 +151,7 @@ def fig08(
                 ax.plot(run["time"], run[quantity], color=colour, linewidth=width, label=name)
             swing = {name: float(np.ptp(run[quantity].values)) for name, (run, *_) in runs.items()}
             bare = swing.pop("without tensioner")
-            beside_letter(ax, meant)
+            panel_title(ax, meant)
             ax.set_ylabel(label)
             reductions = [
                 f"{name[16:]} {100.0 * (1.0 - part / bare):.0f} %" for name, part in swing.items()
@@ -211,7 +211,7 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
         for ax, when, end in ((early, "from rest", SHOWN), (late, "settled", 20.0)):
             ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
             ax.set_xlim(0.0, end)
-            beside_letter(ax, f"platform {amplitude:g} m, {when}")
+            panel_title(ax, f"platform {amplitude:g} m, {when}")
     for ax in axes[2:4]:
         ax.set_xlabel(TIME)
     for ax in axes[6:]:
@@ -270,7 +270,7 @@ def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
                 run = histories.sel(tensioner_model=model, heave_amplitude=amplitude)
                 ax.plot(run["time"] - start, run[quantity], line, color=colour, lw=1.2, label=model)
             ax.set_ylabel(label)
-            beside_letter(ax, f"platform {amplitude:g} m")
+            panel_title(ax, f"platform {amplitude:g} m")
 
 
 def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Figure:
@@ -284,7 +284,7 @@ def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Fi
         ax.plot(run["time"], run[quantity], color=COLOURS[0], lw=1.0, label="from rest")
         ax.plot(settled["time"], settled[quantity], color=COLOURS[1], lw=2.0, label="settled")
         status = "named in the text" if amplitude in NAMED else "assumed"
-        beside_letter(ax, f"platform {amplitude:g} m, {status}")
+        panel_title(ax, f"platform {amplitude:g} m, {status}")
         ax.locator_params(axis="y", nbins=5)
     figure.supylabel(label, fontsize="medium")
     axes[-1].set_xlabel(TIME)
@@ -354,7 +354,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
                     curve["heave_amplitude"], curve, line, color=colour, label=f"{word}: {label}"
                 )
         ax.set_xlabel(AMPLITUDE)
-        beside_letter(ax, model)
+        panel_title(ax, model)
     axes[0].set_ylabel("displacement from equilibrium (m)")
     key_below(figure, axes[0], 2)
     far = asymmetry.sel(reading="steady").isel(heave_amplitude=-1)
@@ -415,7 +415,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
             lines = index.sel(sample=chosen).transpose("heave_amplitude", "sample")
             ax.plot(lines["heave_amplitude"], lines, color=colour, lw=0.7, alpha=0.55)
         ax.axhline(1.0, color="black", linewidth=0.8)
-        beside_letter(ax, title)
+        panel_title(ax, title)
         ax.set_xlabel(AMPLITUDE)
     for start, colour in starts.items():
         axes[0].plot([], [], color=colour, label=f"one sample, riser starts {STARTS[start]}")
@@ -506,7 +506,7 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
                         label=model)  # fmt: skip
             ax.set_ylabel(label)
             ax.margins(y=0.2)
-            beside_letter(ax, f"platform {amplitude:g} m")
+            panel_title(ax, f"platform {amplitude:g} m")
     for ax in axes[-2:]:
         ax.set_xlabel("heave period of the platform (s)")
     for ax in axes[::2]:
@@ -553,10 +553,10 @@ def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
     axes[0].set_xlabel(TIME)
     axes[0].set_xlim(0, float(riser_mass_start["time"][-1]))
     axes[0].set_ylabel("heave from equilibrium (m)")
-    beside_letter(axes[0], "platform 5 m, starts at once")
+    panel_title(axes[0], "platform 5 m, starts at once")
     axes[1].set_xlabel(AMPLITUDE)
     axes[1].set_ylabel("displacement from equilibrium (m)")
-    beside_letter(axes[1], "settled")
+    panel_title(axes[1], "settled")
     axes[1].legend(fontsize="small")
     key_below(figure, axes[0], 2)
     far = riser_mass.isel(s_node=-1).sel(heave_amplitude=5.0)

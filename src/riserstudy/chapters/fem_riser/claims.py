@@ -285,8 +285,8 @@ def run_time(own: xr.Dataset) -> dict[str, Any]:
         "paper_milliseconds": 46 * 3.6e6 * PAPER_STEP / STABLE,
     }
     if finest > PAPER_STEP:
-        said = f"not run in this tier; by the time of a step, {whole:.0f} s"
-        return times | {"run": said}
+        words = f"not run in this tier; by the time of a step, {whole:.0f} s"
+        return times | {"run": words}
     apart = []
     for runs in (own["x_max"].max("s_node"), own["bending_moment_max"].max("s_node")):
         short, long = (float(runs.sel(time_step=step)) for step in (finest, float(steps.max())))

@@ -44,9 +44,9 @@ from riserstudy.figures.style import (
     COLOURS,
     GREY,
     PRINTED,
-    beside_letter,
     headline,
     key_below,
+    panel_title,
     panels,
 )
 
@@ -121,7 +121,7 @@ def fig04(motion: xr.Dataset) -> Figure:
                          color=RED if k == 2 else early)  # fmt: skip
         last = other.sel(time=end, method="nearest")
         axes[k].plot(last, last["s"], **PRINTED, label=f"lumped masses at {end:g} s")
-        beside_letter(axes[k], f"{start:g} to {end:g} s")
+        panel_title(axes[k], f"{start:g} to {end:g} s")
         axes[k].set_xlabel(DEFLECTION)
         axes[k].set_ylim(0.0, float(x["s"][-1]))
         axes[k].legend(fontsize="x-small", loc="upper right")
@@ -129,8 +129,8 @@ def fig04(motion: xr.Dataset) -> Figure:
         heights = np.arange(200.0, 2000.0, 200.0)
         for colour, s in zip(viridis(np.linspace(0.0, 0.95, heights.size)), heights, strict=True):
             track = window.sel(s=s, method="nearest")
-            shown = 100.0 * (track - track.mean("time")) if k == 2 else track
-            history.plot(track["time"], shown, color=colour, linewidth=0.9, label=f"{s:g} m")
+            drawn = 100.0 * (track - track.mean("time")) if k == 2 else track
+            history.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m")
         history.set_xlabel(TIME)
         history.set_ylabel("deflection less its mean (cm)" if k == 2 else DEFLECTION)
     axes[0].set_ylabel(HEIGHT)
@@ -370,7 +370,7 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Fi
                 ax.annotate("all" if every else "\n".join(missed), (tide, wave), ha="center",
                             va="center", fontsize="x-small", color="white" if every else "black")  # fmt: skip
         ax.margins(0.15)
-        beside_letter(ax, f"joints: {joints}")
+        panel_title(ax, f"joints: {joints}")
         ax.set_xlabel("surface speed of the tide (m/s)")
         ax.set_ylabel("wave height (m)")
     shares = _shares(axes[3], claims(open_trends, change))
@@ -452,7 +452,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     right.set_xscale("log")
     right.xaxis.set_major_formatter("{x:g}")
     right.set_xlabel(f"time for {GRID_TIME:g} s, with its error estimate (s)")
-    beside_letter(right, "by element; star: scaled from 300 s")
+    panel_title(right, "by element; star: scaled from 300 s")
     key_below(figure, left, 5)
     at = float(error.sel(element="5 m").sel(time_step=0.1))
     headline(

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
 from riserstudy.dataset.crossing import first_crossing, first_limit
 from riserstudy.design.watch_circles import TOO_LATE
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, beside_letter, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panel_title, panels
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
 HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
@@ -32,32 +32,32 @@ viridis = colormaps["viridis"]
 FORCE_AT_LIMIT = -3.02 * np.sin(np.deg2rad(UFJ_LIMIT))  # MN, which Fig 6 implies
 
 
-def says(figure: Figure, what: str) -> None:
+def set_title(figure: Figure, title: str) -> None:
     """What a figure shows, above it."""
-    figure.suptitle(what, fontsize="medium")
+    figure.suptitle(title, fontsize="medium")
 
 
 def fig04(driveoff: xr.Dataset) -> Figure:
     """Surge and speed over time, with and without riser, for both sets of inputs."""
     figure, axes = panels(2, 2, 3.2, sharex=True)
-    shown = driveoff.sel(time=slice(0.0, SHOWN))
+    beginning = driveoff.sel(time=slice(0.0, SHOWN))
     for column, (kind, title) in enumerate(SETS.items()):
         for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
             for ending, line, word in (("", "-", "with"), ("_no_riser", "--", "without")):
-                run = shown.sel(case=f"{kind}_{heading}{ending}")
+                run = beginning.sel(case=f"{kind}_{heading}{ending}")
                 text = f"{label}, {word} riser"
                 axes[column].plot(
                     run["time"], run["platform_surge"], line, color=colour, label=text
                 )
                 axes[2 + column].plot(run["time"], run["platform_speed_x"], line, color=colour)
         axes[column].axhline(100.0, color=GREY, linewidth=0.9, label="printed: false position")
-        beside_letter(axes[column], title)
+        panel_title(axes[column], title)
         axes[2 + column].set_xlabel(TIME)
     first, later = (
         float(first_crossing(driveoff["platform_surge"].sel(case=f"ref_{h}"), 100.0))
         for h in HEADINGS
     )
-    says(
+    set_title(
         figure,
         f"The platform arrives after {first:.0f} s along the environment, {later:.0f} s against it",
     )
@@ -79,10 +79,10 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
             shape = run.sel(time=time)
             ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
         ax.set_xlabel("lateral displacement (m)")
-        beside_letter(ax, label)
+        panel_title(ax, label)
     after = abs(ref_0["x"].sel(time=20.0) - ref_0["x"].isel(time=0))
     low = float(after.sel(s=LOW, method="nearest"))
-    says(
+    set_title(
         figure,
         f"The lower riser lags: {low:.2f} m when the top is {float(after.isel(s=-1)):.0f} m away",
     )
@@ -94,10 +94,10 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
 def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     """Force of the riser on the platform; ``deadline`` is the printed time (s)."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
-    shown = driveoff.sel(time=slice(0.0, SHOWN))
+    beginning = driveoff.sel(time=slice(0.0, SHOWN))
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
         for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
-            run = shown.sel(case=f"{kind}_{heading}")
+            run = beginning.sel(case=f"{kind}_{heading}")
             run = _until_the_stop(ax, run, "riser_force_x", 1e-6)
             printed, exact = run["riser_force_x"] / 1e6, run["riser_reaction_x"] / 1e6
             ax.plot(run["time"], printed, color=colour, label=f"{label}, T sin θ as printed")
@@ -111,14 +111,16 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
         )
         ax.axhline(0.0, color=GREY, linewidth=0.9)
         ax.set_xlabel(TIME)
-        beside_letter(ax, title)
+        panel_title(ax, title)
     drives = driveoff["riser_force_x"].sel(case="ref_0")
     until = float(first_crossing(-drives, 0.0))
     against = (
         float(driveoff["riser_force_x"].sel(case="ref_180", time=slice(0.0, SHOWN)).max()) / 1e6
     )
     inhibits = "always inhibits" if against < 0.0 else "does not always inhibit"
-    says(figure, f"Along, the riser drives the platform for {until:.0f} s; against, it {inhibits}")
+    set_title(
+        figure, f"Along, the riser drives the platform for {until:.0f} s; against, it {inhibits}"
+    )
     axes[0].set_ylabel("force of the riser on the platform (MN)")
     key_below(figure, axes[0], 3)
     return figure
@@ -146,9 +148,9 @@ def _has_key(ax: Axes, label: str) -> bool:
 def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
     """Shares of the limits that are used, along the environment; ``deadline`` is the printed time (s)."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
-    shown = driveoff.sel(time=slice(0.0, SHOWN))
+    beginning = driveoff.sel(time=slice(0.0, SHOWN))
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
-        run = shown.sel(case=f"{kind}_0")
+        run = beginning.sel(case=f"{kind}_0")
         used = shares(run)
         stress = run["riser_stress"] / LIMITS["conductor"].most
         run = _until_the_stop(
@@ -158,11 +160,11 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
         _limits(ax, used)
         ax.plot(stress["time"], stress, color=COLOURS[5], label="riser, 386 MPa too (assumed)")
         ax.plot([deadline], [1.0], "o", color="black", label=f"printed: 12° at {deadline:g} s")
-        beside_letter(ax, title)
+        panel_title(ax, title)
     run = driveoff.sel(case="ref_0")
     times, begins = reached(run), starts(run)
     late = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(limit="upper flex joint")
-    says(
+    set_title(
         figure,
         f"The {first_limit(times).item()!s} is first, at {float(times.min()):.0f} s; "
         f"the bottom lags by {float(late):.0f} s",
@@ -183,10 +185,10 @@ def losses(losses: xr.Dataset) -> Figure:
         _limits(ax, run["limit_share"])
         end = float(run["limit_time"].sel(limit="telescopic joint"))
         ax.axvline(end, color=GREY, linestyle=":", label="telescopic joint at its end")
-        beside_letter(ax, loss)
+        panel_title(ax, loss)
     lost = losses["limit_time"].sel(loss="drift-off")
     end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
-    says(
+    set_title(
         figure,
         f"In a drift-off stroke-out occurs at {end:.0f} s, the conductor limit {stress - end:.0f} s later",
     )
@@ -212,7 +214,7 @@ def disconnect(disconnect: xr.Dataset) -> Figure:
         run = disconnect.sel(scenario=scenario)
         _limit_times(times, run)
         _circles(circles, run)
-        beside_letter(times, str(scenario))
+        panel_title(times, str(scenario))
         circles.set_xlabel("environment to hull (deg)")
         circles.set_xticks(range(0, 181, 45))
     for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
@@ -228,16 +230,16 @@ def disconnect(disconnect: xr.Dataset) -> Figure:
     }
     above[0].legend(seen.values(), seen.keys(), loc="upper right", fontsize="small")
     key_below(figure, below[-1], len(disconnect["eds_time"]))
-    says(figure, _slowest_in_time(disconnect))
+    set_title(figure, _slowest_in_time(disconnect))
     return figure
 
 
 def _limit_times(ax: Axes, run: xr.Dataset) -> None:
     for colour, name in zip(COLOURS, LIMITS, strict=False):
         times = run["limit_time"].sel(limit=name)
-        shown = times.where(np.isfinite(times))
-        if bool(shown.notnull().any()):
-            ax.plot(run["environment_heading"], shown, ".-", color=colour, label=name)
+        beginning = times.where(np.isfinite(times))
+        if bool(beginning.notnull().any()):
+            ax.plot(run["environment_heading"], beginning, ".-", color=colour, label=name)
 
 
 def _circles(ax: Axes, run: xr.Dataset) -> None:
@@ -250,8 +252,8 @@ def _circles(ax: Axes, run: xr.Dataset) -> None:
         ax.plot(run["environment_heading"], radius, ".-", color=colour, label=label)
     late = (run["red_circle_outcome"] == TOO_LATE).all("environment_heading")
     if bool(late.any()):
-        said = f"too late: {', '.join(f'{eds:g}' for eds in times[late.values])} s"
-        ax.text(0.5, 0.95, said, transform=ax.transAxes, ha="center", va="top", fontsize="small")
+        words = f"too late: {', '.join(f'{eds:g}' for eds in times[late.values])} s"
+        ax.text(0.5, 0.95, words, transform=ax.transAxes, ha="center", va="top", fontsize="small")
 
 
 def _slowest_in_time(disconnect: xr.Dataset) -> str:
@@ -282,7 +284,7 @@ def envelope(envelope: xr.Dataset) -> Figure:
     ax.set_ylim(0.0, 1.6)
     ax.set_xlabel("static offset of the platform (m)")
     ax.set_ylabel("utilisation of the limit")
-    says(
+    set_title(
         figure,
         f"Stroke-out occurs at {end:.0f} m of static offset, the conductor limit at {then:.0f} m",
     )
@@ -311,7 +313,7 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     ax.set_ylabel("hull drag (kN s²/m²)")
     ax.set_xlim(float(calibration["gain"].min()), 90.0)
     ax.set_ylim(float(calibration["hull_drag"].min()), 600.0)
-    says(
+    set_title(
         figure,
         f"Many pairs of gain and hull drag give the printed 12° at {deadline:g} s",
     )
@@ -331,23 +333,23 @@ def coupling(coupling: xr.Dataset) -> Figure:
         label = f"{way} (surge: at most {_millimetres(most)})"
         axes[0].plot(here["time"], here["platform_surge"], color=colour, label=label)
         axes[1].plot(here["time"], here["ufj_angle"] * DEGREES, color=colour)
-    for ax, what in zip(axes, ("surge (m)", "upper flex joint (deg)"), strict=False):
+    for ax, title in zip(axes, ("surge (m)", "upper flex joint (deg)"), strict=False):
         ax.set_ylim(bottom=-0.03 * ax.get_ylim()[1])  # so that what is zero is seen
         ax.set_xlabel(TIME)
-        ax.set_ylabel(f"difference in {what}")
+        ax.set_ylabel(f"difference in {title}")
     cost = turns[["newton_iterations", "solve_seconds"]] / one
     axes[2].barh(ways, cost["newton_iterations"], color=COLOURS[: len(ways)], alpha=0.6)
     axes[2].plot(cost["solve_seconds"], ways, "o", color="black")
     axes[2].axvline(1.0, **PRINTED)
     axes[2].invert_yaxis()
     axes[2].set_xlabel("cost, in turns / as one")
-    beside_letter(axes[2], "bars: iterations, dots: time")
+    panel_title(axes[2], "bars: iterations, dots: time")
     apart = off["platform_surge"].max("time")
     ends = [
         f"{_millimetres(float(end))} ({str(end['exchange'].item()).partition(',')[0]})"
         for end in (apart[apart.argmin("exchange")], apart[apart.argmax("exchange")])
     ]
-    says(
+    set_title(
         figure,
         f"Separate solution shifts the platform by {ends[0]} to {ends[1]}",
     )
@@ -380,7 +382,7 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     axes[1].axvline(deadline, label="printed, at 0°", **PRINTED)
     then = angle.sel(heading="along").interp(time=deadline)
     least, most = (float(then.quantile(q)) for q in (0.05, 0.95))
-    says(
+    set_title(
         figure,
         f"At the published time samples have UFJ angles of {least:.0f}° to {most:.0f}°",
     )

@@ -74,10 +74,10 @@ class Ranked(NamedTuple):
 def price(accuracy: xr.Dataset) -> Price | None:
     """Ratio of times between the finest tolerance that all scenes met and 1 %; None for fewer than two."""
     met = accuracy["request_seconds"].notnull().values
-    asked, scene = accuracy["requested"].values, accuracy["request_scene"].values
+    requested, scene = accuracy["requested"].values, accuracy["request_scene"].values
     seconds = accuracy["request_seconds"].values
     scenes = sorted(set(scene[met]))
-    every = [set(asked[met & (scene == s)]) for s in scenes]
+    every = [set(requested[met & (scene == s)]) for s in scenes]
     shared = sorted(set.intersection(*every)) if every else []
     if len(shared) < 2:
         return None
@@ -85,7 +85,7 @@ def price(accuracy: xr.Dataset) -> Price | None:
     coarse = TOLERANCE if TOLERANCE in shared[1:] else shared[-1]
 
     def of(name: object, tolerance: float) -> float:
-        return float(seconds[(scene == name) & (asked == tolerance)][0])
+        return float(seconds[(scene == name) & (requested == tolerance)][0])
 
     ratios = [of(s, fine) / of(s, coarse) for s in scenes]
     return Price(float(coarse), float(fine), min(ratios), max(ratios))

@@ -38,9 +38,9 @@ def left_out(deck: Part) -> list[str]:
     for (of, key, value), objects in alike.items():
         place = f"{of}[{', '.join(objects)}]" if any(objects) else of
         plain.append(f"{place}.{key}: {value}".lstrip("."))
-    for what, some in (("what is 0 or none", off), ("what only draws", drawn)):
+    for label, some in (("what is 0 or none", off), ("what only draws", drawn)):
         keys = dict.fromkeys(f"{entry.of}.{entry.key}".lstrip(".") for entry in some)
-        plain += [f"{what}: {', '.join(keys)}"] if keys else []
+        plain += [f"{label}: {', '.join(keys)}"] if keys else []
     return [*apart, *otherwise, *plain]
 
 

@@ -111,7 +111,7 @@ def _tree(deck: Part, path: Path) -> dict[str, Any]:
         tree["bottom"]["hold"] = "foot"
         tree["soil"] = ground
     tree["top"] = made.tree
-    tree |= {name: what for name, what in (("current", current), ("wave", wave)) if what}
+    tree |= {name: part for name, part in (("current", current), ("wave", wave)) if part}
     if made.vessel:
         tree["platform"] = platform_of(deck, made.vessel, stages, bool(wave))
     return tree | {"analysis": analysis}

@@ -41,12 +41,12 @@ class Piece(NamedTuple):
 def sections(deck: Part, cast: Roles, bottom: float, sea: Sea) -> list[dict[str, Any]]:
     """Sections from the lowest to the highest, the lowest end at an elevation (m)."""
     made: list[dict[str, Any]] = []
-    beside = _alongside(deck, cast, bottom)
-    levels = [level for _, *ends in beside for level in ends]
+    attached = _alongside(deck, cast, bottom)
+    levels = [level for _, *ends in attached for level in ends]
     for piece in _cut(list(_pieces(cast, bottom)), levels, sea.surface):
         with deck.noting():
             made.append(_section(deck, cast, piece, sea))
-            here = [line for line, low, high in beside if low <= piece.low and piece.high <= high]
+            here = [line for line, low, high in attached if low <= piece.low and piece.high <= high]
             if here:
                 _add_lines(deck, made[-1], here)
     called = [str(section["name"]) for section in made]
@@ -165,7 +165,7 @@ def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float
 
 def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
     """Add lines along a section, with the drag and the water of them all."""
-    beside, kinds = [], []
+    attached, kinds = [], []
     for line in lines:
         names = {name for name, _ in lengths_of(line.part)}
         if len(names) > 1:
@@ -177,8 +177,8 @@ def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
         if inside := line.part.given("ContentsDensity"):
             line.part.demand("ContentsMethod", "Uniform")
             fields["contents"] = _q(1000.0 * inside, "kg/m^3")
-        beside.append({"name": fields.pop("name"), **fields})
-    section["lines"] = beside
+        attached.append({"name": fields.pop("name"), **fields})
+    section["lines"] = attached
     waters = [_water(kind) for kind in kinds]
     for name, power in (("drag", 1), ("tangential_drag", 1), ("added_mass", 2)):
         _sum(section, [water[name] for water in waters if name in water], name, power)
@@ -194,8 +194,8 @@ def _sum(section: dict[str, Any], more: list[dict[str, Any]], name: str, power: 
         float(part["coefficient"]) * float(part["diameter"].split()[0]) ** power for part in parts
     )
     diameter = _q((whole / first) ** (1.0 / power), "m")
-    what = "diameters" if power == 1 else "squares of diameters"
-    reason = f"{what} of pipe and lines, times their coefficients"
+    quantity = "diameters" if power == 1 else "squares of diameters"
+    reason = f"{quantity} of pipe and lines, times their coefficients"
     section[name] = {"coefficient": first, "diameter": {"derived": diameter, "from": reason}}
 
 

@@ -159,7 +159,7 @@ def _link(link: Part, of: Anchorage) -> Pull:
         allowed = "allowed are Spring/Damper, Tether"
         raise link.refused("LinkType", link.text("LinkType"), allowed)
     deck, ring, length = _between(link, of)
-    if kind == "tether" or _said(link.value("LinearSpring")):
+    if kind == "tether" or _is_given(link.value("LinearSpring")):
         unstretched = link.number("UnstretchedLength")
         if kind == "tether" and not unstretched > 0.0:
             found = f"{unstretched:g}"
@@ -181,13 +181,13 @@ def _damping(link: Part) -> float:
     link.idle("Damping")
     if link.data.get("LinearDamper") is None and link.data.get("DampingConstant") is None:
         return 0.0
-    if not _said(link.value("LinearDamper")):
+    if not _is_given(link.value("LinearDamper")):
         allowed = "allowed is a LinearDamper: damping of a scene is one number"
         raise link.refused("LinearDamper", str(link.value("LinearDamper")), allowed)
     return link.number("DampingConstant")
 
 
-def _said(value: Any) -> bool:
+def _is_given(value: Any) -> bool:
     """Whether a deck says yes."""
     return str(value) in ("True", "Yes")
 

@@ -10,7 +10,7 @@ from riserstudy.scene.rao import MOTIONS
 
 TABLE = (
     "RAOPeriodOrFrequency",
-    *(f"RAO{name.capitalize()}{what}" for name in MOTIONS for what in ("Amp", "Phase")),
+    *(f"RAO{name.capitalize()}{part}" for name in MOTIONS for part in ("Amp", "Phase")),
 )
 BY = {
     "period (s)": ("period", "s"),

@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, beside_letter, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
 
 NAMES = {
     "lfj_angle": "LFJ angle",
@@ -49,13 +49,13 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
     for ax, mud in zip(axes, muds, strict=True):
         for colour, name in zip(COLOURS, mine, strict=False):
             reached = np.isfinite(limits.sel(limit=name)).any()
-            said = _plain(str(name)) + ("" if reached else " (not reached)")
-            _line(ax, limits.sel(limit=name, mud_weight=mud), colour, said)
+            label = _plain(str(name)) + ("" if reached else " (not reached)")
+            _line(ax, limits.sel(limit=name, mud_weight=mud), colour, label)
         envelope = operability["envelope_offset"].sel(operation=mode, mud_weight=mud)
         _shade(ax, envelope, operability.attrs["reach"])
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("surface current speed (m/s)")
-        beside_letter(ax, f"mud of {mud:g} kg/m³")
+        panel_title(ax, f"mud of {mud:g} kg/m³")
     axes[0].set_ylabel("platform offset, + down current (m)")
     key_below(figure, axes[0], 3)
     headline(figure, _answer(operability.sel(operation=mode), mode))
@@ -99,8 +99,8 @@ def _answer(of: xr.Dataset, mode: str) -> str:
 
 
 def _words(name: str) -> str:
-    for variable, said in NAMES.items():
-        name = name.replace(variable, said)
+    for variable, label in NAMES.items():
+        name = name.replace(variable, label)
     return name
 
 

@@ -10,7 +10,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from riserstudy.figures.style import COLOURS, beside_letter, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
 
 SAID = (
     "clear of BOP and end stops",
@@ -38,7 +38,7 @@ def recoil_window(recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
             ax.text(
                 column, row, f"{max(value, 0.0):.1f}", ha="center", va="center", fontsize="x-small"
             )
-        beside_letter(ax, f"mud of {mud:g} kg/m³; numbers: smallest clearance (m)")
+        panel_title(ax, f"mud of {mud:g} kg/m³; numbers: smallest clearance (m)")
         ax.set_xlabel("heave amplitude (m)")
     for ax in axes[::columns]:
         ax.set_ylabel("tension setting (MN)")
@@ -96,8 +96,8 @@ def recoil_histories(recoil: xr.Dataset, tension_ratio: float) -> Figure:
         ax.set_xlabel("time (s)")
         ax.legend(title="tension setting", fontsize="small")
     highest = [float(one.sel(gas_pressure=p)["lift"].max()) for p in pressures]
-    beside_letter(up, f"mud of {mud:g} kg/m³, heave of {heave:g} m")
-    beside_letter(stroke, f"disconnect at {phase:g}° of heave")
+    panel_title(up, f"mud of {mud:g} kg/m³, heave of {heave:g} m")
+    panel_title(stroke, f"disconnect at {phase:g}° of heave")
     rises = "raises" if highest[-1] > highest[0] else "lowers"
     headline(
         figure,
@@ -119,7 +119,7 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
             ax.text(column, row, f"{value:.1f}", ha="center", va="center", fontsize="x-small")
         ax.set_xticks(range(len(left)), [f"{100 * x:g}" for x in left])
         ax.set_xlabel("opening left by the valves (%)")
-        beside_letter(ax, f"{count:g} units at work; numbers: largest lift (m)")
+        panel_title(ax, f"{count:g} units at work; numbers: largest lift (m)")
     pressures = recoil_failures_outcome["gas_pressure"].values
     axes[0].set_yticks(range(len(pressures)), [f"{p / 10:g}" for p in pressures])
     axes[0].set_ylabel("gas pressure, absolute (MPa)")
@@ -146,11 +146,11 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
     for phase in one["phase"].values:
         colour = tuple(0.8 * part for part in cycle(float(phase) / 360.0)[:3])
         liu.plot(one["time"], one.sel(phase=phase), color=colour, label=f"disconnect at {phase:g}°")
-    beside_letter(liu, f"Liu et al. 2020, heave of {heaves[len(heaves) // 2]:g} m")
+    panel_title(liu, f"Liu et al. 2020, heave of {heaves[len(heaves) // 2]:g} m")
     for shade, tension in zip(COLOURS, recoil_mao["top_tension"].values, strict=False):
         at = recoil_mao["lift"].sel(top_tension=tension)
         mao.plot(at["time"], at, color=shade, label=f"{tension / 1e3:.1f} MN")
-    beside_letter(mao, "Mao et al., assumed valves")
+    panel_title(mao, "Mao et al., assumed valves")
     for ax in (liu, mao):
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("time (s)")

@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib import colormaps
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import beside_letter, headline, key_below, panels
+from riserstudy.figures.style import headline, key_below, panel_title, panels
 
 MODE = "drilling"
 
@@ -31,7 +31,7 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
                 ax.plot(one["surface_speed"], one, ".-", color=colour, label=label)
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("surface current speed (m/s)")
-        beside_letter(ax, f"mud of {mud:g} kg/m³")
+        panel_title(ax, f"mud of {mud:g} kg/m³")
     axes[0].set_ylabel("platform offset, + down current (m)")
     key_below(figure, axes[0], 3)
     headline(figure, _answer(operability_in_seas.sel(operation=MODE)))

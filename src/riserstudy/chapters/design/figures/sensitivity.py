@@ -39,12 +39,14 @@ def _bars(ax: Axes, values: xr.DataArray) -> str:
             inputs.setdefault(name, {})[value] = float(values.sel(varied_input=label))
     effect = {name: max(abs(v - base) for v in ends.values()) for name, ends in inputs.items()}
     largest = max(effect.values())
-    shown = sorted((n for n in effect if effect[n] > LEAST * largest), key=lambda n: effect[n])
-    for row, name in enumerate(shown):
+    largest_ones = sorted(
+        (n for n in effect if effect[n] > LEAST * largest), key=lambda n: effect[n]
+    )
+    for row, name in enumerate(largest_ones):
         for colour, end, (value, there) in zip(
             COLOURS, ("lower end", "upper end"), inputs[name].items(), strict=False
         ):
-            label = f"{end} of the range" if row == len(shown) - 1 else ""
+            label = f"{end} of the range" if row == len(largest_ones) - 1 else ""
             ax.barh(row, there - base, left=base, color=colour, alpha=0.8, height=0.7, label=label)
             if abs(there - base) > LEAST * largest:
                 side = "left" if there > base else "right"
@@ -58,7 +60,7 @@ def _bars(ax: Axes, values: xr.DataArray) -> str:
                     fontsize="x-small",
                 )
     ax.axvline(base, color="black", linewidth=0.8)
-    ax.set_yticks(np.arange(len(shown)), shown, fontsize="small")
+    ax.set_yticks(np.arange(len(largest_ones)), largest_ones, fontsize="small")
     ax.margins(x=0.32)
     ax.grid(visible=False, axis="y")
-    return shown[-1]
+    return largest_ones[-1]

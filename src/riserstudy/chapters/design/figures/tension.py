@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
-    beside_letter,
     headline,
     legend_below,
+    panel_title,
     panels,
 )
 
@@ -27,8 +27,8 @@ def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
     """Minimum top tension by the point that it serves, and over mud density by formula and simulation."""
     figure, (along, over) = panels(1, 2, 3.8)
     muds = minimum_tension["mud_weight"].values
-    shown = muds[[0, len(muds) // 2, -1]]
-    for colour, mud in zip(COLOURS, shown, strict=False):
+    chosen = muds[[0, len(muds) // 2, -1]]
+    for colour, mud in zip(COLOURS, chosen, strict=False):
         needed = minimum_tension["carrying_tension_along"].sel(mud_weight=mud)
         along.plot(needed / 1e6, needed["elevation"], ".-", color=colour, label=f"{mud:g} kg/m³")
     along.set_xlabel("minimum top tension for this point (MN)")
@@ -82,7 +82,7 @@ def tension_window(
         else:
             title += "; no disconnect run"
         ax.set_xlabel(MUD)
-        beside_letter(ax, title)
+        panel_title(ax, title)
         close = heaviest(at)
         if close is not None:
             ax.axvline(close, color=GREY, linestyle=":", label="no setting beyond")

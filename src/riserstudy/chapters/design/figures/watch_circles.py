@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from riserstudy.design.watch_circles import TOO_LATE
-from riserstudy.figures.style import beside_letter, headline, key_below, panels
+from riserstudy.figures.style import headline, key_below, panel_title, panels
 
 RED, YELLOW = "#d62728", "#e0b000"
 STYLES = (":", "-", "--")
@@ -27,7 +27,7 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
                 ax.plot(speed, radius, style, color=colour, label=label)
         ax.set_xlabel("surface current speed (m/s)")
         ax.set_ylim(bottom=0.0)
-        beside_letter(ax, f"mud of {mud:g} kg/m³")
+        panel_title(ax, f"mud of {mud:g} kg/m³")
     axes[0].set_ylabel("offset at which the alarm is due (m)")
     key_below(figure, axes[0], 4)
     headline(figure, _answer(watch_circles))
@@ -38,15 +38,15 @@ def _answer(circles: xr.Dataset) -> str:
     """The first current in which an alarm comes too late in some mud, with the middle disconnect time."""
     eds = float(circles["eds_time"][circles.sizes["eds_time"] // 2])
     at = circles.sel(eds_time=eds)
-    said = []
+    labels = []
     for name in ("yellow", "red"):
         late = (at[f"{name}_circle_outcome"] == TOO_LATE).any("mud_weight").values
         if late.any():
-            said.append(
+            labels.append(
                 f"{name} alarm comes too late from {at['surface_speed'].values[late][0]:g} m/s"
             )
-    if said:
-        return f"The {' and the '.join(said)}"
+    if labels:
+        return f"The {' and the '.join(labels)}"
     speed = float(at["surface_speed"].max())
     red = float(at["red_circle_radius"].sel(surface_speed=speed).min())
     return f"At {speed:g} m/s the red alarm must come within {red:.0f} m"

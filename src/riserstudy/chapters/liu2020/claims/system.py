@@ -170,19 +170,19 @@ def lags(surge: xr.Dataset, later: Word) -> Found:
     A lag of x rad makes a difference of x of the amplitude, which is what a word bounds.
     """
     lag = surge["displacement_lag"]
-    behind = lag.sel(tensioner_model="gas law", drop=True) - _without(lag)
-    behind = (behind + np.pi) % (2.0 * np.pi) - np.pi
-    by_depth = Condition(behind - later.bound, abs(behind) < later.band)
-    return judged(behind.min("depth") * DEGREES, all_along(by_depth, "depth"))
+    phase_lag = lag.sel(tensioner_model="gas law", drop=True) - _without(lag)
+    phase_lag = (phase_lag + np.pi) % (2.0 * np.pi) - np.pi
+    by_depth = Condition(phase_lag - later.bound, abs(phase_lag) < later.band)
+    return judged(phase_lag.min("depth") * DEGREES, all_along(by_depth, "depth"))
 
 
 def flexibility_makes_the_lag(surge: xr.Dataset, later: Word) -> Found:
     """The riser lags more on gas than on a constant pull; value: least of four depths (degrees)."""
     lag = surge["displacement_lag"]
     gas, constant = (lag.sel(tensioner_model=name, drop=True) for name in ("gas law", "constant"))
-    behind = (gas - constant + np.pi) % (2.0 * np.pi) - np.pi
-    by_depth = Condition(behind - later.bound, abs(behind) < later.band)
-    return judged(behind.min("depth") * DEGREES, all_along(by_depth, "depth"))
+    phase_lag = (gas - constant + np.pi) % (2.0 * np.pi) - np.pi
+    by_depth = Condition(phase_lag - later.bound, abs(phase_lag) < later.band)
+    return judged(phase_lag.min("depth") * DEGREES, all_along(by_depth, "depth"))
 
 
 # Figs 19 and 20: roll

@@ -10,10 +10,10 @@ from matplotlib.figure import Figure
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
-    beside_letter,
     field,
     headline,
     key_below,
+    panel_title,
     panels,
 )
 
@@ -110,7 +110,7 @@ def fig15(heave: xr.Dataset) -> Figure:
     axes[0].legend(fontsize="small")
     axes[1].set_xlabel(PERIOD)
     axes[1].margins(x=0.16)
-    beside_letter(axes[1], "by heave amplitude; grey: linear")
+    panel_title(axes[1], "by heave amplitude; grey: linear")
     spread = heave["axial_force_amplitude"]
     spread = (spread.max("heave_period") / spread.min("heave_period") - 1.0).max()
     headline(
@@ -162,11 +162,11 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     negative = lowest["heave_amplitude"].values[lowest.values < 0.0]
     touched = abs(reach).max(("time", "stop_stiffness"))
     stopped = touched["heave_amplitude"].values[touched.values >= STROKE]
-    said = "Tension stays positive" if not negative.size else (
+    words = "Tension stays positive" if not negative.size else (
         f"Effective tension becomes negative at {negative[0]:g} m of heave"
     )  # fmt: skip
     met = f"the stops are met at {stopped[0]:g} m" if stopped.size else "no stop is met"
-    headline(figure, f"{said}; {met}")
+    headline(figure, f"{words}; {met}")
     key_below(figure, axes[0], 3)
     return figure
 

@@ -13,10 +13,10 @@ from riserstudy.figures.style import (
     COLOURS,
     GREY,
     PRINTED,
-    beside_letter,
     field,
     headline,
     key_below,
+    panel_title,
     panels,
 )
 from riserstudy.grading.verdict import ALMOST_ALWAYS
@@ -60,7 +60,7 @@ def fig17(surge_case: xr.Dataset) -> Figure:
     return _surged(surge_case, "gas law", "on the tensioners")
 
 
-def _surged(surge_case: xr.Dataset, model: str, what: str) -> Figure:
+def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
     """The first minute, which shows how surge enters, and the last, in colours that both figures share."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
     both = surge_case["x"].sel(tensioner_model=[WITHOUT, "gas law"])
@@ -73,13 +73,13 @@ def _surged(surge_case: xr.Dataset, model: str, what: str) -> Figure:
     ):
         field(figure, ax, x.sel(time=times), "time", "depth", DISPLACEMENT, signed=size)
         ax.set_xlabel(TIME)
-        beside_letter(ax, name)
+        panel_title(ax, name)
     begun = np.array([5.0, 5.0 + RING / WAVE_SPEED])
     axes[0].plot(begun, [0.0, RING], color="black", linestyle=":", label=f"{WAVE_SPEED} m/s")
     axes[0].legend(fontsize="small", loc="lower right")
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
-    headline(figure, f"Surge runs down the riser {what}")
+    headline(figure, f"Surge runs down the riser {title}")
     return figure
 
 
@@ -98,7 +98,7 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
             label = "with tensioners (gas law)" if model == "gas law" else BASELINES[model]
             line, width = lines.get(model, ("--", 1.2))
             ax.plot(curve["time"], curve, line, color=colour, linewidth=width, label=label)
-        beside_letter(ax, f"{depth:.0f} m")
+        panel_title(ax, f"{depth:.0f} m")
     for ax in axes[2:]:
         ax.set_xlabel(TIME)
     for ax in axes[::2]:
@@ -106,12 +106,12 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
     amplitude = surge["displacement_amplitude"]
     ratio = amplitude.sel(tensioner_model="gas law") / amplitude.sel(tensioner_model=WITHOUT)
     lag = surge["displacement_lag"]
-    behind = lag.sel(tensioner_model="gas law") - lag.sel(tensioner_model=WITHOUT)
-    behind = 180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)
+    phase_lag = lag.sel(tensioner_model="gas law") - lag.sel(tensioner_model=WITHOUT)
+    phase_lag = 180.0 / np.pi * ((phase_lag + np.pi) % (2.0 * np.pi) - np.pi)
     headline(
         figure,
         "Tensioners reduce and delay the motion by at least "
-        f"{100.0 * float(1.0 - ratio.max()):.0f} % and {float(behind.min()):.0f}°",
+        f"{100.0 * float(1.0 - ratio.max()):.0f} % and {float(phase_lag.min()):.0f}°",
     )
     key_below(figure, axes[0], 3)
     return figure
@@ -128,11 +128,11 @@ def baselines(
     at_rest = statics_readings["largest_displacement"].sel(surface_speed=1.0)
     surging = surge_readings["displacement_amplitude"]
     lag = surge_readings["displacement_lag"]
-    behind = lag.sel(tensioner_model="gas law", drop=True) - lag
+    phase_lag = lag.sel(tensioner_model="gas law", drop=True) - lag
     compared = (
         at_rest / at_rest.sel(tensioner_model="gas law"),
         (surging / surging.sel(tensioner_model="gas law")).min("depth"),
-        (180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)).min("depth"),
+        (180.0 / np.pi * ((phase_lag + np.pi) % (2.0 * np.pi) - np.pi)).min("depth"),
     )
     titles = (
         "current of 1 m/s",
@@ -146,7 +146,7 @@ def baselines(
     for ax, values, title, x, even in zip(axes, compared, titles, labels, same, strict=True):
         _samples(ax, values.sel(tensioner_model=list(BASELINES)), even)
         ax.set_xlabel(x)
-        beside_letter(ax, title)
+        panel_title(ax, title)
     axes[0].set_yticks(range(len(BASELINES)), list(BASELINES.values()))
     axes[0].set_ylim(len(BASELINES) - 0.5, -0.5)
     axes[-1].yaxis.set_label_position("right")
@@ -199,12 +199,12 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
         label = "bending moment (kN m)"
         field(figure, ax, moment.sel(time=times), "time", "depth", label, signed=size)
         ax.set_xlabel(TIME)
-        beside_letter(ax, name)
+        panel_title(ax, name)
     settled = abs(moment.sel(time=slice(end - 20.0, None))).max("time")
     axes[2].plot(settled, settled["depth"], color=COLOURS[0])
     axes[2].axvline(largest, **PRINTED)
     axes[2].set_xlabel("largest moment (kN m)")
-    beside_letter(axes[2], "settled; dashed: printed")
+    panel_title(axes[2], "settled; dashed: printed")
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     headline(
@@ -329,7 +329,7 @@ def _by_motion(values: xr.DataArray, label: str) -> Figure:
             [], [], [], color=GREY, alpha=0.25, linewidth=0.0, label=f"three {GENERIC}s"
         )
         ax.set_xlabel(WAVE)
-        beside_letter(ax, f"centre of motion {reference}")
+        panel_title(ax, f"centre of motion {reference}")
     axes[0].set_ylabel(label)
     key_below(figure, axes[0], 4)
     return figure
@@ -357,7 +357,7 @@ def waves(waves: xr.Dataset) -> Figure:
     )
     ax.set_xlabel(WAVE)
     ax.set_ylabel("stress amplitude (MPa)")
-    beside_letter(ax, "surge, heave and pitch at once")
+    panel_title(ax, "surge, heave and pitch at once")
     ratio = stretched / alone
     headline(
         figure,
@@ -390,7 +390,7 @@ def sea(storm: xr.Dataset) -> Figure:
     for ax, title in zip(
         axes, ("about the largest", "spectrum", "share of peaks that exceed"), strict=False
     ):
-        beside_letter(ax, title)
+        panel_title(ax, title)
     axes[2].legend(fontsize="small", loc="lower left")
     least, most = min(worst.values()), max(worst.values())
     headline(
@@ -407,8 +407,8 @@ def _at_ring(values: xr.DataArray) -> xr.DataArray:
 
 def _about_largest(ax: Axes, history: xr.DataArray, size: xr.DataArray) -> None:
     middle = float(size.idxmax("time"))
-    shown = history.sel(time=slice(middle - SHOWN / 2.0, middle + SHOWN / 2.0))
-    ax.plot(shown["time"], shown, color=COLOURS[0], linewidth=0.9)
+    part = history.sel(time=slice(middle - SHOWN / 2.0, middle + SHOWN / 2.0))
+    ax.plot(part["time"], part, color=COLOURS[0], linewidth=0.9)
     ax.axhline(float(history.mean()), color=GREY, linewidth=0.9)
 
 

@@ -11,9 +11,9 @@ from riserstudy.figures.style import (
     COLOURS,
     GREY,
     PRINTED,
-    beside_letter,
     headline,
     key_below,
+    panel_title,
     panels,
 )
 
@@ -61,7 +61,7 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
     titles = ("fitted to 8765 N; surface speeds printed", "1 m/s at the surface; solid: assumed")
     for ax, title in zip(axes, titles, strict=True):
         ax.set_xlabel("current speed (m/s)")
-        beside_letter(ax, title)
+        panel_title(ax, title)
     axes[0].legend(fontsize="small", loc="lower right")
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
@@ -96,7 +96,7 @@ def fig10(codes: xr.Dataset) -> Figure:
                     markerfacecolor="none",
                     label=shape if ours else None,
                 )
-        beside_letter(ax, f"{titles[contents]}; colours: this engine")
+        panel_title(ax, f"{titles[contents]}; colours: this engine")
         ax.set_xlabel("lateral displacement (m)")
     for code in ("Hermite elements", "collocation"):
         axes[0].plot(
@@ -205,12 +205,12 @@ def _at_rest(
         here = scale * runs[name].sel(calibration=calibration)
         for line, model in (("-", "gas law"), ("--", VERTICAL)):
             for colour, speed in zip(COLOURS, SPEEDS, strict=False):
-                what = "tensioners" if model == "gas law" else "232 t, vertical"
+                top_load = "tensioners" if model == "gas law" else "232 t, vertical"
                 curve = here.sel(tensioner_model=model, surface_speed=speed)
-                _by_depth(row[0], curve, line, colour, f"{speed:g} m/s, {what}")
-        for line, (model, what), colour in zip(LINES, MODELS.items(), COLOURS, strict=False):
+                _by_depth(row[0], curve, line, colour, f"{speed:g} m/s, {top_load}")
+        for line, (model, top_load), colour in zip(LINES, MODELS.items(), COLOURS, strict=False):
             curve = here.sel(tensioner_model=model, surface_speed=1.0)
-            _by_depth(row[1], curve, line, colour, what, 3.5 if model == "gas law" else 1.3)
+            _by_depth(row[1], curve, line, colour, top_load, 3.5 if model == "gas law" else 1.3)
         cylinders = "one cylinder" if "one" in calibration else "all cylinders"
         force = tuned["horizontal_force"].sel(calibration=calibration, counted=cylinders)
         lines = [
@@ -226,8 +226,8 @@ def _at_rest(
             fontsize="x-small",
             bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
         )
-        beside_letter(row[0], CALIBRATIONS[calibration])
-        beside_letter(row[1], "1 m/s, every reading of the riser alone")
+        panel_title(row[0], CALIBRATIONS[calibration])
+        panel_title(row[1], "1 m/s, every reading of the riser alone")
         row[0].set_ylabel(DEPTH)
     for ax in axes[2:]:
         ax.set_xlabel(label)
@@ -299,5 +299,5 @@ def _profiles(ax: Axes, over: xr.DataArray) -> None:
     ax.set_yticks(range(len(profiles)), profiles)
     ax.set_ylim(len(profiles) - 0.5, -0.5)
     ax.set_xlabel("force / printed force, least to most of three speeds")
-    beside_letter(ax, "by current profile, assumed")
+    panel_title(ax, "by current profile, assumed")
     ax.legend(fontsize="small", loc="best")

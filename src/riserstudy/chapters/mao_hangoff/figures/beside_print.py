@@ -15,9 +15,9 @@ from riserstudy.figures.style import (
     COLOURS,
     GREY,
     PRINTED,
-    beside_letter,
     headline,
     key_below,
+    panel_title,
     panels,
 )
 
@@ -41,7 +41,7 @@ def readings(
     (kN m); ``within``: share of a number that counts as near.
     """
     numbers = _numbers(readings)
-    figure, axes = _beside_print(heavy, light, moment)
+    figure, axes = _compare_with_print(heavy, light, moment)
     flows = [str(flow) for flow in numbers["flow"].values]
     weights = _coloured(numbers["riser_weight"])
     for weight, colour in weights.items():
@@ -67,33 +67,35 @@ def _ring_nearest(axes: list[Axes], numbers: xr.Dataset, misses: xr.Dataset) -> 
 
 
 def _how_near(
-    misses: xr.Dataset, heavy: float, light: float, moment: float, within: float, what: str
+    misses: xr.Dataset, heavy: float, light: float, moment: float, within: float, label: str
 ) -> str:
     """How many come within a share of each number and of all three, and what the nearest misses by."""
     three = misses[list(NUMBERS)].to_dataarray("number")
     worst = three.max("number")
     every = int((worst <= within).sum())
     if every:
-        return f"{every} of {worst.size} {what} meet all three published values"
+        return f"{every} of {worst.size} {label} meet all three published values"
     off = 100 * float(worst.min())
-    return f"At 130 s no {what[:-1]} meets all three values; the nearest misses {off:.0f} %"
+    return f"At 130 s no {label[:-1]} meets all three values; the nearest misses {off:.0f} %"
 
 
 def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str]) -> None:
     """What colours and marks mean, a column each, below the panels."""
-    colours = [_shown(weight, "o", colour) for weight, colour in weights.items()]
-    marks = [_shown(flow, mark, GREY) for mark, flow in zip(MARKS, flows, strict=False)]
+    colours = [_legend_line(weight, "o", colour) for weight, colour in weights.items()]
+    marks = [_legend_line(flow, mark, GREY) for mark, flow in zip(MARKS, flows, strict=False)]
     others = [
         Line2D([], [], label="printed by the paper", **PRINTED),
         Line2D([], [], label=NEAREST, **RING),
     ]
     columns = [
-        [_shown("weight in water"), *colours],
-        [_shown("current, to the track"), *marks],
-        [_shown("lines and rings"), *others],
+        [_legend_line("weight in water"), *colours],
+        [_legend_line("current, to the track"), *marks],
+        [_legend_line("lines and rings"), *others],
     ]
     rows = max(len(column) for column in columns)
-    handles = [one for column in columns for one in column + [_shown("")] * (rows - len(column))]
+    handles = [
+        one for column in columns for one in column + [_legend_line("")] * (rows - len(column))
+    ]
     key = figure.legend(
         handles=handles, loc="outside lower center", ncols=len(columns), fontsize="small"
     )
@@ -101,7 +103,7 @@ def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str]) -> N
         key.get_texts()[number * rows].set_fontweight("bold")
 
 
-def _shown(label: str, mark: str = "", colour: str = "none") -> Line2D:
+def _legend_line(label: str, mark: str = "", colour: str = "none") -> Line2D:
     return Line2D([], [], ls="none", marker=mark, color=colour, ms=4, label=label)
 
 
@@ -110,7 +112,7 @@ def open_choices(
 ) -> Figure:
     """Samples of the unspecified inputs, compared with the printed numbers as ``readings`` has them."""
     numbers = _numbers(open_lmrp_mass)
-    figure, axes = _beside_print(heavy, light, moment)
+    figure, axes = _compare_with_print(heavy, light, moment)
     weights = open_lmrp_mass["assumed_riser_weight"]
     for weight, colour in _coloured(weights).items():
         one = numbers.sel(sample=weights == weight)
@@ -135,7 +137,7 @@ def _around_print(
         ax.set_ylim(bottom, top)
         outside = _beyond(found, name, right, bottom, top)
         beyond = int(outside.sum())
-        beside_letter(ax, f"{beyond} of {outside.size} outside the frame")
+        panel_title(ax, f"{beyond} of {outside.size} outside the frame")
 
 
 def _frames(
@@ -159,7 +161,7 @@ def _coloured(readings: xr.DataArray) -> dict[str, str]:
     return dict(zip(sorted(set(map(str, readings.values))), COLOURS, strict=False))
 
 
-def _beside_print(heavy: float, light: float, moment: float) -> tuple[Figure, list[Axes]]:
+def _compare_with_print(heavy: float, light: float, moment: float) -> tuple[Figure, list[Axes]]:
     figure, axes = panels(1, 2, 4.6, sharex=True)
     axes[0].axhline(moment, label="printed", **PRINTED)
     axes[1].axhline(light / heavy, **PRINTED)

@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import GREY, beside_letter, headline, panels
+from riserstudy.figures.style import GREY, headline, panel_title, panels
 
 PERIODS = (6.0, 8.0)  # s, of heave
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
@@ -31,8 +31,8 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         at = speed_limits.sel(current_speed=current)
         _speeds(ax, at, governing)
         knots = float((at["speed_through_water"] - at["speed_limit"]).mean())
-        said = f"current against: {current:g} m/s ({knots:.1f} kn)"
-        beside_letter(ax, said)
+        words = f"current against: {current:g} m/s ({knots:.1f} kn)"
+        panel_title(ax, words)
         ax.set_xticks(at["riser_length"].values)
         ax.set_xlabel("riser length (m)")
     axes[0].set_ylim(bottom=0.0)
@@ -81,7 +81,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         slack = at["smallest_tension"].transpose("heave_amplitude", "heave_period") < 0.0
         _cells(ax, spread.sel(mode=mode), norm, slack)
         riser = f"{float(of_paper['riser_length']):g} m, {float(of_paper['lmrp_mass']):g} t"
-        beside_letter(ax, f"{HUNG[mode]} ({mode}), {riser}")
+        panel_title(ax, f"{HUNG[mode]} ({mode}), {riser}")
         ax.set_xlabel("heave period (s)")
         ax.set_ylabel("heave amplitude (m)")
     _bar(figure, axes[:2], norm, "range of top tension (MN)")
@@ -91,7 +91,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         hard = lost.sel(mode="hard").sel(heave_period=wanted, method="nearest")
         _cells(ax, hard, Normalize(0.0, most))
         period = float(hard["heave_period"])
-        beside_letter(ax, f"hard, {period:g} s, each riser")
+        panel_title(ax, f"hard, {period:g} s, each riser")
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
     _bar(figure, axes[2:], Normalize(0.0, most), "heave that loses tension (m)")
@@ -126,8 +126,8 @@ def _cells(
     """A table in colours, a cell a pair of coordinates; a dash where there is no number."""
     up, across = values.dims
     kept = values if lost is None else values.where(~lost)
-    for shown, colours in ((kept, "Blues"), (values.where(kept.isnull()), "Oranges")):
-        ax.pcolormesh(shown.values, norm=norm, cmap=colours, edgecolors="white")
+    for drawn, colours in ((kept, "Blues"), (values.where(kept.isnull()), "Oranges")):
+        ax.pcolormesh(drawn.values, norm=norm, cmap=colours, edgecolors="white")
     for i, row in enumerate(values.values):
         for j, value in enumerate(row):
             colour = "white" if norm(value) > 0.6 else "black"

@@ -20,9 +20,9 @@ from riserstudy.figures.style import (
     COLOURS,
     GREY,
     PRINTED,
-    beside_letter,
     headline,
     key_below,
+    panel_title,
     panels,
 )
 
@@ -95,7 +95,7 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
         axes[1].plot(share.sel(current_profile=shape), depth, line, color=colour, label=str(shape))
     for ax, title in zip(axes, (str(shapes[0]), "1 m/s at the surface"), strict=True):
         ax.set_xlabel("current speed (m/s)")
-        beside_letter(ax, title)
+        panel_title(ax, title)
     axes[0].set_ylabel("depth below the surface (m)")
     axes[0].invert_yaxis()
     axes[0].legend(fontsize="small")
@@ -133,7 +133,7 @@ def fig09(
             color=COLOURS[1],
             label="mesh and step of the paper" if ax is axes[0] else None,
         )
-    beside_letter(axes[0], "130 s")
+    panel_title(axes[0], "130 s")
     for colour, time in zip(viridis(np.linspace(0.0, 0.85, len(TIMES))), TIMES, strict=True):
         shape = -base["displacement_along"].sel(time=time)
         axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
@@ -171,7 +171,7 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     for value, colour in ((heavy, COLOURS[0]), (light, COLOURS[2])):
         figure.axes[0].axvline(value, **(PRINTED | {"color": colour}))
     figure.axes[0].set_xlim(right=1.05 * light)
-    beside_letter(figure.axes[0], "dashed: printed")
+    panel_title(figure.axes[0], "dashed: printed")
     figure.axes[1].axvline(moment, **(PRINTED | {"color": COLOURS[0]}))
     change = _changes(lmrp_mass, "lmrp_mass", 140.0, 120.0)["displacement"]
     headline(
@@ -362,7 +362,7 @@ def trends(
         ends[words] = np.array([float(change[-1]) / along[-1] for change in changes])
     titles = ("LMRP astern", "largest moment", "joint angle")
     for ax, title in zip(axes, titles, strict=False):
-        beside_letter(ax, title)
+        panel_title(ax, title)
         ax.set_xlabel("change of input (%)")
         ax.axhline(0.0, color=GREY, linewidth=0.8)
     axes[0].set_ylabel("change of result (%)")

@@ -32,8 +32,8 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     for ax, scene in zip(axes, scenes, strict=False):
         first = _scene(ax, accuracy.sel({"scene": scene}))
         quickest.append(first)
-        said = f"{first or 'no method'} reaches {100 * TARGET:g} %{' first' if first else ''}"
-        ax.set_title(f"{scene}: {said}", fontsize="small")
+        words = f"{first or 'no method'} reaches {100 * TARGET:g} %{' first' if first else ''}"
+        ax.set_title(f"{scene}: {words}", fontsize="small")
         ax.set_xlabel("time of a run (s)")
         ax.set_ylabel("largest error (%)")
         ax.set_xscale("log")
@@ -43,12 +43,12 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     for ax in axes[len(scenes) :]:
         ax.set_axis_off()
         ax.set_title("", loc="left")
-    shown: dict[str, Any] = {}
+    drawn: dict[str, Any] = {}
     for ax in axes[: len(scenes)]:
         for handle, label in zip(*ax.get_legend_handles_labels(), strict=True):
-            shown.setdefault(label, handle)
+            drawn.setdefault(label, handle)
     figure.legend(
-        shown.values(), shown.keys(), loc="outside lower center", ncols=4, fontsize="small"
+        drawn.values(), drawn.keys(), loc="outside lower center", ncols=4, fontsize="small"
     )
     headline(figure, _answer(quickest))
     return figure
@@ -93,7 +93,7 @@ def _edge(one: xr.Dataset) -> NDArray[np.float64]:
     return np.asarray(np.column_stack([seconds[best], worst[best]]))
 
 
-def asked(accuracy: xr.Dataset) -> Figure:
+def requested(accuracy: xr.Dataset) -> Figure:
     """Accuracy requested, estimated and reached, and the time it took; late scenes are named."""
     figure, (left, right) = panels(1, 2, height=3.9)
     known = accuracy["request_seconds"].notnull().values
@@ -128,8 +128,8 @@ def asked(accuracy: xr.Dataset) -> Figure:
         ax.set_yscale("log")
         ax.set_xlabel("requested accuracy (%)")
         ax.set_ylabel(word)
-        asked = sorted(set(accuracy["requested"].values.tolist()))
-        ax.set_xticks(asked, [f"{100 * x:g}" for x in asked])
+        requested = sorted(set(accuracy["requested"].values.tolist()))
+        ax.set_xticks(requested, [f"{100 * x:g}" for x in requested])
         ax.xaxis.set_minor_formatter(NullFormatter())
         ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         ax.yaxis.set_minor_formatter(NullFormatter())

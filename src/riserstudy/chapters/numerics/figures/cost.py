@@ -47,7 +47,7 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
     """Cheapest single runs of one scene, ours and those of other codes, over the error of displacement."""
     scenes = list(dict.fromkeys(map(str, accuracy.get("peer_scene", accuracy["scene"]).values)))
     scene = scenes[0]
-    single = cheapest(accuracy.sel(scene=scene))
+    single = lowest_cost(accuracy.sel(scene=scene))
     inside = single[(single[:, 0] < WIDEST) & (single[:, 0] > FINEST)]
     names: list[tuple[float, float, str, str]] = []
     if len(inside):
@@ -113,7 +113,7 @@ def _label_ends(ax: Axes, names: list[tuple[float, float, str, str]]) -> None:
         lowest = at * APART
 
 
-def cheapest(of: xr.Dataset) -> Array:
+def lowest_cost(of: xr.Dataset) -> Array:
     """Error of displacement and seconds of runs that no other undercuts in both, coarse to fine, (n, 2)."""
     error, seconds = of["error_displacement"].values.ravel(), of["wall_seconds"].values.ravel()
     good = np.isfinite(error) & np.isfinite(seconds) & (error > 0.0)
@@ -130,7 +130,7 @@ def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
     scenes = _scenes(accuracy)
     labels = {"all": "mesh unknown: all runs", "last": "mesh known (tuned grid): last run"}
     for k, scene in enumerate(scenes):
-        every, last, missing = over_cheapest(accuracy, scene)
+        every, last, missing = over_lowest_cost(accuracy, scene)
         if missing:
             ax.annotate(f" {missing}", (0.0, k), va="center", fontsize="x-small", color="0.3")
             continue
@@ -159,7 +159,7 @@ def _short(scene: str) -> str:
     return f"{first}\n{rest}" if rest else first
 
 
-def over_cheapest(accuracy: xr.Dataset, scene: str) -> tuple[float, float, str]:
+def over_lowest_cost(accuracy: xr.Dataset, scene: str) -> tuple[float, float, str]:
     """Time of all runs, and of the last, at 1 % tolerance divided by the cheapest run of no larger error.
 
     Third: why there is no ratio, "" where there is one.
@@ -192,24 +192,31 @@ def _time(seconds: float) -> str:
 
 def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
     """Estimated and true error of random scenes, and how many met their tolerance."""
-    asked = float(drawn.attrs["requested"])
+    requested = float(drawn.attrs["requested"])
     judged = drawn["true"].notnull().values
     true = np.maximum(drawn["true"].values[judged], LEAST)
     estimated = np.maximum(drawn["estimated"].values[judged], LEAST)
-    kept = int((true <= asked).sum())
+    kept = int((true <= requested).sum())
     ax.plot([LEAST, 1.0], [LEAST, 1.0], color=GREY, linewidth=0.8)
-    ax.axvline(asked, color="black", linestyle=":", linewidth=1.0)
+    ax.axvline(requested, color="black", linestyle=":", linewidth=1.0)
     label: dict[str, Any] = {"transform": ax.get_xaxis_transform(), "fontsize": "x-small"}
     ax.text(
-        0.93 * asked, 0.03, "tolerance", rotation=90, ha="right", va="bottom", color="0.3", **label
+        0.93 * requested,
+        0.03,
+        "tolerance",
+        rotation=90,
+        ha="right",
+        va="bottom",
+        color="0.3",
+        **label,
     )
-    over = true > asked
+    over = true > requested
     ax.plot(true[~over], estimated[~over], "o", color=COLOURS[0], markersize=4, alpha=0.7)
     ax.plot(true[over], estimated[over], "D", color=COLOURS[1], markersize=5)
     ax.set_xscale("log")
     ax.set_yscale("log")
-    low = 0.6 * min([*true, *estimated, 0.1 * asked])
-    high = 1.6 * max([*true, *estimated, 2.0 * asked])
+    low = 0.6 * min([*true, *estimated, 0.1 * requested])
+    high = 1.6 * max([*true, *estimated, 2.0 * requested])
     for axis, limits in ((ax.xaxis, ax.set_xlim), (ax.yaxis, ax.set_ylim)):
         limits(low, high)
         axis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
@@ -218,5 +225,5 @@ def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
     ax.set_xlabel("true error (%)")
     ax.set_ylabel("estimated error (%)")
     ax.set_title(
-        f"(c) {kept} of {len(true)} scenes meet {100 * asked:g} %", loc="left", fontsize="small"
+        f"(c) {kept} of {len(true)} scenes meet {100 * requested:g} %", loc="left", fontsize="small"
     )

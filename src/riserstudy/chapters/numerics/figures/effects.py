@@ -34,8 +34,8 @@ def effects(effects: xr.Dataset) -> Figure:
         ax.grid(True, axis="x", color="0.9", linewidth=0.6)
         ax.set_axisbelow(True)
     handles = [
-        changes.plot([], [], "o", color=colour, label=said)[0]
-        for colour, said in KEY
+        changes.plot([], [], "o", color=colour, label=words)[0]
+        for colour, words in KEY
         if colour in {_colour(one) for one in ranked}
     ]
     figure.legend(
@@ -51,9 +51,9 @@ def answer(effects: xr.Dataset) -> str:
     ranked = ranking(effects)
     top = " and ".join(one.name for one in ranked[:2] if one.changed)
     none = [one.name for one in never(ranked)[:1]]
-    said = f"{top[:1].upper()}{top[1:]} decide most answers" if top else ""
+    words = f"{top[:1].upper()}{top[1:]} decide most answers" if top else ""
     rest = f"{' and '.join(none)} none" if none else ""
-    return ", ".join(part for part in (said, rest) if part) or "Change of the answer by one effect"
+    return ", ".join(part for part in (words, rest) if part) or "Change of the answer by one effect"
 
 
 def _colour(one: Ranked) -> str:
@@ -63,9 +63,9 @@ def _colour(one: Ranked) -> str:
 def _changes(ax: Axes, ranked: list[Ranked]) -> None:
     """A dot per scene, the median as a tick, and the count of scenes at the right."""
     for row, one in enumerate(ranked):
-        shown = np.clip(one.values, LEAST, MOST)
+        clipped = np.clip(one.values, LEAST, MOST)
         ax.plot(
-            shown, row + 0.22 * np.sin(2.4 * np.arange(one.scenes)), "o", color=_colour(one),
+            clipped, row + 0.22 * np.sin(2.4 * np.arange(one.scenes)), "o", color=_colour(one),
             markersize=3.5, alpha=0.55, markeredgewidth=0.0, label=one.name,
         )  # fmt: skip
         ax.plot(np.clip(one.median, LEAST, MOST), row, "|", color="black", markersize=11)

@@ -23,7 +23,9 @@ def long_runs(long_runs: xr.Dataset) -> Figure:
     for k, (ax, case) in enumerate(zip(axes, cases, strict=True)):
         here = long_runs.isel(run=np.flatnonzero(long_runs["case"].values == case))
         _panel(ax, here, candidates)
-        ax.set_title(f"({'abcdef'[k]}) {case}{_cheapest(ax, here)}", loc="left", fontsize="medium")
+        ax.set_title(
+            f"({'abcdef'[k]}) {case}{_lowest_cost(ax, here)}", loc="left", fontsize="medium"
+        )
     axes[-1].set_xlabel("processor time of a run (s)")
     key_below(figure, axes[0], 3)
     headline(figure, answer(long_runs))
@@ -81,7 +83,7 @@ def _quickest(of: xr.Dataset) -> int | None:
     return int(good[np.argmin(time[good])]) if len(good) else None
 
 
-def _cheapest(ax: Axes, of: xr.Dataset) -> str:
+def _lowest_cost(ax: Axes, of: xr.Dataset) -> str:
     """Circle the run of least time below the wanted error; its mesh, step and time."""
     error, time = of["error_moment"].values, of["cpu_seconds"].values
     best = _quickest(of)

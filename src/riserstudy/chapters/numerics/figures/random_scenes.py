@@ -27,10 +27,10 @@ def random_scenes(random_scenes: xr.Dataset) -> Figure:
 
 def answer(of: xr.Dataset) -> str:
     """How many scenes are as accurate as they ask, and how honest their estimates are."""
-    asked, true = float(of.attrs["requested"]), of["true"].dropna("drawn")
-    met = int((true <= asked).sum())
+    requested, true = float(of.attrs["requested"]), of["true"].dropna("drawn")
+    met = int((true <= requested).sum())
     many = f"All {met}" if met == true.size else f"{met} of {true.size}"
-    return f"{many} random scenes meet their tolerance of {100 * asked:g} %"
+    return f"{many} random scenes meet their tolerance of {100 * requested:g} %"
 
 
 def _families(of: xr.Dataset) -> list[str]:
@@ -39,23 +39,23 @@ def _families(of: xr.Dataset) -> list[str]:
 
 def _errors(ax: Axes, of: xr.Dataset) -> None:
     """A mark a scene; those that miss the request are named by their family."""
-    asked = float(of.attrs["requested"])
+    requested = float(of.attrs["requested"])
     true, estimated = (np.maximum(of[name], LEAST) for name in ("true", "estimated"))
     ends = np.array([LEAST, 1.0])
     band = "estimate of half to five times the error"
     ax.fill_between(ends, HONEST[0] * ends, HONEST[1] * ends, color="0.92", lw=0.0, label=band)
     ax.plot(ends, ends, color=GREY, linewidth=0.8, label="estimate equal to the error")
-    ax.axvline(asked, color="black", linestyle=":", linewidth=1.0, label="request")
-    missed = (of["true"] > asked).values
+    ax.axvline(requested, color="black", linestyle=":", linewidth=1.0, label="request")
+    missed = (of["true"] > requested).values
     for here, colour, words in (
         (~missed, COLOURS[0], ""),
         (missed, COLOURS[1], ", misses the request"),
     ):
         for held_out, kind in ((False, "used to tune"), (True, "held out from tuning")):
-            shown = here & (of["held_out"] == held_out).values
-            if shown.any():
+            chosen = here & (of["held_out"] == held_out).values
+            if chosen.any():
                 ax.plot(
-                    true[shown], estimated[shown], "o", color=colour, markersize=5, label=kind + words,
+                    true[chosen], estimated[chosen], "o", color=colour, markersize=5, label=kind + words,
                     markerfacecolor=colour if held_out else "none",
                 )  # fmt: skip
     for k in np.flatnonzero(missed):
@@ -66,7 +66,9 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
     ax.set_xscale("log")
     ax.set_yscale("log")
     low = max(LEAST, 0.5 * float(of["true"].where(of["true"] > 0.0).min()))
-    ax.set_xlim(low, max(3.0 * asked, *(1.5 * float(of[n].max()) for n in ("true", "estimated"))))
+    ax.set_xlim(
+        low, max(3.0 * requested, *(1.5 * float(of[n].max()) for n in ("true", "estimated")))
+    )
     ax.set_ylim(ax.get_xlim())
     for axis in (ax.xaxis, ax.yaxis):
         axis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))

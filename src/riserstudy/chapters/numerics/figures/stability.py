@@ -137,7 +137,7 @@ def _ranges(stability: xr.Dataset, family: str, methods: list[str]) -> NDArray[n
     out = np.full((len(methods), 2), np.nan)
     for row, method in enumerate(methods):
         ratio = _over_default(of, method)
-        out[row] = [_mean(values) for values in ratio[_shown(ratio)].T]
+        out[row] = [_mean(values) for values in ratio[_drawable(ratio)].T]
     return out
 
 
@@ -149,11 +149,11 @@ def _goes_on(stability: xr.Dataset, family: str, method: str) -> bool:
     if method == EXPLICIT:
         return False
     of = _laddered(stability, family)
-    one = of.isel(case=np.flatnonzero(_shown(_over_default(of, method)))).sel({"method": method})
+    one = of.isel(case=np.flatnonzero(_drawable(_over_default(of, method)))).sel({"method": method})
     return bool((one["largest_stable_step"] >= (1 - SAME) * one["step"].max("rung")).any())
 
 
-def _shown(ratio: NDArray[np.float64]) -> NDArray[np.bool_]:
+def _drawable(ratio: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Cases that a range is of: those with both ends, else those with any, else all."""
     known = np.isfinite(ratio)
     for of in (known.all(axis=1), known.any(axis=1)):
@@ -180,7 +180,9 @@ def _explicit_limit(stability: xr.Dataset, family: str) -> float:
     """Mean predicted limit of explicit stepping over the default's step, of the cases of its range."""
     of = stability.isel(case=np.flatnonzero(stability["family"].values.astype(str) == family))
     ratio = (of["explicit_limit"] / of["written_step"]).values
-    return _mean(ratio[_shown(_over_default(of, EXPLICIT))] if EXPLICIT in of["method"] else ratio)
+    return _mean(
+        ratio[_drawable(_over_default(of, EXPLICIT))] if EXPLICIT in of["method"] else ratio
+    )
 
 
 def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:

@@ -23,8 +23,8 @@ def tiers(tiers: xr.Dataset) -> Figure:
         of = tiers.sel(tier=tier)
         colour, marker = COLOURS[k], "os^"[k % 3]
         left.plot(of["wall_seconds"], rows, marker, color=colour, markersize=6, label=str(tier))
-        right.plot(_shown(of["estimated"]), rows, marker, color=colour, markersize=6)
-        peaks = _shown(of["error"].max("quantity"))
+        right.plot(_drawable(of["estimated"]), rows, marker, color=colour, markersize=6)
+        peaks = _drawable(of["error"].max("quantity"))
         right.plot(peaks, rows, marker, color=colour, markersize=6, markerfacecolor="none")
     left.set_yticks(rows, tiers["scene"].values, fontsize="small")
     right.set_yticks(rows, [""] * len(rows))
@@ -49,7 +49,7 @@ def answer(tiers: xr.Dataset) -> str:
     return f"The {last} tier takes {float(ratio.median()):.2g} times as long as {first}"
 
 
-def _shown(error: xr.DataArray) -> xr.DataArray:
+def _drawable(error: xr.DataArray) -> xr.DataArray:
     return error.clip(min=LEAST)
 
 
