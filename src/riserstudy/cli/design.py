@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -22,6 +22,11 @@ from riserstudy.cli.shared import (
 )
 from riserstudy.cli.targets import ForceOption, check_output
 from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from riserstudy.dataset.table import Table
 
 
 def tension(
@@ -69,12 +74,7 @@ def tension(
     if (share is None) != (dynamic_limit is None):
         alone = "--share" if dynamic_limit is None else "--dynamic-limit"
         raise InputError(alone, "", "given alone", "Give both --dynamic-limit and --share")
-    if failed >= units:
-        allowed = f"allowed are up to {units - 1} of {units}"
-        raise InputError("--failed", str(failed), "no unit is left", allowed)
-    for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
-        if not math.isfinite(tolerance):  # which a minimum lets pass
-            raise InputError(option, str(tolerance), "no finite number", "allowed is such as 1.05")
+    _check_rig(units, failed, weight, buoyancy)
     angle = quantity("--fleet-angle", fleet_angle, "rad")
     pulled = None if overpull is None else quantity("--overpull", overpull, "N")
     limit = None if dynamic_limit is None else quantity("--dynamic-limit", dynamic_limit, "N")
@@ -93,15 +93,28 @@ def tension(
         Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle)
     )
     rows = tension_table(riser, requested._replace(overpull=pulled, ceiling=ceiling))
-    for line in lines(rows):
-        print(line)
+    print("\n".join(lines(rows)))
+    _write_csv(rows.table(), csv)
+    if rows.missing:
+        raise typer.Exit(4)
+
+
+def _write_csv(table: Table, csv: Path | None) -> None:
     if csv is not None:
         from riserstudy.dataset import tables
 
-        tables.write_csv(rows.table(), csv)
+        tables.write_csv(table, csv)
         wrote(csv)
-    if rows.missing:
-        raise typer.Exit(4)
+
+
+def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:
+    """Refuse a rig without a unit at work, and tolerances that are no numbers."""
+    if failed >= units:
+        allowed = f"allowed are up to {units - 1} of {units}"
+        raise InputError("--failed", str(failed), "no unit is left", allowed)
+    for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
+        if not math.isfinite(tolerance):  # which a minimum lets pass
+            raise InputError(option, str(tolerance), "no finite number", "allowed is such as 1.05")
 
 
 def operability(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -31,6 +31,9 @@ WORTH_A_RECIPE = 60.0  # seconds of a run, from which on a cheaper one is offere
 
 NEAR = 0.8  # share of a limit from which on its line is coloured
 SAME_AS_STORED = 1e-9  # relative, of what is stored to ten digits
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 def run(
@@ -76,25 +79,31 @@ def run(
     check_output(output, ("dataset", "table"), file.files, force)
     compile_kernels(file.scene())
     from riserstudy.simulation.simulate import simulate
-    from riserstudy.study.collect import write_dataset
 
     if patience is None:
         announce(file)
     dataset = simulate(file, patience=patience)
-    if output.suffix == ".csv":
-        from riserstudy.dataset import tables
-
-        kind = "time-series" if "time" in dataset else "extremes"
-        made = tables.table_of(kind, None, dataset)
-        tables.write_csv(tables.in_units(made, units or UnitSystem.SI), output)
-    else:
-        write_dataset(dataset, output)
+    _write(dataset, output, units or UnitSystem.SI)
     print_warnings(dataset)
     print(_summary(dataset))
     for line in _recoil(file, dataset):
         print(line)
     show_limits(dataset, units or UnitSystem.FIELD)
     wrote(output)
+
+
+def _write(dataset: xr.Dataset, output: Path, units: UnitSystem) -> None:
+    """Write a run as a dataset, or as a table in some units."""
+    if output.suffix == ".csv":
+        from riserstudy.dataset import tables
+
+        kind = "time-series" if "time" in dataset else "extremes"
+        made = tables.table_of(kind, None, dataset)
+        tables.write_csv(tables.in_units(made, units), output)
+        return
+    from riserstudy.study.collect import write_dataset
+
+    write_dataset(dataset, output)
 
 
 def _recoil(file: Any, dataset: Any) -> list[str]:

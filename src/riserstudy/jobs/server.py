@@ -106,10 +106,11 @@ def note_ended(_signal: int, _frame: FrameType | None) -> None:
 
 def later() -> list[Callable[[], object]]:
     """What is loaded when there is time: modules, and what is compiled together."""
-    from riserstudy.simulation.warm_up import scenes, warm_up
+    from riserstudy.simulation.kernel_groups import GROUPS
+    from riserstudy.simulation.warm_up import warm_up
 
     modules = [partial(import_module, name) for name in LATER]
-    return [*modules, *(partial(warm_up, group) for group in scenes())]
+    return [*modules, *(partial(warm_up, group) for group in GROUPS)]
 
 
 def load(one: Callable[[], object]) -> None:

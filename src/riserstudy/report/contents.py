@@ -21,7 +21,14 @@ from riserstudy.report.hero import Hero, hero
 from riserstudy.report.limits import LimitTable, limit_tables
 from riserstudy.report.motion import Motion, motion_of
 from riserstudy.report.overview import amounts, bars, findings, short_of, subject, title_of, totals
-from riserstudy.report.pictures import Figure, claims_by_figure, heading, labels, picture_of
+from riserstudy.report.pictures import (
+    Figure,
+    Picture,
+    claims_by_figure,
+    heading,
+    labels,
+    picture_of,
+)
 from riserstudy.report.scenes import SceneTable, scene_tables
 from riserstudy.report.tiles import tiles
 from riserstudy.study.models import StudyFile
@@ -217,17 +224,10 @@ def _figures(
     tables: dict[str, list[SceneTable]],
 ) -> list[Figure]:
     """Figures in the order of study files, with all that they are linked to."""
-    known = {
-        (paper, name): (caption, png, pdf)
-        for paper, name, caption, png, pdf in db.execute(
-            "select paper, name, caption, png, pdf from figures"
-        )
-    }
+    known = _files_of_figures(db)
     rests = _sets(db, "select paper, id, study from rests_on")
-    reads = {
-        key[0]: studies
-        for key, studies in _sets(db, "select figure, study from figure_reads").items()
-    }
+    by_figure = _sets(db, "select figure, study from figure_reads")
+    reads = {figure: studies for (figure,), studies in by_figure.items()}
     sources_of = _sets(db, "select study, source from simulated_behind")
     present = {path for (path,) in db.execute("select path from files")}
     figures: list[Figure] = []
@@ -236,8 +236,7 @@ def _figures(
         for paper, file in files.items()
     }
     drawn = [sources.folder / known[paper, n][1] for paper in names_of for n in names_of[paper]]
-    with ThreadPoolExecutor() as pool:  # encoding lets other threads go on
-        pictures = dict(zip(drawn, pool.map(picture_of, drawn), strict=True))
+    pictures = _pictures(drawn)
     for paper, file in files.items():
         names = names_of[paper]
         own = claims_by_figure(
@@ -251,9 +250,8 @@ def _figures(
         label = labels(names, short_of(files, paper), printed=bool(file.reference))
         for name in names:
             caption, png, pdf = known[paper, name]
-            read = (
-                [f"{paper}/{n}" for n in file.figures[name].reads] if name in file.figures else []
-            )
+            datasets = file.figures[name].reads if name in file.figures else ()
+            read = [f"{paper}/{n}" for n in datasets]
             simulated = set().union(*(sources_of.get((study,), set()) for study in read))
             drawn_scene = _drawn_scene(file, name, sources.config)
             picture = pictures[sources.folder / png]
@@ -277,6 +275,18 @@ def _figures(
             )
             figures.append(figure)
     return figures
+
+
+def _files_of_figures(db: sqlite3.Connection) -> dict[tuple[str, str], tuple[str, str, str]]:
+    """Caption, PNG and PDF of each figure, by paper and name."""
+    found = db.execute("select paper, name, caption, png, pdf from figures")
+    return {(paper, name): (caption, png, pdf) for paper, name, caption, png, pdf in found}
+
+
+def _pictures(paths: list[Path]) -> dict[Path, Picture]:
+    """Pictures by their path."""
+    with ThreadPoolExecutor() as pool:  # encoding lets other threads go on
+        return dict(zip(paths, pool.map(picture_of, paths), strict=True))
 
 
 def _drawn_scene(file: StudyFile, name: str, config: Path) -> str:

@@ -25,16 +25,37 @@ def fit(scene: Parts) -> None:
     ValueError
         The line of the scene, and what is allowed there.
     """
+    _needs_water(scene)
+    _viv(scene)
+    _sea(scene)
+    _needs_gravity(scene)
+    _needs_mass_and_time(scene)
+    _needs_a_hold(scene)
+    _bends_throughout(scene)
+    _vessel_and_soil(scene)
+    _ends(scene)
+    _starts_gently(scene)
+    _stations(scene)
+    closes(scene)
+    covered(scene)
+    limits_fit(scene)
+    fatigue_fits(scene)
+    _disconnect(scene)
+    _events(scene)
+
+
+def _needs_water(scene: Parts) -> None:
     wet = [s for s in scene.riser if s.drag or s.tangential_drag or s.added_mass]
     if wet and scene.water is None:
         raise ValueError(f"riser section {wet[0].name!r} has drag or added mass: needs water")
     if scene.current and scene.water is None:
         raise ValueError("current needs water")
-    _viv(scene)
     in_water = any(s.drag for s in scene.riser) or (scene.vessel and scene.vessel.hull_drag)
     if scene.current and not in_water:
         raise ValueError("current needs a riser section with drag, or a vessel with hull_drag")
-    _sea(scene)
+
+
+def _needs_gravity(scene: Parts) -> None:
     if any(s.contents for s in scene.riser) and scene.gravity is None:
         raise ValueError("contents need gravity")
     rig = scene.top.tensioners
@@ -44,36 +65,51 @@ def fit(scene: Parts) -> None:
         scene.gravity is None or scene.water is None
     ):
         raise ValueError("a body's displaced_volume or density needs gravity and water")
-    if scene.bottom.hold == "free" and scene.top.z == "free" and not scene.top.tensioners:
-        raise ValueError("both ends are free: hold one, or hang the top on tensioners")
+
+
+def _needs_mass_and_time(scene: Parts) -> None:
     if scene.analysis.duration and not (
         all(s.mass for s in scene.riser) or scene.top.body or scene.bottom.body
     ):
         raise ValueError("dynamics need mass: give every section its mass, or an end a body")
     if scene.top.tension_loss and scene.analysis.duration is None:
         raise ValueError("top.tension_loss needs analysis.duration: statics are before it")
+
+
+def _needs_a_hold(scene: Parts) -> None:
+    if scene.bottom.hold == "free" and scene.top.z == "free" and not scene.top.tensioners:
+        raise ValueError("both ends are free: hold one, or hang the top on tensioners")
     if scene.lateral and scene.top.x is None:
         raise ValueError(f"top.x is needed, because of {scene.lateral}")
-    bending = [bool(s.young_modulus or s.bending_stiffness) for s in scene.riser]
-    if any(bending) and not all(bending):
-        raise ValueError("riser: give bending stiffness to all sections or to none")
-    damping = [s.structural_damping for s in scene.riser]
-    if not alike(d.time if d else None for d in damping):
-        raise ValueError("riser: structural_damping must be the same in all sections")
     if scene.top.z != "free" and scene.bottom.hold == "free" and scene.top.elevation is None:
         raise ValueError("a riser that hangs needs top.elevation")
     if scene.platform is None and "platform" in (scene.top.x, scene.top.z):
         raise ValueError("top is on the platform: needs platform")
     joint = scene.top.telescopic_joint
-    if joint and not all(bending):
-        raise ValueError("a telescopic_joint needs bending stiffness in the riser")
     if joint and joint.mid_stroke and scene.bottom.hold == "free":
         raise ValueError(
             "top.telescopic_joint.mid_stroke needs a lower end that is held; give the joint's length alone"
         )
-    _vessel_and_soil(scene, all(bending))
-    _ends(scene)
-    _starts_gently(scene)
+
+
+def _bending(scene: Parts) -> list[bool]:
+    """Whether each section has bending stiffness."""
+    return [bool(s.young_modulus or s.bending_stiffness) for s in scene.riser]
+
+
+def _bends_throughout(scene: Parts) -> None:
+    bending = _bending(scene)
+    if any(bending) and not all(bending):
+        raise ValueError("riser: give bending stiffness to all sections or to none")
+    damping = [s.structural_damping for s in scene.riser]
+    if not alike(d.time if d else None for d in damping):
+        raise ValueError("riser: structural_damping must be the same in all sections")
+    if scene.top.telescopic_joint and not all(bending):
+        raise ValueError("a telescopic_joint needs bending stiffness in the riser")
+
+
+def _stations(scene: Parts) -> None:
+    joint = scene.top.telescopic_joint
     length = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)
     stations = (scene.analysis.output and scene.analysis.output.stations) or []
     for s in stations:
@@ -82,12 +118,6 @@ def fit(scene: Parts) -> None:
                 f"analysis.output.stations: {s:g} m is not on the riser; "
                 f"allowed is from 0 to {length:g} m"
             )
-    closes(scene)
-    covered(scene)
-    limits_fit(scene)
-    fatigue_fits(scene)
-    _disconnect(scene)
-    _events(scene)
 
 
 def _sea(scene: Parts) -> None:
@@ -132,7 +162,7 @@ def _viv(scene: Parts) -> None:
             raise ValueError(f"riser.viv.{name} must be the same in all sections")
 
 
-def _vessel_and_soil(scene: Parts, bends: bool) -> None:
+def _vessel_and_soil(scene: Parts) -> None:
     if (scene.vessel is None) != (scene.top.x != "vessel"):
         raise ValueError("vessel and 'top.x: vessel' go together")
     if scene.vessel and scene.platform:
@@ -158,7 +188,7 @@ def _vessel_and_soil(scene: Parts, bends: bool) -> None:
     if (scene.bottom.hold == "foot") != (scene.soil is not None):
         raise ValueError("soil and 'bottom.hold: foot' go together")
     joints = [s for s in scene.riser if s.flex_joint_below]
-    if joints and (not bends or len(joints) > 1 or scene.riser[0].flex_joint_below):
+    if joints and (not all(_bending(scene)) or len(joints) > 1 or scene.riser[0].flex_joint_below):
         raise ValueError(
             "flex_joint_below: one, between sections that bend; the lower end has bottom.rotation"
         )

@@ -21,7 +21,7 @@ from riserstudy.scene.sudden import sudden_wave
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
 from riserstudy.simulation import audit, outputs, vibration
-from riserstudy.simulation.coupling import march_in_turns, sides_of
+from riserstudy.simulation.coupling import Sides, march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.events import march_through
@@ -113,20 +113,7 @@ def march(
         damage.since(scene)
     rest = rest or Rest(scene, mesh)
     model, arrays = rest.model, dict(rest.arrays)
-    facts: RunFacts = {
-        "effects": {e.name: e.because for e in model.effects},
-        "elements": len(mesh.l0),
-        "directions": len(model.s.dim),
-        "statics_iterations": rest.iterations,
-        "warnings": [
-            *doubts(scene),
-            *without_inertia(scene),
-            *sudden_wave(scene),
-            *rao.doubts(scene),
-        ],
-    }
-    if scene.vessel:
-        facts["coupling"] = {"scheme": "as one"}
+    facts = _facts_at_rest(scene, mesh, rest)
     if scene.analysis.duration is not None and step is not None and scene.analysis.output:
         whole = everywhere or fits(scene.analysis.output, scene.analysis.duration, mesh)
         if scene.fatigue and not whole:
@@ -143,6 +130,25 @@ def march(
         arrays["mesh_moment_static"] = rest.moment
     facts["solve_seconds"] = clock.perf_counter() - started
     return Result(arrays, facts)
+
+
+def _facts_at_rest(scene: Scene, mesh: Mesh, rest: Rest) -> RunFacts:
+    """What is known of a run before its first step."""
+    facts: RunFacts = {
+        "effects": {e.name: e.because for e in rest.model.effects},
+        "elements": len(mesh.l0),
+        "directions": len(rest.model.s.dim),
+        "statics_iterations": rest.iterations,
+        "warnings": [
+            *doubts(scene),
+            *without_inertia(scene),
+            *sudden_wave(scene),
+            *rao.doubts(scene),
+        ],
+    }
+    if scene.vessel:
+        facts["coupling"] = {"scheme": "as one"}
+    return facts
 
 
 def finish(scene: Scene, mesh: Mesh, result: Result) -> Result:
@@ -204,7 +210,7 @@ def in_motion(
     if a.duration is None or a.output is None:
         raise TypeError("a scene without time")  # asked before
     of = outputs.wanted(arrays, None if whole else a.output.stations)
-    coupling = scene.vessel and scene.vessel.coupling
+    coupling, sides = scene.vessel and scene.vessel.coupling, None
     sums = new_sums()
     if coupling:
         steps = steps_in(coupling.interval, step)
@@ -212,7 +218,7 @@ def in_motion(
         model, step = sides.riser, coupling.interval / steps
     else:
         step = a.duration / steps_in(a.duration, step)
-    rest, taken = outputs.positions(model), 0.0
+    rest = outputs.positions(model)
     begin(scene, model, mesh)
     section = section_of(scene, mesh, arrays) if judged else NO_SECTION
     seen = (judged or len(model.s.dim) > 1) and a.method != "explicit"
@@ -220,43 +226,83 @@ def in_motion(
     record = outputs.empty_record(arrays, model, a.output, a.duration, of, section, room)
     before = sum(energies(model.programs, model.state))
     with watch.over(record.value, sums):
-        if coupling:
-            turn, _ = method_of(scene, mesh, step, steps)
-            outcome, facts["coupling"] = march_in_turns(
-                sides, coupling, turn, a.duration, record, sums
-            )
-        elif a.method == "explicit":
-            from riserstudy.simulation.stable_step import explicit_limit  # which loads solvers
-
-            facts["stable_step"] = explicit_limit(scene, model)
-            outcome = explicitly(model, step, facts["stable_step"], a.duration, record, sums)
-        else:
-            model, outcome, taken = march_through(scene, model, mesh, step, record, sums, facts)
+        model, outcome, taken = _by_method(scene, model, sides, mesh, step, record, sums, facts)
     if outcome == STOPPED:
         raise TakesTooLong(
             f"broken off with {100 * share(record.value):.2g} % of the outputs written"
         )
     if outcome != DONE:
         raise StepFailed(why(model, mesh, sums))
-    after = sum(energies(model.programs, model.state))
-    audit.energy(facts, sums, before, after + taken, step)
+    audit.energy(facts, sums, before, sum(energies(model.programs, model.state)) + taken, step)
     if coupling:
         audit.exchange(facts, coupling)
     histories = outputs.histories(arrays, model, record.value, of)
     histories |= outputs.over_time(scene, model, mesh, record.value, rest)
-    every_step = steps_of(record.value)
     if judged:
         histories |= envelopes_of(record.value)
-        if every_step:
-            series = outputs.over_time(scene, model, mesh, every_step, rest)
-            facts["peaks"] = peaks_of(every_step.time, series)
-            sizes = ANGLES if len(model.s.dim) == 3 else ()
-            histories |= within(histories, facts["peaks"], sizes)
-    elif every_step:  # a run that is compared
-        angles = outputs.angles(scene, model, mesh, every_step)
-        facts["peaks"] = peaks_of(every_step.time, angles)
+    histories |= _peaks(scene, model, mesh, record, rest, histories, facts, judged)
     enter_lift(scene, histories, facts)
     return histories
+
+
+def _by_method(
+    scene: Scene,
+    model: Model,
+    sides: Sides | None,
+    mesh: Mesh,
+    step: float,
+    record: Frozen,
+    sums: Sums,
+    facts: RunFacts,
+) -> tuple[Model, int, float]:
+    """March through all steps (s) as the scene says: the model then, how it ended, energy taken out (J).
+
+    ``sides``: of a scene in turns, riser and platform.
+    """
+    a = scene.analysis
+    if a.duration is None:
+        raise TypeError("a scene without time")  # asked before
+    if sides and scene.vessel and scene.vessel.coupling:
+        coupling = scene.vessel.coupling
+        turn, _ = method_of(scene, mesh, step, len(sides.force.time) - 1)
+        outcome, facts["coupling"] = march_in_turns(sides, coupling, turn, a.duration, record, sums)
+        return model, outcome, 0.0
+    if a.method == "explicit":
+        from riserstudy.simulation.stable_step import explicit_limit  # which loads solvers
+
+        facts["stable_step"] = explicit_limit(scene, model)
+        return (
+            model,
+            explicitly(model, step, facts["stable_step"], a.duration, record, sums),
+            0.0,
+        )
+    return march_through(scene, model, mesh, step, record, sums, facts)
+
+
+def _peaks(
+    scene: Scene,
+    model: Model,
+    mesh: Mesh,
+    record: Frozen,
+    rest: outputs.AtRest,
+    histories: outputs.Arrays,
+    facts: RunFacts,
+    judged: bool,
+) -> outputs.Arrays:
+    """Extremes over all steps, which the facts gain, and the envelopes that have to hold them.
+
+    Of a run that is only compared (not ``judged``) those of the flex joints' angles.
+    """
+    every_step = steps_of(record.value)
+    if not every_step:
+        return {}
+    if not judged:
+        angles = outputs.angles(scene, model, mesh, every_step)
+        facts["peaks"] = peaks_of(every_step.time, angles)
+        return {}
+    series = outputs.over_time(scene, model, mesh, every_step, rest)
+    facts["peaks"] = peaks_of(every_step.time, series)
+    return within(histories, facts["peaks"], ANGLES if len(model.s.dim) == 3 else ())
 
 
 def begin(scene: Scene, model: Model, mesh: Mesh) -> None:

@@ -28,6 +28,7 @@ from riserstudy.scene.units import factor
 from riserstudy.study import store
 from riserstudy.study.collect import SHARED, dataset_of
 from riserstudy.study.far_values import far_values
+from riserstudy.study.grid import Point
 from riserstudy.study.models import StudyModel
 from riserstudy.study.simulate_points import attempt
 from riserstudy.study.study import Study
@@ -83,10 +84,9 @@ def sweep(
         A scene from :func:`riserstudy.load_scene`, or the path of its file.
     axes : mapping
         By path in the scene the values that it takes, as ``{"platform.surge.period": [8, 10, 12]}``.
-        Numbers count in the unit that the scene has there, or have their own: ``["1600 kN", "2 MN"]`` is an
-        axis in kN. Values a hundred times the scene's are warned of. The dimension is the path with ``_`` for
-        dots.
-        Or by name of a dimension, labels and what each sets: ``{"law": {"stiff": {"top.x": "held"}, ...}}``.
+        Numbers count in the unit that the scene has there, or have their own, as ``["1600 kN", "2 MN"]``.
+        Values a hundred times the scene's are warned of. The dimension is the path with ``_`` for dots.
+        Or by name of a dimension, labels and what each sets: ``{"law": {"stiff": {"top.x": "held"}}}``.
     keep : iterable of str, optional
         Variables to keep, such as ``bending_moment``; absent: all. Those of a whole run, such as
         ``largest_bending_moment`` (N m) and ``smallest_tension`` (N), are always there.
@@ -124,17 +124,19 @@ def sweep(
     with _progress(progress, len({point.key for point in points})) as done:
         failures = attempt(study, points, cores or _cores(), done)
     if failures and (on_error == "raise" or len(failures) == len({p.key for p in points})):
-        point = next(p for p in points if p.key in failures)
-        place = {
-            name: study.axes[name][k][0] for name, k in zip(study.axes, point.index, strict=True)
-        }
-        many = f"{len(failures)} point{'s' if len(failures) > 1 else ''}"
-        where = ", ".join(
-            f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}"
-            for name, value in place.items()
-        )
-        reason = failures[point.key]
-        raise SimulationError(f"sweep: {many} cannot be completed; at {where}: {reason}")
+        raise SimulationError(_in_words(study, points, failures))
+    title = f"{file.tree.get('title') or 'a scene'}: sweep of {', '.join(axes)}"
+    return _dataset(study, points, failures).assign_attrs(title=title)
+
+
+def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) -> xr.Dataset:
+    """Results of points, and why some have none.
+
+    Raises
+    ------
+    SimulationError
+        When the store has lost some.
+    """
     stored = {p.key: store.get(p.key, study.model.keep) for p in points if p.key not in failures}
     results = {key: result for key, result in stored.items() if result}
     if len(results) < len(stored):
@@ -144,10 +146,20 @@ def sweep(
     reasons = [str(failures.get(p.key, "")) for p in points]
     shape = tuple(len(steps) for steps in study.axes.values())
     about = {"long_name": "why the point could not be completed, empty where it was"}
-    title = file.tree.get("title") or "a scene"
-    dataset.attrs["title"] = f"{title}: sweep of {', '.join(axes)}"
     dataset["failure"] = (tuple(study.axes), np.array(reasons, dtype=object).reshape(shape), about)
     return dataset
+
+
+def _in_words(study: Study, points: list[Point], failures: Mapping[str, object]) -> str:
+    """How many points cannot be completed, and why the first cannot."""
+    point = next(p for p in points if p.key in failures)
+    place = {name: study.axes[name][k][0] for name, k in zip(study.axes, point.index, strict=True)}
+    many = f"{len(failures)} point{'s' if len(failures) > 1 else ''}"
+    where = ", ".join(
+        f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}"
+        for name, value in place.items()
+    )
+    return f"sweep: {many} cannot be completed; at {where}: {failures[point.key]}"
 
 
 def as_study(
