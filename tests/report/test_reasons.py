@@ -10,7 +10,7 @@ from riserstudy.report.claims import Claim
 PLAIN = dict.fromkeys(field.name for field in fields(Claim)) | {
     "unit": "",
     "decided_by": "",
-    "said": [],
+    "sentences": [],
     "options": [],
     "grounds": Grounds(),
 }

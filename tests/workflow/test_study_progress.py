@@ -1,25 +1,14 @@
-"""What a run of the study says of itself, from what Snakemake says and from the logs of its jobs."""
+"""What a run of the study says of itself, from what Snakemake reports and from the logs of its jobs."""
 
 import json
 import re
-import sys
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "workflow/scripts"))
-from study_progress import FIRST, Progress, lasting
+from riserstudy.jobs.progress import FIRST, Progress, lasting
 
-BEGIN = """\
-Provided cores: 2 (use --cores to define parallelism)
-Job stats:
-job         count
---------  -------
-simulate        2
-figure          1
-total           3
-
-"""
+PLANNED = {"simulate": 2, "figure": 1, "total": 3}
 
 
 class Clock:
@@ -36,8 +25,8 @@ def run(tmp_path, monkeypatch):
 
     def new(tier="preview"):
         progress = Progress(tier, tmp_path / "steps.json", clock, tmp_path / "points.json")
-        for line in BEGIN.splitlines():
-            progress.see(line)
+        progress.plan(PLANNED)
+        progress.cores = 2
         return progress
 
     clock = Clock()
@@ -47,8 +36,8 @@ def run(tmp_path, monkeypatch):
 def test_steps_points_and_cores_are_told(run):
     new, clock = run
     progress = new()
-    progress.see("Job 3: simulate paper/one")
-    progress.see("Job 4: draw paper/fig01")
+    progress.begin(3, "simulate paper/one")
+    progress.begin(4, "draw paper/fig01")
     clock.now += 5.0
     said = progress.text()
     assert re.match(r"\d+ %, no step done, 5 s, about ", said)
@@ -57,15 +46,15 @@ def test_steps_points_and_cores_are_told(run):
     log.parent.mkdir(parents=True)
     log.write_text("1 of 40 points\n12 of 40 points\n")
     assert "simulate paper/one (12 of 40 points)" in progress.text()
-    progress.see("Finished jobid: 3 (Rule: simulate)")
-    progress.see("1 of 3 steps (33%) done")
+    progress.end(3, "simulate")
+    progress.steps = "1 of 3 steps"
     assert re.match(r"\d+ %, 1 of 3 steps done, 5 s, about ", progress.text())
 
 
 def test_a_part_of_a_study_has_a_log_of_its_own(run):
     new, _ = run
     progress = new()
-    progress.see("Job 3: simulate paper/one, part 2 of 4")
+    progress.begin(3, "simulate paper/one, part 2 of 4")
     log = Path("logs/paper/one.2-of-4.log")
     log.parent.mkdir(parents=True)
     log.write_text("3 of 10 points\n")
@@ -80,20 +69,20 @@ def test_time_left_is_that_of_the_last_run(run):
         ("2", "simulate paper/two", "simulate", 20.0),
         ("3", "draw paper/fig01", "figure", 4.0),
     ):
-        first.see(f"Job {job}: {message}")
+        first.begin(job, message)
         clock.now += seconds
-        first.see(f"Finished jobid: {job} (Rule: {rule})")
+        first.end(job, rule)
     assert first.seconds_left() is None  # nothing is left
     first.remember()
 
     second = new()
     assert second.seconds_left() == pytest.approx((60.0 + 20.0 + 4.0) / 2)
-    second.see("Job 7: simulate paper/one")
+    second.begin(7, "simulate paper/one")
     clock.now += 15.0
     assert second.seconds_left() == pytest.approx((45.0 + 20.0 + 4.0) / 2)
     clock.now += 500.0  # slower than it was: no less than nothing of it is left
     assert second.seconds_left() == pytest.approx((20.0 + 4.0) / 2)
-    second.see("Finished jobid: 7 (Rule: simulate)")
+    second.end(7, "simulate")
     assert second.seconds_left() == pytest.approx((20.0 + 4.0) / 2)
     assert "about 12 s left" in second.text()
 
@@ -108,12 +97,12 @@ def test_time_left_of_a_step_at_work_follows_its_own_points(run, share, seconds)
         ("2", "simulate paper/two", "simulate"),
         ("3", "draw paper/fig01", "figure"),
     ):
-        first.see(f"Job {job}: {message}")
+        first.begin(job, message)
         clock.now += 60.0
-        first.see(f"Finished jobid: {job} (Rule: {rule})")
+        first.end(job, rule)
     first.remember()
     second = new()
-    second.see("Job 7: simulate paper/one")
+    second.begin(7, "simulate paper/one")
     clock.now += seconds
     log = Path("logs/paper/one.log")
     log.parent.mkdir(parents=True)
@@ -136,10 +125,10 @@ def test_per_cent_grows_to_a_hundred_only_with_nothing_left(run):
 def test_a_log_has_a_new_line_only_for_a_change(run):
     new, clock = run
     progress = new()
-    progress.see("Job 3: simulate paper/one")
+    progress.begin(3, "simulate paper/one")
     before = progress.state()
     assert progress.state() == before
-    progress.see("Job 4: draw paper/fig01")
+    progress.begin(4, "draw paper/fig01")
     assert progress.state() != before
 
 
@@ -150,9 +139,9 @@ def test_a_first_run_takes_the_times_that_come_with_the_project(run, tmp_path):
     of = progress.first
     whole = 2 * of["a_step"]["simulate"] + 1010 * of["a_point"]["simulate"] + of["a_step"]["figure"]
     assert progress.seconds_left() == pytest.approx(whole / 2)
-    progress.see("Job 3: simulate paper/one")
+    progress.begin(3, "simulate paper/one")
     clock.now += 40.0
-    progress.see("Finished jobid: 3 (Rule: simulate)")
+    progress.end(3, "simulate")
     small = of["a_step"]["simulate"] + 10 * of["a_point"]["simulate"] + of["a_step"]["figure"]
     assert "about" in progress.text()
     # what this run had of a rule is in its memory only once it has ended
@@ -175,15 +164,15 @@ def test_a_tier_that_never_ran_is_told_by_points_from_another(run, tmp_path):
         ("2", "simulate paper/two", "simulate", 2.0),
         ("3", "draw paper/fig01", "figure", 5.0),
     ):
-        preview.see(f"Job {job}: {message}")
+        preview.begin(job, message)
         clock.now += seconds
-        preview.see(f"Finished jobid: {job} (Rule: {rule})")
+        preview.end(job, rule)
     preview.remember()
 
     planned.write_text('{"paper/one": 40, "paper/two": 2}')  # ten times the points, and as many
     standard = new("standard")
     assert standard.seconds_left() == pytest.approx((80.0 + 2.0 + 5.0) / 2)
-    standard.see("Job 7: simulate paper/one, part 1 of 4")
+    standard.begin(7, "simulate paper/one, part 1 of 4")
     clock.now += 3.0
     assert standard.seconds_left() == pytest.approx((80.0 + 2.0 + 5.0) / 2)  # a part is not known
 
@@ -198,9 +187,8 @@ def test_a_damaged_memory_is_none(run, tmp_path, damaged):
 def test_a_failed_step_is_no_longer_at_work(run):
     new, _ = run
     progress = new()
-    progress.see("Job 3: simulate paper/one")
-    progress.see("Error in rule simulate:")
-    progress.see("    jobid: 3")
+    progress.begin(3, "simulate paper/one")
+    progress.fail(3)
     assert "simulate" not in progress.text()
 
 

@@ -4,8 +4,6 @@
 import sys
 from pathlib import Path
 
-from snakemake.exceptions import WorkflowError
-
 from riserstudy.crate.metadata import write_crate
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_files
@@ -18,7 +16,8 @@ checked = None if workflow.is_main_process else []
 try:
     PLAN = Workplan.read(Path("config"), config, only=checked)
 except InputError as error:
-    raise WorkflowError(f"riserstudy: {error}")
+    print(f"riserstudy: {error}", file=sys.stderr)
+    sys.exit(error.exit_code)  # which Snakemake lets pass, and an exception of ours it would not
 
 
 def of(question):

@@ -27,6 +27,7 @@ def fit(scene: Parts) -> None:
     """
     _needs_water(scene)
     _viv(scene)
+    _current_acts(scene)
     _sea(scene)
     _needs_gravity(scene)
     _needs_mass_and_time(scene)
@@ -50,6 +51,9 @@ def _needs_water(scene: Parts) -> None:
         raise ValueError(f"riser section {wet[0].name!r} has drag or added mass: needs water")
     if scene.current and scene.water is None:
         raise ValueError("current needs water")
+
+
+def _current_acts(scene: Parts) -> None:
     in_water = any(s.drag for s in scene.riser) or (scene.vessel and scene.vessel.hull_drag)
     if scene.current and not in_water:
         raise ValueError("current needs a riser section with drag, or a vessel with hull_drag")

@@ -3,18 +3,21 @@
 A first run has none before it: it takes the times of rules that come with the project.
 """
 
+from __future__ import annotations
+
 import json
 import re
 import time
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
 MEMORY = Path(".cache/steps.json")
 PLANNED = Path(".cache/points.json")  # points of each study of this run, as it was planned
-FIRST = Path(__file__).with_name("first_times.json")  # for rules that no earlier run had
+DATA_FILES = ("first_times.json",)
+FIRST = Path(__file__).with_name(DATA_FILES[0])  # times for rules that no earlier run had
 TAIL = 400  # bytes of a log, at its end, in which its progress stands
 STUDY = re.compile(r"simulate (\S+)/([^\s,]+)(?:, part (\d+) of (\d+))?")
 PACE = 0.1  # share of a step's points from which its own pace is used
@@ -38,7 +41,7 @@ class Step:
 
 
 class Progress:
-    """Reads what Snakemake says, and says it in short.
+    """How far a run is, from what Snakemake reports of its steps.
 
     Parameters
     ----------
@@ -59,39 +62,33 @@ class Progress:
         self.cores = 1
         self.steps = ""
         self.left: Counter[str] = Counter()  # steps to do, by rule
-        self.at_work: dict[str, Step] = {}  # by number of the job
+        self.at_work: dict[int, Step] = {}  # by number of the job
         self.took: dict[str, Taken] = {}  # by message
         self.points: dict[str, float] = {}  # by study
-        self._in_table = False
         self.before = _remembered(memory)
         self.first: dict[str, dict[str, float]] = json.loads(FIRST.read_text("utf-8"))
 
-    def see(self, line: str) -> None:
-        """Take in a line of what Snakemake says."""
-        if found := re.match(r"(\d+ of \d+ steps)", line):
-            self.steps = found[1]
-        elif found := re.match(r"Provided cores: (\d+)", line):
-            self.cores = int(found[1])
-        elif found := re.match(r"Job (\d+): (.*)", line):
-            self.at_work[found[1]] = Step(found[2].strip(), self.clock())
-        elif found := re.match(r"Finished jobid: (\d+) \(Rule: (\w+)\)", line):
-            self._done(found[1], found[2])
-        elif found := re.match(r"\s+jobid: (\d+)", line):  # of a step that failed
-            self.at_work.pop(found[1], None)
-        elif re.match(r"job\s+count", line):
-            self._in_table = True
-            self.points = _planned(self.planned)
-        elif self._in_table and (found := re.match(r"(\w+)\s+(\d+)\s*$", line)):
-            self.left[found[1]] = int(found[2])
-            self._in_table = found[1] != "total"
+    def plan(self, jobs: Mapping[str, int]) -> None:
+        """Take in how many steps of each rule there are to do."""
+        self.left = Counter({rule: count for rule, count in jobs.items() if rule != "total"})
+        self.points = _planned(self.planned)
 
-    def _done(self, job: str, rule: str) -> None:
+    def begin(self, job: int, message: str) -> None:
+        """Take in that a step is at work, and what it does."""
+        self.at_work[job] = Step(message.strip(), self.clock())
+
+    def end(self, job: int, rule: str) -> None:
+        """Take in that a step of a rule is done."""
         self.left[rule] -= 1
         step = self.at_work.pop(job, None)
         # what only gathers says nothing when it begins
         message = step.message if step else rule
         seconds = self.clock() - step.began if step else 0.0
         self.took[message] = Taken(rule, seconds, self._points(message))
+
+    def fail(self, job: int) -> None:
+        """Take in that a step has failed."""
+        self.at_work.pop(job, None)
 
     def _points(self, message: str) -> float:
         """Points that a step simulates; 1 for any other."""
@@ -152,7 +149,7 @@ class Progress:
         known = self._known()
         total = 0.0
         for rule, count in self.left.items():
-            if count > 0 and rule != "total":
+            if count > 0:
                 alike = {m: seconds for m, (of, seconds) in known.items() if of == rule}
                 alike = alike or self._at_first(rule)
                 if not alike:
@@ -188,6 +185,7 @@ class Progress:
         """Keep the times of this run for the next one."""
         if self.took:
             kept = self.before | {self.tier: self.before.get(self.tier, {}) | self.took}
+            self.memory.parent.mkdir(mode=0o700, exist_ok=True)
             self.memory.write_text(json.dumps(kept))
 
 

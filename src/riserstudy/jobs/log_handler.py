@@ -1,0 +1,153 @@
+"""What Snakemake prints of a study: how far it is, on one line, and which steps failed with their logs.
+
+A logger plugin: Snakemake hands over records of what happens, from a thread of its own.
+"""
+
+import shutil
+import sys
+import threading
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from logging import ERROR, LogRecord
+from pathlib import Path
+
+from snakemake_interface_logger_plugins.base import LogHandlerBase
+from snakemake_interface_logger_plugins.common import LogEvent
+from snakemake_interface_logger_plugins.settings import LogHandlerSettingsBase
+
+from riserstudy.jobs.progress import Progress
+
+ON_TERMINAL, IN_LOG = 1.0, 10.0  # s between looks at how far the run is
+LOG_TAIL = 25  # lines
+NOTHING = "Nothing to be done"
+
+
+@dataclass
+class LogHandlerSettings(LogHandlerSettingsBase):
+    """Options of the plugin: ``--logger-riserstudy-tier``."""
+
+    tier: str = field(
+        default="standard",
+        metadata={"help": "tier of the run, whose times are remembered apart", "env_var": False},
+    )
+
+
+class LogHandler(LogHandlerBase):
+    """Shows how far a run is, in place of what Snakemake says of each step."""
+
+    writes_to_file = False
+    has_filter = False
+    has_formatter = False
+    needs_rulegraph = False
+
+    def __post_init__(self) -> None:
+        tier = self.settings.tier if isinstance(self.settings, LogHandlerSettings) else "standard"
+        self._progress = Progress(tier)
+        self._rules: dict[int, str] = {}  # of steps that began, by number of the job
+        self._steps_failed = False
+        self._terminal = sys.stdout.isatty()
+        self._ended = threading.Event()
+        self._showing: threading.Thread | None = None
+
+    @property
+    def writes_to_stream(self) -> bool:
+        """Whether it stands in for Snakemake's own words: not in a dry run, which is about each step."""
+        return not self.common_settings.dryrun
+
+    def emit(self, record: LogRecord) -> None:
+        """Take in what happened, and print what failed.
+
+        Parameters
+        ----------
+        record : with an ``event``, and what belongs to it.
+        """
+        event = getattr(record, "event", None)
+        if self.common_settings.dryrun:
+            return
+        if event == LogEvent.RUN_INFO:
+            self._progress.plan(record.stats)  # type: ignore[attr-defined]
+            self._show()
+        elif event == LogEvent.RESOURCES_INFO:
+            self._progress.cores = getattr(record, "cores", None) or self._progress.cores
+        elif event == LogEvent.JOB_INFO:
+            self._begin(record)
+        elif event == LogEvent.JOB_FINISHED:
+            job = int(record.job_id)  # type: ignore[attr-defined]
+            self._progress.end(job, self._rules.get(job, ""))
+        elif event == LogEvent.PROGRESS:
+            done, total = record.done, record.total  # type: ignore[attr-defined]
+            self._progress.steps = f"{done} of {total} steps"
+        elif event == LogEvent.JOB_ERROR:
+            self._fail(record)
+        elif event == LogEvent.ERROR and not self._steps_failed:
+            self._complain(["riserstudy: snakemake stopped:", record.getMessage()])
+        elif event is None and record.msg:
+            self._pass_on(record)
+
+    def close(self) -> None:
+        """Keep the times of the steps, and end the line."""
+        if self._showing:
+            self._ended.set()
+            self._showing.join()
+            self._showing = None
+            if self._progress.steps:
+                self._print_line(self._progress.text())
+                print(end="\n" if self._terminal else "", flush=True)
+            self._progress.remember()
+        super().close()
+
+    def _begin(self, record: LogRecord) -> None:
+        job, rule = int(record.jobid), str(record.rule_name)  # type: ignore[attr-defined]
+        self._rules[job] = rule
+        if message := getattr(record, "rule_msg", None):
+            self._progress.begin(job, message)
+
+    def _fail(self, record: LogRecord) -> None:
+        """Print which step failed, and how its logs end."""
+        self._steps_failed = True
+        self._progress.fail(int(record.jobid))  # type: ignore[attr-defined]
+        outputs = ", ".join(getattr(record, "output", None) or ["its output"])
+        lines = [f"riserstudy: {getattr(record, 'rule_name', 'a step')} failed to make {outputs}"]
+        for log in map(Path, getattr(record, "log", None) or ()):
+            if log.is_file():
+                tail = log.read_text(encoding="utf-8", errors="replace").splitlines()
+                lines += [f"{log} ends:", *(f"    {line}" for line in tail[-LOG_TAIL:])]
+        self._complain(lines)
+
+    def _pass_on(self, record: LogRecord) -> None:
+        """Print what belongs to no step: nothing to do, an error, and where the log of a failed run is."""
+        text = record.getMessage()
+        if text.startswith(NOTHING):
+            print("Nothing to do: every result is up to date.", flush=True)
+        elif text.startswith("Complete log") if self._steps_failed else record.levelno >= ERROR:
+            self._complain([text])
+
+    def _complain(self, lines: Iterable[str]) -> None:
+        if self._terminal and self._showing:
+            print(flush=True)
+        print("\n".join(lines), file=sys.stderr, flush=True)
+
+    def _show(self) -> None:
+        """Show from now on how far the run is: on a terminal on one line, in a log by a line a change."""
+        if self._showing is None:
+            self._showing = threading.Thread(target=self._look, daemon=True)
+            self._showing.start()
+
+    def _look(self) -> None:
+        last: tuple[object, ...] = ()
+        while not self._ended.wait(ON_TERMINAL if self._terminal else IN_LOG):
+            state = self._progress.state()
+            if (self._progress.steps or self._progress.at_work) and (
+                self._terminal or state != last
+            ):
+                self._print_line(self._progress.text())
+                last = state
+
+    def _print_line(self, text: str) -> None:
+        """Print a line; on a terminal in place of the last one, no longer than it is wide."""
+        if not self._terminal:
+            print(text, flush=True)
+            return
+        width = shutil.get_terminal_size().columns - 1
+        short = text if len(text) <= width else text[: width - 1] + "…"
+        print(f"\r{short:{width}}", end="", flush=True)

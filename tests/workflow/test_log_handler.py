@@ -1,0 +1,104 @@
+"""What Snakemake prints through the plugin: how far a run is, what failed, and nothing else."""
+
+import logging
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import pytest
+from snakemake_interface_logger_plugins.common import LogEvent
+
+from riserstudy.jobs import log_handler
+from riserstudy.jobs.log_handler import LogHandler, LogHandlerSettings
+
+
+@pytest.fixture
+def handler(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    made = LogHandler(SimpleNamespace(dryrun=False), LogHandlerSettings(tier="preview"))
+    yield made
+    made.close()
+
+
+def record(event=None, message=None, level=logging.INFO, **facts):
+    made = logging.LogRecord("snakemake", level, __file__, 1, message, None, None)
+    made.__dict__ |= facts | ({"event": event} if event else {})
+    return made
+
+
+def begin(handler, job, rule, message):
+    handler.emit(record(LogEvent.JOB_INFO, jobid=job, rule_name=rule, rule_msg=message))
+
+
+def test_steps_are_counted_and_their_times_remembered(handler, capsys):
+    handler.emit(record(LogEvent.RESOURCES_INFO, cores=3))
+    handler.emit(record(LogEvent.RUN_INFO, stats={"simulate": 1, "all": 1, "total": 2}))
+    begin(handler, 4, "simulate", "simulate paper/one")
+    handler.emit(record(LogEvent.JOB_FINISHED, job_id=4))
+    begin(handler, 0, "all", None)
+    handler.emit(record(LogEvent.JOB_FINISHED, job_id=0))
+    handler.emit(record(LogEvent.PROGRESS, done=2, total=2))
+    handler.close()
+    out, error = capsys.readouterr()
+    assert out.startswith("2 of 2 steps done, ")
+    assert out.endswith(" on 3 cores\n")
+    assert not error
+    again = LogHandler(SimpleNamespace(dryrun=False), LogHandlerSettings(tier="preview"))
+    assert set(again._progress.before["preview"]) == {"simulate paper/one", "all"}
+
+
+def test_a_log_gets_a_line_only_for_a_change(handler, capsys, monkeypatch):
+    monkeypatch.setattr(log_handler, "IN_LOG", 0.02)
+    monkeypatch.setattr(handler._progress, "clock", lambda: 0.0)  # in which no time passes
+    handler.emit(record(LogEvent.RUN_INFO, stats={"simulate": 1, "total": 1}))
+    begin(handler, 4, "simulate", "simulate paper/one")
+    handler._ended.wait(0.5)
+    assert capsys.readouterr().out.count("simulate paper/one") == 1
+
+
+def test_a_failed_step_is_named_with_its_log_and_what_follows_from_it_is_not(
+    handler, tmp_path, capsys
+):
+    (tmp_path / "one.log").write_text("\n".join(f"line {k}" for k in range(100)))
+    begin(handler, 4, "simulate", "simulate paper/one")
+    about = {"rule_name": "simulate", "jobid": 4, "output": ["results/one.nc"], "log": ["one.log"]}
+    handler.emit(record(LogEvent.JOB_ERROR, level=logging.ERROR, **about))
+    follows = "WorkflowError: at least one job failed"
+    handler.emit(record(LogEvent.ERROR, follows, logging.ERROR, exception="WorkflowError"))
+    handler.emit(record(message="Exiting because a job execution failed", level=logging.ERROR))
+    handler.emit(record(message="Complete log(s): here.log", level=logging.WARNING))
+    out, error = capsys.readouterr()
+    lines = error.splitlines()
+    assert lines[:2] == ["riserstudy: simulate failed to make results/one.nc", "one.log ends:"]
+    assert lines[-1] == "Complete log(s): here.log"
+    assert lines[-2] == "    line 99"
+    assert len(lines) == 2 + log_handler.LOG_TAIL + 1
+    assert not out
+
+
+def test_why_nothing_could_begin_is_printed(handler, capsys):
+    handler.emit(record(LogEvent.ERROR, "MissingRuleException: no rule", logging.ERROR))
+    assert capsys.readouterr().err.splitlines() == [
+        "riserstudy: snakemake stopped:",
+        "MissingRuleException: no rule",
+    ]
+
+
+def test_a_dry_run_is_left_to_snakemake(capsys):
+    handler = LogHandler(SimpleNamespace(dryrun=True), LogHandlerSettings())
+    assert not handler.writes_to_stream
+    handler.emit(record(LogEvent.ERROR, "no rule", logging.ERROR))
+    handler.emit(record(LogEvent.RUN_INFO, stats={"simulate": 1}))
+    assert capsys.readouterr() == ("", "")
+
+
+def test_a_plain_snakemake_finds_it_by_its_name(tmp_path):
+    (tmp_path / "Snakefile").write_text(
+        "rule all:\n    input: 'a'\nrule one:\n    output: 'a'\n    message: 'make a'\n    shell: 'touch a'\n"
+    )
+    command = [sys.executable, "-m", "snakemake", "-c1", "--logger", "riserstudy"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1].startswith("2 of 2 steps done, ")
+    assert not done.stderr
+    again = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert again.stdout == "Nothing to do: every result is up to date.\n"
