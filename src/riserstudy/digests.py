@@ -153,7 +153,7 @@ def data_of(file: Path) -> tuple[Path, ...]:
     InputError
         When there is no such file.
     """
-    found = tuple(file.with_name(name) for name in facts(file).data)
+    found = tuple(file.parent / name for name in facts(file).data)
     for path in found:
         if not path.is_file():
             found_none = f"no file {path.name} is beside it"

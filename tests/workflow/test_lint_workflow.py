@@ -16,7 +16,7 @@ LOG = """    * No log directive defined:
 
 @pytest.mark.parametrize("more, titles", [("", []), (LOG, ["No log directive defined"])])
 def test_only_an_environment_for_each_rule_is_passed_over(more, titles):
-    assert lint_workflow.asked_for(SAID.format(more=more)) == titles
+    assert lint_workflow.wanted(SAID.format(more=more)) == titles
 
 
 @pytest.mark.parametrize(

@@ -125,7 +125,7 @@ def test_a_figure_that_cannot_be_meant_stops_before_any_job(folder, said, added)
     with (folder / STUDY).open("a") as file:
         file.write(f"figures: {{a: {added}}}\n")
     status, out, _ = planned(folder)
-    assert status == 1
+    assert status == 2
     assert f"riserstudy: {STUDY}: figures.a" in out
     assert said in out
 
