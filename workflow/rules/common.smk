@@ -17,7 +17,9 @@ try:
     PLAN = Workplan.read(Path("config"), config, only=checked)
 except InputError as error:
     print(f"riserstudy: {error}", file=sys.stderr)
-    sys.exit(error.exit_code)  # which Snakemake lets pass, and an exception of ours it would not
+    sys.exit(
+        error.exit_code
+    )  # which Snakemake lets pass, and an exception of ours it would not
 
 
 def of(question):

@@ -109,11 +109,11 @@ def _called(settings: list[str] | None) -> dict[str, str]:
 
 def _scene(of_run: xr.Dataset, index: dict[str, int]) -> Scene | None:
     """The scene behind the point; None where the dataset has none."""
-    from riserstudy.dataset.provenance import scene_behind
+    from riserstudy.dataset.provenance import scene_of_point
 
     if not {"provenance", "scene"} & of_run.attrs.keys():
         return None
-    return scene_behind(of_run, index)
+    return scene_of_point(of_run, index)
 
 
 def _print(found: list[tuple[Pair, Difference]]) -> None:

@@ -69,12 +69,12 @@ class Walls:
             )
         if self._time is not None:
             force = np.interp(time, self._time, force)
-        return Added(np.broadcast_to(force, time.shape), self._said([place]))
+        return Added(np.broadcast_to(force, time.shape), self._places_in_words([place]))
 
     def along(self, places: FloatArray) -> Added:
         """Force at places (m from the lower end), (n,), at the mean elevation over time."""
         force = self._force(places)
-        notes = self._said(list(places))
+        notes = self._places_in_words(list(places))
         if self._time is not None:
             spread = 0.5 * float(np.nanmax(np.ptp(force, axis=0)))
             notes.append(
@@ -152,7 +152,7 @@ class Walls:
         outer, inner = section.outer_diameter or 0.0, section.inner_diameter or 0.0
         return 0.25 * math.pi * outer**2, 0.25 * math.pi * inner**2
 
-    def _said(self, places: list[float]) -> list[str]:
+    def _places_in_words(self, places: list[float]) -> list[str]:
         """Convention and walls."""
         water = self._scene.water.density if self._scene.water else 0.0
         walls = dict.fromkeys(
@@ -172,5 +172,5 @@ class Walls:
 
 
 def _list(places: FloatArray) -> str:
-    shown = ", ".join(f"{place:g}" for place in places[:6])
-    return f"{shown} and {len(places) - 6} more" if len(places) > 6 else shown
+    first = ", ".join(f"{place:g}" for place in places[:6])
+    return f"{first} and {len(places) - 6} more" if len(places) > 6 else first

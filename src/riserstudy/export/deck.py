@@ -53,7 +53,7 @@ class Deck:
                 continue
             if not any(within(path, place) for place in self.otherwise):
                 parent = bare.rpartition(".")[0]
-                whole = bare.count(".") > 1 and not any(within(p, parent) for p in self.said)
+                whole = bare.count(".") > 1 and not any(within(p, parent) for p in self.carried)
                 missing[parent if whole else bare] = None
         return [*lines, *(f"{path}: not written" for path in missing)]
 

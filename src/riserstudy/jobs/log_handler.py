@@ -8,7 +8,7 @@ import sys
 import threading
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from logging import ERROR, LogRecord
+from logging import WARNING, LogRecord
 from pathlib import Path
 
 from snakemake_interface_logger_plugins.base import LogHandlerBase
@@ -115,11 +115,14 @@ class LogHandler(LogHandlerBase):
         self._complain(lines)
 
     def _pass_on(self, record: LogRecord) -> None:
-        """Print what belongs to no step: nothing to do, an error, and where the log of a failed run is."""
+        """Print what belongs to no step: nothing to do, warnings, and where the log of a failed run is."""
         text = record.getMessage()
         if text.startswith(NOTHING):
             print("Nothing to do: every result is up to date.", flush=True)
-        elif text.startswith("Complete log") if self._steps_failed else record.levelno >= ERROR:
+        elif text.startswith("Complete log"):
+            if self._steps_failed:
+                self._complain([text])
+        elif record.levelno >= WARNING and not self._steps_failed:
             self._complain([text])
 
     def _complain(self, lines: Iterable[str]) -> None:

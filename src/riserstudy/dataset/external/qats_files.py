@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.errors import InputError, shown
+from riserstudy.errors import InputError, printable
 
 FloatArray = NDArray[np.float64]
 #: endings of files that QATS is asked for; its pickles are left out: to open one runs what is in it
@@ -65,7 +65,7 @@ def read_series(path: Path, titles: list[str]) -> list[Series]:
         names = ", ".join([*known][:MOST_NAMES])
         more = f" and {len(known) - MOST_NAMES} more" if len(known) > MOST_NAMES else ""
         raise InputError(
-            path, missing[0], "no series of the file", f"allowed are {shown(names)}{more}"
+            path, missing[0], "no series of the file", f"allowed are {printable(names)}{more}"
         )
     return [
         Series(title, one.unit or "", np.asarray(one.t, float), np.asarray(one.x, float))
