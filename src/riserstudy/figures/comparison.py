@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from riserstudy.dataset.comparison import Pair
 from riserstudy.dataset.unit_systems import read_in
-from riserstudy.figures.style import COLOURS, beside_letter, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, panel_title, headline, key_below, panels
 
 MOST = 6  # panels
 
@@ -34,7 +34,7 @@ def comparison(pairs: Sequence[Pair], title: str, other: str) -> Figure:
             label=other,
         )
         name = pair.name.replace("_", " ")
-        beside_letter(ax, name)
+        panel_title(ax, name)
         ax.set_ylabel(unit if unit != "1" else "")
     axes[-1].set_xlabel("time (s)" if pairs[0].axis == "time" else "arclength from the bottom (m)")
     key_below(figure, axes[-1], 2)
