@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from riserstudy.dataset.comparison import Pair
 from riserstudy.dataset.unit_systems import read_in
-from riserstudy.figures.style import COLOURS, panel_title, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
 
 MOST = 6  # panels
 

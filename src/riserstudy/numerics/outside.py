@@ -23,11 +23,13 @@ from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.outputs import quantities
 from riserstudy.simulation.run import EXPLICIT_BOUND, single
+from riserstudy.solve.envelopes import widen
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.explicit import accelerate
 from riserstudy.solve.jit import kernel
 from riserstudy.solve.program import Frozen
-from riserstudy.solve.record import evaluate_and_note, new_record, remember, widen
+from riserstudy.solve.record import new_record
+from riserstudy.solve.write_down import evaluate_and_note, remember
 
 FloatArray = NDArray[np.float64]
 PATIENCE = 4.0  # processor seconds of a Radau run: a busy machine refuses no more than an idle one

@@ -23,7 +23,8 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.simulation.curve import at_stations, curve_of, largest_moment
 from riserstudy.solve.program import Frozen
-from riserstudy.solve.record import NO_SECTION, Record, Section, evaluate_once, new_record
+from riserstudy.solve.record import NO_SECTION, Record, Section, new_record
+from riserstudy.solve.write_down import evaluate_once
 
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts

@@ -10,13 +10,15 @@ from __future__ import annotations
 
 import numpy as np
 
+from riserstudy.solve.envelopes import widen
 from riserstudy.solve.evaluate import load, move, shape, true_moments
+from riserstudy.solve.interpolate import interpolate
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import every
-from riserstudy.solve.record import due, evaluate_and_note, interpolate, remember, widen
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, clear, copy
 from riserstudy.solve.sums import DONE, EVALUATIONS, NOT_CONVERGED, STOPPED, enter, fail
 from riserstudy.solve.vec import at, outer, put, solved
+from riserstudy.solve.write_down import due, evaluate_and_note, remember
 
 
 @inner

@@ -27,7 +27,6 @@ from riserstudy.solve.jit import kernel
 from riserstudy.solve.newton import account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
-from riserstudy.solve.record import note_start, note_step
 from riserstudy.solve.state import (
     ACCELERATION,
     DISSIPATED,
@@ -41,6 +40,7 @@ from riserstudy.solve.state import (
     restore,
 )
 from riserstudy.solve.sums import DONE, NOT_CONVERGED, STOPPED, enter
+from riserstudy.solve.write_down import note_start, note_step
 
 
 class Method(NamedTuple):

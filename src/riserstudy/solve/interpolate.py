@@ -1,0 +1,75 @@
+"""States between two steps: positions of a cubic through both, forces of the parabola through three.
+
+Forces of a state that is no equilibrium would be those of the interpolation, not of the riser.
+"""
+
+from __future__ import annotations
+
+from riserstudy.solve.envelopes import UNEVEN
+from riserstudy.solve.jit import inner
+from riserstudy.solve.state import know_internal
+from riserstudy.solve.tabulate import sizes
+
+
+@inner
+def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
+    """Cubic interpolation of positions between two steps; velocity is its derivative."""
+    h = t1 - t0
+    x = (time - t0) / h
+    for k in range(len(s.dim)):
+        for i in range(s.r.shape[1]):
+            d = r1[k, i] - r0[k, i]
+            slope, twist = h * v0[k, i] - d, d - h * v1[k, i]
+            bump = slope * (1.0 - x) + twist * x
+            s.r[k, i] = r0[k, i] + x * d + x * (1.0 - x) * bump
+            s.v[k, i] = (d + (1.0 - 2.0 * x) * bump + x * (1.0 - x) * (twist - slope)) / h
+            s.a[k, i] = (1.0 - x) * a0[k, i] + x * a1[k, i]
+
+
+@inner
+def interpolate_carried(s, carried0, t0, carried1, t1, time):
+    """The same of first-order motion, so that the top without it is on the cubic of the steps, too."""
+    h = t1 - t0
+    x = (time - t0) / h
+    for k in range(len(s.dim)):
+        d = carried1[0, k] - carried0[0, k]
+        slope, twist = h * carried0[1, k] - d, d - h * carried1[1, k]
+        bump = slope * (1.0 - x) + twist * x
+        s.carried[0, k] = carried0[0, k] + x * d + x * (1.0 - x) * bump
+        s.carried[1, k] = (d + (1.0 - 2.0 * x) * bump + x * (1.0 - x) * (twist - slope)) / h
+        s.carried[2, k] = (1.0 - x) * carried0[2, k] + x * carried1[2, k]
+
+
+@inner
+def interpolate_internal(so, before, t0, s, t1, time):
+    """The same of internal variables, by their rates."""
+    h = t1 - t0
+    x = (time - t0) / h
+    for k in range(s.internal.shape[0]):
+        for i in range(s.internal.shape[1]):
+            d = s.internal[k, i] - before.internal[k, i]
+            slope = h * before.internal_rate[k, i] - d
+            twist = d - h * s.internal_rate[k, i]
+            bump = slope * (1.0 - x) + twist * x
+            so.internal[k, i] = before.internal[k, i] + x * d + x * (1.0 - x) * bump
+    know_internal(so)
+
+
+@inner
+def forces_of_steps(s, record, time):
+    """Forces at a time within the last step: the parabola through three steps, or straight after one."""
+    d, values, past, when = len(s.dim), record.values, record.past, record.when
+    x = (time - when[1]) / (when[2] - when[1])
+    bend = 0.0
+    if record.seen[0] >= 2 and when[2] - when[1] < UNEVEN * (when[1] - when[0]):
+        bend = (time - when[1]) * (time - when[2]) / (when[2] - when[0])
+    for c in range(d, values.shape[0]):
+        for i in range(values.shape[1]):
+            rise = values[c, i] - past[1, c, i]
+            value = past[1, c, i] + x * rise
+            if bend != 0.0:
+                slope, before = rise / (when[2] - when[1]), past[1, c, i] - past[0, c, i]
+                value += bend * (slope - before / (when[1] - when[0]))
+            record.between[c, i] = value
+    if len(s.dof) - d == 3:
+        sizes(record.between, d, record.largest.shape[0])

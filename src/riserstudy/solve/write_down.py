@@ -1,0 +1,201 @@
+"""Write outputs and ends of steps into a record while a simulation marches."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+from riserstudy.solve.envelopes import first_output, widen, widen_places
+from riserstudy.solve.evaluate import inertia, load, move, shape, true_moments
+from riserstudy.solve.interpolate import (
+    forces_of_steps,
+    interpolate,
+    interpolate_carried,
+    interpolate_internal,
+)
+from riserstudy.solve.jit import inner, kernel
+from riserstudy.solve.program import every
+from riserstudy.solve.tabulate import components, tabulate
+
+ROUNDING = 1e-10  # of a time (s)
+
+
+@inner
+def remember(record):
+    """Let the last step be one before the next."""
+    values, past, when = record.values, record.past, record.when
+    for c in range(values.shape[0]):
+        for i in range(values.shape[1]):
+            past[0, c, i] = past[1, c, i]
+            past[1, c, i] = values[c, i]
+    when[0], when[1] = when[1], when[2]
+    record.seen[0] += 1
+
+
+@inner
+def note(p, s, record, values):
+    """Write tabulated values down as the next output."""
+    k = record.written[0]
+    record.written[0] += 1
+    d = len(s.dim)
+    m = len(s.dof) - d
+    every(p.probe, s)
+    for j in range(record.station.shape[0]):
+        i = record.station[j]
+        for c in range(d + 1 + min(m, 1)):
+            record.history[k, c, j] = values[c, i]
+        if m == 3:
+            for u in range(3):
+                row = components(record.largest.shape[0], 0, u)
+                record.history[k, d + 2 + u, j] = values[row, i]
+    ends(s, k, record.end, record.top, record.platform, record.probe)
+
+
+@inner
+def ends(s, k, end, top, platform, probe):
+    """Write ends, platform and what devices report down in row k."""
+    d, n = len(s.dim), s.l0.shape[0]
+    m = len(s.dof) - d
+    for c in range(d):
+        end[k, 0, c] = s.tangent[c, 0]
+        end[k, 1, c] = s.tangent[c, n - 1]
+        top[k, c] = s.r[c, n]
+    if m == 0:
+        string_ends(s, k, end)
+    for u in range(m):
+        end[k, 0, d + u], end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
+        # a telescopic joint starts with the ring's moment less that of the cylinders
+        about = s.ring_moment[u] if m == 3 else s.ring_moment[1]
+        end[k, 1, d + u] = s.moment[u, n]
+        end[k, 1, d + m + u] = s.moment[u, n - 1] - about
+    end[k, 0, d + 2 * m], end[k, 1, d + 2 * m] = s.length[0], s.length[n - 1]
+    for c in range(6):
+        platform[k, c] = s.platform[0, c]
+    for c in range(s.probe.shape[0]):
+        probe[k, c] = s.probe[c]
+
+
+@inner
+def string_ends(s, k, end):
+    """A string's directions at its ends: those of the forces that hold it there.
+
+    The end segments' own directions are those of their middles, an error of first order in their length.
+    """
+    d, n = len(s.dim), s.l0.shape[0]
+    for side in range(2):
+        sign, e = (1.0, 0) if side == 0 else (-1.0, n - 1)
+        square, along = 0.0, 0.0
+        for c in range(d):
+            force = sign * (s.ends[0, side, c] + s.ends[1, side, c])
+            square += force * force
+            along += force * s.tangent[c, e]
+        size = sqrt(square)
+        if along > 0.9 * size:  # else it is slack, and has no such direction
+            for c in range(d):
+                force = sign * (s.ends[0, side, c] + s.ends[1, side, c])
+                end[k, side, c] = force / size
+
+
+@inner
+def note_ends(p, s, record, time):
+    """Write a step's ends down where there is room for them."""
+    k = record.steps[0]
+    if record.step_time.shape[0] == 0:
+        return
+    record.steps[0] += 1
+    if k < record.step_time.shape[0]:
+        every(p.probe, s)
+        record.step_time[k] = time
+        ends(s, k, record.step_end, record.step_top, record.step_platform, record.step_probe)
+
+
+@inner
+def due(record, time):
+    """Whether the next output is due before a time."""
+    k = record.written[0]
+    return k < record.time.shape[0] and record.time[k] < time
+
+
+@inner
+def evaluate_and_note(p, s, record):
+    """The next output, of a state given by positions, velocities and true accelerations."""
+    move(p, s, record.time[record.written[0]])
+    evaluate(p, s, record, record.values)
+    note(p, s, record, record.values)
+
+
+@inner
+def evaluate(p, s, record, values):
+    """Forces of a state as it stands, tabulated."""
+    shape(p, s)
+    true_moments(s)
+    load(p, s)
+    inertia(p, s)
+    tabulate(s, record, values)
+
+
+@kernel
+def evaluate_once(p, s, record):
+    """Tabulate and note a state as it stands, for callers in Python."""
+    evaluate(p, s, record, record.values)
+    note(p, s, record, record.values)
+
+
+@inner
+def between(p, s, so, before, t, h, record):
+    """Write down the outputs due within a step from t to t + h, where ``s`` is, and is tabulated.
+
+    ``so`` is a second state of the same model, which takes the interpolated positions.
+    """
+    while due(record, t + h * (1.0 - 1e-9)):
+        time = record.time[record.written[0]]
+        x = (time - t) / h
+        move(p, so, time)
+        interpolate(
+            so, before.r, before.v, before.a, t, s.r, s.v, s.a, t + h, time
+        )  # held nodes, too, as `widen_places`
+        interpolate_carried(so, before.carried, t, s.carried, t + h, time)
+        interpolate_internal(so, before, t, s, t + h, time)
+        for u in range(len(s.dof) - len(s.dim)):
+            for i in range(s.l0.shape[0] + 1):
+                so.moment[u, i] = (1.0 - x) * before.moment[u, i] + x * s.moment[u, i]
+        evaluate(p, so, record, record.between)
+        forces_of_steps(s, record, time)
+        note(p, so, record, record.between)
+        if (
+            record.written[0] == 1
+        ):  # envelopes begin with the first output, not with the step after it
+            first_output(record)
+
+
+@inner
+def note_start(p, s, record, t):
+    """Write down the state that a march begins with, unless it goes on from steps that were seen.
+
+    At a jolt or an event the state just after it is left out: a mesh's answer to an acceleration that jumps
+    is no riser's.
+    """
+    if record.seen[0] > 0:
+        return
+    record.when[2] = t
+    tabulate(s, record, record.values)
+    if t >= record.time[0] - ROUNDING:
+        widen(record, len(s.dim))
+        note_ends(p, s, record, t)
+    if due(record, t + ROUNDING):
+        note(p, s, record, record.values)
+    remember(record)
+
+
+@inner
+def note_step(p, s, so, before, t, h, record):
+    """Write down a step from t to t + h, where ``s`` is evaluated."""
+    record.when[2] = t + h
+    tabulate(s, record, record.values)
+    between(p, s, so, before, t, h, record)
+    if t + h >= record.time[0] - ROUNDING:  # envelopes begin with the outputs
+        widen(record, len(s.dim))
+        widen_places(s, before.r, before.v, t, h, record)
+        note_ends(p, s, record, t + h)
+    if due(record, t + h * (1.0 + 1e-9)):
+        note(p, s, record, record.values)
+    remember(record)
