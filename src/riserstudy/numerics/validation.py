@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
-from riserstudy.numerics.validation_cases import CASES, histories
+from riserstudy.numerics.validation_cases import CASES
+from riserstudy.numerics.validation_motion import histories
 from riserstudy.study.measured import ValidationStudy
 
 if TYPE_CHECKING:
