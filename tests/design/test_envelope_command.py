@@ -5,12 +5,12 @@ import json
 
 import numpy as np
 import pytest
+from platform_in_a_sea import RISER, in_a_sea, words
 
 from riserstudy import load_scene, simulate
 from riserstudy.design.sea_allowances import allowances
 from riserstudy.study.in_sea import Sea, in_sea
 
-RISER = "config/scenes/design/riser.yaml"
 LIMITS = [
     {"output": "lfj_angle", "largest": "4 deg", "mode": "drilling"},
     {"output": "ufj_angle", "largest": "4 deg", "mode": "drilling"},
@@ -18,45 +18,7 @@ LIMITS = [
     {"output": "lfj_angle", "largest": "9 deg", "mode": "connected"},
     {"output": "effective_tension", "smallest": "100 kN", "mode": "connected"},
 ]
-SEA = {
-    "limits": LIMITS,
-    "top.x": "platform",
-    "top.z": "platform",
-    "platform": {
-        "centre_of_rotation": {"elevation": "1500 m"},
-        "response": {
-            "operators": [
-                {
-                    "period": f"{period} s",
-                    **{"surge": "0.4 m/m", "surge_phase": "90 deg"},
-                    **{"heave": "0.3 m/m", "heave_phase": "0 deg"},
-                }
-                for period in (2, 6, 12, 40)
-            ],
-            "phases": "lead",
-            "wave": {
-                "significant_height": "3 m",
-                "peak_period": "10 s",
-                "peak_enhancement": 2,
-                "components": 40,
-                "seed": 1,
-            },
-            "ramp": "20 s",
-        },
-    },
-    "analysis": {
-        "duration": "120 s",
-        "output": {"interval": "1 s"},
-        "mesh": {"elements": 40},
-        "step": "0.5 s",
-    },
-}
-
-
-def words(values):
-    return [
-        word for path, value in values.items() for word in ("--set", f"{path}={json.dumps(value)}")
-    ]
+SEA = in_a_sea(LIMITS, (2, 6, 12, 40), components=40, duration="120 s")
 
 
 def rows_of(path):

@@ -6,6 +6,7 @@ import json
 import numpy as np
 import pytest
 import xarray as xr
+from platform_in_a_sea import RISER, in_a_sea, words
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError
@@ -15,34 +16,12 @@ from riserstudy.seas.riser_downtime import riser_downtime
 from riserstudy.seas.synthetic import synthetic
 from riserstudy.study.in_sea import Sea, in_sea
 
-RISER = "config/scenes/design/riser.yaml"
-STORM = {"significant_height": "3 m", "peak_period": "10 s", "peak_enhancement": 2}
 LIMITS = [
     {"output": "ufj_angle", "largest": "0.6 deg", "mode": "drilling"},
     {"output": "lfj_angle", "mean": "9 deg", "mode": "drilling"},
     {"output": "effective_tension", "smallest": "2285 kN", "mode": "connected"},
 ]
-ALONG = {"surge": "0.4 m/m", "surge_phase": "90 deg", "heave": "0.3 m/m", "heave_phase": "0 deg"}
-SEA = {
-    "limits": LIMITS,
-    "top.x": "platform",
-    "top.z": "platform",
-    "platform": {
-        "centre_of_rotation": {"elevation": "1500 m"},
-        "response": {
-            "operators": [{"period": f"{period} s", **ALONG} for period in (1, 6, 12, 60)],
-            "phases": "lead",
-            "wave": STORM | {"components": 30, "seed": 1},
-            "ramp": "20 s",
-        },
-    },
-    "analysis": {
-        "duration": "80 s",
-        "output": {"interval": "1 s"},
-        "mesh": {"elements": 40},
-        "step": "0.5 s",
-    },
-}
+SEA = in_a_sea(LIMITS, (1, 6, 12, 60), components=30, duration="80 s")
 
 
 @pytest.fixture(scope="module")
@@ -141,11 +120,6 @@ def test_a_record_without_periods_is_refused(file, record):
         riser_downtime(file, record.drop_vars("peak_period"), seeds=1)
 
 
-def words(values):
-    """Values as options."""
-    return [word for path, v in values.items() for word in ("--set", f"{path}={json.dumps(v)}")]
-
-
 def test_the_command_writes_responses_table_and_map(commands, tmp_path, record):
     path = tmp_path / "sea.nc"
     write_record(record, path)
@@ -156,6 +130,7 @@ def test_the_command_writes_responses_table_and_map(commands, tmp_path, record):
     assert (code, [file.exists() for file in files]) == (0, [True] * 3), err
     assert "drilling: " in out
     assert "directions of the record are not used" in out
+    assert "riserstudy: at least " in err
     with xr.open_dataset(files[0]) as responses:
         assert set(responses["demand_of_limit"].dims) == {"sea_state", "limit"}
     again = commands(*asked)
