@@ -99,6 +99,22 @@ def test_a_straight_table_is_a_spring():
     )
 
 
+def test_a_table_beside_the_scene_is_that_written_out(tmp_path):
+    curves = table_of(clay.resistance, (0.0, 20.0, 80.0), (0.01, 0.05, 0.4, 1.5))
+    lines = ["resistance (kN/m),depth (m),displacement (mm)"]
+    for row in curves["table"]:
+        p, d, y = (float(row[n].split()[0]) for n in ("resistance", "depth", "displacement"))
+        lines.append(f"{p / 1e3!r},{d!r},{y * 1e3!r}")
+    (tmp_path / "soil.csv").write_text("\n".join(lines) + "\n")
+    there = SceneFile(str(tmp_path / "scene.yaml"), SCENE)
+    both = [
+        there.with_values({"soil.resistance": one}, "test").scene()
+        for one in (curves, {"table": {"file": "soil.csv"}})
+    ]
+    found = [head_and_moment(one, 200) for one in both]
+    assert found[0] == pytest.approx(found[1], rel=1e-9)
+
+
 @pytest.mark.parametrize("soil", [CLAY, SAND | {"loading": "cyclic"}], ids=["clay", "sand"])
 def test_a_conductor_of_two_sections_is_one(soil):
     """As where cement begins: both are in the soil, with the diameter of each."""

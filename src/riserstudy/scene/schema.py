@@ -27,7 +27,7 @@ def scene_schema() -> dict[str, Any]:
         for name, field in fields.items():
             fields[name] = _with_origins(field)
     for place in PLACES:
-        fields = models[place.way[-1].capitalize()]["properties"]
+        fields = models[place.model or place.way[-1].capitalize()]["properties"]
         fields[place.name]["anyOf"].append(TABLE)
     for status in COMPANIONS:
         schema["$defs"][status.capitalize()] = _origin(status)

@@ -1,4 +1,4 @@
-"""Tables beside a scene: a CSV file of a current, motion or tensioner in place of points written out.
+"""Tables beside a scene: a CSV file of a current, motion, tensioner or soil in place of points written out.
 
 The first line names the columns with their units, as in ``elevation (m), speed (knot)``.
 """
@@ -19,6 +19,7 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.inputs.text import read_text
 from riserstudy.scene.forcing import Moved, Point, Tilted
 from riserstudy.scene.rao import MOTIONS, SHIFTS, Operator
+from riserstudy.scene.soil import ResistanceAt
 from riserstudy.scene.tensioners import TableRow
 
 MOST_ROWS = 100_000
@@ -35,6 +36,7 @@ class Place(NamedTuple):
     columns: tuple[tuple[str, ...], ...]  # that there must be, each under one of its names
     optional: tuple[str, ...] = ()  # further columns, in any order
     key: str = ""  # where its rows go, below its name
+    model: str = ""  # that it is a field of; absent: the one that its parent is named after
 
 
 PLACES = (
@@ -57,6 +59,13 @@ PLACES = (
         ("heading", *(f"{name}{end}" for name in MOTIONS for end in ("", "_phase"))),
     ),
     Place(("top", "tensioners"), "table", TableRow, (("reach",), ("force",))),
+    Place(
+        ("soil", "resistance"),
+        "table",
+        ResistanceAt,
+        (("depth",), ("displacement",), ("resistance",)),
+        model="TabulatedSoil",
+    ),
 )
 
 
