@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import show, wrote
+from riserstudy.cli.shared import CsvOption, check_tables, show, wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from riserstudy.dataset.table import Table
+    from riserstudy.seas.netcdf_record import Place
 
 
 def seas(
@@ -33,6 +35,12 @@ def seas(
             min=1.0, max=7.0, help="peakedness by which zero-crossing become peak periods"
         ),
     ] = 3.3,
+    near: Annotated[
+        str | None,
+        typer.Option(
+            help="of a netCDF file of several places: the nearest to this", metavar="'LAT, LON'"
+        ),
+    ] = None,
     period: Annotated[
         list[int] | None,
         typer.Option(
@@ -43,6 +51,16 @@ def seas(
             metavar="YEARS",
         ),
     ] = None,
+    contour: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            max=10000,
+            help="years in which a contour of height and period is exceeded once; needs virocon",
+            metavar="YEARS",
+        ),
+    ] = None,
+    csv: CsvOption = None,
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", help="write the record here (netCDF)", metavar="OUT.nc"),
@@ -58,18 +76,41 @@ def seas(
         raise InputError("RECORD", "", "none or two", "give a record, or --synthetic YEARS")
     if output is not None:
         check_output(output, ("dataset",), [record] if record else [], force)
+    if csv is not None and not contour:
+        raise InputError("seas", "--csv", str(csv), "allowed with --contour")
+    check_tables(csv, [record] if record else [], force)
     from riserstudy.seas.record import read_record, with_peak_period, write_record
     from riserstudy.seas.synthetic import synthetic as made
 
-    found = made(synthetic or 1, seed) if record is None else read_record(record)
+    if record is None and near is not None:
+        raise InputError("seas", "--near", near, "allowed with a record")
+    place = _place(near) if near else None
+    found = made(synthetic or 1, seed) if record is None else read_record(record, place)
     found = with_peak_period(found, gamma)
     for line in described(found):
         print(line)
     if period:
         show(return_heights(found, period), None)
+    if contour:
+        from riserstudy.seas.contours import contour as made_contour
+
+        show(made_contour(found, contour), csv)
     if output is not None:
         write_record(found, output)
         wrote(output)
+
+
+def _place(text: str) -> Place:
+    """A place out of ``60.5, 2.3``: degrees north and east."""
+    from riserstudy.seas.netcdf_record import Place
+
+    try:
+        latitude, longitude = (float(part) for part in text.split(","))
+    except ValueError:
+        latitude, longitude = math.nan, math.nan
+    if not (abs(latitude) <= 90.0 and abs(longitude) <= 360.0):
+        raise InputError("seas", "--near", text, "allowed are degrees north and east: '60.5, 2.3'")
+    return Place(latitude, longitude)
 
 
 def return_heights(record: xr.Dataset, periods: list[int]) -> Table:

@@ -76,9 +76,9 @@ UNSURE = {
     "t": "peak_period or zero_crossing_period",
     "wave_period": "peak_period or zero_crossing_period",
     "mean_period": "zero_crossing_period, if it is that of zero upcrossings",
-    "direction": "wave_from_direction, where waves come from",
-    "wave_direction": "wave_from_direction, where waves come from",
-    "dir": "wave_from_direction, where waves come from",
+    "direction": "wave_from_direction or wave_to_direction",
+    "wave_direction": "wave_from_direction or wave_to_direction",
+    "dir": "wave_from_direction or wave_to_direction",
 }
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*[(\[](?P<unit>[^)\]]*)[)\]]\s*")
 
@@ -89,6 +89,10 @@ def labels_of(one: Column) -> dict[str, str]:
     return {"units": units, "long_name": one.long_name, "standard_name": one.standard_name}
 
 
+#: directions that waves go to, which are half a turn from those that they come from
+GOES_TO = ("wave_to_direction", "wave_direction_to", "mean_wave_direction_to")
+
+
 class Head(NamedTuple):
     """A column of a file: its quantity, None of one that is not known, and what one of its units is in SI."""
 
@@ -96,6 +100,7 @@ class Head(NamedTuple):
     heading: str
     factor: float
     unit: str
+    turned: bool = False  # whether it is the direction that waves go to
 
 
 def plain(name: str) -> str:
@@ -116,7 +121,8 @@ def head(where: str, text: str) -> Head:
     key = plain(name)
     if key in UNSURE:
         raise InputError(where, text.strip(), "could be several things", f"say {UNSURE[key]}")
-    quantity = NAMES.get(key)
+    turned = key in GOES_TO
+    quantity = NAMES["wave_from_direction"] if turned else NAMES.get(key)
     if quantity is None or key == "time":
         return Head(None, key, 1.0, unit)
     if not unit:
@@ -125,7 +131,7 @@ def head(where: str, text: str) -> Head:
     if quantity.unit == "deg":
         if plain(unit) not in ("deg", "degree", "degrees", "degt", "deg_true", "degree_true"):
             raise InputError(where, text.strip(), f"unit {unit!r}", "allowed is deg")
-        return Head(quantity, key, 1.0, unit)
+        return Head(quantity, key, 1.0, unit, turned)
     try:
         return Head(quantity, key, to_si(f"1 {unit}", quantity.unit), unit)
     except ValueError as error:

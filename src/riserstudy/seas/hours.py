@@ -13,6 +13,7 @@ from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import NAMES, Column, plain
+from riserstudy.seas.record import rows_of
 from riserstudy.seas.windows import Wait, Windows, statistics_of, waits, windows
 from riserstudy.seas.years import WHOLE, Band, Year, band, band_of_next, by_year
 
@@ -70,7 +71,7 @@ class Hours(NamedTuple):
         InputError
             When that is no whole number of the record's intervals.
         """
-        return windows(self.workable, self.joined, self._rows(hours))
+        return windows(self.workable, self.joined, rows_of(hours, self.interval))
 
     def of_waits(self, hours: float) -> list[tuple[str, Wait]]:
         """Waits for a window of so many hours, of all starts and by the month of start.
@@ -80,24 +81,13 @@ class Hours(NamedTuple):
         InputError
             When that is no whole number of the record's intervals.
         """
-        every = waits(self.workable, self.joined, self._rows(hours), self.interval)
+        every = waits(self.workable, self.joined, rows_of(hours, self.interval), self.interval)
         month = self.time.astype("datetime64[M]").astype(int) % 12
         of = [("all", np.ones(len(month), bool))]
         of += [(MONTHS[k], month == k) for k in range(12) if (month == k).any()]
         return [
             (name, statistics_of(type(every)(every.hours[at], every.known[at]))) for name, at in of
         ]
-
-    def _rows(self, hours: float) -> int:
-        rows = hours / self.interval
-        if rows < 1.0 or abs(rows - round(rows)) > 1e-6:
-            raise InputError(
-                "--window",
-                f"{hours:g} h",
-                f"no whole number of the record's {self.interval:g} h",
-                "allowed is a multiple",
-            )
-        return round(rows)
 
     def next_years(self, count: int) -> Band:
         """The band of so many years to come, from years that are nearly whole."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.errors import InputError
 from riserstudy.inputs.text import read_text
-from riserstudy.seas.columns import COLUMNS, NAMES, Head, head, labels_of, plain
+from riserstudy.scene.units import to_si
+from riserstudy.seas.columns import COLUMNS, Head, head, labels_of
+from riserstudy.seas.netcdf_record import Place, read_netcdf
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -33,14 +35,16 @@ class Gap(NamedTuple):
     after: np.datetime64
 
 
-def read_record(path: Path) -> xr.Dataset:
+def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
     """A record of sea states.
 
     Parameters
     ----------
     path : Path
-        CSV with a header such as ``time,hs (m),tp (s)``, times in UTC; or netCDF by CF or of the sources that
-        wavespectra reads.
+        CSV with a header such as ``time,hs (m),tp (s)``, times in UTC; or netCDF
+        (`riserstudy.seas.netcdf_record`).
+    near : Place, optional
+        Which place of a netCDF file of several is read: the nearest one.
 
     Returns
     -------
@@ -55,7 +59,7 @@ def read_record(path: Path) -> xr.Dataset:
     """
     import xarray as xr
 
-    frame, notes = _from_netcdf(path) if path.suffix == ".nc" else _from_csv(path)
+    frame, notes = read_netcdf(path, near) if path.suffix == ".nc" else _from_csv(path)
     if "significant_wave_height" not in frame:
         allowed = "allowed is a column such as 'significant_wave_height (m)'"
         raise InputError(path, "significant_wave_height", "no such column", allowed)
@@ -103,6 +107,33 @@ def gaps(record: xr.Dataset) -> list[Gap]:
     return [Gap(time[k], time[k + 1]) for k in wide]
 
 
+def check_windows(record: xr.Dataset, windows: Sequence[str]) -> None:
+    """See that lengths of work, as ``24 h``, are whole numbers of the record's intervals.
+
+    Raises
+    ------
+    InputError
+        Where one is not.
+    """
+    for text in windows:
+        rows_of(to_si(text, "s") / 3600.0, float(record.attrs["interval_hours"]))
+
+
+def rows_of(hours: float, interval: float) -> int:
+    """Rows of a record (interval: hours between them) in a length of work (h).
+
+    Raises
+    ------
+    InputError
+        When that is no whole number.
+    """
+    rows = hours / interval
+    if rows < 1.0 or abs(rows - round(rows)) > 1e-6:
+        found = f"no whole number of the record's {interval:g} h"
+        raise InputError("--window", f"{hours:g} h", found, "allowed is a multiple")
+    return round(rows)
+
+
 def with_peak_period(record: xr.Dataset, gamma: float) -> xr.Dataset:
     """The record with a peak period, from the zero-upcrossing period where it has no other.
 
@@ -133,6 +164,9 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
         io.StringIO(text), sep=separator, dtype=str, keep_default_na=False, skipinitialspace=True
     )
     heads = [head(str(path), str(name)) for name in cells.columns]
+    if {"u10", "v10"} <= {one.heading for one in heads}:
+        allowed = "give their size as wind_speed"
+        raise InputError(path, "u10, v10", "parts of the wind towards east and north", allowed)
     at = next((k for k, one in enumerate(heads) if one.heading == "time"), None)
     if at is None:
         raise InputError(path, "time", "no such column", "allowed is a column 'time', in UTC")
@@ -150,6 +184,9 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
         f"{one.quantity.name} from {one.unit}"
         for one in heads
         if one.quantity and one.factor != 1.0
+    ]
+    notes += [
+        f"wave_from_direction by half a turn from {one.heading}" for one in heads if one.turned
     ]
     notes += [f"left out: {', '.join(left)}"] if left else []
     return pd.DataFrame(columns).set_index("time"), "; ".join(notes)
@@ -184,41 +221,13 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
         raise InputError(
             f"{path}, row {row + 2}", one.heading, repr(cells.iloc[row]), "allowed is a number"
         )
-    return values.astype(float) * one.factor
-
-
-def _from_netcdf(path: Path) -> tuple[pd.DataFrame, str]:
-    """Variables over time alone whose names are known, here or as CF's standard names."""
-    import xarray as xr
-
-    try:
-        data = xr.load_dataset(path, engine="netcdf4")
-    except (OSError, ValueError, RuntimeError) as error:
-        raise InputError(path, "", str(error), "allowed is a netCDF file with times") from None
-    clock = next((n for n in ("time", "valid_time") if n in data.variables), None)
-    if clock is None or not np.issubdtype(data[clock].dtype, np.datetime64):
-        raise InputError(path, "time", "no times", "allowed is a coordinate 'time' by CF")
-    standard = {one.standard_name: one for one in COLUMNS}
-    data, columns, notes = data.squeeze(drop=True), {}, []
-    for name, values in data.data_vars.items():
-        by_name = NAMES.get(plain(str(name)))
-        one = standard.get(str(values.attrs.get("standard_name", "")), by_name)
-        if one is None or values.dims != (clock,):
-            continue
-        unit = str(values.attrs.get("units", ""))
-        wanted = head(str(path), f"{one.name} ({_written(unit)})")
-        columns[one.name] = values.values.astype(float) * wanted.factor
-        notes += [f"{one.name} from {unit}"] if wanted.factor != 1.0 else []
-    import pandas as pd
-
-    return pd.DataFrame(columns, pd.DatetimeIndex(data[clock].values, name="time")), "; ".join(
-        notes
+    numbers = values.astype(float) * one.factor
+    # what is no bearing stays as it is, for its row to be named
+    return (
+        numbers.where(~numbers.between(0.0, 360.0), (numbers + 180.0) % 360.0)
+        if one.turned
+        else numbers
     )
-
-
-def _written(unit: str) -> str:
-    """A unit of CF, ``m s-1``, as units are written here."""
-    return re.sub(r"\s+([a-z]+)-1\b", r"/\1", unit.replace("**", "")).strip()
 
 
 def _check(path: Path, frame: pd.DataFrame) -> None:
@@ -237,6 +246,10 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
         raise InputError(
             f"{path}, row {row}", "time", "not after the row before", "allowed are rising times"
         )
+    both = [frame[n].to_numpy() for n in ("peak_period", "zero_crossing_period") if n in frame]
+    if len(both) == 2 and np.nanmedian(both[0] / both[1]) < 1.0:
+        found = "most are shorter than the zero-crossing periods of their rows"
+        raise InputError(path, "peak_period", found, "see whether one stands for the other")
     for one in COLUMNS:
         if one.name not in frame:
             continue

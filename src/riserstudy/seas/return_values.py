@@ -45,10 +45,18 @@ def of_years(largest: FloatArray, years: float, seed: int = 0) -> ReturnValue:
     ----------
     Gumbel 1958, Statistics of Extremes; fitted by L-moments, Hosking 1990, J. R. Stat. Soc. B 52.
     """
+    value, fitted = refits_of_years(largest, years, np.random.default_rng(seed), DRAWS)
+    return ReturnValue(value, *_band(fitted))
+
+
+def refits_of_years(
+    largest: FloatArray, years: float, draw: np.random.Generator, count: int
+) -> tuple[float, FloatArray]:
+    """What is exceeded once in so many years, and (count,) what fits to as much drawn from the fit give."""
     mode, scale = _gumbel(largest)
     at = -math.log(-math.log(1.0 - 1.0 / years))  # of the reduced variate
-    modes, scales = _gumbel(np.random.default_rng(seed).gumbel(mode, scale, (DRAWS, len(largest))))
-    return ReturnValue(float(mode + scale * at), *_band(modes + scales * at))
+    modes, scales = _gumbel(draw.gumbel(mode, scale, (count, len(largest))))
+    return float(mode + scale * at), modes + scales * at
 
 
 def of_peaks(
@@ -61,13 +69,26 @@ def of_peaks(
     Davison and Smith 1990, J. R. Stat. Soc. B 52; fitted by L-moments, Hosking and Wallis 1987,
     Technometrics 29.
     """
-    scale, shape = _pareto(peaks - threshold)
     draw = np.random.default_rng(seed)
+    value, fitted = refits_of_peaks(peaks, threshold, recorded, years, draw, DRAWS)
+    return ReturnValue(value, *_band(fitted))
+
+
+def refits_of_peaks(
+    peaks: FloatArray,
+    threshold: float,
+    recorded: float,
+    years: float,
+    draw: np.random.Generator,
+    count: int,
+) -> tuple[float, FloatArray]:
+    """What is exceeded once in so many years, and (count,) what fits to as much drawn from the fit give."""
+    scale, shape = _pareto(peaks - threshold)
     once = recorded / (len(peaks) * years)  # the chance of a peak that is exceeded once in the time
-    drawn = _over(scale, shape, draw.uniform(size=(DRAWS, len(peaks))))
-    counts = np.maximum(draw.poisson(len(peaks), DRAWS), 1)
+    drawn = _over(scale, shape, draw.uniform(size=(count, len(peaks))))
+    counts = np.maximum(draw.poisson(len(peaks), count), 1)
     fitted = _over(*_pareto(drawn), once * len(peaks) / counts)
-    return ReturnValue(threshold + float(_over(scale, shape, once)), *_band(threshold + fitted))
+    return threshold + float(_over(scale, shape, once)), threshold + fitted
 
 
 def storms(
@@ -109,14 +130,8 @@ def return_values(
     InputError
         When fewer than five years are recorded nearly whole.
     """
-    year = time.astype("datetime64[Y]").astype(int) + 1970
     known = np.isfinite(values)
-    counted = {int(y): int(known[year == y].sum()) for y in np.unique(year)}
-    whole = [y for y, rows in counted.items() if rows * interval >= WHOLE * 8766.0]
-    if len(whole) < FEWEST_YEARS:
-        found = f"{len(whole)} years recorded nearly whole"
-        raise InputError("RECORD", "time", found, f"return values need {FEWEST_YEARS}")
-    largest = np.array([np.nanmax(values[year == y]) for y in whole])
+    largest = np.array([np.nanmax(values[of]) for of in whole_years(time, known, interval)])
     peaks, threshold = storms(time, values, PEAKS_A_YEAR)
     recorded = known.sum() * interval / 8766.0
     rows: list[list[Cell]] = []
@@ -124,6 +139,25 @@ def return_values(
         each = (of_years(largest, period), of_peaks(peaks, threshold, recorded, period))
         rows.append([period, *(float(value) for one in each for value in one)])
     return Table([*COLUMNS], ["years", *[unit] * 6], rows)
+
+
+def whole_years(
+    time: NDArray[np.datetime64], known: NDArray[np.bool_], interval: float
+) -> list[NDArray[np.bool_]]:
+    """Rows (n,) of each year that is recorded nearly whole (interval: hours between rows).
+
+    Raises
+    ------
+    InputError
+        When these are fewer than five.
+    """
+    year = time.astype("datetime64[Y]").astype(int) + 1970
+    rows = [year == one for one in np.unique(year)]
+    whole = [of for of in rows if int(known[of].sum()) * interval >= WHOLE * 8766.0]
+    if len(whole) < FEWEST_YEARS:
+        found = f"{len(whole)} years recorded nearly whole"
+        raise InputError("RECORD", "time", found, f"return values need {FEWEST_YEARS}")
+    return whole
 
 
 COLUMNS = (

@@ -1,0 +1,105 @@
+"""Environmental contours of height and peak period by the library virocon, with a band of whole years.
+
+virocon is an optional extra: ``pip install 'riserstudy[contours]'``.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.dataset.table import Cell, Table
+from riserstudy.errors import InputError
+from riserstudy.seas.return_values import whole_years
+from riserstudy.seas.years import BAND
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+FloatArray = NDArray[np.float64]
+PLACES = 24  # on a contour
+DRAWS = 20  # of as many whole years as there are, with replacement
+COLUMNS = [
+    *("return period", "significant wave height", "height from", "height to"),
+    *("peak period", "period from", "period to"),
+]
+UNITS = ["years", "m", "m", "m", "s", "s", "s"]
+
+
+def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
+    """A contour that is exceeded once in so many years, a row a place on it, with its band.
+
+    By the inverse first-order reliability method, on a Weibull distribution of three parameters for heights
+    and a log-normal one for periods given the height. The band holds nine in ten contours of years drawn with
+    replacement, place by place of the circle of normal variables.
+
+    Parameters
+    ----------
+    record : with significant wave heights (m) and peak periods (s).
+    years : return period.
+
+    Raises
+    ------
+    InputError
+        When virocon is absent, the record has no peak periods, or fewer than five years are nearly whole.
+
+    References
+    ----------
+    Winterstein et al. 1993, ICOSSAR; DNV-RP-C205, 3.6.3 and 3.7.2.
+    """
+    _import()
+    if "peak_period" not in record:
+        raise InputError(
+            "RECORD", "peak_period", "not in the record", "see riserstudy seas --gamma"
+        )
+    states = np.column_stack(
+        [record[name].values for name in ("significant_wave_height", "peak_period")]
+    )
+    known = np.isfinite(states).all(axis=1) & (states > 0.0).all(axis=1)
+    interval = float(record.attrs["interval_hours"])
+    whole = whole_years(record["time"].values, known, interval)
+    found = _contour(states[known], interval, years)
+    draw = np.random.default_rng(seed)
+    drawn = []
+    for _ in range(DRAWS):
+        chosen = draw.integers(len(whole), size=len(whole))
+        rows = np.concatenate([np.flatnonzero(whole[k] & known) for k in chosen])
+        drawn.append(_contour(states[rows], interval, years))
+    low, high = np.quantile(drawn, BAND, axis=0)
+    rows_of: list[list[Cell]] = [
+        [years, *(float(each[k, side]) for side in (0, 1) for each in (found, low, high))]
+        for k in range(PLACES)
+    ]
+    return Table(COLUMNS, UNITS, rows_of)
+
+
+def _contour(states: FloatArray, interval: float, years: float) -> FloatArray:
+    """Places on the contour, (n, 2): height (m), peak period (s)."""
+    virocon = _import()
+    described, fits, _ = virocon.get_DNVGL_Hs_Tz()
+    model = virocon.GlobalHierarchicalModel(described)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of bins with few sea states, which it leaves out
+        model.fit(states, fits)
+    alpha = virocon.calculate_alpha(interval, years)
+    places: FloatArray = virocon.IFORMContour(model, alpha, n_points=PLACES).coordinates
+    return places
+
+
+def _import():  # type: ignore[no-untyped-def]
+    """The library.
+
+    Raises
+    ------
+    InputError
+        When it is absent.
+    """
+    try:
+        import virocon
+    except ImportError:
+        allowed = "install it: pip install 'riserstudy[contours]'"
+        raise InputError("seas", "--contour", "virocon is not installed", allowed) from None
+    return virocon

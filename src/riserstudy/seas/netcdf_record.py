@@ -1,0 +1,250 @@
+"""Sea states out of netCDF: by CF's names, or those that ERA5, WAVEWATCH III, NORA3 and NDBC give them.
+
+Spectra become heights, periods and directions by wavespectra, whose reader of each source knows its units
+and whether directions are those that waves come from or go to.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.errors import InputError
+from riserstudy.seas.columns import COLUMNS, NAMES, Column, head, plain
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+FloatArray = NDArray[np.float64]
+CLOCKS = ("time", "valid_time")
+#: names of sources that are no names of headers of tables
+SOURCES = {
+    "mp2": "zero_crossing_period",  # ERA5
+    "pp1d": "peak_period",
+    "dominant_wpd": "peak_period",  # NDBC
+    "average_wpd": "zero_crossing_period",
+    "mean_wave_dir": "wave_from_direction",
+    "wind_spd": "wind_speed",
+    "tm2": "zero_crossing_period",  # NORA3
+    "ff": "wind_speed",
+}
+#: speeds that are given by their parts towards east and north
+PARTS = {"wind_speed": (("u10", "v10"), ("uwnd", "vwnd")), "current_speed": (("ucur", "vcur"),)}
+PEAK_FREQUENCY = "sea_surface_wave_frequency_at_variance_spectral_density_maximum"
+GOES_TO = "sea_surface_wave_to_direction"
+COMES_FROM = "sea_surface_wave_from_direction"
+#: of directions that say nothing by their names
+UNSURE = ("dir", "thq", "pdir", "dp", "dm", "wave_direction")
+SPELT = {
+    **dict.fromkeys(("meters", "meter", "metres", "metre"), "m"),
+    **dict.fromkeys(("seconds", "second"), "s"),
+    **dict.fromkeys(("meters/second", "meters per second", "m s-1", "m s**-1"), "m/s"),
+    **dict.fromkeys(("degrees_true", "degree_true", "degrees", "degree", "degree true"), "deg"),
+}
+EARTH = 111.2  # km in a degree of latitude
+
+
+class Place(NamedTuple):
+    """A place that a file of several is read at (degrees north and east)."""
+
+    latitude: float
+    longitude: float
+
+
+def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
+    """Columns of a record by time, and what was converted or left out.
+
+    Parameters
+    ----------
+    near : the nearest place of a file that has several is read; absent: a file has one place.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, has no times, several places and no ``near``, or a direction that says neither
+        where waves come from nor where they go to.
+    """
+    import pandas as pd
+    import xarray as xr
+
+    try:
+        data = xr.load_dataset(path, engine="netcdf4", decode_timedelta=False)
+    except (OSError, ValueError, RuntimeError) as error:
+        raise InputError(path, "", str(error), "allowed is a netCDF file with times") from None
+    data, notes = _at_one_place(path, data, near)
+    if spectral := _spectra(data):
+        data, note = _of_spectra(path, data, spectral)
+        notes.append(note)
+    clock = next((n for n in CLOCKS if n in data.variables), None)
+    if clock is None or not np.issubdtype(data[clock].dtype, np.datetime64):
+        raise InputError(path, "time", "no times", "allowed is a coordinate 'time' by CF")
+    columns: dict[str, FloatArray] = {}
+    for one, values, note in _columns(path, data, clock):
+        if one.name in columns:
+            continue
+        columns[one.name] = values
+        notes += [note] if note else []
+    return pd.DataFrame(columns, pd.DatetimeIndex(data[clock].values, name="time")), "; ".join(
+        notes
+    )
+
+
+def _columns(path: Path, data: xr.Dataset, clock: str) -> Iterator[tuple[Column, FloatArray, str]]:
+    """Quantities that variables over time alone hold, those by CF's own names first."""
+    over = {str(n): v for n, v in data.data_vars.items() if v.dims == (clock,)}
+    for by_standard in (True, False):
+        for name, values in over.items():
+            standard = str(values.attrs.get("standard_name", ""))
+            one = _by_standard(standard) if by_standard else _by_name(path, name, standard)
+            if one is None:
+                continue
+            unit = _written(str(values.attrs.get("units", "")))
+            numbers = values.values.astype(float)
+            if standard == PEAK_FREQUENCY or plain(name) == "fp":
+                numbers, note = _periods(path, name, numbers, unit)
+            elif one.unit == "deg":
+                numbers, note = _from_where(path, name, numbers, unit, standard)
+            else:
+                factor = head(str(path), f"{one.name} ({unit})").factor
+                numbers, note = numbers * factor, f"{one.name} from {unit}" if factor != 1.0 else ""
+            yield one, numbers, note
+    for name, every in PARTS.items():
+        for east, north in every:
+            if east in over and north in over:
+                unit = _written(str(over[east].attrs.get("units", "")))
+                factor = head(str(path), f"{name} ({unit})").factor
+                numbers = np.hypot(*(over[n].values.astype(float) for n in (east, north))) * factor
+                yield NAMES[name], numbers, f"{name} from {east} and {north}"
+
+
+def _by_standard(standard: str) -> Column | None:
+    """The quantity of a standard name of CF."""
+    if standard == PEAK_FREQUENCY:
+        return NAMES["peak_period"]
+    if standard == GOES_TO:
+        return NAMES["wave_from_direction"]
+    return next((one for one in COLUMNS if one.standard_name == standard), None)
+
+
+def _by_name(path: Path, name: str, standard: str) -> Column | None:
+    """The quantity of a variable's own name."""
+    if standard.startswith("sea_surface_") or _by_standard(standard):
+        return None  # which the standard name says better: waves of wind alone, for instance
+    key = plain(name)
+    if any(key in pair for pairs in PARTS.values() for pair in pairs):
+        return None
+    if key in UNSURE:
+        allowed = f"give it the standard_name {COMES_FROM} or {GOES_TO}"
+        raise InputError(
+            path, name, "a direction that says not whether waves come from it", allowed
+        )
+    if key == "fp":
+        return NAMES["peak_period"]
+    return NAMES.get(SOURCES.get(key, key))
+
+
+def _periods(path: Path, name: str, numbers: FloatArray, unit: str) -> tuple[FloatArray, str]:
+    """Periods of frequencies."""
+    factors = {"hz": 1.0, "s-1": 1.0, "1/s": 1.0, "rad/s": 0.5 / np.pi, "rad s-1": 0.5 / np.pi}
+    factor = factors.get(unit.lower())
+    if factor is None:
+        raise InputError(path, name, f"unit {unit!r}", "allowed is Hz or rad/s")
+    with np.errstate(divide="ignore"):
+        periods = 1.0 / (factor * numbers)
+    return np.where(np.isfinite(periods), periods, np.nan), f"peak_period from {name} ({unit})"
+
+
+def _from_where(
+    path: Path, name: str, numbers: FloatArray, unit: str, standard: str
+) -> tuple[FloatArray, str]:
+    """Bearings that waves come from, in degrees from 0 to 360."""
+    factors = {"deg": 1.0, "rad": np.degrees(1.0), "radian": np.degrees(1.0)}
+    if unit not in factors:
+        raise InputError(path, name, f"unit {unit!r}", "allowed is degree or radian")
+    turn = 180.0 if standard == GOES_TO else 0.0
+    note = [f"from {unit}"] if unit != "deg" else []
+    note += ["by half a turn from where waves go to"] if turn else []
+    degrees = numbers * factors[unit]
+    # what is no bearing stays as it is, for its row to be named
+    bearings = np.where(np.abs(degrees) <= 360.0, (degrees + turn) % 360.0, degrees)
+    return bearings, f"wave_from_direction {' and '.join(note)}" if note else ""
+
+
+def _written(unit: str) -> str:
+    """A unit of CF, ``m s-1``, as units are written here."""
+    text = unit.strip()
+    if text.lower() in SPELT:
+        return SPELT[text.lower()]
+    return re.sub(r"\s+([a-z]+)-1\b", r"/\1", text.replace("**", "")).strip()
+
+
+def _at_one_place(path: Path, data: xr.Dataset, near: Place | None) -> tuple[xr.Dataset, list[str]]:
+    """The data at one place: the only one, or the nearest."""
+    data = data.squeeze(drop=False)
+    lat, lon = (
+        next((n for n in names if n in data.variables), "")
+        for names in (("latitude", "lat"), ("longitude", "lon"))
+    )
+    dims = {d for n in (lat, lon) if n for d in data[n].dims if d not in CLOCKS}
+    if not dims:
+        return data, []
+    if near is None:
+        many = ", ".join(f"{data.sizes[d]} of {d}" for d in sorted(map(str, dims)))
+        raise InputError(
+            path, "latitude, longitude", many, "give `riserstudy seas --near 'LAT, LON'`"
+        )
+    latitude, longitude = _places(data, lat, lon)
+    north = np.radians(latitude.values - near.latitude)
+    east = np.radians((longitude.values - near.longitude + 180.0) % 360.0 - 180.0)
+    away = np.hypot(north, east * np.cos(np.radians(near.latitude)))
+    at = np.unravel_index(int(np.nanargmin(away)), away.shape)
+    place = dict(zip(map(str, latitude.dims), map(int, at), strict=True))
+    found = latitude.isel(place).item(), longitude.isel(place).item()
+    far = float(np.degrees(away[at])) * EARTH
+    note = f"read at {found[0]:.4g} N, {found[1]:.4g} E, {far:.0f} km from the place that is given"
+    return data.isel(place), [note]
+
+
+def _places(data: xr.Dataset, lat: str, lon: str) -> tuple[xr.DataArray, xr.DataArray]:
+    """Latitude and longitude over all places, without a time."""
+    import xarray as xr
+
+    parts = [data[name] for name in (lat, lon)]
+    parts = [v.isel({d: 0 for d in v.dims if d in CLOCKS}) for v in parts]
+    latitude, longitude = xr.broadcast(*parts)
+    return latitude, longitude
+
+
+def _spectra(data: xr.Dataset) -> str:
+    """The variable that holds spectra; "" where there is none."""
+    names = ("efth", "d2fd", "spectral_wave_density", "density")
+    return next((n for n in names if n in data.data_vars and data[n].ndim >= 2), "")
+
+
+def _of_spectra(path: Path, data: xr.Dataset, name: str) -> tuple[xr.Dataset, str]:
+    """Heights, periods and directions of spectra, by wavespectra."""
+    from wavespectra.input.dataset import read_dataset
+
+    try:
+        spectra = read_dataset(data)
+        found = {"hs": spectra.spec.hs(), "tp": spectra.spec.tp(), "tm02": spectra.spec.tm02()}
+        directed = "dir" in spectra.efth.dims
+        if directed:
+            found["mwd"] = spectra.spec.dm()
+    except (ValueError, KeyError, AttributeError) as error:
+        allowed = "allowed are spectra of ERA5, WAVEWATCH III, NDBC, SWAN or wavespectra's own"
+        raise InputError(path, name, str(error), allowed) from None
+    units = {"hs": "m", "tp": "s", "tm02": "s", "mwd": "deg"}
+    made = {
+        n: v.squeeze(drop=True).drop_attrs().assign_attrs(units=units[n]) for n, v in found.items()
+    }
+    import xarray as xr
+
+    whole = "with" if directed else "without"
+    return xr.Dataset(made), f"from spectra {whole} directions, by wavespectra"

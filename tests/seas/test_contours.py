@@ -1,0 +1,58 @@
+"""Environmental contours of a record whose distribution is known; skipped without the optional library."""
+
+import sys
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.errors import InputError
+from riserstudy.seas.contours import contour
+from riserstudy.seas.synthetic import synthetic
+
+SHAPE, SCALE = 1.5, 2.0  # of a Weibull distribution (m)
+
+
+def record(years, seed):
+    """Independent heights by a Weibull distribution, and periods of their own by a log-normal one."""
+    draw = np.random.default_rng(seed)
+    ends = (np.datetime64(f"{2001 + k}-01-01T00", "h") for k in (0, years))
+    time = np.arange(*ends, np.timedelta64(6, "h"))
+    height = SCALE * draw.weibull(SHAPE, len(time))
+    period = np.exp(1.6 + 0.25 * np.sqrt(height) + 0.12 * draw.standard_normal(len(time)))
+    return xr.Dataset(
+        {"significant_wave_height": ("time", height), "peak_period": ("time", period)},
+        {"time": time.astype("datetime64[ns]")},
+        {"interval_hours": 6.0},
+    )
+
+
+def test_the_highest_sea_is_that_of_the_distribution_of_heights():
+    """By the method: the height at its top is exceeded once in the return period, whatever the period."""
+    pytest.importorskip("virocon")
+    years = 50.0
+    table = contour(record(20, 1), years)
+    heights = np.array([row[1] for row in table.rows])
+    true = SCALE * np.log(years * 8766.0 / 6.0) ** (1.0 / SHAPE)
+    assert heights.max() == pytest.approx(true, rel=0.05)
+    top = table.rows[int(heights.argmax())]
+    assert top[2] <= true * 1.03
+    assert true * 0.97 <= top[3]
+    assert np.log(top[4]) == pytest.approx(1.6 + 0.25 * np.sqrt(top[1]), abs=0.1)
+    for row in table.rows:
+        assert row[2] < row[3]
+        assert row[5] < row[6]
+
+
+def test_a_longer_period_encloses_a_shorter_one():
+    pytest.importorskip("virocon")
+    short, long = (contour(record(10, 2), years) for years in (1.0, 100.0))
+    for k in (1, 4):
+        values = [np.array([row[k] for row in table.rows]) for table in (short, long)]
+        assert np.ptp(values[0]) < np.ptp(values[1])
+
+
+def test_without_the_library_one_line_says_how_to_get_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "virocon", None)
+    with pytest.raises(InputError, match=r"install it: pip install 'riserstudy\[contours\]'"):
+        contour(synthetic(6, 1), 50.0)
