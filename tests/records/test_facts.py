@@ -14,8 +14,9 @@ from riserstudy.errors import InputError
 from riserstudy.inputs.check import check
 from riserstudy.records import facts
 from riserstudy.records.facts import Column, RunFacts, point_columns
+from riserstudy.study.axes import Numbers
 from riserstudy.study.collect import dataset_of
-from riserstudy.study.models import Numbers, StudyModel
+from riserstudy.study.models import StudyModel
 from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[2] / "config"

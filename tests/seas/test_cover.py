@@ -59,7 +59,7 @@ def test_a_smaller_error_takes_more_sea_states(record):
 def test_hours_are_those_of_the_response_itself_within_their_band(record):
     of, run = sea_states(record), resonant()
     found = cover(of, run, ALLOWED, 0.02, 500)
-    which = met(of, found, np.zeros_like(found.responses), LIMITS)
+    which = met(of, found, *2 * [np.zeros_like(found.responses)], LIMITS)
     every = np.ones(record.sizes["time"], bool)
     hours = riser_hours(record, *by_rows([(of, which)]), LIMITS, found.error, every)
     true = run(sea_states(record).states)[of.state_of_row]
@@ -84,7 +84,7 @@ def test_beside_runs_that_fail_nothing_is_workable(record):
         return found
 
     found = cover(of, run, ALLOWED, 0.1, 500)
-    which = met(of, found, np.zeros_like(found.responses), LIMITS)
+    which = met(of, found, *2 * [np.zeros_like(found.responses)], LIMITS)
     every = np.ones(record.sizes["time"], bool)
     hours = riser_hours(record, *by_rows([(of, which)]), LIMITS, found.error, every)
     high = record["significant_wave_height"].values > 6.0
@@ -130,7 +130,7 @@ def test_the_standard_error_is_the_spread_of_demands_from_other_seeds():
 def test_means_and_single_seeds_count_as_they_are():
     assert demand(np.array([3.0]), "largest", 6.0).value == 3.0
     assert demand(np.array([1.0, 2.0, 3.0, 4.0, 5.0]), "mean", 6.0).value == 3.0
-    assert demand(np.full(5, 2.5), "smallest", 6.0) == (2.5, 0.0)
+    assert demand(np.full(5, 2.5), "smallest", 6.0) == (2.5, 0.0, 0.0)
     check_seeds(1)
     with pytest.raises(InputError, match="allowed are 1"):
         check_seeds(3)

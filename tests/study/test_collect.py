@@ -9,9 +9,10 @@ import pytest
 import xarray as xr
 
 from riserstudy.dataset.result import Result
+from riserstudy.study.axes import Numbers
 from riserstudy.study.collect import dataset_of, write_dataset
 from riserstudy.study.grid import Grid, Point
-from riserstudy.study.models import Numbers, StudyModel
+from riserstudy.study.models import StudyModel
 from riserstudy.study.simulate_points import has_error_estimate, lacks
 from riserstudy.study.study import Study
 

@@ -19,8 +19,9 @@ from riserstudy.jobs.workplan import Workplan
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.warm_up import scenes
+from riserstudy.study.axes import Steps
 from riserstudy.study.grid import Grid
-from riserstudy.study.models import Steps, StudyModel
+from riserstudy.study.models import StudyModel
 from riserstudy.study.store import key_of
 
 CONFIG = Path(__file__).parents[2] / "config"

@@ -40,6 +40,12 @@ def code(question):
     ]
 
 
+def records(question):
+    """Records that a rule reads. Their content is in its digest, so their age does not count."""
+    asked = of(question)
+    return lambda wildcards: [ancient(file) for file in asked(wildcards)]
+
+
 begun = []
 
 

@@ -98,6 +98,52 @@ rule simulate:
         " > {log:q} 2>&1"
 
 
+rule sea_states:
+    input:
+        of(PLAN.kernels_of_seas),
+        record=records(PLAN.records_of_seas),
+    output:
+        "results/{paper}/{study}.seas/{part}-of-{parts}",
+    log:
+        "logs/{paper}/{study}.{part}-of-{parts}.log",
+    wildcard_constraints:
+        study=PLAN.seas_pattern,
+        part=r"\d+",
+        parts=r"\d+",
+    priority: PLAN.simulate_priority
+    threads: of(PLAN.seas_threads)
+    params:
+        digest=of(PLAN.seas_digest),
+        tier=PLAN.tier,
+    message:
+        "simulate {wildcards.paper}/{wildcards.study}, part {wildcards.part} of {wildcards.parts}"
+    shell:
+        "python -m riserstudy.jobs sea_states {wildcards.paper} {wildcards.study} {wildcards.part}"
+        " {output:q} --tier {params.tier} --threads {threads} --expect {params.digest} > {log:q} 2>&1"
+
+
+rule hours:
+    input:
+        of(PLAN.parts_of_seas),
+        of(PLAN.kernels_of_seas),
+        record=records(PLAN.records_of_seas),
+    output:
+        "results/{paper}/{study}.nc",
+    log:
+        "logs/{paper}/{study}.log",
+    wildcard_constraints:
+        study=PLAN.seas_pattern,
+    priority: PLAN.simulate_priority
+    params:
+        digest=of(PLAN.seas_digest),
+        tier=PLAN.tier,
+    message:
+        "count the hours of {wildcards.paper}/{wildcards.study}"
+    shell:
+        "python -m riserstudy.jobs hours {wildcards.paper} {wildcards.study} {output:q}"
+        " --tier {params.tier} --threads {threads} --expect {params.digest} > {log:q} 2>&1"
+
+
 rule derive:
     input:
         data=of(PLAN.derived_inputs),

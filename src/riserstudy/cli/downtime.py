@@ -55,6 +55,16 @@ WindowOption = Annotated[
     typer.Option(help="length of work in one go: '24 h'; may be repeated", metavar="TIME"),
 ]
 NextOption = Annotated[int, typer.Option("--next", min=1, help="years to come")]
+ReturnOption = Annotated[
+    list[int] | None,
+    typer.Option(
+        "--return-period",
+        min=2,
+        max=10000,
+        help="years in which a response is exceeded once; may be repeated",
+        metavar="YEARS",
+    ),
+]
 HoldBackOption = Annotated[
     int,
     typer.Option(min=0, help="last years to keep back, predicted from those before"),
@@ -106,6 +116,7 @@ def downtime(
     hold_back: HoldBackOption = 0,
     settings: SetOption = None,
     vary: VaryOption = None,
+    period: ReturnOption = None,
     sectors: SectorsOption = None,
     x_towards: XTowardsOption = None,
     seeds: SeedsOption = 5,
@@ -130,9 +141,12 @@ def downtime(
         check_output(plot, ("figure",), reads, force, "--plot")
     if output is not None:
         check_output(output, ("dataset",), reads, force)
-    with_scene = {"-o": output, "--sectors": sectors, "--x-towards": x_towards, "--vary": vary}
+    with_scene = {
+        "-o": output, "--sectors": sectors, "--x-towards": x_towards, "--vary": vary,
+        "--return-period": period,
+    }  # fmt: skip
     refuse(scene, limit, with_scene, {"--hold-back": hold_back})
-    if vary and (output or plot):
+    if vary and (output or plot or period):
         raise InputError("downtime", "--vary", vary[0], "allowed with --csv alone")
     from riserstudy.seas.hours import sea_limit
     from riserstudy.seas.record import read_record
@@ -153,6 +167,12 @@ def downtime(
         return
     made = simulated(scene_of(scene, settings))
     show_riser(made, lengths, ahead, csv, units)
+    if period:
+        from riserstudy.dataset.tables import in_units
+        from riserstudy.seas.riser_returns import returned, table_of
+
+        print("exceeded once in so many years:")
+        show(in_units(table_of(returned(made.demands, period)), units), None)
     if output is not None:
         from riserstudy.dataset.netcdf import write_netcdf
 
@@ -179,7 +199,7 @@ def refuse(
     ):
         for name, value in options.items():
             if value and not fits:
-                found = ", ".join(value) if isinstance(value, list) else str(value)
+                found = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
                 raise InputError("downtime", name, found, allowed)
 
 

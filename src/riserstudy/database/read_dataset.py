@@ -30,6 +30,8 @@ from riserstudy.errors import InputError
 
 #: dimension of mode shapes, which stand in datasets alone: a row for each of their stations would be many
 SHAPED = "s_relative"
+#: variables whose grid is the main one
+MAIN = ("point_key", "workable")
 
 
 @dataclass(frozen=True)
@@ -101,7 +103,7 @@ def read_dataset(path: Path) -> Contents:
 def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
     """One grid over the axes of most variables, others for those that vary over something else.
 
-    Of a simulated study the main grid is that of its points.
+    Of a simulated study the main grid is that of its points, of hours of a record that of settings and modes.
     """
     dims_of = {name: v.dimensions for name, v in file.variables.items()}
     wanted = [
@@ -115,8 +117,8 @@ def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
     spans = [dims for dims in every if not any(set(dims) < set(other) for other in every)]
     counts = Counter(tuple(sorted(dims)) for dims in spans)
     order = sorted(counts, key=lambda dims: -counts[dims])
-    if "point_key" in file.variables:
-        points = tuple(sorted(file["point_key"].dimensions))
+    if main := next((name for name in MAIN if name in file.variables), None):
+        points = tuple(sorted(file[main].dimensions))
         order = [points, *(dims for dims in order if dims != points)]
     left = [*wanted]
     for dims in order:

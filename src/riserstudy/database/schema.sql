@@ -21,7 +21,7 @@ create table studies (            -- every dataset: simulated, derived from othe
     study text primary key,       -- paper/name
     paper text not null references papers (paper),
     name text not null,
-    kind text not null check (kind in ('simulated', 'derived', 'measured')),
+    kind text not null check (kind in ('simulated', 'hours', 'derived', 'measured')),
     caption text not null,
     axes text not null,           -- JSON: name and number of values
     rows integer not null check (rows >= 0),

@@ -31,6 +31,8 @@ def datasets_of(files: dict[str, StudyFile]) -> Iterator[About]:
         for name in file.datasets:
             kind = "simulated" if name in file.studies else "measured"
             caption = file.studies[name].caption if name in file.studies else ""
+            if name in file.seas:
+                kind, caption = "hours", file.seas[name].caption
             if name in file.derived:
                 kind, caption = "derived", "from " + ", ".join(file.derived[name].reads)
             yield About(paper, name, kind, caption, f"{paper}/{name}.nc")

@@ -15,15 +15,18 @@ from riserstudy.grading.published import published_path, read_published
 from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.jobs.plan_checks import (
+    refuse_seas,
     refuse_settings,
     refuse_unknown_claims,
     refuse_unprinted,
     warnings,
 )
 from riserstudy.scene.load import SceneFile
+from riserstudy.study.axes import Tier
 from riserstudy.study.config import RULES, Config
-from riserstudy.study.models import StudyFile, Tier
+from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
+from riserstudy.study.seas_study import SeasStudy
 from riserstudy.study.study import Study, scene_file
 
 
@@ -61,6 +64,8 @@ class Configuration:
             if study.model.settings:
                 refuse_settings(study)
         if only is None:
+            for seas in self._seas.values():
+                refuse_seas(seas)
             schematics = [
                 self.schematic(p, n) for p, of in self.files.items() for n in of.schematics
             ]
@@ -127,10 +132,21 @@ class Configuration:
             for name, model in file.studies.items()
         }
 
+    @cached_property
+    def _seas(self) -> dict[tuple[str, str], SeasStudy]:
+        accuracy = self.settings.tiers[self.tier].accuracy
+        return {
+            (paper, name): SeasStudy(
+                paper, name, model, self.config, self.tier, accuracy, file.readings
+            )
+            for paper, file in self.files.items()
+            for name, model in file.seas.items()
+        }
+
     @property
     def warnings(self) -> list[str]:
         """What is unusual in the studies, and may be a slip."""
-        return warnings(self.studies)
+        return warnings([*self.studies, *(seas.settings for seas in self._seas.values())])
 
     @property
     def studies(self) -> list[Study]:
@@ -148,6 +164,10 @@ class Configuration:
     def study(self, paper: str, name: str) -> Study:
         """One study, planned once."""
         return self._studies[paper, name]
+
+    def seas(self, paper: str, name: str) -> SeasStudy:
+        """Hours of a record over settings, planned once."""
+        return self._seas[paper, name]
 
     def schematic(self, paper: str, name: str) -> SceneFile:
         """The scene that a schematic shows."""

@@ -6,12 +6,15 @@ from collections.abc import Iterable, Mapping
 from functools import cache, partial
 from pathlib import Path
 
+from riserstudy.digests import dependencies, digest
 from riserstudy.errors import InputError
+from riserstudy.folders import remembered
 from riserstudy.grading.printed import printed_inputs, unprinted
 from riserstudy.grading.published import published_path
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.far_values import far_values
 from riserstudy.study.models import StudyFile
+from riserstudy.study.seas_study import SeasStudy
 from riserstudy.study.study import Study
 
 
@@ -78,6 +81,36 @@ def refuse_settings(study: Study) -> None:
             allowed = f"put `analysis.{name}: null` into set, or leave settings out"
             raise InputError(study.where, "settings", found, allowed)
     check_tunable(study, study.tuned_at[0])
+
+
+def refuse_seas(seas: SeasStudy) -> None:
+    """Refuse hours of a record where a setting, the record or a limit on the sea cannot be meant.
+
+    A record is read once: that it can be is remembered by its content and the code that reads it.
+
+    Raises
+    ------
+    InputError
+        With the first fault.
+    """
+    from riserstudy.seas.hours import check_limits, sea_limit
+    from riserstudy.seas.record import check_windows
+    from riserstudy.seas.seas_hours import directions_of, record_of
+    from riserstudy.study.demand_in_sea import check_seeds
+
+    check_seeds(seas.model.seeds)
+    seas.check()
+
+    def read() -> bool:
+        record = record_of(seas)
+        check_limits(record, [sea_limit(one) for one in seas.model.sea_limits])
+        check_windows(record, seas.model.windows)
+        if directions := directions_of(seas):
+            directions.sector_of(record)
+        return True
+
+    code = digest(dependencies("riserstudy.seas.seas_hours"))
+    remembered(f"records/{seas.digest}-{code}", read)
 
 
 def warnings(studies: Iterable[Study]) -> list[str]:

@@ -176,6 +176,58 @@ def simulate(
 
 
 @job
+def sea_states(
+    paper: str,
+    study: str,
+    part: int,
+    target: Path,
+    tier: Tier,
+    threads: Threads,
+    expect: Expect,
+) -> None:
+    """Store the runs of one setting in one heading, in the sea states of a record that it needs.
+
+    The target says how many sea states there are.
+
+    Raises
+    ------
+    SimulationError
+        When scene, record or engine changed since the workflow was planned, or sea states do not suffice.
+    """
+    from riserstudy.folders import write_whole
+    from riserstudy.seas.seas_hours import simulate_part
+
+    plan = _plan(tier, [paper], only=[])
+    _check_unchanged(plan.seas_digest(paper, study), expect)
+    count = simulate_part(plan.seas(paper, study), part, threads, _notify)
+    write_whole(target, f"{count} sea states\n".encode())
+
+
+@job
+def hours(
+    paper: str, study: str, target: Path, tier: Tier, threads: Threads, expect: Expect
+) -> None:
+    """Write the dataset of the hours of a record.
+
+    Raises
+    ------
+    SimulationError
+        When scene, record or engine changed since the workflow was planned, or sea states do not suffice.
+    """
+    from riserstudy.seas.seas_hours import seas_hours
+    from riserstudy.study.collect import write_dataset
+
+    plan = _plan(tier, [paper], only=[])
+    _check_unchanged(plan.seas_digest(paper, study), expect)
+    write_dataset(seas_hours(plan.seas(paper, study), threads, _notify), target)
+    _seal(target)
+
+
+def _notify(line: str) -> None:
+    print(line, flush=True)
+
+
+@job
 def measure(
     paper: str,
     study: str,

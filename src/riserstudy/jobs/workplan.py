@@ -35,10 +35,12 @@ from riserstudy.study.study import threads_worth
 #: what joins points, derives, grades and reports
 COLLECT, DERIVE = "riserstudy.study.join", "riserstudy.chapters.derive"
 SETTINGS = "riserstudy.study.settings"
+SEAS = "riserstudy.seas.seas_hours"
 GRADE = "riserstudy.grading.falsify"  # and by it what grades
 GRADED = ("reproduction", "errata", "margins", "false_claims")  # tables, of each paper and of all
 REPORT = "riserstudy.report"
 DATABASE = "riserstudy.database.build"
+SIDE_BY_SIDE = 8  # threads that the jobs of hours of a record share
 ALL_CORES = 64  # more than there are: Snakemake gives what it has
 
 
@@ -92,6 +94,30 @@ class Workplan(Configuration):
     def shard_threads(self, paper: str, study: str, shard: str, shards: str) -> int:
         """Threads that a shard can use."""
         return threads_worth(math.ceil(len(self.study(paper, study).grid) / int(shards)))
+
+    # hours of a record
+
+    def parts_of_seas(self, paper: str, name: str) -> list[str]:
+        """Markers of the jobs that simulate, a setting and heading each."""
+        count = len(self.seas(paper, name).parts.grid)
+        return [f"results/{paper}/{name}.seas/{k}-of-{count}" for k in range(count)]
+
+    def kernels_of_seas(self, paper: str, name: str, *_part: str) -> list[str]:
+        """Markers of the kernels that they run."""
+        return [self.kernels_of(group) for group in self.seas(paper, name).parts.kernel_groups]
+
+    def records_of_seas(self, paper: str, name: str, *_part: str) -> list[str]:
+        """The file of the record; none where it is synthetic."""
+        file = self.seas(paper, name).record_file
+        return [str(file)] if file else []
+
+    def seas_digest(self, paper: str, name: str, *_part: str) -> str:
+        """Settings, record and requests, and the code that simulates and counts hours."""
+        return f"{self.seas(paper, name).digest}-{digest(dependencies(SEAS))}"
+
+    def seas_threads(self, paper: str, name: str, *_part: str) -> int:
+        """Threads of a job: its sea states come few at a time, so that many parts run side by side."""
+        return max(1, SIDE_BY_SIDE // len(self.seas(paper, name).parts.grid))
 
     # derived and measured datasets
 
@@ -268,6 +294,11 @@ class Workplan(Configuration):
     def study_pattern(self) -> str:
         """Names of studies, as a pattern."""
         return _either(name for file in self.files.values() for name in file.studies)
+
+    @property
+    def seas_pattern(self) -> str:
+        """Names of datasets of hours, as a pattern."""
+        return _either(name for file in self.files.values() for name in file.seas)
 
     @property
     def derived_pattern(self) -> str:

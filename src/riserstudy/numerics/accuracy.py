@@ -39,7 +39,7 @@ from riserstudy.study.measured import AccuracyStudy, Ladder, Method
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study.models import Tier
+    from riserstudy.study.axes import Tier
 
 
 COSTS = (

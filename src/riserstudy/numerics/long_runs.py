@@ -34,7 +34,7 @@ from riserstudy.study.measured import LongCase, LongStudy
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study.models import Tier
+    from riserstudy.study.axes import Tier
 
 FEW = 10  # steps
 STUDY = "long_runs"  # folder of references

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from riserstudy.records.facts import RunFacts
-    from riserstudy.study.models import Tier
+    from riserstudy.study.axes import Tier
 
 WHERE = "config/studies/numerics.yaml: measured.random_scenes"
 STUDY = "random_scenes"  # folder of references

@@ -25,7 +25,7 @@ from riserstudy.study.measured import (
 )
 
 if TYPE_CHECKING:
-    from riserstudy.study.models import Tier
+    from riserstudy.study.axes import Tier
     from riserstudy.study.study import Study
 
 MeasuredStudy = (

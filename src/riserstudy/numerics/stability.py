@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
-    from riserstudy.study.models import Tier
+    from riserstudy.study.axes import Tier
 
 STUDY = "stability"  # folder of references
 EXPLICIT = "explicit"

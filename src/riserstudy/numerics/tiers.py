@@ -31,7 +31,7 @@ from riserstudy.study.measured import TiersStudy
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.study.models import Tier
+    from riserstudy.study.axes import Tier
 
 
 PEAKS = ("displacement", "moment", "tension")

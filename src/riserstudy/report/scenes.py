@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.grading.printed import printed_as, printed_inputs
 from riserstudy.scene.origin import CALLED, within
-from riserstudy.study.models import Numbers, StudyFile
+from riserstudy.study.axes import Numbers
+from riserstudy.study.models import StudyFile
 from riserstudy.study.study import scene_file
 
 if TYPE_CHECKING:

@@ -67,7 +67,7 @@ def cover(
         When so many do not suffice.
     """
     draw = np.random.default_rng(seed)
-    known = _first(of)
+    known = first(of)
     notify(f"{len(known)} sea states that hold the record between them")
     responses = run(of.states[known])
     while True:
@@ -98,8 +98,14 @@ def cover(
             )
 
 
-def _first(of: SeaStates) -> list[int]:
-    """Corners of the record, and those farthest from all before."""
+def first(of: SeaStates) -> list[int]:
+    """Corners of the record, and those farthest from all before: what is simulated first.
+
+    Raises
+    ------
+    InputError
+        When the record's sea states lie on a line.
+    """
     from scipy.spatial import ConvexHull, QhullError
 
     states = of.states

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
-from riserstudy.study.in_sea import heading_paths
+from riserstudy.study.in_sea import heading_values
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -62,11 +62,7 @@ class Directions(NamedTuple):
         InputError
             When it has no irregular sea, or headings that it cannot have.
         """
-        paths = heading_paths(file)
-        sets: list[dict[str, Any]] = [
-            dict.fromkeys(paths, f"{math.degrees(heading):.10g} deg") for heading in self.headings
-        ]
-        files = [file.with_values(one, "--sectors") for one in sets]
+        files = [file.with_values(one, "--sectors") for one in heading_values(file, self.sectors)]
         for one in files:
             one.scene()  # refuses what cannot be meant before anything runs
         return files

@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.digests import engine_digest
+from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
-from riserstudy.seas.cover import Cover, cover
+from riserstudy.seas.cover import HELD_OUT, Cover, cover, first
 from riserstudy.seas.directions import FROM, Directions
 from riserstudy.seas.hours import SeaLimit, met_by_rows
 from riserstudy.seas.record import with_peak_period
 from riserstudy.seas.riser_hours import RiserHours, by_rows, met, riser_hours
 from riserstudy.seas.riser_response import RiserResponse
+from riserstudy.seas.riser_returns import Demands
 from riserstudy.seas.sea_states import SeaStates, sea_states
 from riserstudy.study.demand_in_sea import check_seeds
 from riserstudy.study.in_sea import sea_of
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FloatArray = NDArray[np.float64]
+Notify = Callable[[str], None]
 
 
 class Downtime(NamedTuple):
@@ -34,6 +37,24 @@ class Downtime(NamedTuple):
     hours: RiserHours
     responses: xr.Dataset  # over sea_state and limit, of all headings
     lines: list[str]  # what was simulated, in words
+    demands: Demands  # of each known row
+
+
+class Effort(NamedTuple):
+    """How much is simulated."""
+
+    seeds: int = 5  # runs of each sea state: 1, or 5 and more
+    error: float = 0.05  # of the response between sea states, as `cover` has it
+    most: int = 400  # sea states of a heading at most
+    cores: int = 1
+
+
+class Heading(NamedTuple):
+    """A scene in waves of one heading, and the rows of the record that have it."""
+
+    angle: float  # deg; not a number: that of the scene
+    file: SceneFile
+    of: SeaStates
 
 
 class Part(NamedTuple):
@@ -44,6 +65,7 @@ class Part(NamedTuple):
     of: SeaStates
     cover: Cover
     deviation: FloatArray  # (n, limits) at the cover's sea states
+    scale: FloatArray  # (n, limits) of extremes of an interval, at the cover's sea states
 
 
 def riser_downtime(
@@ -56,7 +78,7 @@ def riser_downtime(
     error: float = 0.05,
     most: int = 400,
     cores: int = 1,
-    notify: Callable[[str], None] = lambda _: None,
+    notify: Notify = lambda _: None,
 ) -> Downtime:
     """Hours of a record that the limits of a riser leave.
 
@@ -78,56 +100,86 @@ def riser_downtime(
     SimulationError
         When so many sea states do not suffice.
     """
+    effort = Effort(seeds, error, most, cores)
     check_seeds(seeds)
-    interval = float(record.attrs["interval_hours"]) * 3600.0
-    RiserResponse(file, seeds, interval, cores)  # refuses a scene that lacks what this needs
-    peaked = with_peak_period(record, sea_of(file).peak_enhancement)
-    of = sea_states(peaked)
+    RiserResponse(
+        file, seeds, _interval(record), cores
+    )  # refuses a scene that lacks what this needs
     parts = []
-    for heading, scene, sector in _headings(file, peaked, directions):
-        own = of.among(sector)
-        if not own.rows.any():
-            continue
-        if directions:
-            notify(f"heading {heading:g} deg: {own.rows.sum()} rows")
-        parts.append(_part(heading, scene, own, seeds, interval, error, most, cores, notify))
-    known, rows = by_rows([(p.of, met(p.of, p.cover, p.deviation, p.riser.limits)) for p in parts])
+    for heading in headings(file, record, directions):
+        if heading.of.rows.any():
+            parts.append(simulate(heading, record, effort, notify))
+    if not parts:
+        raise InputError(
+            "RECORD", FROM, "no row has a direction", "use the record without headings"
+        )
+    of_parts = [(p.of, met(p.of, p.cover, p.deviation, p.scale, p.riser.limits)) for p in parts]
+    known, rows = by_rows(of_parts)
     worst = np.max([part.cover.error for part in parts], axis=0)
     sea = met_by_rows(record, limits)
-    hours = riser_hours(peaked, known, rows, parts[0].riser.limits, worst, sea)
-    return Downtime(hours, _dataset(file, parts), _lines(parts, hours, record, directions))
+    hours = riser_hours(record, known, rows, parts[0].riser.limits, worst, sea)
+    lines = _lines(parts, hours, record, directions)
+    time, interval = record["time"].values[known], float(record.attrs["interval_hours"])
+    history = Demands(time, interval, seeds, parts[0].riser.limits, rows)
+    return Downtime(hours, _dataset(file, parts), lines, history)
 
 
-def _headings(
-    file: SceneFile, record: xr.Dataset, directions: Directions | None
-) -> Iterator[tuple[float, SceneFile, NDArray[np.bool_]]]:
-    """Heading (deg), scene and rows of each sector that has any."""
+def headings(file: SceneFile, record: xr.Dataset, directions: Directions | None) -> list[Heading]:
+    """The scene in each heading, with the rows of a record that have it; some may have none.
+
+    Raises
+    ------
+    InputError
+        When the scene or the record lacks what this needs.
+    """
+    of = sea_states(with_peak_period(record, sea_of(file).peak_enhancement))
     if directions is None:
-        yield math.nan, file, np.ones(record.sizes["time"], bool)
-        return
+        return [Heading(math.nan, file, of)]
     sector = directions.sector_of(record)
     every = zip(directions.headings, directions.scenes(file), strict=True)
-    for k, (heading, scene) in enumerate(every):
-        yield math.degrees(heading), scene, sector == k
+    return [
+        Heading(math.degrees(angle), scene, of.among(sector == k))
+        for k, (angle, scene) in enumerate(every)
+    ]
 
 
-def _part(
-    heading: float,
-    file: SceneFile,
-    of: SeaStates,
-    seeds: int,
-    interval: float,
-    error: float,
-    most: int,
-    cores: int,
-    notify: Callable[[str], None],
-) -> Part:
-    """Simulate the sea states of one heading."""
-    riser = RiserResponse(file, seeds, interval, cores)
-    found = cover(of, riser, riser.allowed, error, most, notify=notify)
+def simulate(heading: Heading, record: xr.Dataset, effort: Effort, notify: Notify) -> Part:
+    """Simulate sea states of one heading, until the response between them is known.
+
+    Raises
+    ------
+    InputError
+        When the scene lacks what this needs, or the sea states lie on a line.
+    SimulationError
+        When so many sea states do not suffice.
+    """
+    if not math.isnan(heading.angle):
+        notify(f"heading {heading.angle:g} deg: {heading.of.rows.sum()} rows")
+    riser = RiserResponse(heading.file, effort.seeds, _interval(record), effort.cores)
+    notify(_price(heading.of, riser, effort))
+    found = cover(heading.of, riser, riser.allowed, effort.error, effort.most, notify=notify)
     none = np.full(len(riser.limits), math.nan)
-    deviation = [riser.deviation.get((h, t), none) for h, t in found.states.tolist()]
-    return Part(heading, riser, of, found, np.array(deviation))
+    deviation, scale = (
+        np.array([of.get((h, t), none) for h, t in found.states.tolist()])
+        for of in (riser.deviation, riser.scale)
+    )
+    return Part(heading.angle, riser, heading.of, found, deviation, scale)
+
+
+def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
+    """What a heading takes at least, in words, by one run."""
+    chosen = first(of)
+    least = len(chosen) + HELD_OUT
+    runs = least * effort.seeds
+    each = riser.seconds(of.states[chosen[-1]])
+    seconds = runs * each / effort.cores
+    time = "" if math.isnan(each) else f" of {each:.2g} s, {seconds:.2g} s on {effort.cores} cores"
+    return f"at least {least} sea states, {runs} runs{time}, less what is stored; at most {effort.most}"
+
+
+def _interval(record: xr.Dataset) -> float:
+    """Time between rows of a record (s)."""
+    return float(record.attrs["interval_hours"]) * 3600.0
 
 
 def _lines(

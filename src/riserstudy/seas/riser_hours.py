@@ -56,7 +56,9 @@ class Met(NamedTuple):
     found: Flags
     worst: Flags
     best: Flags
-    demand: FloatArray
+    demand: FloatArray  # that nine intervals in ten do not exceed
+    off: FloatArray  # what is not known of it: by the surface, and 1.645 standard errors of seeds
+    scale: FloatArray  # of its Gumbel distribution from interval to interval
 
 
 def excess_of(demand: FloatArray, allowed: FloatArray, sides: Sequence[str]) -> FloatArray:
@@ -65,7 +67,13 @@ def excess_of(demand: FloatArray, allowed: FloatArray, sides: Sequence[str]) -> 
     return excess
 
 
-def met(of: SeaStates, cover: Cover, deviation: FloatArray, limits: Sequence[Limit]) -> Met:
+def met(
+    of: SeaStates,
+    cover: Cover,
+    deviation: FloatArray,
+    scale_of_extremes: FloatArray,
+    limits: Sequence[Limit],
+) -> Met:
     """Limits that are met in the sea states of a record.
 
     At worst and at best the demand is off by the error of the surface and by 1.645 standard errors of seeds.
@@ -74,16 +82,19 @@ def met(of: SeaStates, cover: Cover, deviation: FloatArray, limits: Sequence[Lim
     ----------
     deviation : (n, limits) standard errors at the cover's sea states, in the unit of each limit's output; not
         a number where not known.
+    scale_of_extremes : (n, limits) of the Gumbel distribution of extremes there.
     """
     allowed = np.array([limit.allowable for limit in limits])
     demand = cover.surface.at(of.states)
     kept = ~cover.held_out
     # of one seed no error is known, of a run that failed nothing, which the demand says already
-    seeds = Surface(cover.states[kept], np.nan_to_num(deviation[kept])).at(of.states)
+    both = np.nan_to_num(np.hstack([deviation[kept], scale_of_extremes[kept]]))
+    seeds, extremes = np.hsplit(Surface(cover.states[kept], both).at(of.states), 2)
     scale = np.maximum(scale_of(allowed, cover.responses[kept]), np.abs(demand))
     off = cover.error * scale + NINE_IN_TEN * np.abs(seeds)
     excess = excess_of(demand, allowed, [limit.side for limit in limits])  # not a number is not met
-    return Met(excess <= 0.0, excess + off <= 0.0, excess - off <= 0.0, demand)
+    extremes = np.maximum(extremes, 0.0)
+    return Met(excess <= 0.0, excess + off <= 0.0, excess - off <= 0.0, demand, off, extremes)
 
 
 def by_rows(parts: Sequence[tuple[SeaStates, Met]]) -> tuple[Flags, Met]:

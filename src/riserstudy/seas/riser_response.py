@@ -45,6 +45,7 @@ class RiserResponse:
     interval: float
     cores: int
     deviation: dict[tuple[float, float], FloatArray] = field(default_factory=dict)
+    scale: dict[tuple[float, float], FloatArray] = field(default_factory=dict)
     failures: dict[tuple[float, float], str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -81,6 +82,13 @@ class RiserResponse:
         scene = self.file.scene()
         return float(scene.analysis.duration or 0.0) - scene.built_up
 
+    def seconds(self, state: FloatArray) -> float:
+        """Time of a run of a sea state (2,), stored or made now (s); not a number where it fails."""
+        study = self._study(state[None])
+        attempt(study, study.plan[:1], 1, lambda _: None)
+        held = store.about(study.plan[0].key)
+        return float(held["facts"].get("wall_seconds", math.nan)) if held else math.nan
+
     def __call__(self, states: FloatArray) -> FloatArray:
         """Demand of each limit, (m, limits), at sea states (m, 2); no number where a run fails."""
         found = np.full((len(states), len(self.limits)), math.nan)
@@ -96,6 +104,7 @@ class RiserResponse:
             ]
             found[k] = [one.value for one in each]
             self.deviation[tuple(state)] = np.array([one.deviation for one in each])
+            self.scale[tuple(state)] = np.array([one.scale for one in each])
         return found
 
     def _demands(self, states: FloatArray) -> dict[tuple[int, ...], list[float]]:

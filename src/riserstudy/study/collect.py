@@ -30,9 +30,9 @@ from riserstudy.errors import SimulationError
 from riserstudy.records.facts import point_columns
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
 from riserstudy.study import store
+from riserstudy.study.axes import Numbers, Samples
 from riserstudy.study.grid import Point
 from riserstudy.study.limits import add_limits
-from riserstudy.study.models import Numbers, Samples
 from riserstudy.study.modes import add_modes
 from riserstudy.study.needed import with_envelopes
 from riserstudy.study.simulate_points import Count, fill, lacks

@@ -7,7 +7,8 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from riserstudy.inputs.strict import Strict
-from riserstudy.study.models import Name, Tier
+from riserstudy.study.axes import Tier
+from riserstudy.study.models import Name
 
 
 class TierModel(Strict):
@@ -19,6 +20,7 @@ class TierModel(Strict):
 #: rules beside which each paper gets one of its own name
 RULES = {
     *("all", "compile", "compiled", "shard", "simulate", "tune", "measure", "derive", "figure"),
+    *("sea_states", "hours"),
     *("figures", "grade", "reproduction", "database", "report", "everything"),
 }
 

@@ -8,8 +8,8 @@ from itertools import islice, product
 from random import Random
 from typing import Any
 
+from riserstudy.study.axes import Numbers, Samples
 from riserstudy.study.grid import Index
-from riserstudy.study.models import Numbers, Samples
 from riserstudy.study.study import Study
 
 _NUMBER = re.compile(r"\s*([-+0-9.eE]+)\s")

@@ -20,6 +20,7 @@ class Demand(NamedTuple):
 
     value: float  # that nine intervals in ten do not exceed
     deviation: float  # its standard error for want of seeds; not a number of one seed
+    scale: float  # of the Gumbel distribution from interval to interval; 0 of means, not a number of one seed
 
 
 def check_seeds(seeds: int) -> None:
@@ -51,16 +52,17 @@ def demand(values: FloatArray, side: str, runs: float) -> Demand:
     Gumbel 1958, Statistics of Extremes; standard error by maximum likelihood.
     """
     if len(values) == 1:
-        return Demand(float(values[0]), math.nan)
+        return Demand(float(values[0]), math.nan, math.nan)
     if side == "mean":
         deviation = float(values.std(ddof=1)) / math.sqrt(len(values))
-        return Demand(float(values.mean()), deviation)
+        return Demand(float(values.mean()), deviation, 0.0)
     sign = -1.0 if side == "smallest" else 1.0
     largest = sign * values
     if np.isnan(values).any() or np.ptp(largest) <= ALIKE * abs(largest).max():
-        return Demand(float(sign * largest.max()), 0.0)
+        return Demand(float(sign * largest.max()), 0.0, 0.0)
     found = gumbel(largest)
     above_mode = math.log(runs) - math.log(-math.log(NOT_EXCEEDED))  # in scales
     share = 1.0 + 6.0 / math.pi**2 * (1.0 - np.euler_gamma + above_mode) ** 2
     deviation = found.scale * math.sqrt(share / len(values))
-    return Demand(float(sign * (found.mode + above_mode * found.scale)), float(deviation))
+    value = sign * (found.mode + above_mode * found.scale)
+    return Demand(float(value), float(deviation), found.scale)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from riserstudy.scene.fields import in_si, value_at
-from riserstudy.study.models import Numbers
+from riserstudy.study.axes import Numbers
 from riserstudy.study.study import Study
 
 FAR = 100.0  # times the next value of the axis, the scene's among them

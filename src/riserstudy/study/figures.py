@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.inputs.strict import Strict
 
-Plot = Literal["lines", "heat map", "utilisation", "envelope", "time series"]
+Plot = Literal["lines", "heat map", "utilisation", "envelope", "time series", "workable hours"]
 #: axes that a grid needs
 NEEDS: dict[Plot, int] = {
     "lines": 1,
@@ -16,15 +16,18 @@ NEEDS: dict[Plot, int] = {
     "utilisation": 1,
     "envelope": 0,
     "time series": 0,
+    "workable hours": 0,
 }
+#: plots of datasets below ``seas``, and of no others
+OF_SEAS: frozenset[Plot] = frozenset(("workable hours",))
 
 
 class FigureModel(Strict):
     """A figure: its caption, the datasets it reads, and what draws it.
 
     ``plot``: one that fits any grid: lines over an axis, a heat map over two axes, the utilisation of a
-    study's limits over one or two, an envelope along the riser, time series. Absent: the function of the
-    figure's name in its chapter's figures.
+    study's limits over one or two, an envelope along the riser, time series; or workable hours, of a dataset
+    below ``seas``. Absent: the function of the figure's name in its chapter's figures.
     ``of``: the quantities to plot. Absent: those that matter most among what there is.
     ``claims``: IDs of the numbers and claims that it is about. Absent: those of the printed figure that it
     repeats, or those that rest on what it reads.
@@ -46,6 +49,8 @@ class FigureModel(Strict):
             raise ValueError("of: needs a plot to show them in")
         if self.of and self.plot == "utilisation":
             raise ValueError("of: utilisation is that of all limits of the study")
+        if self.of and self.plot in OF_SEAS:
+            raise ValueError(f"of: {self.plot} are those of all modes")
         if self.settings and self.plot:
             raise ValueError("with: a plot that fits any grid takes no arguments")
         return self

@@ -67,6 +67,18 @@ def heading_paths(file: SceneFile) -> list[str]:
     ]
 
 
+def heading_values(file: SceneFile, sectors: int) -> list[dict[str, Any]]:
+    """What puts the sea of a scene into the heading in the middle of each sector, the first along x.
+
+    Raises
+    ------
+    InputError
+        When the scene has no irregular sea, or no time.
+    """
+    headings = [f"{k * 360.0 / sectors:.10g} deg" for k in range(sectors)]
+    return [dict.fromkeys(heading_paths(file), heading) for heading in headings]
+
+
 def sea_of(file: SceneFile) -> Storm:
     """The irregular sea of a scene: that of the platform, where it has one.
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
-from decimal import Decimal
 from graphlib import CycleError, TopologicalSorter
 from itertools import combinations
 from pathlib import Path, PureWindowsPath
@@ -23,97 +21,14 @@ from riserstudy.dataset.variables import (
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import unwrap
-from riserstudy.study.figures import NEEDS, FigureModel
+from riserstudy.study.axes import Axis, AxisName, Labels, Numbers, Samples
+from riserstudy.study.figures import NEEDS, OF_SEAS, FigureModel
 from riserstudy.study.measured import Measured
+from riserstudy.study.seas_model import SeasModel
 
 MOST_MODES = 1000
-MOST_VALUES = 1_000_000  # of an axis, and points of a study
 #: of papers, datasets and figures, which name files
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,99}$")]
-#: of axes, which name dimensions and variables of datasets
-AxisName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,99}$")]
-TIERS = ("preview", "standard", "reference")
-Tier = Literal["preview", "standard", "reference"]
-
-
-class Steps(Strict):
-    """Evenly spaced values, both ends included."""
-
-    start: float
-    stop: float
-    step: Annotated[float, Field(gt=0)]
-
-    @model_validator(mode="after")
-    def _fits(self) -> Self:
-        if not 0.0 <= self.stop - self.start <= MOST_VALUES * self.step:
-            raise ValueError(f"stop must lie above start, by {MOST_VALUES} steps at most")
-        return self
-
-    @property
-    def values(self) -> list[float]:
-        """The values in the axis's unit, added up as they are written: in decimals, without rounding."""
-        count = math.floor((self.stop - self.start) / self.step + 1e-9)
-        start, step = Decimal(repr(self.start)), Decimal(repr(self.step))
-        return [float(start + k * step) for k in range(count + 1)]
-
-
-class Numbers(Strict):
-    """An axis of numbers put at a path of the scene, or at several, with a unit ("1": none).
-
-    On the way a number is multiplied by ``factor`` and ``offset`` is added, where the axis counts in
-    another direction or from elsewhere than the path. Absent: as it is.
-    """
-
-    path: str | Annotated[list[str], Field(min_length=1)]
-    unit: str
-    factor: float | None = None
-    offset: float | None = None
-    values: list[float] | Steps
-    preview: list[float] | None = None
-
-    @model_validator(mode="after")
-    def _fits(self) -> Self:
-        numbers = self.numbers("standard")
-        if not numbers or len(set(numbers)) != len(numbers):
-            raise ValueError("values: must be there, each once")
-        if self.preview and not set(self.preview) <= set(numbers):
-            raise ValueError("preview: must be some of the values")
-        return self
-
-    def numbers(self, tier: Tier) -> list[float]:
-        """Values of a tier, in the axis's unit."""
-        every = self.values.values if isinstance(self.values, Steps) else self.values
-        return self.preview if tier == "preview" and self.preview else every
-
-    @property
-    def paths(self) -> list[str]:
-        """Where its numbers are put."""
-        return [self.path] if isinstance(self.path, str) else self.path
-
-    def overrides(self, number: float) -> dict[str, Any]:
-        """What a value, in the axis's unit, sets: by path of the scene."""
-        value = number if self.factor is None else number * self.factor
-        value += self.offset or 0.0
-        text = value if self.unit == "1" else f"{value!r} {self.unit}"
-        return dict.fromkeys(self.paths, text)
-
-
-class Samples(Strict):
-    """An axis of samples: every assumption of the scene varied over its range or options at once.
-
-    ``readings`` names readings of the study file that are varied with them, each with equal chance.
-    """
-
-    count: dict[Tier, Annotated[int, Field(ge=2, le=MOST_VALUES)]]
-    seed: Annotated[int, Field(ge=0)]
-    leave: list[str] = Field(default_factory=list)
-    readings: list[str] = Field(default_factory=list)
-
-    @model_validator(mode="after")
-    def _fits(self) -> Self:
-        if missing := [tier for tier in TIERS if tier not in self.count]:
-            raise ValueError(f"count: no number for {missing[0]}")
-        return self
 
 
 class Derived(Strict):
@@ -141,9 +56,6 @@ def _bare(value: Any) -> Any:
 Reads = Annotated[Derived, BeforeValidator(_bare, json_schema_input_type=list[str] | Derived)]
 
 
-Labels = Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
-
-
 class TunedModel(Strict):
     """What `riserstudy tune` found mesh, step and method of a study on, and what they are worth.
 
@@ -168,10 +80,6 @@ class TuneAt(Strict):
     seed: Annotated[int, Field(ge=0)]
 
 
-#: an axis over all readings of that name in the study file
-Reading = Literal["readings"]
-
-
 class StudyModel(Strict):
     """One study. Absent set: nothing set on top of the scene; absent keep: all histories are kept.
 
@@ -187,7 +95,7 @@ class StudyModel(Strict):
     caption: str
     set: dict[str, Any] = Field(default_factory=dict)
     limits: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = None
-    axes: dict[AxisName, Numbers | Samples | Labels | Reading]
+    axes: dict[AxisName, Axis]
     keep: list[str] | None = None
     modes: Annotated[int, Field(ge=1, le=MOST_MODES)] | None = None
     error_because: str | None = None
@@ -294,9 +202,9 @@ class StudyFile(Strict):
     report. ``finding``: the number or claim that the report names first. Absent: named by the file, no paper,
     nothing said, none named.
     ``readings``: named ways to read the paper, by what each sets; studies share them as axes or samples.
-    ``measured``: datasets about the engine itself; ``in_motion``: the run that the report shows moving;
-    ``left_out``: printed figures that are not drawn, and what they show. Absent: none. Absent figures:
-    every plot that fits.
+    ``seas``: datasets of the hours of a record that the limits of a riser leave; ``measured``: about the
+    engine itself; ``in_motion``: the run that the report shows moving; ``left_out``: printed figures that are
+    not drawn, and what they show. Absent: none. Absent figures: every plot that fits.
     """
 
     paper: str
@@ -307,6 +215,7 @@ class StudyFile(Strict):
     readings: dict[str, Labels] = Field(default_factory=dict)
     studies: dict[Name, StudyModel]
     derived: dict[Name, Reads] = Field(default_factory=dict)
+    seas: dict[Name, SeasModel] = Field(default_factory=dict)
     measured: Measured | None = None
     schematics: dict[Name, SchematicModel] = Field(default_factory=dict)
     figures: dict[Name, FigureModel] = Field(default_factory=dict)
@@ -315,8 +224,9 @@ class StudyFile(Strict):
 
     @property
     def datasets(self) -> list[str]:
-        """Names of all datasets: simulated, derived and measured."""
-        return [*self.studies, *self.derived, *(self.measured.names if self.measured else [])]
+        """Names of all datasets: simulated, of seas, derived and measured."""
+        measured = self.measured.names if self.measured else []
+        return [*self.studies, *self.seas, *self.derived, *measured]
 
     @model_validator(mode="after")
     def _names_are_known(self) -> Self:
@@ -326,19 +236,25 @@ class StudyFile(Strict):
 
     def _unknown_names(self) -> Iterator[str]:
         """What names something that the file does not have, as ``field: fault; allowed``."""
-        for name, model in self.studies.items():
+        every: dict[str, StudyModel | SeasModel] = {
+            f"studies.{n}": m for n, m in self.studies.items()
+        }
+        every |= {f"seas.{n}": m for n, m in self.seas.items()}
+        for name, model in every.items():
             for axis_name, axis in model.axes.items():
                 wanted = axis.readings if isinstance(axis, Samples) else []
                 for reading in [axis_name] if axis == "readings" else wanted:
                     if reading not in self.readings:
-                        where = f"studies.{name}.axes.{axis_name}"
+                        where = f"{name}.axes.{axis_name}"
                         yield f"{where}: no readings {reading!r}; {_among(self.readings)}"
         if self.in_motion and self.in_motion.study not in self.studies:
             found = f"no study {self.in_motion.study!r}"
             yield f"in_motion.study: {found}; {_among(self.studies)}"
         for name in sorted(set(self.schematics) & set(self.figures)):
             yield f"schematics.{name}: a figure of that name; name it anew"
-        known = [*self.studies, *self.derived]
+        for name in sorted(n for n in set(self.datasets) if self.datasets.count(n) > 1):
+            yield f"{name}: the name of two datasets; name one of them anew"
+        known = [*self.studies, *self.seas, *self.derived]
         for name, derived in self.derived.items():
             for source in sorted(set(derived.reads).difference(known)):
                 yield f"derived.{name}: no study or derived dataset {source!r}; {_among(known)}"
@@ -350,6 +266,10 @@ class StudyFile(Strict):
         for name, figure in self.figures.items():
             for dataset in set(figure.reads).difference(self.datasets):
                 yield f"figures.{name}.reads: no dataset {dataset!r}; {_among(self.datasets)}"
+            if figure.plot and (figure.plot in OF_SEAS) != (figure.reads[0] in self.seas):
+                plots = OF_SEAS if figure.reads[0] in self.seas else set(NEEDS) - OF_SEAS
+                found = f"{figure.plot!r} does not fit {figure.reads[0]!r}"
+                yield f"figures.{name}.plot: {found}; {_among(plots)}"
             for quantity in figure.of or [] if set(figure.reads) <= set(self.studies) else []:
                 if not (of_runs(quantity) or of_points(quantity)):
                     yield f"figures.{name}.of: studies have no {quantity!r}; {_among(OF_RUNS)}"

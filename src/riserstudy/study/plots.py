@@ -9,8 +9,8 @@ from riserstudy.dataset.variables import ENDINGS, of_points
 from riserstudy.errors import InputError
 from riserstudy.scene.models import Scene
 from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.study.axes import Samples
 from riserstudy.study.figures import FigureModel, Plot
-from riserstudy.study.models import Samples
 from riserstudy.study.study import Study
 
 ALONG = (
@@ -33,6 +33,7 @@ USUAL: dict[Plot, tuple[str, ...]] = {
     "utilisation": (),
     "envelope": ("x", "y", "bending_moment", "effective_tension", "z"),
     "time series": ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z"),
+    "workable hours": (),
 }
 SIDES = ("_max", "_min", "_absmax")
 _AHEAD = ("platform_speed", "riser_reaction", "environment_force")

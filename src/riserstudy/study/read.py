@@ -11,8 +11,9 @@ from riserstudy.folders import chapter_modules
 from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.study.arguments import refuse_arguments
+from riserstudy.study.axes import Tier
 from riserstudy.study.figures import NEEDS, FigureModel, Plot
-from riserstudy.study.models import StudyFile, StudyModel, Tier
+from riserstudy.study.models import StudyFile, StudyModel
 from riserstudy.study.plots import faults
 from riserstudy.study.study import Study, scene_file
 
@@ -34,7 +35,12 @@ def read_studies(config: Path, paper: str) -> StudyFile:
     }
     if not file.figures:
         moving = {name: _moves(config, model) for name, model in file.studies.items()}
-        every = default_figures(file.studies, moving)
+        every = default_figures(file.studies, moving) | {
+            f"{name}_workable_hours": FigureModel(
+                caption=f"{model.caption}: workable hours", reads=[name], plot="workable hours"
+            )
+            for name, model in file.seas.items()
+        }
         figures = {name: one for name, one in every.items() if not [*faults(one, studies)]}
         return file.model_copy(update={"figures": figures})
     for name, figure in file.figures.items():

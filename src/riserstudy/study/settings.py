@@ -22,9 +22,9 @@ from riserstudy.errors import InputError, SimulationError
 from riserstudy.folders import write_whole
 from riserstudy.simulation.tolerance import allowed_of
 from riserstudy.study import store
+from riserstudy.study.axes import Numbers
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.grid import Point
-from riserstudy.study.models import Numbers
 from riserstudy.study.quick_tune import quick_tune
 from riserstudy.study.setting import Setting
 from riserstudy.study.simulate_points import Count, attempt, fill, has_error_estimate

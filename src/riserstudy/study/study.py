@@ -18,17 +18,9 @@ from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import Origin
 from riserstudy.scene.tables import names_of_tables, texts_of_tables
 from riserstudy.simulation.kernel_groups import group_of, group_of_modes
+from riserstudy.study.axes import MOST_VALUES, Labels, Numbers, Samples, Tier
 from riserstudy.study.grid import Grid, Point
-from riserstudy.study.models import (
-    MOST_VALUES,
-    Labels,
-    Numbers,
-    Samples,
-    StudyModel,
-    Tier,
-    TuneAt,
-    meets,
-)
+from riserstudy.study.models import StudyModel, TuneAt, meets
 from riserstudy.study.store import canonical
 
 TUNED_AT, FEW = (

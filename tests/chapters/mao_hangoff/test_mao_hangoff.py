@@ -40,8 +40,9 @@ from riserstudy.grading.published import read_published
 from riserstudy.grading.rows import ErratumRow, table
 from riserstudy.grading.words_file import read_words
 from riserstudy.scene.load import read_scene
+from riserstudy.study.axes import Numbers
 from riserstudy.study.collect import dataset_of, results_of
-from riserstudy.study.models import Derived, Numbers, StudyModel
+from riserstudy.study.models import Derived, StudyModel
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 

@@ -1,0 +1,137 @@
+"""Workable hours of a record over settings of a riser: with bands, by month, what takes them, and waits."""
+
+from __future__ import annotations
+
+from textwrap import fill
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.errors import InputError
+from riserstudy.figures.grid import called
+from riserstudy.figures.style import COLOURS, headline, legend_below, panel_title, panels
+
+MOST = 6  # settings that are drawn, evenly chosen
+WRAPPED = 20  # letters of the name of a limit in a line
+OVER = ("riser_mode", "limit", "month", "year", "window", "sea_state")  # no axes of settings
+
+
+def workable_hours(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
+    """Workable hours of each setting and mode with their bands, by month, by limit, and the waits.
+
+    Raises
+    ------
+    InputError
+        When the dataset holds no hours.
+    """
+    if "workable" not in dataset:
+        title = str(dataset.attrs.get("title", "dataset"))
+        raise InputError(title, "plot", "no workable hours", "allowed is a dataset below seas")
+    every = _settings(dataset)
+    last = len(every) - 1
+    drawn = [every[k] for k in sorted({round(last * j / (MOST - 1)) for j in range(MOST)})]
+    figure, (hours, months, limits, waits) = panels(2, 2, 3.0)
+    _hours(hours, drawn)
+    _months(months, drawn)
+    _limits(limits, drawn)
+    if "window" in dataset.dims:
+        _waits(waits, drawn)
+    else:
+        waits.remove()
+    if len(drawn) > 1:
+        legend_below(figure, *months.get_legend_handles_labels(), 4)
+    headline(figure, _finding(every))
+    return figure
+
+
+def _settings(dataset: xr.Dataset) -> list[tuple[str, xr.Dataset]]:
+    """Each setting with its name, "" of one alone."""
+    axes = [str(dim) for dim in dataset["workable"].dims if dim not in OVER]
+    names = [*_OF_SETTINGS, *(n for n in _OF_WINDOWS if n in dataset)]
+    hours = dataset[names]
+    if not axes:
+        return [("", hours)]
+    flat = hours.stack(setting=axes)
+    places = [
+        ", ".join(called(dataset[axis][k]) for axis, k in zip(axes, index, strict=True))
+        for index in np.ndindex(*(dataset.sizes[axis] for axis in axes))
+    ]
+    return [(place, flat.isel(setting=k)) for k, place in enumerate(places)]
+
+
+_OF_SETTINGS = (
+    *("workable", "workable_at_worst", "workable_at_best", "mean_year_low", "mean_year_high"),
+    *("workable_by_month", "exceeded", "exceeded_alone"),
+)
+_OF_WINDOWS = ("wait_p50", "wait_p90")
+
+
+def _hours(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
+    """Share of workable hours of each setting, a row a mode, with both bands."""
+    rows, ticks = 0, []
+    for k, (_, one) in enumerate(drawn):
+        for mode in one["riser_mode"].values:
+            of = one.sel(riser_mode=mode)
+            share = 100.0 * float(of["workable"])
+            if np.isnan(share):
+                continue
+            years = [100.0 * float(of[f"mean_year_{end}"]) for end in ("low", "high")]
+            riser = [100.0 * float(of[f"workable_at_{end}"]) for end in ("worst", "best")]
+            ax.plot(years, [rows, rows], color=COLOURS[k], linewidth=1.0)
+            ax.plot(riser, [rows, rows], color=COLOURS[k], linewidth=5.0, alpha=0.35)
+            ax.plot(share, rows, "o", color=COLOURS[k], markersize=4.0)
+            ticks.append(str(mode))
+            rows += 1
+    ax.set_yticks(range(rows), ticks, fontsize="small")
+    ax.set_ylim(rows - 0.5, -0.5)
+    ax.set_xlabel("workable hours (%)")
+    panel_title(ax, "wide: by the response; thin: by years")
+
+
+def _months(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
+    """Share of workable hours by month, of the first mode."""
+    for k, (name, one) in enumerate(drawn):
+        values = 100.0 * one["workable_by_month"].isel(riser_mode=0)
+        ax.plot(range(12), values, "o-", color=COLOURS[k], markersize=3.0, label=name)
+    months = [str(name)[0] for name in drawn[0][1]["month"].values]
+    ax.set_xticks(range(12), months)
+    ax.set_ylabel("workable hours (%)")
+    panel_title(ax, f"{drawn[0][1]['riser_mode'].values[0]} by month")
+
+
+def _limits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
+    """Share of hours in which each limit is exceeded, and alone is."""
+    names = [fill(str(n).replace("_", " "), WRAPPED) for n in drawn[0][1]["limit"].values]
+    height = 0.8 / len(drawn)
+    for k, (_, one) in enumerate(drawn):
+        places = np.arange(len(names)) + (k - (len(drawn) - 1) / 2.0) * height
+        ax.barh(places, 100.0 * one["exceeded"], height, color=COLOURS[k], alpha=0.4)
+        ax.barh(places, 100.0 * one["exceeded_alone"], height, color=COLOURS[k])
+    ax.set_yticks(range(len(names)), names, fontsize="small")
+    ax.invert_yaxis()
+    ax.set_xlabel("hours in which a limit is exceeded (%)")
+    panel_title(ax, "dark: hours in which no other is exceeded")
+
+
+def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
+    """Waits for a window of the first mode that half and nine in ten do not exceed."""
+    for k, (_, one) in enumerate(drawn):
+        of = one.isel(riser_mode=0)
+        ax.plot(of["window"], of["wait_p50"], "o-", color=COLOURS[k], markersize=3.0)
+        ax.plot(of["window"], of["wait_p90"], "s--", color=COLOURS[k], markersize=3.0)
+    ax.set_xlabel("length of work in one go (h)")
+    ax.set_ylabel("wait (h)")
+    ax.set_ylim(bottom=0.0)
+    panel_title(ax, "wait: 50 % (line), 90 % (dashes) of starts")
+
+
+def _finding(every: list[tuple[str, xr.Dataset]]) -> str:
+    """What is left of the hours, in the first mode, and by which setting most."""
+    mode = str(every[0][1]["riser_mode"].values[0])
+    shares = [100.0 * float(one["workable"].isel(riser_mode=0)) for _, one in every]
+    if len(every) == 1:
+        return f"{mode.capitalize()} is possible in {shares[0]:.1f} % of the hours"
+    low, high = min(shares), max(shares)
+    return f"{mode.capitalize()} is possible in {low:.1f} % to {high:.1f} % of the hours"

@@ -1,0 +1,142 @@
+"""Responses of a riser that are exceeded once in many years, by two methods, each with a band.
+
+The largest response of an interval is not known by its sea state: from one to the next it follows a Gumbel
+distribution. So histories of the record are drawn, each row from its own distribution, and each history is
+fitted as the heights of a record are.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.dataset.limits import label
+from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED
+from riserstudy.dataset.table import Cell, Table
+from riserstudy.errors import InputError
+from riserstudy.scene.limits import UNITS, Limit
+from riserstudy.seas.return_values import (
+    PEAKS_A_YEAR,
+    ReturnValue,
+    refits_of_peaks,
+    refits_of_years,
+    storms,
+    whole_years,
+)
+from riserstudy.seas.riser_hours import NINE_IN_TEN, Met
+from riserstudy.seas.years import BAND
+
+FloatArray = NDArray[np.float64]
+HISTORIES = 40  # of the record that are drawn
+REFITS = 10  # of each
+OF_SCALE = (
+    math.sqrt(6.0) / math.pi
+)  # standard error of a Gumbel scale, times the root of the number of seeds
+REDUCED = -math.log(-math.log(NOT_EXCEEDED))  # reduced variate of what demands are
+COLUMNS = [
+    *("limit", "return period", "by years", "years from", "years to"),
+    *("by storms", "storms from", "storms to", "unit"),
+]
+HEADS = ["", "years", *["*"] * 6, ""]
+
+
+class Demands(NamedTuple):
+    """What limits ask for in each row of a record."""
+
+    time: NDArray[np.datetime64]
+    interval: float  # h
+    seeds: int
+    limits: Sequence[Limit]
+    rows: Met
+
+
+class Returned(NamedTuple):
+    """A response that is exceeded once in so many years, by both methods, in the SI unit of its output."""
+
+    limit: Limit
+    years: float
+    by_years: ReturnValue
+    by_storms: ReturnValue
+
+
+def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Returned]:
+    """Responses that are exceeded once in so many years, of each limit whose extremes are known.
+
+    A band holds nine in ten fits to as much drawn from the fit of each history. What is not known of the
+    response moves all rows of a history alike, by a normal distribution whose 90 % are the band of the
+    response; so does what is not known of the spread from interval to interval. Means have no such extremes
+    and are left out.
+
+    Parameters
+    ----------
+    periods : return periods (years), above 1.
+
+    Raises
+    ------
+    InputError
+        When fewer than five years are recorded nearly whole, or the response is that of one seed.
+    """
+    if of.seeds < FEWEST_SEEDS:
+        few = f"{of.seeds}: how extremes vary from run to run is not known"
+        raise InputError("--seeds", few, "", f"return values need {FEWEST_SEEDS}")
+    draw = np.random.default_rng(seed)
+    found: list[Returned] = []
+    for k, limit in enumerate(of.limits):
+        if limit.side == "mean":
+            continue
+        sign = -1.0 if limit.side == "smallest" else 1.0
+        each = _of_limit(of, k, sign, periods, draw)
+        for period, both in zip(periods, each, strict=True):
+            found.append(Returned(limit, period, *(_turned(one, sign) for one in both)))
+    return found
+
+
+def table_of(found: Sequence[Returned]) -> Table:
+    """Both methods side by side, a row a limit and return period."""
+    rows: list[list[Cell]] = [
+        [label(one.limit), one.years, *one.by_years, *one.by_storms, UNITS[one.limit.output]]
+        for one in found
+    ]
+    return Table(COLUMNS, HEADS, rows)
+
+
+def _of_limit(
+    of: Demands, number: int, sign: float, periods: Sequence[float], draw: np.random.Generator
+) -> Iterator[tuple[ReturnValue, ReturnValue]]:
+    """Both methods by return period, of a response that is larger where it is worse."""
+    demand, off, scale = (
+        values[:, number] for values in (of.rows.demand, of.rows.off, of.rows.scale)
+    )
+    known = np.isfinite(demand)
+    whole = whole_years(of.time, known, of.interval)
+    recorded = float(known.sum()) * of.interval / 8766.0
+    by_years: list[list[tuple[float, FloatArray]]] = [[] for _ in periods]
+    by_storms: list[list[tuple[float, FloatArray]]] = [[] for _ in periods]
+    for _ in range(HISTORIES):
+        spread = scale * max(0.0, 1.0 + OF_SCALE / math.sqrt(of.seeds) * draw.standard_normal())
+        middle = sign * demand + off / NINE_IN_TEN * draw.standard_normal()
+        values = middle + spread * (draw.gumbel(size=len(demand)) - REDUCED)
+        largest = np.array([np.nanmax(values[rows]) for rows in whole])
+        peaks, threshold = storms(of.time, values, PEAKS_A_YEAR)
+        for k, period in enumerate(periods):
+            by_years[k].append(refits_of_years(largest, period, draw, REFITS))
+            fits = refits_of_peaks(peaks, threshold, recorded, period, draw, REFITS)
+            by_storms[k].append(fits)
+    for years, peaks_over in zip(by_years, by_storms, strict=True):
+        yield _joined(years), _joined(peaks_over)
+
+
+def _joined(fits: Sequence[tuple[float, FloatArray]]) -> ReturnValue:
+    """The median of histories, and the band of all refits."""
+    low, high = np.quantile(np.concatenate([refits for _, refits in fits]), BAND)
+    return ReturnValue(float(np.median([value for value, _ in fits])), float(low), float(high))
+
+
+def _turned(of: ReturnValue, sign: float) -> ReturnValue:
+    """With its own sign."""
+    low, high = sorted((sign * of.low, sign * of.high))
+    return ReturnValue(sign * of.value, low, high)

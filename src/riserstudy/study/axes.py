@@ -1,0 +1,104 @@
+"""Axes of studies: numbers with a unit, samples of assumptions, labels, and readings of the study file."""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.inputs.strict import Strict
+
+MOST_VALUES = 1_000_000  # of an axis, and points of a study
+#: of axes, which name dimensions and variables of datasets
+AxisName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,99}$")]
+TIERS = ("preview", "standard", "reference")
+Tier = Literal["preview", "standard", "reference"]
+
+
+class Steps(Strict):
+    """Evenly spaced values, both ends included."""
+
+    start: float
+    stop: float
+    step: Annotated[float, Field(gt=0)]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if not 0.0 <= self.stop - self.start <= MOST_VALUES * self.step:
+            raise ValueError(f"stop must lie above start, by {MOST_VALUES} steps at most")
+        return self
+
+    @property
+    def values(self) -> list[float]:
+        """The values in the axis's unit, added up as they are written: in decimals, without rounding."""
+        count = math.floor((self.stop - self.start) / self.step + 1e-9)
+        start, step = Decimal(repr(self.start)), Decimal(repr(self.step))
+        return [float(start + k * step) for k in range(count + 1)]
+
+
+class Numbers(Strict):
+    """An axis of numbers put at a path of the scene, or at several, with a unit ("1": none).
+
+    On the way a number is multiplied by ``factor`` and ``offset`` is added, where the axis counts in
+    another direction or from elsewhere than the path. Absent: as it is.
+    """
+
+    path: str | Annotated[list[str], Field(min_length=1)]
+    unit: str
+    factor: float | None = None
+    offset: float | None = None
+    values: list[float] | Steps
+    preview: list[float] | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        numbers = self.numbers("standard")
+        if not numbers or len(set(numbers)) != len(numbers):
+            raise ValueError("values: must be there, each once")
+        if self.preview and not set(self.preview) <= set(numbers):
+            raise ValueError("preview: must be some of the values")
+        return self
+
+    def numbers(self, tier: Tier) -> list[float]:
+        """Values of a tier, in the axis's unit."""
+        every = self.values.values if isinstance(self.values, Steps) else self.values
+        return self.preview if tier == "preview" and self.preview else every
+
+    @property
+    def paths(self) -> list[str]:
+        """Where its numbers are put."""
+        return [self.path] if isinstance(self.path, str) else self.path
+
+    def overrides(self, number: float) -> dict[str, Any]:
+        """What a value, in the axis's unit, sets: by path of the scene."""
+        value = number if self.factor is None else number * self.factor
+        value += self.offset or 0.0
+        text = value if self.unit == "1" else f"{value!r} {self.unit}"
+        return dict.fromkeys(self.paths, text)
+
+
+class Samples(Strict):
+    """An axis of samples: every assumption of the scene varied over its range or options at once.
+
+    ``readings`` names readings of the study file that are varied with them, each with equal chance.
+    """
+
+    count: dict[Tier, Annotated[int, Field(ge=2, le=MOST_VALUES)]]
+    seed: Annotated[int, Field(ge=0)]
+    leave: list[str] = Field(default_factory=list)
+    readings: list[str] = Field(default_factory=list)
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if missing := [tier for tier in TIERS if tier not in self.count]:
+            raise ValueError(f"count: no number for {missing[0]}")
+        return self
+
+
+Labels = Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
+#: an axis over all readings of that name in the study file
+Reading = Literal["readings"]
+#: any of these
+Axis = Numbers | Samples | Labels | Reading

@@ -1,0 +1,76 @@
+"""``seas`` of a study file: the hours of a record that the limits of a riser leave, over settings of it."""
+
+from __future__ import annotations
+
+from pathlib import PureWindowsPath
+from typing import Annotated, Any, Self
+
+from pydantic import Field, model_validator
+
+from riserstudy.inputs.strict import Strict
+from riserstudy.scene.units import to_si
+from riserstudy.study.axes import Axis, AxisName
+
+HEADING = "heading"  # the axis of the headings that directions of a record become
+
+
+class SyntheticModel(Strict):
+    """A synthetic record: so many years, made with a seed."""
+
+    years: Annotated[int, Field(ge=1, le=100)]
+    seed: Annotated[int, Field(ge=0)]
+
+
+class HeadingsModel(Strict):
+    """Directions of a record as headings of the scene: in sectors, the first about x.
+
+    ``x_towards``: the bearing that the scene's x points to, clockwise from north, such as ``90 deg``.
+    """
+
+    sectors: Annotated[int, Field(ge=2, le=36)]
+    x_towards: str
+
+    @model_validator(mode="after")
+    def _is_an_angle(self) -> Self:
+        to_si(self.x_towards, "rad")
+        return self
+
+
+class SeasModel(Strict):
+    """Hours of a record of sea states that the limits of a riser leave, at each point of a grid of settings.
+
+    ``record``: a file below the folder of the configuration (CSV or netCDF), or a synthetic record.
+    ``set``, ``limits`` and ``axes`` are those of a study. ``headings``: absent: all seas come from the
+    heading of the scene. ``sea_limits``: limits on the sea itself that must be met too, as ``hs <= 2.5 m``;
+    absent: none. ``seeds``: runs of each sea state. ``error``: of the response between sea states, as part of
+    what is allowed. ``most``: sea states of a heading at most. ``windows``: lengths of work in one go, as
+    ``24 h``; absent: none. ``next_years``: for how many years to come a band is given. ``return_periods``:
+    years in which a response is exceeded once; absent: none.
+    """
+
+    scene: str
+    caption: str
+    record: str | SyntheticModel
+    set: dict[str, Any] = Field(default_factory=dict)
+    limits: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = None
+    axes: dict[AxisName, Axis] = Field(default_factory=dict)
+    headings: HeadingsModel | None = None
+    sea_limits: list[str] = Field(default_factory=list)
+    seeds: Annotated[int, Field(ge=1)] = 5
+    error: Annotated[float, Field(ge=0.001, le=0.5)] = 0.05
+    most: Annotated[int, Field(ge=20)] = 400
+    windows: list[str] = Field(default_factory=list)
+    next_years: Annotated[int, Field(ge=1)] = 10
+    return_periods: list[Annotated[int, Field(ge=2, le=10_000)]] = Field(default_factory=list)
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.headings and HEADING in self.axes:
+            raise ValueError(f"axes.{HEADING}: headings give it; allowed is one of both")
+        if isinstance(self.record, str):
+            path = PureWindowsPath(self.record)
+            if path.anchor or ".." in path.parts:
+                raise ValueError("record: must lie below the folder of the configuration")
+        for text in self.windows:
+            to_si(text, "s")
+        return self

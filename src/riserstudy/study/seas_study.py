@@ -1,0 +1,114 @@
+"""Hours of a record over settings of a riser, ready to be planned: a part for each setting and heading."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from riserstudy.errors import InputError
+from riserstudy.inputs.check import check
+from riserstudy.scene.load import SceneFile
+from riserstudy.study.axes import Labels, Tier
+from riserstudy.study.in_sea import heading_values, phases_of
+from riserstudy.study.models import StudyModel
+from riserstudy.study.seas_model import HEADING, SeasModel
+from riserstudy.study.study import Study
+
+
+class Settings(Study):
+    """The grid of a dataset of seas."""
+
+    @property
+    def where(self) -> str:
+        """How errors name it."""
+        return f"config/studies/{self.paper}.yaml: seas.{self.name}"
+
+
+@dataclass(frozen=True)
+class SeasStudy:
+    """A dataset of seas of a tier, ready to be planned."""
+
+    paper: str
+    name: str
+    model: SeasModel
+    config: Path
+    tier: Tier
+    accuracy: str | None = None
+    readings: dict[str, Labels] = field(default_factory=dict)
+
+    @cached_property
+    def settings(self) -> Study:
+        """The grid of settings, with the heading of the scene."""
+        return self._grid({})
+
+    @cached_property
+    def parts(self) -> Study:
+        """The grid of settings and headings; what a job simulates is one point of it."""
+        if self.model.headings is None:
+            return self.settings
+        sets = heading_values(self.settings.base, self.model.headings.sectors)
+        return self._grid({HEADING: {str(k): one for k, one in enumerate(sets)}})
+
+    def _grid(self, more: dict[str, Any]) -> Study:
+        model = self.model
+        fields = {
+            "scene": model.scene,
+            "caption": model.caption,
+            "set": model.set,
+            "limits": model.limits,
+            "axes": model.axes | more,
+            "keep": [],
+        }
+        where = f"config/studies/{self.paper}.yaml: seas.{self.name}"
+        grid = check(StudyModel, fields, where)
+        more_of = (self.config, self.tier, self.accuracy, self.readings)
+        return Settings(self.paper, self.name, grid, *more_of)
+
+    @property
+    def record_file(self) -> Path | None:
+        """The file of the record; None of a synthetic one."""
+        return self.config / self.model.record if isinstance(self.model.record, str) else None
+
+    def part(self, number: int) -> tuple[SceneFile, int]:
+        """Scene of the setting of a part, and the number of its heading (0 where there is one alone)."""
+        index = self.parts.plan[number].index
+        if self.model.headings is None:
+            return self.settings.grid.file(index), 0
+        return self.settings.grid.file(index[:-1]), index[-1]
+
+    def check(self) -> None:
+        """See that each setting has what hours of a record need, before any job.
+
+        Raises
+        ------
+        InputError
+            Where one has not.
+        """
+        for point in self.parts.plan:
+            file = self.parts.grid.file(point.index)
+            phases_of(file, 1)  # refuses a scene without a sea or a time
+            if not file.scene().limits:
+                raise InputError(
+                    self.settings.where, "limits", "none", "give what the riser may do"
+                )
+
+    @cached_property
+    def digest(self) -> str:
+        """One string that changes when anything that the dataset depends on changes."""
+        about = [self.parts.digest, self.model.model_dump(mode="json"), self._content]
+        return hashlib.sha256(json.dumps(about, sort_keys=True).encode()).hexdigest()[:16]
+
+    @property
+    def _content(self) -> str:
+        """Digest of the file of the record."""
+        if self.record_file is None:
+            return ""
+        try:
+            return hashlib.sha256(self.record_file.read_bytes()).hexdigest()
+        except OSError as error:
+            found = f"{self.record_file}: {error.strerror}"
+            raise InputError(self.settings.where, "record", found, "allowed is a file") from None
