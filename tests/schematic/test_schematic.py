@@ -1,18 +1,22 @@
 """Schematics: to scale, of every scene, with what is there and nothing else, and readable."""
 
 import re
+import shutil
 from functools import cache
 from itertools import combinations
 from math import hypot
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Annotation, Text
 
+from riserstudy.errors import InputError
 from riserstudy.figures.drawn import headline
+from riserstudy.jobs.figure import from_scene
 from riserstudy.scene.load import load_scene
 from riserstudy.schematic import schematic
 from riserstudy.schematic.geometry import Geometry
@@ -31,7 +35,7 @@ PRINTED = {"chang2020": 14, "liu2020": 24, "mao_hangoff": 14, "fem_riser": 8, "l
 @cache
 def drawn(paper, name):
     """A schematic of a paper, laid out."""
-    figure = schematic(read_studies(CONFIG, paper).schematics[name].file(CONFIG).scene())
+    figure = from_scene(CONFIG, paper, name)
     FigureCanvasAgg(figure).draw()
     return figure
 
@@ -194,3 +198,37 @@ def test_words_of_a_scene_are_drawn_as_written(tmp_path):
     drawn = [text.get_text() for text in figure.findobj(Text)]
     assert words in drawn
     assert any(r"$\alpha{$ [/x]" in text for text in drawn)
+
+
+def levels(figure):
+    """Heights of the boxes and lines of the upper end, panel (b): cylinders and platform are among them."""
+    boxes = [
+        (p.get_y(), p.get_y() + p.get_height())
+        for p in figure.axes[1].patches
+        if hasattr(p, "get_y")
+    ]
+    return np.array([edge for box in boxes for edge in box])
+
+
+def test_standing_cylinders_are_below_the_ring_and_hanging_ones_above():
+    scene = load_scene(CONFIG / "scenes/chang2020/heave.yaml").scene()
+    ring = Geometry(scene).ring[1]
+    hull = 0.26 * 1.3  # the mass at the ring reaches to both sides of it by less than that (inches)
+    standing, hanging = (levels(schematic(scene, standing=way)) for way in (True, False))
+    height = np.ptp(schematic(scene).axes[1].get_ylim())
+    reach = hull * height / 2.0
+    assert (standing < ring - reach).sum() > (standing > ring + reach).sum() == 0
+    assert (hanging > ring + reach).sum() > (hanging < ring - reach).sum() == 0
+
+
+def test_cylinders_that_the_scene_arranges_are_not_made_to_stand(tmp_path):
+    shutil.copytree(CONFIG, tmp_path / "config")
+    path = tmp_path / "config/studies/liu2020.yaml"
+    text = path.read_text("utf-8")
+    head, sep, rest = text.partition("schematics:\n  fig01:\n")
+    assert sep
+    path.write_text(f"{head}{sep}    cylinders: standing\n{rest}", "utf-8")
+    with pytest.raises(
+        InputError, match=r"schematics\.fig01\.cylinders: .*arranges its tensioners"
+    ):
+        from_scene(tmp_path / "config", "liu2020", "fig01")

@@ -37,8 +37,23 @@ def from_datasets(config: Path, paper: str, name: str, datasets: dict[str, xr.Da
 
 
 def from_scene(config: Path, paper: str, name: str) -> Figure:
-    """Draw the schematic of a scene."""
+    """Draw the schematic of a scene.
+
+    Raises
+    ------
+    InputError
+        When cylinders are to stand that the scene arranges, or does not have: study file and field.
+    """
     from riserstudy.schematic import schematic
 
     model = read_studies(config, paper).schematics[name]
-    return schematic(model.file(config).scene())
+    scene, standing = model.file(config).scene(), model.cylinders == "standing"
+    rig = scene.top.tensioners
+    if standing and (rig is None or rig.arrangement):
+        where = config / f"studies/{paper}.yaml"
+        found = "standing, but the scene " + (
+            "arranges its tensioners" if rig else "has no tensioners"
+        )
+        allowed = "tensioners without an arrangement, or 'hanging'"
+        raise InputError(where, f"schematics.{name}.cylinders", found, allowed)
+    return schematic(scene, standing=standing)

@@ -182,7 +182,8 @@ class Workplan(Configuration):
         """The code that draws, and what a plot for any grid, or a schematic, is to show."""
         figure = self.files[paper].figures.get(name)
         if figure is None:
-            drawn = json.dumps(canonical(self.schematic(paper, name).scene()))
+            model = self.files[paper].schematics[name]
+            drawn = json.dumps(canonical(self.schematic(paper, name).scene())) + model.cylinders
         else:
             drawn = " ".join((figure.plot or "", *(figure.of or [])))
             if figure.settings:

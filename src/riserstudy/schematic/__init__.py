@@ -40,10 +40,10 @@ NOTE = (
 )
 
 
-def schematic(scene: Scene) -> Figure:
-    """Drawing of a scene."""
+def schematic(scene: Scene, *, standing: bool = False) -> Figure:
+    """Drawing of a scene; ``standing``: cylinders without an arrangement are drawn below the ring."""
     with as_written():
-        return _schematic(Geometry(scene), scene)
+        return _schematic(Geometry(scene, standing), scene)
 
 
 def _schematic(geometry: Geometry, scene: Scene) -> Figure:
@@ -129,6 +129,8 @@ def _upper(geometry: Geometry) -> tuple[tuple[float, float], float]:
     near = min(MOST, NEAR * geometry.riser_length)
     if span > 0.0:
         return (x, ring + 0.55 * span), 1.9 * span
+    if geometry.standing:
+        return (geometry.top[0], ring - 0.12 * near), near
     surface = geometry.surface
     if surface is not None and 0.2 * near < abs(surface - ring) < 2.0 * near:
         near = 2.2 * abs(surface - ring)

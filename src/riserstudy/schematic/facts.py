@@ -13,6 +13,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import Storm, Swell
 from riserstudy.scene.tensioners import Tensioners
+from riserstudy.schematic.labels import UNBROKEN
 
 DEGREE = math.pi / 180.0
 TONNE = 1000.0  # kg
@@ -21,13 +22,21 @@ TONNE = 1000.0  # kg
 def amount(value: float, unit: str) -> str:
     """A number to four digits with its unit, in thousands of it where that is shorter."""
     text = EngFormatter(unit)(float(f"{value:.4g}"))
-    return text.replace(" ", "\u00a0")
+    return text.replace(" ", UNBROKEN)
+
+
+def metres(value: float, sign: str = "") -> str:
+    """A length or elevation: a true minus, thousands apart from five digits on."""
+    text = f"{value:{sign},.6g}" if abs(value) >= 10_000 else f"{value:{sign}.6g}"
+    return text.replace("-", "−").replace(",", UNBROKEN) + f"{UNBROKEN}m"
 
 
 def mass(value: float) -> str:
     """A mass in tonnes, or in kilograms below one."""
     tonnes = float(f"{value / TONNE:.4g}")
-    return f"{tonnes:,.10g}\u00a0t" if tonnes >= 1.0 else f"{value:.3g}\u00a0kg"
+    if tonnes < 1.0:
+        return f"{value:.3g}{UNBROKEN}kg"
+    return f"{tonnes:,.10g}".replace(",", UNBROKEN if tonnes >= 10_000 else "") + f"{UNBROKEN}t"
 
 
 def degrees(value: float) -> str:
@@ -42,14 +51,14 @@ def sentence(parts: Iterable[str]) -> str:
 
 def section_text(section: Section, wet: bool) -> str:
     """Name, size, stiffness, mass and weight of a section, and what is in and around it."""
-    size = f"{section.total_length:,.6g} m"
+    size = metres(section.total_length)
     if section.joints:
         size = f"{section.joints.count} × {section.joints.length:.4g} m"
     outer, inner = section.outer_diameter, section.inner_diameter
     pipe = f"{1000 * outer:.4g} mm" if outer else ""
     if outer and inner:
         pipe += f" × {500 * (outer - inner):.3g} mm wall"
-    drag, weight = section.drag, section.submerged_weight
+    drag, weight, full = section.drag, section.submerged_weight, section.contents
     return f"{section.name}: " + sentence(
         [
             size,
@@ -57,8 +66,10 @@ def section_text(section: Section, wet: bool) -> str:
             f"EA {amount(section.axial_stiffness, 'N')}" if section.axial_stiffness else "",
             f"EI {amount(section.bending_stiffness, 'N m²')}" if section.bending_stiffness else "",
             f"{mass(section.mass)}/m" if section.mass else "",
-            f"{amount(weight, 'N')}/m{' in water' if wet else ''}" if weight else "",
-            f"filled, {section.contents.density:.4g} kg/m³" if section.contents else "",
+            f"{amount(weight, 'N')}/m{' in water' if wet else ''}{' without contents' if full else ''}"
+            if weight
+            else "",
+            f"contents of {full.density:.4g} kg/m³" if full else "",
             f"drag on {drag.diameter:.3g} m" if drag else "",
             "drag along the pipe" if section.tangential_drag else "",
             f"line load {amount(section.lateral_load, 'N')}/m" if section.lateral_load else "",
@@ -111,12 +122,12 @@ def bottom_text(scene: Scene) -> str:
 
 
 def freedom_text(scene: Scene) -> str:
-    """Directions of motion that the scene calls for, and its line that does."""
+    """Directions of motion that the scene needs, and its entry that needs them."""
     if scene.spatial:
-        return f"motion in space, because of {scene.spatial}"
+        return f"moves in x, y and z, because the scene has {scene.spatial}"
     if scene.lateral:
-        return f"motion in the plane of x and z, because of {scene.lateral}"
-    return "axial motion only"
+        return f"moves in the plane of x and z, because the scene has {scene.lateral}"
+    return "moves along its axis only"
 
 
 def tensioner_text(rig: Tensioners) -> str:
@@ -128,13 +139,18 @@ def tensioner_text(rig: Tensioners) -> str:
     elif both:
         pull = both.high.area * both.high.pressure - both.low.area * both.low.pressure
         law = f"gas on both sides, {amount(pull, 'N')} each at mid-stroke"
+        if both.pistons:
+            each = "each" if both.pistons.counted == "each" else "in all"
+            law += f", less pistons of {mass(both.pistons.mass)} {each}"
     elif line:
         law = f"{amount(line.tension, 'N')} and {amount(line.stiffness, 'N/m')} each"
     failed = f"{len(rig.failed)} failed" if rig.failed else ""
     made_linear = "made linear" if rig.linearised else ""
     damped = f"damper {amount(rig.damper, 'N s/m')}" if rig.damper else ""
     stops = (
-        f"stops at {rig.stroke.shortest:.3g} and {rig.stroke.longest:+.3g} m" if rig.stroke else ""
+        f"stops at {metres(rig.stroke.shortest)} and {metres(rig.stroke.longest, '+')}"
+        if rig.stroke
+        else ""
     )
     cylinders = "1 cylinder" if rig.count == 1 else f"{rig.count} cylinders"
     return sentence([f"tensioners: {cylinders}", law, made_linear, damped, stops, failed])

@@ -21,9 +21,13 @@ LINE_POINTS = 201
 
 @dataclass(frozen=True)
 class Geometry:
-    """A scene's riser as a line in the plane of x and z, unstretched, and the levels beside it (m)."""
+    """A scene's riser as a line in the plane of x and z, unstretched, and the levels beside it (m).
+
+    ``standing``: cylinders that have no arrangement stand on the platform and push the ring up.
+    """
 
     scene: Scene
+    standing: bool = False
 
     @cached_property
     def length(self) -> float:

@@ -8,7 +8,7 @@ import numpy as np
 
 from riserstudy.model.sea import current_velocity, wave_number
 from riserstudy.scene.sea import Swell
-from riserstudy.schematic.facts import degrees, wave_text
+from riserstudy.schematic.facts import degrees, metres, wave_text
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import WATER
 from riserstudy.schematic.view import View
@@ -26,12 +26,12 @@ def sea(view: View, geometry: Geometry) -> None:
         floor = seabed if seabed is not None else low
         view.ax.axhspan(max(low, floor), min(high, surface), color="#e8f2fa", zorder=0.0)
         view.line([left, right], [surface, surface], color=WATER, linewidth=0.7, zorder=1.0)
-        view.name(f"mean water level, {surface:,.6g} m", (right, surface), WATER, whole=True)
+        view.name(f"mean water level, {metres(surface)}", (right, surface), WATER, whole=True)
     if seabed is not None and low < seabed:
         word = "mudline" if geometry.scene.soil else "seabed"
         view.ax.axhspan(low, seabed, color="#efe7da", zorder=0.0)
         view.line([left, right], [seabed, seabed], color="#7a6a4f", linewidth=0.9, zorder=1.0)
-        view.name(f"{word}, {seabed:,.6g} m", (right, seabed), whole=True)
+        view.name(f"{word}, {metres(seabed)}", (right, seabed), whole=True)
     wave(view, geometry)
     current(view, geometry)
 

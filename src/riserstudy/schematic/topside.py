@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from riserstudy.schematic.facts import amount, platform_texts, tensioner_text, vessel_texts
+from riserstudy.schematic.facts import amount, metres, platform_texts, tensioner_text, vessel_texts
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import FREEDOM, LOAD, PART
 from riserstudy.schematic.view import View
@@ -50,7 +50,7 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
     view.box((x, low), SLEEVE * pipe, 0.55 * (high - low))
     view.box((x, low + 0.55 * (high - low)), pipe, 0.45 * (high - low), facecolor="white")
     stops = joint.stop and {1: joint.stop.stroke, -1: joint.stop.collapse}
-    places = [f"{sign * by:+.3g} m" for sign, by in (stops or {}).items() if by]
+    places = [metres(sign * by, "+") for sign, by in (stops or {}).items() if by]
     stop = f", stop at {' and '.join(places)}" if places else ""
     text = f"telescopic joint: {joint.length:.4g} m{stop}"
     view.name(text, (x + 0.5 * pipe, low + 0.7 * (high - low)))
@@ -64,6 +64,8 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
 def deck(view: View, geometry: Geometry) -> float:
     """Elevation of the platform as drawn; above tensioners without a length, by theirs as drawn."""
     rig = geometry.scene.top.tensioners
+    if geometry.standing:
+        return geometry.ring[1] - (UPRIGHT + HULL[1]) * view.symbol
     if rig and rig.arrangement is None and not geometry.scene.top.telescopic_joint:
         return geometry.ring[1] + UPRIGHT * view.symbol
     return geometry.deck
@@ -84,7 +86,7 @@ def tensioners(view: View, geometry: Geometry) -> None:
     else:
         places = [0.0] if rig.count == 1 else [-ASIDE * view.symbol, ASIDE * view.symbol]
         feet = [(a, a) for a in places]
-        high = deck(view, geometry)
+        high = deck(view, geometry) + (HULL[1] * view.symbol if geometry.standing else 0.0)
         view.line([x + feet[0][0], x + feet[-1][0]], [z, z], linewidth=2.4, zorder=4)
     for (low_x, high_x), works in zip(feet, rig.working, strict=False):
         middle = (x + 0.5 * (low_x + high_x), 0.5 * (z + high))
@@ -95,7 +97,9 @@ def tensioners(view: View, geometry: Geometry) -> None:
             view.line([middle[0], x + high_x], [middle[1], high], **rest)
         else:
             view.line([middle[0]] * 2, [z, middle[1]], color=colour, linestyle=(0, (4, 2)))
-            view.box(middle, BARREL * view.symbol, high - middle[1], edgecolor=colour)
+            view.box(
+                middle, BARREL * view.symbol, high - middle[1], edgecolor=colour
+            )  # up, or down
     right = max(feet, key=lambda foot: foot[1])
     at = (x + 0.5 * (right[0] + right[1]), 0.65 * high + 0.35 * z)
     view.name(tensioner_text(rig) + ("" if place else " (length not given)"), at)

@@ -176,11 +176,16 @@ def meets(one: str, other: str) -> bool:
 
 
 class SchematicModel(Strict):
-    """A scene drawn to scale, with what is set on top of it. Absent set: nothing."""
+    """A scene drawn to scale, with what is set on top of it. Absent set: nothing.
+
+    ``cylinders``: whether tensioners without an arrangement hang from the platform above the ring, or stand
+    on it below the ring; no equation differs. Absent: they hang.
+    """
 
     caption: str
     scene: str
     set: dict[str, Any] = Field(default_factory=dict)
+    cylinders: Literal["hanging", "standing"] = "hanging"
 
     def file(self, config: Path) -> SceneFile:
         """The scene that is drawn."""
