@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.chapters.mao_hangoff.claims.heave import lmrp_motion
+from riserstudy.chapters.mao_hangoff.claims.towed import distance_follows, grows_in_time
 from riserstudy.chapters.mao_hangoff.hanging import largest_rise
 from riserstudy.chapters.mao_hangoff.runs import (
     PRINTED,
@@ -21,6 +22,8 @@ from riserstudy.chapters.mao_hangoff.runs import (
     moments,
 )
 from riserstudy.chapters.mao_hangoff.towed import at_top
+from riserstudy.grading.found import answers
+from riserstudy.grading.word import Word
 from riserstudy.scene.origin import unwrap
 from riserstudy.scene.units import to_si
 
@@ -67,6 +70,41 @@ def _near(miss: xr.DataArray, within: float) -> str:
 
 def _of_reading(labels: tuple[str, ...]) -> str:
     return " / ".join(labels)
+
+
+def parts_of_samples(
+    runs: xr.Dataset, at_most: float, change: Word, ramp: float, area: float
+) -> dict[str, Any]:
+    """Share of samples in which C5 and C10 are true, on both sides of a ramp and of a drag area.
+
+    Parameters
+    ----------
+    runs : over ``sample`` and ``lmrp_mass``.
+    at_most, change : as C5 and C10 have them.
+    ramp : of the platform's speed (s).
+    area : drag area of the LMRP (m2).
+    """
+    claims = {
+        "C5": grows_in_time(runs, at_most),
+        "C10": distance_follows(runs, "lmrp_mass", -1.0, change),
+    }
+    sides = {
+        "ramp": _drawn(runs, "platform_cruise_ramp", "s") > ramp,
+        "area": _drawn(runs, "bottom_body_drag_area_horizontal", "m^2") > area,
+    }
+    facts: dict[str, Any] = {"ramp": ramp, "area": area}
+    for name, found in claims.items():
+        true = answers(found) > 0
+        for side, above in sides.items():
+            facts[f"{name}_{side}_above"] = float(true.sel(sample=above).mean())
+            facts[f"{name}_{side}_below"] = float(true.sel(sample=~above).mean())
+    return facts | {f"{side}_count": int(above.sum()) for side, above in sides.items()}
+
+
+def _drawn(runs: xr.Dataset, name: str, unit: str) -> xr.DataArray:
+    """What samples assume of an input, which datasets have as it is written."""
+    texts = runs[f"assumed_{name}"]
+    return texts.copy(data=[to_si(str(text), unit) for text in texts.values])
 
 
 def lighter(runs: xr.Dataset, heavy: float, light: float) -> dict[str, Any]:

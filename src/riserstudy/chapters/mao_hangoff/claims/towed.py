@@ -69,6 +69,15 @@ def upright_at_the_lmrp(runs: xr.Dataset, at_most: float) -> Found:
     return judged(lowest / mean, below(lowest, at_most * mean))
 
 
+def steep_near_the_surface(runs: xr.Dataset, depth: float, steeper: Word) -> Found:
+    """The mean slope down to a depth (m) exceeds that of the riser; value: their ratio."""
+    away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
+    top = float(away["s"][-1])
+    near = away.interp(s=top - depth).drop_vars("s") / depth
+    mean = away.isel(s=0, drop=True) / (top - float(away["s"][0]))
+    return judged(near / mean, more(near, mean, steeper))
+
+
 def moment_at_the_top(runs: xr.Dataset) -> Found:
     """M lies in the surface zone; value: its depth below the joint (m)."""
     moment = with_printed_lmrp(moments(runs))

@@ -54,7 +54,7 @@ def readings(
     _two_way_key(figure, weights, flows)
     misses = misses_of_print(readings, heavy, light, moment)
     _ring_nearest(axes, numbers, misses)
-    headline(figure, _how_near(misses, heavy, light, moment, within, "readings"))
+    headline(figure, _how_near(misses, heavy, light, moment, within, "interpretations"))
     return figure
 
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from riserstudy.chapters.mao_hangoff.runs import STATED, as_drawn
 from riserstudy.chapters.mao_hangoff.towed import displacement
+from riserstudy.figures.insets import close_up, enlarge
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -35,7 +36,7 @@ START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
 DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 SIGNED = "bending moment at 130 s, signed (kN m)"
-CLOSE_UP = 20.0  # s, at the end of records
+HEAVE = 10.0  # s, period of the base case's heave
 viridis = colormaps["viridis"]
 
 
@@ -49,17 +50,23 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
     shapes, moments = -displacement(runs), runs["bending_moment"] / 1e3
     depth = float(runs["s"][-1]) - runs["s"]
     for ax, curves in zip(axes, (shapes, moments), strict=True):
-        for colour, time in zip(COLOURS, START, strict=False):
+        for colour, time in zip(viridis(np.linspace(0.0, 0.8, len(START))), START, strict=True):
             at = curves.sel(time=time)
             ax.plot(at.sel(integrator="implicit"), depth, color=colour, label=f"{time:g} s")
             ax.plot(at.sel(integrator="explicit"), depth, ".", color=colour, ms=4)
-    axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit, dots")
+    axes[1].plot([], [], color=GREY, label="implicit")
+    axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit")
     _down(axes[0], ASTERN)
     _down(axes[1], "bending moment (kN m)")
-    axes[1].legend(fontsize="small")
+    axes[1].legend(fontsize="small", loc="lower right")
+    shares = []
+    for curves in (shapes, moments):
+        at = curves.sel(time=list(START))
+        apart = abs(at.sel(integrator="explicit") - at.sel(integrator="implicit")).max()
+        shares.append(100.0 * float(apart / abs(at).max()))
     headline(
         figure,
-        "Implicit and explicit stepping agree for 12 s of a generic case",
+        f"Shapes by implicit and explicit stepping agree to {shares[0]:.1g} %, moments to {shares[1]:.1g} %",
     )
     return figure
 
@@ -68,7 +75,8 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
     """Shape of the PE pipe at several speeds."""
     figure, (ax,) = panels(height=3.8)
     below = float(pe_pipe["s"][-1]) - pe_pipe["s"]
-    for colour, speed in zip(COLOURS, pe_pipe["current_speed"].values, strict=False):
+    speeds = pe_pipe["current_speed"].values
+    for colour, speed in zip(viridis(np.linspace(0.0, 0.85, len(speeds))), speeds, strict=True):
         for line, filling in (("-", "flooded"), (":", "closed")):
             shape = pe_pipe["x"].sel(current_speed=speed, filling=filling)
             label = f"{speed:g} m/s" if filling == "flooded" else None
@@ -79,7 +87,9 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
     ax.set_ylabel("distance from the clamp (mm)")
     ax.invert_yaxis()
     ax.legend(fontsize="small")
-    headline(figure, "Deflection of the PE pipe in the tank, at assumed speeds")
+    tip = pe_pipe["x"].isel(s=0).sel(filling="flooded")
+    power = np.log(float(tip[-1] / tip[0])) / np.log(float(speeds[-1] / speeds[0]))
+    headline(figure, f"The tip deflects with the power {power:.1f} of the speed (speeds assumed)")
     return figure
 
 
@@ -115,16 +125,24 @@ def fig09(
     depth = float(base["s"][-1]) - base["s"]
     axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=COLOURS[0])
     axes[0].axvline(heavy, label=f"printed at the LMRP: {heavy:g} m", **PRINTED)
-    ours = _largest_to_the_right(base_runs["bending_moment"].sel(time=STATED) / 1e3)
+    at_130 = base_runs["bending_moment"].sel(time=STATED) / 1e3
+    turn = _sign_of_largest(at_130)
+    ours = turn * at_130
     at_joint = float(ours.isel(s=-1))
     axes[1].plot(ours, depth, color=COLOURS[0])
     style: dict[str, Any] = {"color": COLOURS[0], "ms": 4, "clip_on": False}
-    axes[1].plot(at_joint, 0.0, "o", label=f"joint: {at_joint:.1f}", **style)
-    axes[1].axvline(moment, label=f"printed: {moment:g}", **PRINTED)
+    cycle = turn * base_runs["bending_moment"].sel(time=slice(STATED - HEAVE, STATED)) / 1e3
+    least, most = cycle.min("time"), cycle.max("time")
+    axes[1].fill_betweenx(
+        depth, least, most, color="0.8", linewidth=0.0, label=f"last {HEAVE:g} s, a heave cycle"
+    )
+    minus = f"{at_joint:.1f}".replace("-", "−")
+    axes[1].plot(at_joint, 0.0, "o", label=f"at the joint: {minus} kN m", **style)
+    axes[1].axvline(moment, label=f"printed: {moment:g} kN m", **PRINTED)
     own = variants.sel(variant="mesh and step of the paper")
     shape = -displacement(own).sel(time=STATED).dropna("s")
     theirs = own["bending_moment"].sel(time=STATED).dropna("s") / 1e3
-    theirs = _largest_to_the_right(theirs)
+    theirs = _sign_of_largest(theirs) * theirs
     for ax, curve in zip(axes, (shape, theirs), strict=False):
         ax.plot(
             curve,
@@ -147,19 +165,18 @@ def fig09(
     axes[3].set_ylabel("axial motion (m)")
     for ax in axes:
         ax.legend(fontsize="small")
-    axes[1].legend(fontsize="small", loc=(0.02, 0.35))  # clear of the curves
+    axes[1].legend(fontsize="x-small", loc=(0.36, 0.3))  # clear of the curves
     away = float(-base["displacement_along"].sel(time=STATED).isel(s=0))
     headline(
         figure,
-        f"The LMRP trails by {away:.1f} m, the moment reaches {float(ours.max()):.1f} kN m",
+        f"The LMRP trails by {away:.1f} m, the moment reaches {float(ours.max()):.1f} kN m (calibrated)",
     )
     return figure
 
 
-def _largest_to_the_right(moment: xr.DataArray) -> xr.DataArray:
-    """A signed moment over s, turned so that its largest size is positive."""
-    largest = float(moment.isel(s=int(abs(moment).argmax("s"))))
-    return moment if largest > 0.0 else -moment
+def _sign_of_largest(moment: xr.DataArray) -> float:
+    """Sign of a moment over s where it is largest: times it, the largest is positive."""
+    return float(np.sign(moment.isel(s=int(abs(moment).argmax("s")))))
 
 
 def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
@@ -168,11 +185,23 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
     """
     figure = _three(lmrp_mass, "lmrp_mass", (140.0, 130.0, 120.0), "LMRP {:g} t")
-    for value, colour in ((heavy, COLOURS[0]), (light, COLOURS[2])):
-        figure.axes[0].axvline(value, **(PRINTED | {"color": colour}))
-    figure.axes[0].set_xlim(right=1.05 * light)
-    panel_title(figure.axes[0], "dashed: printed")
-    figure.axes[1].axvline(moment, **(PRINTED | {"color": COLOURS[0]}))
+    shapes, moments = figure.axes[:2]
+    blue, _, green = (line.get_color() for line in shapes.lines)
+    far = (heavy, light)
+    for value, colour in zip(far, (blue, green), strict=True):
+        shapes.axvline(value, label=f"printed: {value:g} m", **(PRINTED | {"color": colour}))
+    moments.axvline(moment, label=f"printed: {moment:g} kN m", **(PRINTED | {"color": blue}))
+    shapes.set_xlim(right=1.05 * light)
+    length = float(lmrp_mass["s"][-1])
+    near = (0.9 * heavy, 1.02 * light)
+    enlarge(shapes, (0.2, 0.1, 0.42, 0.36), near, (0.87 * length, 1.01 * length))
+    size = lmrp_mass["bending_moment_size"] / 1e3
+    top = float(size.max())
+    deep = length - float(size["s"][int(size.max("lmrp_mass").argmax("s"))])
+    enlarge(moments, (0.36, 0.28, 0.58, 0.36), (0.9 * top, 1.05 * top), (deep - 60, deep + 40))
+    small: dict[str, Any] = {"fontsize": "x-small", "framealpha": 1.0}
+    shapes.legend(handles=shapes.lines[-len(far) :], loc="upper right", **small)
+    moments.legend(handles=moments.lines[-1:], loc=(0.38, 0.12), **small)  # clear of the curves
     change = _changes(lmrp_mass, "lmrp_mass", 140.0, 120.0)["displacement"]
     headline(
         figure,
@@ -184,16 +213,14 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
 def fig11(current_speed: xr.Dataset) -> Figure:
     """The same for three speeds of the current, in two profiles."""
     figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), "current {:g} m/s")
-    change = _changes(as_drawn(current_speed), "current_speed", 1.0, 1.2)
-    headline(figure, f"A faster current {_strongest(change)}")
+    headline(figure, _by_profile("current", current_speed, "current_speed", 1.0, 1.2))
     return figure
 
 
 def fig12(platform_speed: xr.Dataset) -> Figure:
     """The same for three speeds of the platform, in two profiles."""
     figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), "platform {:g} kn")
-    change = _changes(as_drawn(platform_speed), "platform_speed", 2.4, 2.6)
-    headline(figure, f"A faster platform {_strongest(change)}")
+    headline(figure, _by_profile("platform", platform_speed, "platform_speed", 2.4, 2.6))
     return figure
 
 
@@ -223,7 +250,7 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     z = track_one_profile["z"].isel(s=0)
     depth = float(shapes["s"][-1]) - shapes["s"]
     for colour, track, angle in zip(COLOURS, ONE_PROFILE, (0.0, 45.0, 90.0), strict=False):
-        axes[0].plot(-shapes.sel(track=track), depth, color=colour, label=f"track at {angle:g} deg")
+        axes[0].plot(-shapes.sel(track=track), depth, color=colour, label=f"track at {angle:g}°")
         axes[1].plot(moments.sel(track=track), depth, color=colour)
         risen = z.sel(track=track) - z.sel(track=track).isel(time=0)
         axes[2].plot(risen["time"], risen, color=colour, lw=1.0)
@@ -239,7 +266,6 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     _down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel(RISE)
-    _close_up(axes[2])
     key_below(figure, axes[0], 5)
     places = [float(-shapes.sel(track=track).isel(s=0)) for track in ONE_PROFILE]
     headline(
@@ -259,18 +285,23 @@ def fig14(riser_length: xr.Dataset) -> Figure:
     figure = _three(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
     change = _changes(riser_length, "riser_length", 1200.0, 1800.0)
     least = min(change, key=lambda name: change[name])
+    verb = "lowers" if change[least] < 0.0 else "raises"
     headline(
         figure,
-        f"A longer riser changes the {least} by {change[least]:+.0f} %; published: an increase",
+        f"A longer riser {verb} the {least} by {abs(change[least]):.0f} %; published: an increase",
     )
     return figure
 
 
-def _strongest(change: dict[str, float]) -> str:
-    """The largest of several changes (%), in words."""
-    name = max(change, key=lambda one: abs(change[one]))
-    verb = "increases" if change[name] > 0.0 else "decreases"
-    return f"{verb} the {name} most, by {abs(change[name]):.0f} %"
+def _by_profile(what: str, runs: xr.Dataset, axis: str, first: float, last: float) -> str:
+    """How the displacement changes along an axis in the two profiles that are drawn, in words."""
+    profiles = [runs.isel(current_profile=k, drop=True) for k in (0, -1)]
+    low, high = sorted(round(_changes(run, axis, first, last)["displacement"]) for run in profiles)
+    if low < 0 < high:
+        return f"By profile, a faster {what} changes the displacement by {low} or {high:+} %"
+    verb = "increases" if high > 0 else "decreases"
+    least, most = sorted((abs(low), abs(high)))
+    return f"By profile, a faster {what} {verb} the displacement by {least} or {most} %"
 
 
 def _changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str, float]:
@@ -302,27 +333,10 @@ def _three(
     _down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel(RISE)
-    _close_up(axes[2])
+    close_up(axes[2])
     if key:
         key_below(figure, axes[0], 3)
     return figure
-
-
-def _close_up(ax: Axes) -> None:
-    """The last crest of curves over time, enlarged, where they would lie on one another."""
-    curves = [(np.asarray(line.get_xdata()), np.asarray(line.get_ydata())) for line in ax.lines]
-    end = max(float(t[-1]) for t, _ in curves)
-    lowest, highest = ax.get_ylim()
-    ax.set_ylim(lowest, highest + 0.85 * (highest - lowest))
-    inset = ax.inset_axes((0.17, 0.62, 0.8, 0.28))
-    for line, (t, z) in zip(ax.lines, curves, strict=True):
-        late = t >= end - CLOSE_UP
-        inset.plot(t[late], z[late], color=line.get_color(), lw=1.0)
-    tops = [float(z[t >= end - CLOSE_UP].max()) for t, z in curves]
-    spread = max(max(tops) - min(tops), 0.02 * abs(max(tops)))
-    inset.set_ylim(min(tops) - 2.0 * spread, max(tops) + spread)
-    inset.tick_params(labelsize="x-small")
-    inset.set_title("crests of the last 20 s", fontsize="x-small", pad=2)
 
 
 def _down(ax: Axes, label: str) -> None:
@@ -374,7 +388,8 @@ def trends(
     ):
         axes[3].plot(angle, values, style, color=COLOURS[4], label=label)
     axes[3].set_xlabel("track angle (deg)")
-    axes[3].set_ylabel("LMRP (m)")
+    axes[3].set_ylabel("place of the LMRP (m)")
+    panel_title(axes[3], "in 3 m/s")
     axes[3].legend(fontsize="small")
     most = max(ends, key=lambda name: float(abs(ends[name]).max()))
     least = min(ends, key=lambda name: float(abs(ends[name]).max()))

@@ -1,0 +1,69 @@
+"""Rows on where displacement grows, and on samples with long ramps and large drag areas."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.chapters.mao_hangoff.claims.errata import parts_of_samples
+from riserstudy.chapters.mao_hangoff.claims.towed import steep_near_the_surface
+from riserstudy.grading.words_file import read_words
+
+CONFIG = Path(__file__).parents[3] / "config"
+WORD = read_words(CONFIG).word
+LENGTH = 1800.0  # m
+TIMES = [10.0, 40.0, 70.0, 100.0, 130.0]  # s
+
+
+def shape(kink, upper, lower):
+    """A riser with one slope down to a depth and another below, at 130 s."""
+    depth = np.linspace(LENGTH, 0.0, 361)
+    away = np.where(depth < kink, upper * depth, upper * kink + lower * (depth - kink))
+    coords = {"time": [130.0], "s": LENGTH - depth}
+    return xr.Dataset({"x": (("time", "s"), -away[None])}, coords)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_riser_is_steep_near_the_surface_where_its_slope_is(seed):
+    random = np.random.default_rng(seed)
+    upper, lower = random.uniform(0.02, 0.1, 2)
+    found = steep_near_the_surface(shape(150.0, upper, lower), 150.0, WORD("considerable"))
+    mean = (150.0 * upper + (LENGTH - 150.0) * lower) / LENGTH
+    assert float(found.value) == pytest.approx(upper / mean, rel=1e-9)
+    assert bool(found.true) == (mean < 0.75 * upper)
+
+
+def test_a_straight_riser_makes_no_difference():
+    found = steep_near_the_surface(shape(150.0, 0.05, 0.05), 150.0, WORD("considerable"))
+    assert not bool(found.true)
+    assert bool(found.same)
+
+
+def test_shares_of_samples_are_those_of_either_side():
+    """C5 is made true in every second sample, C10 in every third; ramps and areas are drawn."""
+    random = np.random.default_rng(5)
+    count = 60
+    first = np.where(np.arange(count) % 2, 1.0, 20.0)  # m at 10 s, of 50 at 130 s
+    lighter = np.where(np.arange(count) % 3, 0.9, 1.2)  # distance with 120 t over that with 140 t
+    heavy = np.linspace(first, np.full(count, 50.0), 5)  # over time
+    x = np.zeros((count, 3, 5, 2))
+    for k, share in enumerate((lighter, 0.5 * (1.0 + lighter), np.ones(count))):
+        x[:, k, :, 0] = -(heavy * share).T
+    ramp, area = random.uniform(1.0, 120.0, count), random.uniform(0.0, 80.0, count)
+    runs = xr.Dataset(
+        {
+            "x": (("sample", "lmrp_mass", "time", "s"), x),
+            "assumed_platform_cruise_ramp": ("sample", [f"{x} s" for x in ramp]),
+            "assumed_bottom_body_drag_area_horizontal": ("sample", [f"{x} m^2" for x in area]),
+        },
+        {"lmrp_mass": [120.0, 130.0, 140.0], "time": TIMES, "s": [0.0, LENGTH]},
+    )
+    facts = parts_of_samples(runs, 0.1, WORD("larger"), 60.0, 40.0)
+    small, farther = np.arange(count) % 2 == 1, np.arange(count) % 3 == 0
+    assert facts["ramp_count"] == int((ramp > 60.0).sum())
+    assert facts["area_count"] == int((area > 40.0).sum())
+    for side, drawn, edge in (("ramp", ramp, 60.0), ("area", area, 40.0)):
+        for name, true in (("C5", small), ("C10", farther)):
+            assert facts[f"{name}_{side}_above"] == pytest.approx(true[drawn > edge].mean())
+            assert facts[f"{name}_{side}_below"] == pytest.approx(true[drawn <= edge].mean())
