@@ -87,6 +87,15 @@ def drives_then_inhibits(runs: xr.Dataset, after: float) -> Found:
     return judged(first / 1e3, margin)
 
 
+def deflects_along_at_first(runs: xr.Dataset) -> Found:
+    """Along, the riser starts bowed the way of the environment; value: angle between its ends (deg)."""
+    start = _along(runs).isel(time=0, drop=True)
+    low, top = start["lfj_angle"], start["ufj_angle"]
+    size = abs(low) + abs(top)
+    margin = least(above(low, 0.0, over=size), below(top, 0.0, over=size))
+    return judged(np.rad2deg(low - top), margin)
+
+
 def always_inhibits(runs: xr.Dataset) -> Found:
     """Against, the force inhibits until arrival; value: its largest value (kN)."""
     force = _against(runs["riser_force_x"]).where(_by_arrival(runs, "against"))

@@ -53,18 +53,22 @@ def fig04(driveoff: xr.Dataset) -> Figure:
         axes[column].axhline(100.0, color=GREY, linewidth=0.9, label="printed: false position")
         panel_title(axes[column], title)
         axes[2 + column].set_xlabel(TIME)
-    first, later = (
-        float(first_crossing(driveoff["platform_surge"].sel(case=f"ref_{h}"), 100.0))
-        for h in HEADINGS
-    )
-    set_title(
-        figure,
-        f"The platform arrives after {first:.0f} s along the environment, {later:.0f} s against it",
-    )
+    later = [
+        float(first_crossing(driveoff["platform_surge"].sel(case=f"{kind}_180"), 100.0))
+        - float(first_crossing(driveoff["platform_surge"].sel(case=f"{kind}_0"), 100.0))
+        for kind in SETS
+    ]
+    set_title(figure, f"Against the environment the platform arrives {_range(later)} s later")
     axes[0].set_ylabel(SURGE)
     axes[2].set_ylabel("speed of the platform (m/s)")
     key_below(figure, axes[0], 4)
     return figure
+
+
+def _range(values: list[float]) -> str:
+    """Whole numbers, from the least to the largest."""
+    low, high = round(min(values)), round(max(values))
+    return f"{low}" if low == high else f"{low} to {high}"
 
 
 def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
@@ -84,7 +88,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
     low = float(after.sel(s=LOW, method="nearest"))
     set_title(
         figure,
-        f"The lower riser lags: {low:.2f} m when the top is {float(after.isel(s=-1)):.0f} m away",
+        f"Low on the riser motion is {low:.1f} m when the top has moved {float(after.isel(s=-1)):.0f} m",
     )
     axes[0].set_ylabel("elevation above the wellhead (m)")
     axes[1].legend(fontsize="small", loc="lower left")
@@ -205,8 +209,11 @@ def _limits(ax: Axes, used: xr.DataArray) -> None:
     ax.set_xlabel(TIME)
 
 
-def disconnect(disconnect: xr.Dataset) -> Figure:
-    """When limits are reached, and where the alarm must be, by angle to the environment."""
+def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
+    """When limits are reached, and where the alarm must be, by angle to the environment.
+
+    ``station``: radius within which the platform keeps its station (m); a smaller red circle is too late.
+    """
     scenarios = disconnect["scenario"].values
     figure, axes = panels(2, len(scenarios), 3.2, sharex=True)
     above, below = axes[: len(scenarios)], axes[len(scenarios) :]
@@ -214,6 +221,7 @@ def disconnect(disconnect: xr.Dataset) -> Figure:
         run = disconnect.sel(scenario=scenario)
         _limit_times(times, run)
         _circles(circles, run)
+        circles.axhline(station, label=f"station keeping within {station:g} m (assumed)", **PRINTED)
         panel_title(times, str(scenario))
         circles.set_xlabel("environment to hull (deg)")
         circles.set_xticks(range(0, 181, 45))
@@ -229,8 +237,8 @@ def disconnect(disconnect: xr.Dataset) -> Figure:
         for line, label in zip(*ax.get_legend_handles_labels(), strict=True)
     }
     above[0].legend(seen.values(), seen.keys(), loc="upper right", fontsize="small")
-    key_below(figure, below[-1], len(disconnect["eds_time"]))
-    set_title(figure, _slowest_in_time(disconnect))
+    key_below(figure, below[-1], 3)
+    set_title(figure, _slowest_in_time(disconnect, station))
     return figure
 
 
@@ -256,16 +264,19 @@ def _circles(ax: Axes, run: xr.Dataset) -> None:
         ax.text(0.5, 0.95, words, transform=ax.transAxes, ha="center", va="top", fontsize="small")
 
 
-def _slowest_in_time(disconnect: xr.Dataset) -> str:
-    """Of each scenario the longest disconnect that is in time whatever the direction."""
-    in_time = (disconnect["red_circle_outcome"] != TOO_LATE).all("environment_heading")
+def _slowest_in_time(disconnect: xr.Dataset, station: float) -> str:
+    """Of each scenario the longest disconnect that is in time whatever the direction.
+
+    In time is one whose red circle exceeds the radius (m) within which the platform keeps its station.
+    """
+    in_time = (disconnect["red_circle_radius"] >= station).all("environment_heading")
     longest = disconnect["eds_time"].where(in_time).max("eds_time")
     if bool(longest.isnull().any()):
         never = longest["scenario"].values[np.isnan(longest.values)]
         return f"No tested disconnect is in time in every direction ({', '.join(map(str, never))})"
-    worst = longest.isel(scenario=int(np.argmin(longest.values)))
-    least, scenario = float(worst), worst["scenario"].item()
-    return f"The disconnect must take at most {least:g} s ({scenario})"
+    least = float(longest.min())
+    shortest = longest["scenario"].values[longest.values == least]
+    return f"The disconnect must take at most {least:g} s ({', '.join(map(str, shortest))})"
 
 
 def envelope(envelope: xr.Dataset) -> Figure:
@@ -309,6 +320,10 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
         handles += ax.plot([], [], color=colour, label=f"riser's weight in water: {weight}")
     fit = [calibration.attrs["gain"]], [calibration.attrs["hull_drag"]]
     handles += ax.plot(*fit, "o", color="black", label="fit that is used, with the wave")
+    ax.annotate(
+        "beyond the lines' upper ends\n12° are reached earlier, or never", (0.98, 0.96),
+        xycoords="axes fraction", ha="right", va="top", fontsize="small",
+    )  # fmt: skip
     ax.set_xlabel("thrusters' gain (kN/m)")
     ax.set_ylabel("hull drag (kN s²/m²)")
     ax.set_xlim(float(calibration["gain"].min()), 90.0)
@@ -342,17 +357,14 @@ def coupling(coupling: xr.Dataset) -> Figure:
     axes[2].plot(cost["solve_seconds"], ways, "o", color="black")
     axes[2].axvline(1.0, **PRINTED)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("cost, in turns / as one")
+    axes[2].set_xlabel("cost in turns / cost as one")
     panel_title(axes[2], "bars: iterations, dots: time")
     apart = off["platform_surge"].max("time")
     ends = [
         f"{_millimetres(float(end))} ({str(end['exchange'].item()).partition(',')[0]})"
         for end in (apart[apart.argmin("exchange")], apart[apart.argmax("exchange")])
     ]
-    set_title(
-        figure,
-        f"Separate solution shifts the platform by {ends[0]} to {ends[1]}",
-    )
+    set_title(figure, f"Solving in turns shifts the platform by {ends[0]} to {ends[1]}")
     key_below(figure, axes[0], 2)
     return figure
 
