@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.interpolate import CubicSpline
@@ -38,6 +39,7 @@ STARTS = {"unstretched": "unstretched at rest", "equilibrium": "in equilibrium"}
 PISTON = "piston displacement X = x − a (m)"
 HEAVE, TENSION = "riser heave x (m)", "riser tension (MN)"
 AMPLITUDE, TIME = "heave amplitude of the platform (m)", "time (s)"
+viridis = colormaps["viridis"]
 
 
 # the tensioner's law
@@ -222,7 +224,8 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
     far = share.sel(heave_amplitude=NAMED[1])
     headline(
         figure,
-        f"At {NAMED[1]:g} m every line deviates from the gas law by {float(far.min()):.0f} % or more",
+        f"At {NAMED[1]:g} m every linearised tensioner deviates from the gas law by "
+        f"{float(far.min()):.0f} % or more",
     )
     key_below(figure, axes[4], 3)
     return figure
@@ -245,6 +248,7 @@ def settled_response(steady: xr.Dataset) -> Figure:
     axes[0].legend(fontsize="small", loc="upper right")
     for ax, quantity, label in zip(axes[4:], ("heave", "tension"), (HEAVE, TENSION), strict=True):
         _amplitudes(ax, steady, quantity)
+        panel_title(ax, "gas law, by amplitude")
         ax.set_ylabel(label)
         ax.set_xlabel("time in the settled period (s)")
     axes[4].legend(
@@ -307,7 +311,7 @@ def _settled_index(steady: xr.Dataset) -> xr.DataArray:
 
 
 def _amplitudes(ax: Axes, runs: xr.Dataset, quantity: str) -> None:
-    for colour, amplitude in zip(COLOURS, FOUR, strict=False):
+    for colour, amplitude in zip(viridis(np.linspace(0.0, 0.85, len(FOUR))), FOUR, strict=True):
         run = _gas(runs).sel(heave_amplitude=amplitude)
         start = float(run["time"][0])
         ax.plot(run["time"] - start, run[quantity], color=colour, label=f"{amplitude:g} m")
@@ -363,7 +367,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
     )
     headline(
         figure,
-        f"With the gas law the riser moves {up:.1f} m up and {down:.1f} m down",
+        f"In the largest heave the gas law moves the riser {up:.1f} m up, {down:.1f} m down",
     )
     return figure
 

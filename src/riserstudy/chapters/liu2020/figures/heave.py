@@ -46,28 +46,37 @@ def fig13(heave_case: xr.Dataset) -> Figure:
 
 
 def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
-    """Effective tension over time at four depths."""
-    figure, (ax,) = panels(height=3.8)
+    """Effective tension over time at four depths; at the first, what other models differ by."""
+    figure, (ax, below) = panels(2, 1, 2.8, sharex=True)
     tension = _by_depth(heave_case)["effective_tension"] / 1e3
-    for colour, depth in zip(COLOURS, DEPTHS, strict=False):
-        for model, line in MODELS.items():
-            curve = tension.sel(tensioner_model=model).interp(depth=depth)
-            label = f"{depth:.0f} m, {model}"
-            ax.plot(curve["time"], curve, line, color=colour, linewidth=1.1, label=label)
-    upright = _by_depth(heave_upright)["effective_tension"].squeeze("tensioner_model") / 1e3
-    curve = upright.interp(depth=DEPTHS[0])
-    label = f"{DEPTHS[0]:.0f} m, upright cylinders"
-    ax.plot(curve["time"], curve, ":", color="black", linewidth=1.1, label=label)
-    ax.set_xlabel(TIME)
-    ax.set_ylabel(TENSION)
     law = tension.sel(tensioner_model="gas law")
+    shades = viridis(np.linspace(0.0, 0.85, len(DEPTHS)))
+    for colour, depth in zip(shades, DEPTHS, strict=True):
+        curve = law.interp(depth=depth)
+        ax.plot(curve["time"], curve, color=colour, linewidth=1.3, label=f"at {depth:.0f} m")
+    upright = _by_depth(heave_upright)["effective_tension"].squeeze("tensioner_model") / 1e3
+    others = {
+        "linear cylinders": tension.sel(tensioner_model="linear"),
+        "upright cylinders": upright,
+    }
+    for colour, (label, other) in zip(COLOURS, others.items(), strict=False):
+        apart = (other - law).interp(depth=DEPTHS[0])
+        below.plot(apart["time"], apart, color=colour, linewidth=1.3, label=label)
+    panel_title(ax, "gas law, inclined cylinders")
+    panel_title(below, f"other models less (a), at {DEPTHS[0]:.0f} m")
+    below.axhline(0.0, color=GREY, linewidth=0.8)
+    below.set_xlabel(TIME)
+    ax.set_ylabel(TENSION)
+    below.set_ylabel("difference (kN)")
+    for panel in (ax, below):
+        panel.legend(fontsize="small", ncols=4, loc="upper right")
+        panel.margins(y=0.25)
     swing = 0.5 * (law.max("time") - law.min("time"))
     share = 100.0 * float(swing.isel(depth=0) / law.isel(depth=0).mean())
     headline(
         figure,
         f"Heave gives a tension amplitude of up to {float(swing.max()):.0f} kN, {share:.0f} % of the tension",
     )
-    key_below(figure, ax, 3)
     return figure
 
 
@@ -158,17 +167,26 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     axes[1].set_ylabel("tension at the bottom, extremes (MN)")
     for ax in axes:
         ax.set_xlabel(AMPLITUDE)
-    lowest = tension.min(("time", "stop_stiffness"))
-    negative = lowest["heave_amplitude"].values[lowest.values < 0.0]
-    touched = abs(reach).max(("time", "stop_stiffness"))
-    stopped = touched["heave_amplitude"].values[touched.values >= STROKE]
-    words = "Tension stays positive" if not negative.size else (
-        f"Effective tension becomes negative at {negative[0]:g} m of heave"
+    negative = _from(-tension.min(("time", "stop_stiffness")), 0.0)
+    stopped = _from(abs(reach).max(("time", "stop_stiffness")), STROKE)
+    words = "Tension stays positive" if negative is None else (
+        f"Effective tension becomes negative at {negative:.1f} m of heave"
     )  # fmt: skip
-    met = f"the stops are met at {stopped[0]:g} m" if stopped.size else "no stop is met"
+    met = "no stop is met" if stopped is None else f"the stops are met at {stopped:.1f} m"
     headline(figure, f"{words}; {met}")
     key_below(figure, axes[0], 3)
     return figure
+
+
+def _from(values: xr.DataArray, level: float) -> float | None:
+    """Heave (m) from which on values exceed a level, straight between simulated ones; None where nowhere."""
+    heave, over = values["heave_amplitude"].values, values.values - level
+    if not (over > 0.0).any():
+        return None
+    k = int(np.argmax(over > 0.0))
+    if not k:
+        return float(heave[0])
+    return float(np.interp(0.0, over[k - 1 : k + 1], heave[k - 1 : k + 1]))
 
 
 def _by_depth(runs: xr.Dataset) -> xr.Dataset:

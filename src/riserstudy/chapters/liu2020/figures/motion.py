@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import colormaps
@@ -90,29 +92,42 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
     lines = {
         "gas law": ("-", 3.0),
         WITHOUT: ("-", 1.2),
-        "232 t carried to the upper flex joint": (":", 1.2),
+        "constant": ((0, (3, 3)), 1.4),
+        "232 t carried to the upper flex joint": ((3, (1, 5)), 1.8),
     }
     for ax, depth in zip(axes, DEPTHS, strict=True):
         for colour, model in zip(COLOURS, ("gas law", *BASELINES), strict=False):
             curve = x.sel(tensioner_model=model).dropna("depth", how="all").interp(depth=depth)
             label = "with tensioners (gas law)" if model == "gas law" else BASELINES[model]
             line, width = lines.get(model, ("--", 1.2))
-            ax.plot(curve["time"], curve, line, color=colour, linewidth=width, label=label)
-        panel_title(ax, f"{depth:.0f} m")
+            style: dict[str, Any] = {
+                "linestyle": line,
+                "color": colour,
+                "linewidth": width,
+                "label": label,
+            }
+            ax.plot(curve["time"], curve, **style)
+    amplitude = surge["displacement_amplitude"]
+    ratio = amplitude.sel(tensioner_model="gas law") / amplitude.sel(tensioner_model=WITHOUT)
+    lag = surge["displacement_lag"]
+    behind = lag.sel(tensioner_model="gas law") - lag.sel(tensioner_model=WITHOUT)
+    behind = 180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)
+    for ax, depth in zip(axes, DEPTHS, strict=True):
+        change = 100.0 * (float(ratio.sel(depth=depth)) - 1.0)
+        later = float(behind.sel(depth=depth))
+        moved = f"{change:+.0f} %".replace("-", "−")
+        panel_title(ax, f"{depth:.0f} m; on tensioners {moved}, {later:.0f}° later")
     for ax in axes[2:]:
         ax.set_xlabel(TIME)
     for ax in axes[::2]:
         ax.set_ylabel(DISPLACEMENT)
-    amplitude = surge["displacement_amplitude"]
-    ratio = amplitude.sel(tensioner_model="gas law") / amplitude.sel(tensioner_model=WITHOUT)
-    lag = surge["displacement_lag"]
-    phase_lag = lag.sel(tensioner_model="gas law") - lag.sel(tensioner_model=WITHOUT)
-    phase_lag = 180.0 / np.pi * ((phase_lag + np.pi) % (2.0 * np.pi) - np.pi)
-    headline(
-        figure,
-        "Tensioners reduce and delay the motion by at least "
-        f"{100.0 * float(1.0 - ratio.max()):.0f} % and {float(phase_lag.min()):.0f}°",
-    )
+    effects = [
+        word
+        for word, always in (("reduce", ratio.max() < 1.0), ("delay", behind.min() > 0.0))
+        if bool(always)
+    ]
+    done = f"{' and '.join(effects)} motion" if effects else "change little"
+    headline(figure, f"Tensioners {done} compared with a top on the platform")
     key_below(figure, axes[0], 3)
     return figure
 
@@ -384,18 +399,17 @@ def sea(storm: xr.Dataset) -> Figure:
         _exceeded(right, swing)
         right.set_ylabel("share of peaks exceeding")
         right.set_xlabel(f"{label.split()[0]} − mean ({unit})")
-        worst[label] = float(abs(swing).max() / swing.std())
+        short = label.split()[0]
+        worst[short] = float(abs(swing).max() / swing.std())
+        panel_title(left, f"{short} about its largest")
+        panel_title(middle, f"{short}, spectrum")
+        panel_title(right, f"{short}, peaks: up to {worst[short]:.1f} σ")
     axes[6].set_xlabel(TIME)
     axes[7].set_xlabel("frequency (Hz)")
-    for ax, title in zip(
-        axes, ("about the largest", "spectrum", "share of peaks that exceed"), strict=False
-    ):
-        panel_title(ax, title)
     axes[2].legend(fontsize="small", loc="lower left")
-    least, most = min(worst.values()), max(worst.values())
     headline(
         figure,
-        f"The largest responses are {least:.1f} to {most:.1f} standard deviations",
+        f"The moment peaks at {worst['moment']:.1f}, tension at {worst['tension']:.1f} standard deviations",
     )
     return figure
 

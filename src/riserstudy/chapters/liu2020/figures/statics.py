@@ -21,7 +21,6 @@ SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
 VERTICAL, ON_PLATFORM = "vertical force at the ring", "riser's top on the platform"
 #: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
 CARRIED = "232 t carried to the upper flex joint"
-WITHOUT = ("constant", VERTICAL, CARRIED, ON_PLATFORM)
 MODELS = {
     "gas law": "tensioners",
     "constant": "constant pull along cylinders",
@@ -67,7 +66,7 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
     axes[0].invert_yaxis()
     headline(
         figure,
-        "The printed force of 8765 N requires a current near the surface",
+        "8765 N by all cylinders requires a current near the surface",
     )
     key_below(figure, axes[1], 3)
     return figure
@@ -130,10 +129,10 @@ def fig11(
     """
     forces, label = (slow, middle, fast), "lateral displacement (m)"
     figure = _at_rest(statics_calibrated, statics_tuned, "x_static", 1.0, label, forces)
-    ratio = _ratios(statics_tuned, "largest_displacement")
+    low, high = _times(statics_tuned, "largest_displacement")
     headline(
         figure,
-        f"A vertical force moves the riser {1.0 / ratio[VERTICAL]:.1f} times as far as tensioners do",
+        f"A vertical force moves the riser {low:.1f} to {high:.1f} times as far as tensioners",
     )
     return figure
 
@@ -150,7 +149,7 @@ def fig12(
     figure = _at_rest(
         statics_calibrated, statics_tuned, "bending_moment_static", 1e-3, label, forces
     )
-    ratio = _ratios(statics_tuned, "largest_bending_moment_near_ring")
+    low, high = _times(statics_tuned, "largest_bending_moment_near_ring")
     figure.axes[1].legend(fontsize="x-small", loc=(0.03, 0.15))  # where no curve is
     for left, right, calibration in zip(
         figure.axes[::2], figure.axes[1::2], CALIBRATIONS, strict=True
@@ -161,7 +160,7 @@ def fig12(
         left.texts[0].set(position=(0.03, 0.3), ha="left")
     headline(
         figure,
-        f"Near the ring a vertical force gives {1.0 / ratio[VERTICAL]:.0f} times the tensioners' moment",
+        f"Near the ring a vertical force gives {low:.0f} to {high:.0f} times the tensioners' moment",
     )
     return figure
 
@@ -184,11 +183,11 @@ def _near_the_ring(ax: Axes, tuned: xr.Dataset) -> None:
     )
 
 
-def _ratios(tuned: xr.Dataset, name: str) -> dict[str, float]:
-    """A quantity on the tensioners over that without them, in the first calibration at 1 m/s."""
-    at = tuned[name].sel(calibration=ALL, surface_speed=1.0)
-    law = float(at.sel(tensioner_model="gas law"))
-    return {model: law / float(at.sel(tensioner_model=model)) for model in WITHOUT}
+def _times(tuned: xr.Dataset, name: str) -> tuple[float, float]:
+    """A quantity under a vertical force over that on the tensioners at 1 m/s: least and most of currents."""
+    at = tuned[name].sel(surface_speed=1.0)
+    ratio = at.sel(tensioner_model=VERTICAL) / at.sel(tensioner_model="gas law")
+    return float(ratio.min()), float(ratio.max())
 
 
 def _at_rest(
@@ -297,7 +296,7 @@ def _profiles(ax: Axes, over: xr.DataArray) -> None:
     ax.set_xscale("log")
     ax.xaxis.set_major_formatter("{x:g}")
     ax.set_yticks(range(len(profiles)), profiles)
-    ax.set_ylim(len(profiles) - 0.5, -0.5)
+    ax.set_ylim(len(profiles) + 0.8, -0.5)  # with room for the key below the rows
     ax.set_xlabel("force / printed force, least to most of three speeds")
     panel_title(ax, "by current profile, assumed")
-    ax.legend(fontsize="small", loc="best")
+    ax.legend(fontsize="small", loc="lower right")
