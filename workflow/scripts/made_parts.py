@@ -16,6 +16,7 @@ import numpy as np
 import typer
 import typer.cli
 
+from effect_drawings import file_of
 from riserstudy import cli, effects
 from riserstudy.dataset.variables import variables
 from riserstudy.effects.catalogue import catalogue
@@ -56,10 +57,13 @@ def _with_whole_help(text: str, commands: Mapping[str, Any]) -> str:
 
 
 def called_by(_: str) -> str:
-    """Effects with the part of a scene that calls for each."""
-    rows = [f"| {name} | {' '.join(_code(word) for word in effect.section.split())} |"
-            for name, effect in catalogue().items()]  # fmt: skip
-    return "\n".join(["| effect | called for by |", "|---|---|", *rows])
+    """Effects with a drawing of each and the part of a scene that includes it."""
+    rows = [
+        f"| ![drawing: {name}](images/effects/{file_of(name)}) | {name} "
+        f"| {' '.join(_code(word) for word in effect.section.split())} |"
+        for name, effect in catalogue().items()
+    ]
+    return "\n".join(["| | effect | included by |", "|---|---|---|", *rows])
 
 
 def files_of_effects(_: str) -> str:

@@ -1,7 +1,7 @@
 """Write what is made from models and libraries.
 
-Reference page and JSON schemas, tables of platforms, factors of usual units, parts of pages, what describes
-the software to archives. With a dataset
+Reference page and JSON schemas, tables of platforms, factors of usual units, parts of pages, drawings of
+effects, what describes the software to archives. With a dataset
 of the validation study (results/numerics/validation.nc) also what the engine is compared with.
 """
 
@@ -11,7 +11,9 @@ import json
 import sys
 from pathlib import Path
 
+from effect_drawings import drawing, file_of
 from made_parts import kept_pages, write_validation
+from riserstudy.effects.catalogue import catalogue
 from riserstudy.grading import claims_schema
 from riserstudy.scene.reference import scene_reference
 from riserstudy.scene.units import USUAL, factor
@@ -34,6 +36,7 @@ def made() -> dict[Path, str]:
         ROOT / "docs/scene.md": scene_reference(),
         **kept_pages(),
         **software_metadata(),
+        **{ROOT / "docs/images/effects" / file_of(name): drawing(name) for name in catalogue()},
         **{ROOT / "workflow/schemas" / name: text for name, text in schema_files().items()},
         ROOT / "workflow/schemas/claims.schema.json": json.dumps(claims_schema(), indent=2) + "\n",
     }
