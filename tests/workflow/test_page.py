@@ -334,6 +334,37 @@ def test_nothing_is_wider_than_the_screen(browser, width):
     assert seen["x"] + seen["width"] <= width
 
 
+WIDE = """
+const button = document.querySelector("button.enlarge");
+const canvas = button.querySelector("canvas");
+return [canvas.getBoundingClientRect().width, button.clientWidth, button.scrollWidth];
+"""
+
+
+def test_on_a_narrow_screen_figures_keep_the_size_of_their_text_and_move_sideways(browser):
+    size = {"width": 390, "height": 900, "deviceScaleFactor": 1, "mobile": True}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        drawn, seen, reach = browser.execute_script(WIDE)
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    assert drawn >= 700.0  # pixels: small letters of 8 points on 8 inches are 10 of these high
+    assert seen <= 390
+    assert reach >= drawn - 1.0
+
+
+def test_figures_are_dark_by_night(browser):
+    look = "return getComputedStyle(document.querySelector('.enlarge canvas')).filter"
+    found = {}
+    for scheme in ("light", "dark"):
+        features = [{"name": "prefers-color-scheme", "value": scheme}]
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+        found[scheme] = browser.execute_script(look)
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+    assert found["light"] == "none"
+    assert "invert" in found["dark"]
+
+
 TOPS = """
 const place = document.getElementById(arguments[0]);
 return [place.getBoundingClientRect().top, document.documentElement.scrollHeight - scrollY - innerHeight]

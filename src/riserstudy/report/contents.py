@@ -19,6 +19,7 @@ from riserstudy.report.engine import engine
 from riserstudy.report.false_claims import false_claims
 from riserstudy.report.hero import Hero, hero
 from riserstudy.report.limits import LimitTable, limit_tables
+from riserstudy.report.machine import made_on
 from riserstudy.report.motion import Motion, motion_of
 from riserstudy.report.overview import amounts, bars, findings, short_of, subject, title_of, totals
 from riserstudy.report.pictures import (
@@ -124,7 +125,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         "bars": bars(claims, files),
         "findings": findings(claims, files, figures),
         "tiles": tiles(figures, measured),
-        "facts": [amounts(claims, len(paths), len(figures), points), facts],
+        "facts": [amounts(claims, len(paths), len(figures), points), facts, made_on()],
         "total": sum(row.total for row in rows),
         "cold": cold,
         "verdicts": VERDICTS,
