@@ -27,6 +27,7 @@ from riserstudy.cli import (
     simulate,
     tune,
 )
+from riserstudy.cli.definitions import where_defined
 from riserstudy.cli.examples import EXAMPLES
 from riserstudy.errors import RiserStudyError, printable
 
@@ -95,7 +96,7 @@ def main() -> None:
     except (typer.Abort, KeyboardInterrupt):
         sys.exit(130)
     except RiserStudyError as error:
-        print(f"riserstudy: {error}", file=sys.stderr)
+        print(f"riserstudy: {error}{where_defined(error)}", file=sys.stderr)
         sys.exit(error.exit_code)
     except Exception as error:
         if hasattr(error, "format_message"):  # a usage error of the command line itself
