@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from each.bending import bending
 from each.drag import drag
+from each.vortex_drag import vortex_drag
 from each.vortex_lift import vortex_lift
 from hypothesis import given
 from hypothesis import strategies as st
@@ -30,6 +31,7 @@ from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
 from riserstudy.effects.registry import ROLES, register
 from riserstudy.effects.vessel import Vessel
+from riserstudy.effects.vortex_drag import VortexDrag
 from riserstudy.effects.vortex_lift import VortexLift
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave_force import WaveForce
@@ -142,9 +144,10 @@ def test_the_tangent_is_the_slope_of_the_force_by_position(pair):
     if kind is WaveForce:  # left out of the stiffness altogether, as its file says
         assert not tangent.any()
         return
-    if kind is VortexLift:
+    if kind in OF_VORTICES:
         split = rig.m * (N + 1)
-        assert relative(-tangent[split:, split:], slope_of_lift(rig)) < DIFFERENCES
+        slope = slope_with_phases_held(rig, OF_VORTICES[kind])
+        assert relative(-tangent[split:, split:], slope) < DIFFERENCES
         return
     if kind in (Drag, DragOverDepth):
         split = rig.m * (N + 1)
@@ -180,7 +183,10 @@ def slope_of_drag(rig):
     return differences(moved, s.r, 1e-3) + differences(turned, s.r, 1e-3)
 
 
-def slope_of_lift(rig):
+OF_VORTICES = {VortexLift: vortex_lift, VortexDrag: vortex_drag}
+
+
+def slope_with_phases_held(rig, version):
     """Slope of the force with the pipe's directions and the phases held, as the effect's file says."""
     s, record = rig.s, copied(rig.record)
     held, phases = at_nodes(s), s.internal.copy()
@@ -188,7 +194,7 @@ def slope_of_lift(rig):
     def moved():
         shape_of(rig.model.programs, rig.model.state)
         s.internal[:] = phases
-        return vortex_lift(record, s, held)["force"]
+        return version(record, s, held)["force"]
 
     return differences(moved, s.r, 1e-3)
 

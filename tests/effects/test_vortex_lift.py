@@ -51,8 +51,8 @@ def cylinder(speed, stiffness=(2.0 * np.pi * OWN) ** 2 * MASS, drag=C_D, ramp=1e
     return model
 
 
-def motion(model, duration, step, every=1, damping=1.0):
-    """Times and places across the flow, and sums."""
+def motion(model, duration, step, every=1, damping=1.0, axis=1):
+    """Times and places across the flow, or along another axis, and sums."""
     steps = round(duration / step)
     times = np.arange(0, steps + 1, every) * step
     record, sums = new_record(times, [0], model.s), new_sums()
@@ -60,7 +60,7 @@ def motion(model, duration, step, every=1, damping=1.0):
     assert (
         march(model.programs, model.state, model.spare, method, model.fixed, record, sums) == DONE
     )
-    return times, record.value.history[:, 1, 0], sums
+    return times, record.value.history[:, axis, 0], sums
 
 
 def settled(times, place, share=0.5):

@@ -184,6 +184,13 @@ _DRAWINGS: dict[str, list[str]] = {
         line("p d", (60, 22), (60, 112)),
         turn(60, 57, 46, 60, 90),
     ],
+    "in-line vortex-induced vibration": [
+        SEA,
+        ring("r", 40, 52, 12),
+        rows(2, [(52, 20)], "w"),
+        *(turn(x, z, 9, 0, s) for x, z, s in ((70, 66, 300), (86, 40, -300), (104, 66, 300))),
+        both_ways((14, 24), (66, 24)),
+    ],
     "inertia": [
         PIPE,
         arrow((66, 60), (104, 60)),

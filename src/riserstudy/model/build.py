@@ -7,7 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.effects.vortex_lift import VARIABLES, VortexLift
+from riserstudy.effects.synchronisation import VARIABLES
+from riserstudy.effects.vortex_drag import VortexDrag
+from riserstudy.effects.vortex_lift import VortexLift
 from riserstudy.model.ends import ends
 from riserstudy.model.hydrodynamics import current, hydrodynamics, wave
 from riserstudy.model.initial_shape import above_ground, between_ends, under_a_joint
@@ -22,7 +24,7 @@ from riserstudy.model.soil import soil
 from riserstudy.model.supports import afloat, first_order, fixed, supports
 from riserstudy.model.tensioners import tensioners
 from riserstudy.model.vessel import floating
-from riserstudy.model.vortex_lift import first_phases
+from riserstudy.model.vortices import first_phases
 from riserstudy.scene.models import Scene
 from riserstudy.solve.state import OTHER, OWN
 
@@ -61,7 +63,9 @@ def build(
         cylinders=cylinders,
         probes=probes,
         loose=of.loose,
-        internal=sum(VARIABLES for effect in effects if isinstance(effect.record, VortexLift)),
+        internal=sum(
+            VARIABLES for effect in effects if isinstance(effect.record, VortexLift | VortexDrag)
+        ),
         ring=mesh.ring if mesh.joint else None,
     )
     model = Model(unknowns, effects, fixed(of), afloat(of))

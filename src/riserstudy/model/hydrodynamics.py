@@ -23,7 +23,7 @@ from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
 from riserstudy.model.sea import components_of, current_table, current_velocity, wave_number
-from riserstudy.model.vortex_lift import vortex_lift
+from riserstudy.model.vortices import vortex_forces
 from riserstudy.scene.forcing import Water
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import IrregularSea, RegularWave
@@ -67,7 +67,7 @@ def hydrodynamics(of: Layout) -> Iterator[Effect]:
     constant = [drag for drag in drags if isinstance(drag.record, Drag)]
     by_depth = [drag for drag in drags if isinstance(drag.record, DragOverDepth)]
     tangential = [*_tangential(scene, mesh, rho)]
-    lifts = [*vortex_lift(of)]
+    lifts = [*vortex_forces(of)]
     if across:
         yield from _contents(scene, mesh)
     yield from [*added, *waves, *constant, *tangential, *lifts]

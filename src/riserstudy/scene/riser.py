@@ -73,6 +73,28 @@ class AddedMass(Strict):
         return density * 0.25 * math.pi * self.diameter**2
 
 
+def _must_rise(frequencies: list[float]) -> None:
+    if any(a >= b for a, b in pairwise(frequencies)):
+        raise ValueError("frequencies: lowest, free and highest must rise")
+
+
+class InLineExcitation(Strict):
+    """Varying drag by vortices, whose phase is drawn to that of the riser's velocity along the flow.
+
+    ``coefficient``: C_x, of the varying drag C_x rho D / 2 times the square of the speed; assumed, 0.1 to 1.
+    ``frequencies``: lowest, where force and velocity are in phase, and highest, over speed and
+    diameter; about twice those across the flow: 0.22, 0.36, 0.52 is assumed, each within a quarter of it.
+    """
+
+    coefficient: Annotated[float, POSITIVE]
+    frequencies: Annotated[list[Annotated[float, POSITIVE]], Field(min_length=3, max_length=3)]
+
+    @model_validator(mode="after")
+    def _rising(self) -> Self:
+        _must_rise(self.frequencies)
+        return self
+
+
 class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
@@ -84,7 +106,7 @@ class VortexInducedVibration(Strict):
     highest, over speed and diameter, published 0.11, 0.18, 0.26. ``memory``: diameters of flow over which the
     motion's mean squares are taken, 20 for example. ``seed``: of the phases
     that the riser begins with, smooth along it. ``ramp``: time over which the lift comes up; absent: of
-    ten vortices from the fastest current.
+    ten vortices from the fastest current. ``in_line``: excitation along the flow; absent: none.
     """
 
     model: Literal["synchronisation"]
@@ -94,11 +116,16 @@ class VortexInducedVibration(Strict):
     memory: Annotated[float, POSITIVE]
     seed: Annotated[int, Field(ge=0), WHOLE]
     ramp: Annotated[u.Time, POSITIVE] | None = None
+    in_line: InLineExcitation | None = None
+
+    @property
+    def highest_frequency(self) -> float:
+        """Of the lift and of the excitation along the flow, over speed and diameter (1)."""
+        return max(self.frequencies[2], self.in_line.frequencies[2] if self.in_line else 0.0)
 
     @model_validator(mode="after")
     def _rising(self) -> Self:
-        if any(a >= b for a, b in pairwise(self.frequencies)):
-            raise ValueError("frequencies: lowest, free and highest must rise")
+        _must_rise(self.frequencies)
         return self
 
 

@@ -1,0 +1,148 @@
+r"""Phase of a force that vortices exert, drawn to that of the riser's own motion along the force.
+
+The phase turns with a frequency :math:`\hat f` over speed of the flow and diameter of the pipe. It is that
+of a pipe at rest where force and velocity are in phase, and rises or falls to bring them in phase,
+
+.. math:: \dot\varphi = 2\pi\,\hat f(\theta)\,|u|/D,\qquad
+          \hat f = f_0 + (f_{max} - f_0)\sin\theta\ (\theta > 0),\qquad
+          \hat f = f_0 + (f_0 - f_{min})\sin\theta\ (\theta < 0),
+
+with :math:`\theta` the phase of the velocity y' along the force less :math:`\varphi`. That phase is taken
+from velocity and acceleration, either over its own running root mean square,
+
+.. math:: \sin\theta = \frac{r\cos\varphi - p\sin\varphi}{\sqrt{p^2 + r^2 + \delta^2}},\quad
+          p = \frac{y'}{\sqrt{s_v + (\varepsilon |u|)^2}},\quad
+          r = \frac{-y''}{\sqrt{s_a + (\varepsilon |u|\,\omega_0)^2}},\quad
+          \dot s_v = \frac{y'^2 - s_v}{T D/|u|},\ \dot s_a = \frac{y''^2 - s_a}{T D/|u|}
+
+with :math:`\omega_0 = 2\pi f_0 |u|/D`. Without motion :math:`\varepsilon` and :math:`\delta` make
+:math:`\sin\theta` zero instead of leaving the phase of nothing to decide; where velocities are a hundredth of
+the flow's they change it by less than one per cent.
+
+The phase and both mean squares of each node are internal variables of the model.
+
+References
+----------
+Thorsen, Sævik and Larsen (2014), "A simplified method for time domain simulation of cross-flow
+vortex-induced vibrations", *Journal of Fluids and Structures* 49, 135-148: the model, but for the limits
+where nothing moves.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin, sqrt
+
+from riserstudy.solve.jit import inner
+from riserstudy.solve.state import ENDED
+from riserstudy.solve.vec import at, dot, mul, norm, sub
+
+PHASE, OF_VELOCITY, OF_ACCELERATION = 0, 1, 2  # rows of a node's internal variables
+VARIABLES = 3  # of them
+FREE, FALL, RISE, MEMORY = (
+    0,
+    1,
+    2,
+    3,
+)  # rows of a record's ``shedding``: f_0, f_0 - f_min, f_max - f_0, T
+STILL = 1e-9  # (m/s) slower water sheds nothing
+LEAST = 1e-3  # epsilon: velocity over that of the flow below which motion is none
+FLAT = 0.05  # delta
+MOST = 30  # iterations of a phase
+ROUNDING = 1e-13  # of a phase (rad)
+
+
+@inner
+def grown(record, s):
+    """Share of the force that acts; none in statics, which are before all motion."""
+    t = s.clock[0]
+    if t <= 0.0:
+        return 0.0
+    return 1.0 if t >= ENDED * record.ramp else 0.5 * (1.0 - cos(pi * t / record.ramp))
+
+
+@inner
+def past(s, i):
+    """Velocity of the water across the pipe, seen from it, and its size."""
+    w, t = sub(at(s.dim, s.water, i), at(s.dim, s.v, i)), at(s.dim, s.direction, i)
+    u = sub(w, mul(dot(w, t), t))
+    return u, norm(u)
+
+
+@inner
+def rest(record, s, i):
+    """Leave a node's internal variables as they are: nothing is shed there."""
+    for k in range(record.first, record.first + VARIABLES):
+        s.internal[k, i] = s.internal_known[k, i]
+        s.internal_rate[k, i] = 0.0
+    return 0.0
+
+
+@inner
+def _mean_square(record, s, row, i, value, speed):
+    """A running mean square and the share of it that is this value's."""
+    rate = speed / (record.shedding[MEMORY, i] * record.diameter[i])
+    share = s.internal_share[0] * rate
+    mean = (s.internal_known[row, i] + share * value * value) / (1.0 + share)
+    s.internal[row, i] = mean
+    s.internal_rate[row, i] = rate * (value * value - mean)
+    return mean, share / (1.0 + share)
+
+
+@inner
+def synchronise(record, s, i, speed, y_v, y_a):
+    """Solve for the internal variables of a node, and tell how its phase follows.
+
+    Parameters
+    ----------
+    record : of the force: ``diameter`` and ``shedding`` at the nodes, ``first`` of its internal variables.
+    speed : of the water past the pipe (m/s).
+    y_v, y_a : velocity (m/s) and acceleration (m/s2) of the pipe along the force.
+
+    Returns
+    -------
+    Derivatives of the phase by velocity and acceleration along the force, and by the speed past the pipe.
+    """
+    f0, turn = record.shedding[FREE, i], 2.0 * pi * speed / record.diameter[i]
+    mean_v, mine = _mean_square(record, s, record.first + OF_VELOCITY, i, y_v, speed)
+    mean_a, _ = _mean_square(record, s, record.first + OF_ACCELERATION, i, y_a, speed)
+    least = LEAST * speed
+    # stages of high order may leave a little less than nothing of a mean square that was none
+    square_v = max(mean_v, 0.0) + least * least
+    square_a = max(mean_a, 0.0) + (least * f0 * turn) ** 2
+    p, r = y_v / sqrt(square_v), -y_a / sqrt(square_a)
+    size = sqrt(p * p + r * r + FLAT * FLAT)
+
+    share, row = s.internal_share[0], record.first + PHASE
+    known = s.internal_known[row, i]
+    phase = known + share * s.internal_rate[row, i]  # as fast as last
+    for _ in range(MOST):
+        c, sine = cos(phase), sin(phase)
+        slip = (r * c - p * sine) / size
+        gain = record.shedding[RISE, i] if slip > 0.0 else record.shedding[FALL, i]
+        rate = turn * (f0 + gain * slip)
+        damping = 1.0 + share * turn * gain * (r * sine + p * c) / size
+        change = (known + share * rate - phase) / damping
+        phase += change
+        if abs(change) <= ROUNDING * (1.0 + abs(phase)):
+            break
+    c, sine = cos(phase), sin(phase)
+    slip = (r * c - p * sine) / size
+    gain = record.shedding[RISE, i] if slip > 0.0 else record.shedding[FALL, i]
+    s.internal[row, i] = phase
+    s.internal_rate[row, i] = turn * (f0 + gain * slip)
+    if share == 0.0:
+        return 0.0, 0.0, 0.0
+
+    # how the phase follows: by p and r, then these by motion and speed
+    damping = 1.0 + share * turn * gain * (r * sine + p * c) / size
+    by_p = share * turn * gain * (-sine - slip * p / size) / size / damping
+    by_r = share * turn * gain * (c - slip * r / size) / size / damping
+    p_by_y = (1.0 - p * mine * y_v / sqrt(square_v)) / sqrt(square_v)
+    r_by_y = -(1.0 + r * mine * y_a / sqrt(square_a)) / sqrt(square_a)
+    p_by_speed = -p * (mine * (y_v * y_v - mean_v) / speed + 2.0 * least * LEAST) / (2.0 * square_v)
+    slow = (LEAST * f0 * turn) ** 2 * speed
+    r_by_speed = -r * (mine * (y_a * y_a - mean_a) / speed + 4.0 * slow) / (2.0 * square_a)
+    by_speed = (
+        by_p * p_by_speed + by_r * r_by_speed + share * turn / speed * (f0 + gain * slip) / damping
+    )
+    return by_p * p_by_y, by_r * r_by_y, by_speed

@@ -1,0 +1,147 @@
+r"""Vortex-induced vibration in line with the flow: drag that varies, its phase drawn to the riser's motion.
+
+Vortices shed in turn from both sides of a pipe change its drag twice in each period of the lift. With the
+velocity u of the water across the pipe, seen from it, the force per unstretched length is
+
+.. math:: f = \tfrac12 \rho\,C_x D\,|u|\,u\cos\varphi_x
+
+beside the mean drag. Its phase follows the riser's velocity along the flow, :math:`v\cdot u/|u|`, as
+`synchronisation` has it, with three frequencies of its own, about twice those of the lift. It is
+independent of the lift's phase.
+
+How loads turn with the pipe, and how phases follow elevation, is left out of the tangent, as of the lift.
+
+References
+----------
+Ulveseter, Sævik and Larsen (2017), "Time domain model for calculation of pure in-line vortex-induced
+vibrations", *Journal of Fluids and Structures* 68, 158-173: the time-varying drag whose phase is drawn to
+that of the in-line vibration. They have two ranges of frequencies with coefficients that depend on amplitude;
+here it is one range, and one coefficient.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+from typing import NamedTuple
+
+import numpy as np
+
+from riserstudy.effects.registry import Called, register, taken_out
+from riserstudy.effects.synchronisation import (
+    PHASE,
+    STILL,
+    VARIABLES,
+    grown,
+    past,
+    rest,
+    synchronise,
+)
+from riserstudy.solve.jit import inner
+from riserstudy.solve.spread import spread_and_keep, spread_stiffness
+from riserstudy.solve.state import ACCELERATION, OTHER, OWN, SUPPLIED, VELOCITY
+from riserstudy.solve.vec import add, at, cross, dot, mul, outer, put, put_block, sub, upward
+
+
+class VortexDrag(NamedTuple):
+    """Varying drag of the segments that shed vortices."""
+
+    low: np.ndarray  # (n,) rho C_x D / 2 times length, as it loads the lower node (kg/m)
+    up: np.ndarray  # (n,) as it loads the upper node
+    force: np.ndarray  # (d, n+1) scratch: force on the nodes (N)
+    diameter: np.ndarray  # (n+1,) D at the nodes (m), 0 where nothing is shed
+    shedding: np.ndarray  # (4, n+1) f_0, f_0 - f_min, f_max - f_0, T (1)
+    ramp: float  # time over which the force comes up (s)
+    first: int  # row of the phases among the internal variables
+    follow: (
+        np.ndarray
+    )  # (3, n+1) scratch: phase by velocity along n, along e, by acceleration along n
+
+
+@inner
+def internal(vortices, s):
+    """Phases and mean squares of the nodes, their rates, and how the phases follow the motion."""
+    for i in range(s.l0.shape[0] + 1):
+        for k in range(VARIABLES):
+            vortices.follow[k, i] = 0.0
+        u, speed = past(s, i)
+        if vortices.diameter[i] > 0.0 and speed > STILL:
+            _shed(vortices, s, i, mul(1.0 / speed, u), speed)
+        else:
+            rest(vortices, s, i)
+    return 0.0
+
+
+@inner
+def _shed(vortices, s, i, n, speed):
+    """What `internal` does at a node whose water flows along ``n``."""
+    e = cross(at(s.dim, s.direction, i), n)
+    v, a = at(s.dim, s.v, i), at(s.dim, s.a, i)
+    by_v, by_a, by_speed = synchronise(vortices, s, i, speed, dot(v, n), dot(a, n))
+    # dy_v = n.dv - (v.e / speed) (e.dv), dy_a = n.da - (a.e / speed) (e.dv), d speed = -n.dv
+    vortices.follow[0, i] = by_v - by_speed
+    vortices.follow[1, i] = -(by_v * dot(v, e) + by_a * dot(a, e)) / speed
+    vortices.follow[2, i] = by_a
+    return 0.0
+
+
+@inner
+def force(vortices, s):
+    """Force on the nodes."""
+    acts = grown(vortices, s)
+    for i in range(s.l0.shape[0] + 1):
+        u, speed = past(s, i)
+        put(s.density, i, mul(acts * speed * cos(s.internal[vortices.first + PHASE, i]), u))
+    spread_and_keep(s, vortices.low, vortices.up, OWN, OTHER, s.density, vortices.force, s.force)
+    return 0.0
+
+
+@inner
+def tangent(vortices, s):
+    """Derivative by velocity and acceleration, phases included, and by elevation in sheared water."""
+    acts, up = grown(vortices, s), upward(s.dim)
+    if acts == 0.0:
+        return 0.0
+    by_v, by_a = s.rate[VELOCITY], s.rate[ACCELERATION]
+    for i in range(s.l0.shape[0] + 1):
+        u, speed = past(s, i)
+        n = mul(1.0 / max(speed, STILL), u)
+        e = cross(at(s.dim, s.direction, i), n)
+        phase, h = s.internal[vortices.first + PHASE, i], at(s.dim, s.shear, i)
+        c, sine = acts * speed * cos(phase), acts * speed * speed * sin(phase)
+        along = add(mul(2.0 * by_v * c, outer(n, n)), mul(by_v * c, outer(e, e)))
+        by_height = add(mul(2.0 * c * dot(n, h), n), mul(c * dot(e, h), e))
+        follows = add(
+            mul(by_v * vortices.follow[0, i] + by_a * vortices.follow[2, i], n),
+            mul(by_v * vortices.follow[1, i], e),
+        )
+        block = add(along, mul(sine, outer(n, follows)))
+        put_block(s.block, i, sub(block, outer(by_height, up)))
+    spread_stiffness(s, vortices.low, vortices.up, OWN, OTHER)
+    return 0.0
+
+
+@inner
+def power(vortices, s):
+    """Power that the water supplies (W); after ``force``."""
+    for i in range(s.l0.shape[0] + 1):
+        s.flow[SUPPLIED] += dot(at(s.dim, vortices.force, i), at(s.dim, s.v, i))
+    return 0.0
+
+
+register(
+    VortexDrag,
+    Called(
+        "in-line vortex-induced vibration",
+        "riser.viv.in_line",
+        (taken_out("in-line vortex-induced vibration", "riser[*].viv.in_line", "lateral"),),
+        example={
+            "riser[0].viv": {"model": "synchronisation", "diameter": "0.5 m", "coefficient": 1.2}
+            | {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 1, "ramp": "0.1 s"}
+            | {"in_line": {"coefficient": 0.5, "frequencies": [0.22, 0.36, 0.52]}}
+        },
+    ),
+    string=force,
+    internal=internal,
+    tangent=tangent,
+    power=power,
+)

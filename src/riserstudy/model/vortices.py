@@ -1,0 +1,154 @@
+"""Vortices of a riser's sections: lift, varying drag, and the phases that these begin with."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.effects.synchronisation import PHASE, VARIABLES
+from riserstudy.effects.vortex_drag import VortexDrag
+from riserstudy.effects.vortex_lift import VortexLift
+from riserstudy.model.layout import Layout
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.model import Effect, Model
+from riserstudy.model.sea import current_velocity, fastest_current
+from riserstudy.scene.models import Scene
+from riserstudy.scene.riser import VortexInducedVibration
+
+FloatArray = NDArray[np.float64]
+#: coefficient and frequencies of a section's force, and the rest of what it sheds by; None of one without
+Shed = tuple[float, list[float], VortexInducedVibration] | None
+VORTICES = 10  # over which lift comes up where the scene does not say
+PLACES = 200  # of a section, at which the current is looked at
+IDLE = 0.01  # of the power that vortices take
+WAVES = 16  # cosines along the riser of which phases at the begin are made
+
+
+def vortex_forces(of: Layout) -> Iterator[Effect]:
+    """Lift, and varying drag, of the sections that shed vortices, in space."""
+    sections = [section.viv for section in of.scene.riser]
+    if of.d < 3:
+        return
+    if any(sections):
+        across = [(v.coefficient, v.frequencies, v) if v else None for v in sections]
+        yield Effect("vortex-induced vibration", VortexLift(*_record(of, across, 0)), "riser.viv")
+    if any(v and v.in_line for v in sections):
+        along = [
+            (v.in_line.coefficient, v.in_line.frequencies, v) if v and v.in_line else None
+            for v in sections
+        ]
+        record = VortexDrag(*_record(of, along, VARIABLES))
+        yield Effect("in-line vortex-induced vibration", record, "riser.viv.in_line")
+
+
+def _record(of: Layout, each: list[Shed], first: int) -> tuple[Any, ...]:
+    """Fields of a record of either force, of what sections shed.
+
+    Parameters
+    ----------
+    first : row of the force's phases among the internal variables.
+    """
+    scales = [0.5 * of.density * one[0] * one[2].diameter if one else 0.0 for one in each]
+    scale = of.per_segment(lambda k: scales[k]) * of.mesh.l0
+    columns = [[0.0] * 5 if one is None else _column(one[1], one[2]) for one in each]
+    diameter, *frequencies = at_nodes(
+        of.mesh, np.array(columns), np.array([one is not None for one in each])
+    )
+    nodes = of.last + 1
+    return (
+        scale, scale, np.zeros((3, nodes)), diameter, np.array(frequencies),
+        ramp_of(of.scene), first, np.zeros((VARIABLES, nodes)),
+    )  # fmt: skip
+
+
+def _column(frequencies: list[float], viv: VortexInducedVibration) -> list[float]:
+    """Diameter (m), free frequency, how far it falls and rises, and memory (1)."""
+    low, free, high = frequencies
+    return [viv.diameter, free, free - low, high - free, viv.memory]
+
+
+def at_nodes(mesh: Mesh, values: FloatArray, there: NDArray[np.bool_]) -> FloatArray:
+    """Values of sections (sections, k), in their unit, at the nodes (k, n+1): means by length."""
+    section = np.minimum(mesh.section, len(values) - 1)
+    length = np.where(there[section] & (mesh.section < len(values)), mesh.l0, 0.0)
+    weight = np.zeros(len(mesh.l0) + 1)
+    out = np.zeros((values.shape[1], len(weight)))
+    for side in (slice(None, -1), slice(1, None)):
+        weight[side] += length
+        out[:, side] += values[section].T * length
+    return out / np.where(weight > 0.0, weight, 1.0)
+
+
+def shedding(scene: Scene) -> list[VortexInducedVibration]:
+    """What sections shed vortices by; ramp and seed are the same in all of them."""
+    return [section.viv for section in scene.riser if section.viv]
+
+
+def ramp_of(scene: Scene) -> float:
+    """Time over which lift comes up (s)."""
+    ramp = shedding(scene)[0].ramp
+    if ramp is not None:
+        return ramp
+    if scene.current is None:
+        raise TypeError("no ramp and no current")  # refused by the scene
+    return VORTICES * shedding_period(scene, free=True)
+
+
+def shedding_period(scene: Scene, free: bool = False) -> float:
+    """Shortest period of vortices in the current (s), infinite for none.
+
+    ``free``: that of lift on a riser at rest; else of the highest frequency of lift or varying drag.
+    """
+    if scene.current is None or not shedding(scene):
+        return math.inf
+    speed = fastest_current(scene.current, scene.water)
+    if speed == 0.0:
+        return math.inf
+    return min(
+        v.diameter / ((v.frequencies[1] if free else v.highest_frequency) * speed)
+        for v in shedding(scene)
+    )
+
+
+def slowest(scene: Scene) -> float:
+    """Frequency (Hz) of the slowest motion that vortices of the current make: slower motion is no vibration.
+
+    Half of the lowest frequency at which they lift the riser where it takes power from the flow, as the
+    cube of the speed; places that are slower take no more than `IDLE` of it. As the vibration grows and
+    falls, so does the drag, and the riser swings along the flow more slowly than that. 0 without current.
+    """
+    if scene.current is None or not shedding(scene):
+        return 0.0
+    z, velocity = current_velocity(scene.current, scene.water)
+    foot = scene.bottom.elevation or 0.0
+    rates, frequencies = [], []
+    for section in scene.riser:
+        if section.viv:
+            places = np.linspace(foot, foot + section.total_length, PLACES)
+            speed = np.sqrt(sum(np.interp(places, z, part) ** 2 for part in velocity))
+            rates.append(section.viv.diameter * speed**3 * section.total_length)
+            frequencies.append(section.viv.frequencies[0] * speed / section.viv.diameter)
+        foot += section.total_length
+    power, each = np.concatenate(rates), np.concatenate(frequencies)
+    if power.sum() == 0.0:
+        return 0.0
+    order = each.argsort()
+    taken = power[order].cumsum() / power.sum()
+    return 0.5 * float(each[order][int(np.searchsorted(taken, IDLE))])
+
+
+def first_phases(scene: Scene, mesh: Mesh, model: Model) -> None:
+    """Give a model the phases that its lift begins with: smooth along the riser, whatever the mesh."""
+    if not len(model.s.internal):
+        return
+    random = np.random.default_rng(shedding(scene)[0].seed)
+    share = mesh.s / mesh.s[-1]
+    for first in range(PHASE, len(model.s.internal), VARIABLES):
+        for k, turn in enumerate(random.uniform(0.0, 2.0 * np.pi, WAVES)):
+            wave = np.cos(np.pi * k * share + turn)
+            model.s.internal[first] += np.pi * np.sqrt(2.0 / WAVES) * wave
+    model.s.internal_known[:] = model.s.internal
