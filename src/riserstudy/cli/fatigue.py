@@ -158,10 +158,11 @@ def _in_columns(table: Any) -> list[str]:
 
 def _print_comparison(years: Years, without: Years) -> None:
     """Print what vortex-induced vibration brings of each detail's damage."""
-    rest = {of.detail: of.rate for of in without.worst}
-    for of in years.worst:
-        if of.detail in rest and of.rate > 0.0:
-            share = 1.0 - rest[of.detail] / of.rate
-            print(
-                f"vortex-induced vibration brings {100 * share:.3g} % of the damage of {of.detail}"
-            )
+    from riserstudy.fatigue.vibration_share import shares
+
+    for one in shares(years, without):
+        print(
+            f"vortex-induced vibration brings {100 * one.share:.3g} % of the damage of {one.of.detail}: "
+            f"{one.of.rate:.3g} a year with it and {one.without:.3g} without, at s = {one.of.s:.4g} m "
+            f"(largest without it: {one.largest_without:.3g})"
+        )
