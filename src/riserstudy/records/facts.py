@@ -62,6 +62,7 @@ def _is_estimated(facts: RunFacts) -> int:
 #: relative, by quantity
 ErrorEstimate = dict[str, float]
 _ERROR = "estimated relative error of "
+_SAMPLING = "relative standard error, by the length of the run, of the vibration's "
 
 
 class _Rare(TypedDict):
@@ -137,6 +138,7 @@ class RunFacts(TypedDict, total=False):
         Column("effects that are on, a line each", kind="text", repeats=False, in_database=False),
     ]
     vibration_since: float  # s
+    vibration_above: float  # Hz, frequency of the slowest motion that counts
     vibration_rms: Annotated[
         float, Column("root mean square of the vibration, over time and riser", "m", **_VIBRATES)
     ]
@@ -159,6 +161,37 @@ class RunFacts(TypedDict, total=False):
             **_VIBRATES,
         ),
     ]
+
+    #: standard errors of the statistics of a vibration, by the length of the time that is judged
+    sampling_error: Annotated[
+        ErrorEstimate,
+        Column(
+            _SAMPLING + "displacement",
+            "1",
+            name="sampling_error_displacement",
+            part="displacement",
+            **_VIBRATES,
+        ),
+        Column(
+            _SAMPLING + "bending moment",
+            "1",
+            name="sampling_error_moment",
+            part="moment",
+            **_VIBRATES,
+        ),
+        Column(
+            _SAMPLING + "tension", "1", name="sampling_error_tension", part="tension", **_VIBRATES
+        ),
+        Column(
+            _SAMPLING + "fatigue damage",
+            "1",
+            name="sampling_error_damage",
+            part="damage",
+            **_VIBRATES,
+        ),
+    ]
+
+    statistics: dict[str, Any]  # of a vibration, where a run is kept to be compared with
 
     directions: int  # in which the riser moves
     statics_iterations: int

@@ -25,6 +25,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import fatpack
@@ -38,6 +39,7 @@ from riserstudy.scene.limits import ENDS, place_of
 from riserstudy.scene.models import Scene
 from riserstudy.simulation import vibration
 from riserstudy.simulation.curve import between_nodes
+from riserstudy.simulation.sampling_error import standard_error
 from riserstudy.simulation.wall_stress import Wall, nodes_of, pressures, wall_of
 
 if TYPE_CHECKING:
@@ -149,10 +151,17 @@ def enter(scene: Scene, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
             rates[:, angle, node] = found * (YEAR / time if twin == angle else 1.0)
     arrays["damage_rate"] = rates
     facts["fatigue"] = []
+    by_chance = [0.0]
     for k, detail in enumerate(of.details):
         angle, node = map(int, np.unravel_index(int(np.nanargmax(rates[k])), rates.shape[1:]))
         here = [part for part in every if part.detail == k and node in part.nodes]
-        often, seldom = (_at(here, of, sides, node, angle, step)[k] for step in (1, 2))
+        often, seldom = (
+            _at(here, of, sides, node, angle, slice(None, None, step))[k] for step in (1, 2)
+        )
+        if often > NONE * time / YEAR and "sampling_error" in facts:
+            outputs = len(histories["time"])
+            each = partial(_of_block, here, of, sides, node, angle, k)
+            by_chance.append(float(standard_error(each, outputs).max()) * outputs / often)
         facts["fatigue"].append({
             "detail": detail.name,
             "since": start,
@@ -163,12 +172,27 @@ def enter(scene: Scene, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
             "safety_factor": detail.safety_factor,
             "error_of_outputs": _lost(often, seldom) if rates[k, angle, node] >= NONE else 0.0,
         })  # fmt: skip
+    if "sampling_error" in facts:
+        facts["sampling_error"]["damage"] = max(by_chance)
+
+
+def _of_block(
+    here: list[Part], of: Fatigue, sides: _Sides, node: int, angle: int, detail: int, block: slice
+) -> Array:
+    """Damage of a detail at a place by a block of outputs, over their number (1)."""
+    found = _at(here, of, sides, node, angle, block)[[detail]]
+    return np.asarray(found / (block.stop - block.start))
 
 
 def _at(
-    here: list[Part], of: Fatigue, sides: _Sides, node: int, angle: int, step: int = 1
+    here: list[Part],
+    of: Fatigue,
+    sides: _Sides,
+    node: int,
+    angle: int,
+    which: slice = slice(None),
 ) -> Array:
-    """Damage (1) of all details at a place, by one of ``step`` outputs; not a number where there is none.
+    """Damage (1) of all details at a place, by some of the outputs; not a number where there is none.
 
     Where two walls meet it is that of the one which has more.
     """
@@ -178,7 +202,7 @@ def _at(
         detail = of.details[part.detail]
         alike = (part.wall, part.shares, part.radius, detail.stress_per_moment)
         if alike not in counted:
-            counted[alike] = rainflow(sides.stress(part, detail, node, angle)[::step])
+            counted[alike] = rainflow(sides.stress(part, detail, node, angle)[which])
         worth = damage(
             counted[alike], detail.curve.numbers, detail.stress_concentration, part.thickness
         )

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
 from riserstudy.scene.limits import ANGLES
-from riserstudy.simulation import vibration
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
+from riserstudy.simulation.vibration_statistics import Statistics, apart, of_plain, statistics
 
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
@@ -65,9 +65,11 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     differences = {}
     histories = _histories(coarse.arrays, fine.arrays)
     if "vibration_since" in fine.facts:
-        times = coarse.arrays["time"], fine.arrays["time"]
-        places = _places(coarse.arrays, fine.arrays)
-        return vibration.apart(histories, places, times, fine.facts) | _damage(coarse, fine)
+        return (
+            apart(*_vibrations(coarse, fine, histories))
+            | _angle_of([*_statistics(coarse, fine)])
+            | _damage(coarse, fine)
+        )
     for name, fields in (
         ("displacement", ("x", "y", "z")),
         ("tension", ("effective_tension",)),
@@ -87,12 +89,64 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
         rounding = _rounding(name, fine.arrays)
         if scale > rounding:
             differences[name] = off / scale if off > rounding else 0.0
-    angles = [*_angles(coarse, fine)]
-    scale = max((float(np.abs(up).max()) for _, up in angles), default=0.0)
-    if scale > UPRIGHT:
-        off = max(float(np.abs(up - low).max()) for low, up in angles)
-        differences["angle"] = off / scale if off > UPRIGHT else 0.0
-    return differences | _damage(coarse, fine)
+    return differences | _angle_of([*_angles(coarse, fine)]) | _damage(coarse, fine)
+
+
+def _angle_of(pairs: list[tuple[Array, Array]]) -> dict[str, float]:
+    """Relative difference of angles (rad), over the largest of them; nothing where all are upright."""
+    scale = max((float(np.abs(up).max()) for _, up in pairs), default=0.0)
+    if not scale > UPRIGHT:
+        return {}
+    off = max(float(np.abs(up - low).max()) for low, up in pairs)
+    return {"angle": off / scale if off > UPRIGHT else 0.0}
+
+
+def _vibrations(
+    coarse: Result, fine: Result, histories: dict[str, tuple[Array, Array]]
+) -> tuple[Statistics, Statistics]:
+    """Statistics of two runs of a vibration, where both are compared."""
+    since, places = fine.facts["vibration_since"], _places(coarse.arrays, fine.arrays)
+    often, most = "vibration_frequency" in fine.facts, None
+    above = fine.facts["vibration_above"]
+    found = []
+    for k, run in ((1, fine), (0, coarse)):
+        late = run.arrays["time"] >= since
+        each = {name: pair[k][late] for name, pair in histories.items()}
+        found.append(statistics(each, places, run.arrays["time"][late], above, often, most))
+        most = int(found[0].square.argmax())
+    return found[1], found[0]
+
+
+def statistics_of(run: Result) -> Statistics | None:
+    """Statistics of a run of a vibration at its own places; None of one that is not judged."""
+    if "statistics" in run.facts:
+        return of_plain(run.facts["statistics"])
+    if "vibration_since" not in run.facts:
+        return None
+    histories = {name: (values, values) for name, values in _histories_of(run.arrays).items()}
+    return _vibrations(run, run, histories)[0]
+
+
+def _histories_of(arrays: Arrays) -> Arrays:
+    """Histories of a run, displacements counted from where those of other runs are."""
+    zero = curve_of(arrays).straight
+    return {
+        name: arrays[name] - zero(_zero(arrays, name), arrays["s"])
+        for name in HISTORIES
+        if name in arrays
+    }
+
+
+def _statistics(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
+    """Statistics of angles of flex joints in both runs (rad), from the time on at which these are judged."""
+    since = fine.facts["vibration_since"]
+    for name in ANGLES:
+        if name in coarse.arrays and name in fine.arrays:
+            low, up = (run.arrays[name][run.arrays["time"] >= since] for run in (coarse, fine))
+            yield np.array([low.mean(), low.std()]), np.array([up.mean(), up.std()])
+        ends, finer = _extremes(coarse, name), _extremes(fine, name)
+        if ends is not None and finer is not None:
+            yield ends, finer
 
 
 def _damage(coarse: Result, fine: Result) -> dict[str, float]:

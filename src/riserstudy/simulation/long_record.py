@@ -22,6 +22,7 @@ from riserstudy.simulation.run import march
 from riserstudy.simulation.run_cost import cost
 from riserstudy.simulation.starting_mesh import massless, period
 from riserstudy.simulation.thinning import thinned
+from riserstudy.simulation.vibration_refinement import VibrationRefinement
 from riserstudy.simulation.watch import Watch, size
 
 PERIODS = 48.0  # the shortest of a scene, after its ramps, that are a piece: two dozen waves
@@ -47,6 +48,8 @@ def is_long(scene: Scene) -> bool:
 
 def refinement_of(scene: Scene, watch: Watch) -> Refinement:
     """What refines a scene; with a patience by runs of the whole, of which the last that is done counts."""
+    if any(section.viv for section in scene.riser):
+        return VibrationRefinement(scene, watch)
     by_piece = is_long(scene) and watch.patience == math.inf
     return LongRecord(scene, watch) if by_piece else Refinement(scene, watch)
 

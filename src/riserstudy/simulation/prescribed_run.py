@@ -9,8 +9,9 @@ from riserstudy.errors import SimulationError, TakesTooLong
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.halved import Halved, enter
+from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.run import march, single
+from riserstudy.simulation.sampling_error import floor, of_two_runs
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.watch import Watch, size
 
@@ -45,16 +46,13 @@ def run_prescribed(scene: Scene, estimated: bool, watch: Watch) -> Result:
     if not estimated:
         return result
     seen: dict[str, Halved] = {}
+    sampling = result.facts.get("sampling_error", {})
     runs = [result, *(run for _, run in coarser)]
     for (way, _), (fine, coarse) in reversed([*zip(coarser, pairwise(runs), strict=True)]):
-        enter(seen, way, difference(coarse, fine))
+        enter(seen, way, difference(coarse, fine), floor(sampling))
     result.facts["error_estimate"] = {}
     if all(way in seen for way in ways):
-        errors = [one.error for one in seen.values()]
-        names = dict.fromkeys(name for error in errors for name in error)
-        result.facts["error_estimate"] = {
-            name: sum(error.get(name, 0.0) for error in errors) for name in names
-        }
+        result.facts["error_estimate"] = error_of(seen.values(), of_two_runs(sampling))
     else:
         result.facts["warnings"].append("no error estimate: the coarser run cannot be completed")
     return result

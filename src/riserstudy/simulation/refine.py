@@ -15,12 +15,13 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sudden import sudden_starts
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.halved import Halved, enter
+from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.prescribed_run import run_prescribed
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import finish, march, single
 from riserstudy.simulation.run_cost import cost, duration, total_seconds
+from riserstudy.simulation.sampling_error import floor, of_two_runs
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_stepping import steps_in
@@ -253,9 +254,9 @@ class Refinement:
     @property
     def error(self) -> dict[str, float]:
         """Estimated relative error of mesh and step together, by quantity."""
-        seen = [one.error for one in self.seen.values()]
-        names = dict.fromkeys((*self.target, *(name for error in seen for name in error)))
-        return {name: sum(error.get(name, 0.0) for error in seen) for name in names}
+        facts = self.finest.facts if self.finest else {}
+        chance = of_two_runs(facts.get("sampling_error", {}))
+        return dict.fromkeys(self.target, 0.0) | error_of(self.seen.values(), chance)
 
     def _attempt(self, left: int, whole: bool = False) -> Result | None:
         """A run on the present mesh and step; None where it failed, and both are finer now.
@@ -297,7 +298,8 @@ class Refinement:
         self.spent.append(cost(finer))
         if self.last is not None:
             before = self.seen.get(self.way)
-            now = enter(self.seen, self.way, difference(self.last, finer))
+            chance = floor(finer.facts.get("sampling_error", {}))
+            now = enter(self.seen, self.way, difference(self.last, finer), chance)
             self.helps = before is None or (
                 self._excess(before.change) > FALL * self._excess(now.change)
             )

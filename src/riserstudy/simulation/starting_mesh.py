@@ -4,23 +4,31 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from riserstudy.errors import SimulationError
 from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import COARSEST, Layer, Mesh, even, graded
 from riserstudy.model.model import Model
 from riserstudy.model.sea import depth_of_action
 from riserstudy.model.soil import pile_length
-from riserstudy.model.vortex_lift import shedding_period
+from riserstudy.model.vortices import shedding_period
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.equilibrium import settle
+from riserstudy.simulation.half_waves import half_wave
 
 LONG = 80.0  # risers, in layer lengths, whose even mesh would be too coarse at ends
-VORTEX = 0.6  # of the shortest period of vortices, which 40 steps resolve where others take 24
+VORTEX = 1.2  # of the shortest period of vortices, which 20 steps resolve where others take 24
+OF_HALF_A_WAVE = 3  # segments of the coarsest mesh in half a wave of vortices
 QUIET = 20.0  # step is chosen as for this period where nothing in the scene has one (s)
 
 
 def coarsest_mesh(scene: Scene) -> Mesh:
-    """Coarse mesh, graded where held ends confine bending to a layer sqrt(EI/T), and under waves."""
+    """Coarse mesh, graded where held ends confine bending to a layer sqrt(EI/T), and under waves.
+
+    Where vortices are shed, it resolves the waves that they send along the riser.
+    """
     if not scene.lateral:
         return even(scene, len(scene.riser) if massless(scene) else COARSEST)
     model, probe = _at_rest(scene)
@@ -34,12 +42,14 @@ def coarsest_mesh(scene: Scene) -> Mesh:
             e = probe.foot(k)
             layer = _layer(stiffness(section).bending, _tension(model, e))
             fine.append(Layer(float(probe.s[e]), layer))
-    longest = {}
+    waves = half_wave(scene, probe, _tensions(model))
+    longest = {k: length / OF_HALF_A_WAVE for k, length in waves.items()}
     if scene.soil:
         for k, section in enumerate(scene.riser[: max(scene.lowest_riser_section, 1)]):
             if k == 0 or _below_mudline(scene, k):
                 bending = stiffness(section).bending
-                longest[k] = 0.5 * pile_length(scene.soil, section, bending)
+                size = 0.5 * pile_length(scene.soil, section, bending)
+                longest[k] = min(longest.get(k, math.inf), size)
     confined = longest or any(layer.length < math.inf for layer in fine)
     return graded(scene, fine, longest=longest) if confined else probe
 
@@ -93,6 +103,11 @@ def _end_layer(scene: Scene, model: Model, probe: Mesh, end: int) -> float:
     layer = _layer(probe.l0[end] / (share * flex) if flex > 0.0 else 0.0, _tension(model, end))
     # a short riser's even mesh is fine enough for an end that turns freely, and of higher order
     return layer if held or probe.riser_length > LONG * layer else math.inf
+
+
+def _tensions(model: Model) -> NDArray[np.float64]:
+    """Of all segments, (n,), N."""
+    return np.asarray((model.s.segment * model.s.tangent).sum(axis=0))
 
 
 def _tension(model: Model, segment: int) -> float:

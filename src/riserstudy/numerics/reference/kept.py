@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
-from riserstudy.simulation.error_estimate import HISTORIES
+from riserstudy.simulation.error_estimate import HISTORIES, statistics_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -38,6 +38,8 @@ MIDDLE = ("mesh_moment_min", "mesh_moment_max")  # at the middle of a segment
 OF_SEGMENTS = ("mesh_flexibility", *MIDDLE)
 OF_NODES = {"s_node", "mesh_corner", "zero_z", *(name + end for name in HISTORIES for end in ENDS)}
 EXACT = {"s_node", "time", "mesh_flexibility", "mesh_corner", "zero_z"}
+DIGITS = 7  # of statistics
+KEPT = ("elements", "step", "statistics")  # facts
 UNITS = {"x": "m", "y": "m", "z": "m", "s_node": "m", "time": "s", "effective_tension": "N"}
 
 
@@ -83,7 +85,20 @@ def reduced(result: Result, nodes: Array | None = None) -> Result:
         for name in (*HISTORIES, COMPONENTS):
             if name in arrays:
                 less[name] = np.ascontiguousarray(arrays[name][::nth, ..., keep])
-    return Result(less, result.facts)
+    facts = result.facts
+    if (vibration := statistics_of(result)) is not None:
+        rounded = vibration.at(less["s_node"]).plain()
+        facts = facts | {"statistics": _rounded(rounded)}
+    return Result(less, facts)
+
+
+def _rounded(value: Any) -> Any:
+    """Plain numbers with as many digits as a comparison needs."""
+    if isinstance(value, dict):
+        return {name: _rounded(one) for name, one in value.items()}
+    if isinstance(value, list):
+        return [_rounded(one) for one in value]
+    return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value
 
 
 def next_to(nodes: Array, s: Array) -> NDArray[np.int64]:
@@ -174,8 +189,8 @@ def _zero(arrays: Arrays, name: str) -> Array | float:
 def _about(kept: Kept) -> dict[str, Any]:
     """All but the arrays, as plain data."""
     names = ("case", "scene", "physics", "engine", "how", "error", "missing", "more")
-    facts = kept.result.facts if kept.result else {}
-    kept_facts = {name: facts[name] for name in ("elements", "step") if name in facts}
+    facts: dict[str, Any] = {**kept.result.facts} if kept.result else {}
+    kept_facts = {name: facts[name] for name in KEPT if name in facts}
     return {name: getattr(kept, name) for name in names} | {"facts": kept_facts}
 
 

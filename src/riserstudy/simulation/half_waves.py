@@ -1,0 +1,72 @@
+r"""How short the waves are that vortices send along a riser, which its segments must resolve.
+
+A wave of angular frequency :math:`\omega` has the number k of :math:`E I k^4 + T k^2 = m \omega^2` in a riser
+of bending stiffness EI, tension T and mass m per length, that of contents and added mass in it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.model.layout import stiffness
+from riserstudy.model.mesh import Mesh
+from riserstudy.model.vortices import shedding_period
+from riserstudy.scene.models import Scene
+
+FloatArray = NDArray[np.float64]
+MOST = (
+    250  # half waves along a riser; what is shorter than such a part of it is not resolved at first
+)
+
+
+def half_wave(scene: Scene, mesh: Mesh, tension: FloatArray) -> dict[int, float]:
+    """Length (m) of half a wave of the fastest vortices, by section; the shortest in each.
+
+    Parameters
+    ----------
+    tension : (n,) of the segments (N), along a riser at rest.
+
+    Returns
+    -------
+    Empty where nothing is shed.
+    """
+    period = shedding_period(scene)
+    if not math.isfinite(period):
+        return {}
+    total = sum(section.total_length for section in scene.riser)
+    density = scene.water.density if scene.water else 0.0
+    found = {}
+    for k, section in enumerate(scene.riser):
+        added = section.added_mass
+        mass = (section.mass or 0.0) + section.contents_mass
+        mass += added.coefficient * added.displaced(density) if added else 0.0
+        pull = float(tension[mesh.section == k].min(initial=math.inf))
+        number = wave_number(stiffness(section).bending, pull, mass, 2.0 * math.pi / period)
+        found[k] = max(math.pi / number if number > 0.0 else math.inf, total / MOST)
+    return found
+
+
+def wave_number(bending: float, tension: float, mass: float, frequency: float) -> float:
+    """Wave number (rad/m) of a beam under tension.
+
+    Parameters
+    ----------
+    bending : EI (N m2).
+    tension : N; without bending stiffness, no wave runs where it is not above 0, and the number is infinite.
+    mass : kg/m.
+    frequency : rad/s.
+    """
+    inertia = mass * frequency**2
+    if bending > 0.0:
+        root = math.hypot(tension, 2.0 * math.sqrt(bending * inertia))
+        # the same number in both forms, of which one loses no digits
+        square = (
+            2.0 * inertia / (root + tension)
+            if tension > 0.0
+            else (root - tension) / (2.0 * bending)
+        )
+        return math.sqrt(square)
+    return math.sqrt(inertia / tension) if tension > 0.0 else math.inf

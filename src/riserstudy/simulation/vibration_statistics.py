@@ -1,0 +1,273 @@
+"""Statistics of a vibration of vortices, which are what repeats from run to run, and how two runs differ.
+
+Where several modes take turns, two runs that differ in the last digit soon differ by as much as they move,
+and only their statistics agree. So errors are of these.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.simulation.sampling_error import standard_error
+
+Array = NDArray[np.float64]
+SLOW = 0.5  # of the longest period of a vibration: blocks shorter than that tell of its periods
+FEWEST_PERIODS = 8  # from which a frequency has an error
+MOVED = ("x", "y", "z")
+FIELDS = (*MOVED, "effective_tension", "bending_moment")
+
+
+class Statistics(NamedTuple):
+    """Of a run from the time on at which its vibration is judged, at places of the riser."""
+
+    s: Array  # (n,) places (m)
+    square: Array  # (n,) mean square of the displacement about a straight line in time (m2)
+    means: Array  # (k, n) mean displacements (m)
+    frequency: (
+        float | None
+    )  # where the vibration is largest (Hz); None where outputs do not show it
+    moment_square: Array | None  # (n,) mean square of the bending moment (N2 m2)
+    tension: Array | None  # (n,) mean tension (N)
+    tension_square: Array | None  # (n,) mean square of the tension (N2)
+
+    def at(self, places: Array) -> Statistics:
+        """The same at other places, (k,), m, on cubics through those that are known."""
+        from scipy.interpolate import CubicSpline
+
+        if len(places) == len(self.s) and np.allclose(
+            places, self.s, rtol=0.0, atol=1e-9 * self.s[-1]
+        ):
+            return self
+        names = ("square", "means", "moment_square", "tension", "tension_square")
+        moved = {
+            name: CubicSpline(self.s, values, axis=-1)(places)
+            for name in names
+            if (values := getattr(self, name)) is not None
+        }
+        return self._replace(s=places, **moved)
+
+    def plain(self) -> dict[str, Any]:
+        """As plain data, of which `of_plain` makes the same."""
+        return {
+            name: value.tolist() if isinstance(value, np.ndarray) else value
+            for name, value in self._asdict().items()
+        }
+
+
+def of_plain(data: dict[str, Any]) -> Statistics:
+    """Statistics of plain data."""
+    made: dict[str, Any] = {
+        name: np.array(value) if isinstance(value, list) else value for name, value in data.items()
+    }
+    return Statistics(**made)
+
+
+def statistics(
+    histories: dict[str, Array],
+    places: Array,
+    time: Array,
+    above: float,
+    with_frequency: bool,
+    most: int | None = None,
+) -> Statistics:
+    """Statistics of histories.
+
+    Parameters
+    ----------
+    histories : by field, (times, places), from the time on at which the vibration is judged.
+    places : m.
+    time : of the histories (s).
+    above : frequency (Hz) of the slowest motion that is vibration.
+    with_frequency : whether outputs are close enough to show it.
+    most : the place whose frequency is taken; None: where the vibration is largest.
+    """
+    moved = [histories[name] for name in MOVED if name in histories]
+    away = [vibration(motion, time, above) for motion in moved]
+    square = np.sum([motion**2 for motion in away], axis=0).mean(axis=0)
+    moment, pull = histories.get("bending_moment"), histories.get("effective_tension")
+    most = int(square.argmax()) if most is None else most
+    return Statistics(
+        places,
+        square,
+        np.array([motion.mean(axis=0) for motion in moved]),
+        frequency(time, _largest(away, most)) if with_frequency else None,
+        None if moment is None else (moment**2).mean(axis=0),
+        None if pull is None else pull.mean(axis=0),
+        None if pull is None else (pull**2).mean(axis=0),
+    )
+
+
+def _largest(away: list[Array], most: int) -> Array:
+    """The vibration (times,) that is largest at a place: along x, y or z."""
+    return max((motion[:, most] for motion in away), key=lambda motion: float(motion.var()))
+
+
+def apart(low: Statistics, up: Statistics) -> dict[str, float]:
+    """Relative differences of the statistics of two runs at the same places, by quantity.
+
+    Displacement: the largest of those of the root mean square over time and riser, of means, over the
+    largest mean anywhere, and of the frequency where the vibration is largest. Moment: of its root mean
+    square over time and riser. Tension: of its mean and root mean square at every place.
+    """
+    out = {
+        "displacement": max(
+            _of_size(low.s, low.square, up.square),
+            _relative([(low.means, up.means)]),
+            _in_frequency(low.frequency, up.frequency),
+        )
+    }
+    if low.moment_square is not None and up.moment_square is not None:
+        out["moment"] = _of_size(low.s, low.moment_square, up.moment_square)
+    if low.tension is not None and up.tension is not None:
+        squares = (low.tension_square, up.tension_square)
+        rms = [np.sqrt(np.maximum(square, 0.0)) for square in squares if square is not None]
+        out["tension"] = _relative([(rms[0], rms[1]), (low.tension, up.tension)])
+    return out
+
+
+def sampling(
+    histories: dict[str, Array], places: Array, time: Array, above: float, with_frequency: bool
+) -> dict[str, float]:
+    """Relative standard errors of what `apart` compares, by quantity; arguments are those of `statistics`.
+
+    Parameters
+    ----------
+    histories : by field, (times, places).
+    places, time : (places,), m, and (times,), s.
+    above : Hz.
+    """
+    moved = [histories[name] for name in MOVED if name in histories]
+    away = [vibration(motion, time, above) for motion in moved]
+    squares = np.sum([motion**2 for motion in away], axis=0)
+    least = int(SLOW / above / (time[1] - time[0])) if above > 0.0 else 0
+    of_displacement = [_of_rms(squares, places, least), _of_means(moved, least)]
+    if with_frequency:
+        most = int(squares.mean(axis=0).argmax())
+        of_displacement.append(_of_frequency(time, _largest(away, most)))
+    out = {"displacement": max(of_displacement)}
+    if "bending_moment" in histories:
+        out["moment"] = _of_rms(histories["bending_moment"] ** 2, places, least)
+    if "effective_tension" in histories:
+        pull = histories["effective_tension"]
+        rms = np.sqrt((pull**2).mean(axis=0))
+        square = standard_error(lambda block: (pull[block] ** 2).mean(axis=0), len(pull), least)
+        of_rms = 0.5 * square / np.where(rms > 0.0, rms, np.inf)
+        scale = float(rms.max())
+        largest = float(of_rms.max()) / scale if scale > 0.0 else 0.0
+        out["tension"] = max(largest, _of_means([pull], least))
+    return out
+
+
+def sampling_of_angles(histories: dict[str, Array]) -> dict[str, float]:
+    """Relative standard error of angles, over the largest of them; nothing where there are none.
+
+    Of means, of scatter about them, and of the largest values, which another run as long has as
+    differently as a quarter of this one has.
+
+    Parameters
+    ----------
+    histories : by name, (times,), rad, from the time on at which they are judged.
+    """
+    scale = max((float(np.abs(angle).max()) for angle in histories.values()), default=0.0)
+    if scale == 0.0:
+        return {}
+    errors = []
+    for angle in histories.values():
+        size = float(angle.std())
+        away = np.square(angle - angle.mean())
+        errors.append(_of_blocks(angle, np.mean))
+        errors.append(0.5 * _of_blocks(away, np.mean) / size if size > 0.0 else 0.0)
+        quarters = [np.abs(part).max() for part in np.array_split(angle, 4)]
+        errors.append(float(np.std(quarters, ddof=1)))
+    return {"angle": max(errors) / scale}
+
+
+def _of_blocks(values: Array, statistic: Any) -> float:
+    """Standard error of a statistic of values (times,)."""
+    return float(standard_error(lambda b: np.array([statistic(values[b])]), len(values)).max())
+
+
+def vibration(motion: Array, time: Array, above: float) -> Array:
+    """A motion (times, places) less what of it is slow.
+
+    The straight line in time that fits it best, and the slow cosines of the rest, which do not ask for equal
+    values at both ends: so what drifts over all of the time leaves next to nothing.
+
+    Parameters
+    ----------
+    time : s, in equal steps.
+    above : frequency (Hz) of the slowest motion that is vibration; 0: of all but the line.
+    """
+    count = len(motion)
+    steps = np.arange(count) - 0.5 * (count - 1)
+    away = motion - motion.mean(axis=0)
+    away = away - np.multiply.outer(steps, steps @ away / (steps @ steps))
+    slow = np.arange(1, int(2.0 * above * count * (time[1] - time[0])) + 1)
+    if not len(slow):
+        return np.asarray(away)
+    cosines = np.cos(np.pi * np.outer(np.arange(count) + 0.5, slow) / count)
+    return np.asarray(away - cosines @ (cosines.T @ away) * (2.0 / count))
+
+
+def along(squares: Array, s: Array) -> float:
+    """Root mean square (in the unit of the root) along the riser of squares at places s (m), (n,) each."""
+    return float(np.sqrt(np.trapezoid(squares, s) / (s[-1] - s[0]))) if len(s) > 1 else 0.0
+
+
+def frequency(time: Array, away: Array) -> float:
+    """Frequency (Hz) of a vibration (times,) by its upward crossings of zero; 0 for fewer than two."""
+    crossed = _crossings(time, away)
+    return float((len(crossed) - 1) / (crossed[-1] - crossed[0])) if len(crossed) > 1 else 0.0
+
+
+def _crossings(time: Array, away: Array) -> Array:
+    """Times (s) at which a vibration (times,) crosses zero upwards."""
+    up = np.flatnonzero((away[:-1] < 0.0) & (away[1:] >= 0.0))
+    return np.asarray(time[up] - away[up] * (time[up + 1] - time[up]) / (away[up + 1] - away[up]))
+
+
+def _of_rms(squares: Array, s: Array, least: int) -> float:
+    """Relative standard error of a root mean square over times and places (m), of squares (times, places)."""
+    whole = along(squares.mean(axis=0), s) ** 2
+    error = standard_error(
+        lambda block: np.array([along(squares[block].mean(axis=0), s) ** 2]), len(squares), least
+    )
+    return float(0.5 * error.max() / whole) if whole > 0.0 else 0.0
+
+
+def _of_means(each: list[Array], least: int) -> float:
+    """The largest standard error of means at places over the largest mean, of histories (times, places)."""
+    scale = max(float(np.abs(one.mean(axis=0)).max()) for one in each)
+    stacked = np.concatenate(each, axis=1)
+    error = standard_error(lambda block: stacked[block].mean(axis=0), len(stacked), least)
+    return float(error.max()) / scale if scale > 0.0 else 0.0
+
+
+def _of_frequency(time: Array, motion: Array) -> float:
+    """Relative standard error of the frequency of a vibration (times,), by quarters of its periods."""
+    periods = np.diff(_crossings(time, motion))
+    if len(periods) < FEWEST_PERIODS:
+        return 0.0
+    quarters = [part.mean() for part in np.array_split(periods, 4)]
+    return float(np.std(quarters, ddof=1) / 2.0 / periods.mean())
+
+
+def _of_size(places: Array, low: Array, up: Array) -> float:
+    """Relative difference of the root mean squares along the riser, of mean squares at places (m)."""
+    coarse, fine = (along(squares, places) for squares in (low, up))
+    return abs(coarse - fine) / fine if fine > 0.0 else 0.0
+
+
+def _relative(pairs: list[tuple[Array, Array]]) -> float:
+    """The largest difference over the largest value."""
+    scale = max(float(np.abs(up).max()) for _, up in pairs)
+    off = max(float(np.abs(up - low).max()) for low, up in pairs)
+    return off / scale if scale > 0.0 else 0.0
+
+
+def _in_frequency(low: float | None, up: float | None) -> float:
+    """Relative difference of frequencies (Hz), where both are known."""
+    return abs(low - up) / up if low is not None and up else 0.0
