@@ -10,7 +10,7 @@ import pytest
 from riserstudy.errors import InputError, RiserStudyError
 from riserstudy.model.sea import wave_number
 from riserstudy.scene.load import read_scene
-from riserstudy.scene.origin import leaves
+from riserstudy.scene.paths import leaves
 from riserstudy.simulation.refine import run
 
 SCENES = Path(__file__).parents[2] / "config/scenes"

@@ -7,7 +7,7 @@ points of a grid at once.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from riserstudy.database.read_dataset import Grid
 from riserstudy.scene.fields import in_si
-from riserstudy.scene.origin import leaves, unwrap
+from riserstudy.scene.origin import unwrap
+from riserstudy.scene.paths import and_above, leaves, within
 
 TITLES = ("title", "note", "paper")
 
@@ -71,18 +72,10 @@ def _origin(
     path: str, origins: Mapping[str, str], evidence: Mapping[str, str], plain: str
 ) -> tuple[str, str]:
     """Where a value of a scene comes from: as its own origin is given, or that of what it is a part of."""
-    for part in _above(path):
+    for part in and_above(path):
         if part in origins:
             return origins[part], evidence.get(part, "")
     return plain, ""
-
-
-def _above(path: str) -> Iterator[str]:
-    """A path and all that it is below."""
-    yield path
-    for k in range(len(path) - 1, 0, -1):
-        if path[k] in ".[":
-            yield path[:k]
 
 
 class Below:
@@ -95,8 +88,7 @@ class Below:
     def of(self, path: str) -> list[str]:
         """The path itself, where it is known, and all known paths below it."""
         if path not in self._found:
-            parts = (f"{path}.", f"{path}[")
-            self._found[path] = [p for p in self._paths if p == path or p.startswith(parts)]
+            self._found[path] = [p for p in self._paths if within(p, path)]
         return self._found[path]
 
     def add(self, path: str) -> None:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from riserstudy.scene.origin import unwrap, within
+from riserstudy.scene.origin import unwrap
+from riserstudy.scene.paths import within
 
 if TYPE_CHECKING:
     import xarray as xr

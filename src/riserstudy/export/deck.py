@@ -11,7 +11,8 @@ from typing import Any
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
-from riserstudy.scene.origin import CALLED, leaves, within
+from riserstudy.scene.origin import CALLED
+from riserstudy.scene.paths import last_name, leaves, parent, within, without_indices
 
 PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9 _.,/+-]*[A-Za-z0-9)]|[A-Za-z]")
 WORDS = ("yes", "no", "on", "off", "true", "false", "null", "infinity")
@@ -47,14 +48,14 @@ class Deck:
         lines = [f"{path}: {reason}" for path, reason in self.otherwise.items()]
         missing: dict[str, None] = {}
         for path, _ in leaves(self.file.tree):
-            bare = re.sub(r"\[\d+\]", "", path)
-            called = bare.rpartition(".")[2] in CALLED
+            bare = without_indices(path)
+            called = last_name(bare) in CALLED
             if called or any(within(bare, place) for place in self.carried):
                 continue
             if not any(within(path, place) for place in self.otherwise):
-                parent = bare.rpartition(".")[0]
-                whole = bare.count(".") > 1 and not any(within(p, parent) for p in self.carried)
-                missing[parent if whole else bare] = None
+                above = parent(bare)
+                whole = bare.count(".") > 1 and not any(within(p, above) for p in self.carried)
+                missing[above if whole else bare] = None
         return [*lines, *(f"{path}: not written" for path in missing)]
 
     def text(self) -> str:

@@ -5,7 +5,6 @@ A plain value of a scene says that it is printed, and must be on the list of its
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ from riserstudy.grading.published import printed_of, published_path
 from riserstudy.grading.words_file import read_words
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import plain_values
+from riserstudy.scene.paths import matches
 
 
 def printed_inputs(config: Path, paper: str) -> list[PrintedInput]:
@@ -69,7 +69,7 @@ def _names(value: Any, what: str) -> bool:
 def printed_as(inputs: Iterable[PrintedInput], path: str, value: Any) -> PrintedInput | None:
     """The printed input that a value at a dotted path of a scene is, if it is one."""
     for printed in inputs:
-        if str(printed.value) == str(value) and any(_leads(at, path) for at in printed.paths):
+        if str(printed.value) == str(value) and any(matches(path, at) for at in printed.paths):
             return printed
     return None
 
@@ -81,8 +81,3 @@ def unprinted(inputs: list[PrintedInput], scene: SceneFile) -> list[tuple[str, A
         for path, value in plain_values(scene.tree, scene.origins)
         if printed_as(inputs, path, value) is None
     ]
-
-
-def _leads(at: str, path: str) -> bool:
-    """Whether a place, in which ``[*]`` is any index, is a path."""
-    return re.fullmatch(re.escape(at).replace(r"\[\*\]", r"\[\d+\]"), path) is not None

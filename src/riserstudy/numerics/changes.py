@@ -12,6 +12,8 @@ from riserstudy.model.layout import stiffness
 from riserstudy.scene.forcing import Cruise, Current
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.models import Scene
+from riserstudy.scene.paths import parent as parent_of
+from riserstudy.scene.paths import value_at
 
 SEA_WATER = "1025 kg/m^3"
 SECTIONS = "riser[*]"
@@ -56,31 +58,24 @@ def has(tree: dict[str, Any], scene: Scene, where: str) -> bool:
     if where in special:
         return special[where]
     if where.startswith(SECTIONS):
-        return any(_at(section, where[len(SECTIONS) + 1 :]) for section in tree["riser"])
-    return bool(_at(tree, where))
-
-
-def _at(tree: Any, path: str) -> Any:
-    """What stands at a dotted path, None where nothing does."""
-    for step in path.split("."):
-        tree = tree.get(step) if isinstance(tree, dict) else None
-    return tree
+        return any(value_at(section, where[len(SECTIONS) + 1 :]) for section in tree["riser"])
+    return bool(value_at(tree, where))
 
 
 def _expanded(change: Change, tree: dict[str, Any], scene: Scene) -> Iterator[tuple[str, Any]]:
     """Path and value of everything that a change sets on a scene."""
     for path, value in change.set.items():
         if not path.startswith(SECTIONS):
-            parent = path.rpartition(".")[0]
-            if parent and parent != "water" and not _at(tree, parent):
+            parent = parent_of(path)
+            if parent and parent != "water" and not value_at(tree, parent):
                 continue
-            if value is not None or _at(tree, path) is not None:
+            if value is not None or value_at(tree, path) is not None:
                 yield path, _filled(value, scene, 0)
             continue
         field = path[len(SECTIONS) + 1 :]
         count = len(tree["riser"])
         for k in range(count):
-            if value is None or change.kind == "removed" or not _at(tree["riser"][k], field):
+            if value is None or change.kind == "removed" or not value_at(tree["riser"][k], field):
                 # from above: below the sections of the tree there may be a body that turns
                 yield f"riser[{k}].{field}", _filled(value, scene, k - count)
 

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.grading.printed import printed_as, printed_inputs
-from riserstudy.scene.origin import CALLED, within
+from riserstudy.scene.origin import CALLED
+from riserstudy.scene.paths import last_name, within
 from riserstudy.study.axes import Numbers
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study import scene_file
@@ -91,7 +92,7 @@ def _values(
     varied = {path: label for label, axis in numbers.items() for path in axis.paths}
     values = {}
     for path, value in flat(tree).items():
-        if path.rpartition(".")[2] in CALLED:
+        if last_name(path) in CALLED:
             continue
         origin = next((place for place in origins if within(path, place)), None)
         printed = printed_as(inputs, path, value)

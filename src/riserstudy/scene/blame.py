@@ -11,6 +11,7 @@ from pydantic import BaseModel
 
 from riserstudy.errors import InputError
 from riserstudy.scene.models import Scene
+from riserstudy.scene.paths import within, without_indices
 
 
 def blamed(error: InputError, layers: dict[str, str], tables: dict[str, str]) -> InputError:
@@ -23,7 +24,7 @@ def blamed(error: InputError, layers: dict[str, str], tables: dict[str, str]) ->
     """
     every = layers | tables
     missing = error.found == "missing"
-    above = [path for path in every if _leads(path, error.field)]
+    above = [path for path in every if within(error.field, path)]
     if above and not (missing and error.field not in above):
         where = every[max(above, key=len)]
     else:
@@ -37,20 +38,15 @@ def _below(error: InputError, paths: Iterable[str]) -> list[str]:
     """Paths of what a fault is about as a whole: below its place, or in parts that it speaks of."""
     place = error.field.rpartition(".")[0] if error.found == "missing" else error.field
     if place:
-        return [path for path in paths if _leads(place, path)]
+        return [path for path in paths if within(path, place)]
     return [path for path in paths if re.split(r"\W", path)[0] in error.found]
-
-
-def _leads(short: str, long: str) -> bool:
-    """Whether a path is another one, or that lies below it."""
-    return bool(short) and (long == short or long.startswith((f"{short}.", f"{short}[")))
 
 
 @lru_cache(1024)
 def is_known(path: str) -> bool:
     """Whether a scene can have something at a dotted path."""
     models: list[type[BaseModel]] = [Scene]
-    for name in re.sub(r"\[\d+\]", "", path).split("."):
+    for name in without_indices(path).split("."):
         if not models:  # below plain data anything may stand
             return True
         kinds = [m.model_fields[name].annotation for m in models if name in m.model_fields]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import types
 from collections.abc import Iterator
 from functools import cache, lru_cache
@@ -14,6 +13,7 @@ from pydantic.fields import FieldInfo
 
 from riserstudy.inputs.percent import Percent
 from riserstudy.scene.models import Scene
+from riserstudy.scene.paths import steps
 from riserstudy.scene.units import Unit
 
 
@@ -36,20 +36,12 @@ def in_si(path: str, value: Any) -> tuple[float | None, str | None]:
 def _readers(path: str) -> list[tuple[Any, str]]:
     """How a scene reads text at a path, as its models say; several where it may be one of several."""
     kinds: list[tuple[Any, list[Any]]] = [(Scene, [])]
-    for step in _steps(path):
+    for step in steps(path):
         kinds = [inner for kind, _ in kinds for inner in _into(kind, step)]
     marks = [mark for _, metadata in kinds for mark in metadata]
     readers = [(mark.read, mark.name) for mark in marks if isinstance(mark, Unit)]
     percent = get_args(Percent)[1]
     return [*readers, *((mark.func, "1") for mark in marks if mark is percent)]
-
-
-def _steps(path: str) -> Iterator[str | int]:
-    """Names and indices of a dotted path."""
-    for part in path.split("."):
-        name, *indices = part.replace("]", "").split("[")
-        yield name
-        yield from map(int, indices)
 
 
 def _into(kind: Any, step: str | int) -> Iterator[tuple[Any, list[Any]]]:
@@ -76,16 +68,3 @@ def _apart(kind: Any, marks: list[Any]) -> Iterator[tuple[Any, list[Any]]]:
             yield from _apart(one, marks)
     else:
         yield kind, marks
-
-
-def value_at(tree: Any, path: str) -> Any:
-    """What stands at a dotted path of a scene; None where nothing does."""
-    here = tree
-    for step in re.findall(r"[^.\[\]]+", path):
-        if isinstance(here, dict):
-            here = here.get(step)
-        elif isinstance(here, list) and step.isdigit() and int(step) < len(here):
-            here = here[int(step)]
-        else:
-            return None
-    return here

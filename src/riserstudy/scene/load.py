@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
 from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.scene import paths
 from riserstudy.scene.blame import blamed, is_known
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
 from riserstudy.scene.tables import files_of_tables, fill_in_tables, names_of_tables
-
-_STEP = re.compile(r"[A-Za-z_]\w*(\[\d{1,6}\])*")  # of a dotted path
 
 
 @dataclass(frozen=True)
@@ -53,7 +50,11 @@ class SceneFile:
             if plain is None and not is_known(path):
                 allowed = "see `riserstudy schema` for what is allowed"
                 raise InputError(layer, path, "unknown key, which null would take out", allowed)
-            _set(tree, path, plain, layer)
+            try:
+                paths.put(tree, path, plain)
+            except LookupError as error:
+                found, allowed = f"no {error.args[0]!r} there", "allowed are paths of the scene"
+                raise InputError(layer, path, found, allowed) from None
             origins = {k: v for k, v in origins.items() if not (k + ".").startswith(path + ".")}
             origins |= statuses
         layers = self.layers | dict.fromkeys(overrides, layer)
@@ -90,19 +91,6 @@ def _copied(tree: Any) -> Any:
     return [_copied(value) for value in tree] if isinstance(tree, list) else tree
 
 
-@lru_cache(1024)
-def _steps(path: str, layer: str) -> tuple[str | int, ...]:
-    """Names and indices of a dotted path."""
-    steps: list[str | int] = []
-    for part in path.split("."):
-        if not _STEP.fullmatch(part):
-            allowed = "allowed are names and indices, as in riser[0].length"
-            raise InputError(layer, path, f"{part!r} is no step of a path", allowed)
-        name, *indices = part.replace("]", "").split("[")
-        steps += [name, *map(int, indices)]
-    return tuple(steps)
-
-
 def first_step(path: str, layer: str) -> str:
     """The part of a scene that a path leads into.
 
@@ -111,31 +99,12 @@ def first_step(path: str, layer: str) -> str:
     InputError
         When it is no path.
     """
-    return str(_steps(path, layer)[0])
-
-
-def _set(tree: dict[str, Any], path: str, value: Any, layer: str) -> None:
-    """Put a value at a dotted path (``riser[0].length``); null removes what is there."""
-    *way, last = _steps(path, layer)
-    here: Any = tree
-    for step in way:
-        if isinstance(here, dict) and step not in here and isinstance(step, str):
-            here[step] = {}
-        try:
-            here = here[step]
-        except (KeyError, IndexError, TypeError):
-            raise InputError(
-                layer, path, f"no {step!r} there", "allowed are paths of the scene"
-            ) from None
     try:
-        if value is None and isinstance(here, dict):
-            here.pop(last, None)
-        else:
-            here[last] = value
-    except (IndexError, TypeError):
-        raise InputError(
-            layer, path, f"no {last!r} there", "allowed are paths of the scene"
-        ) from None
+        return str(paths.steps(path)[0])
+    except ValueError as error:
+        allowed = "allowed are names and indices, as in riser[0].length"
+        found = f"{error.args[0]!r} is no step of a path"
+        raise InputError(layer, path, found, allowed) from None
 
 
 def read_scene(path: str | Path, *, keep: bool = False) -> SceneFile:

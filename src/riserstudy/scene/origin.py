@@ -16,6 +16,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from riserstudy.scene.paths import last_name, leaves, within
+
 STATUSES = ("assumed", "derived", "calibrated", "chosen")
 COMPANIONS = {
     "assumed": {"range", "options", "because"},
@@ -92,26 +94,9 @@ def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped
     return tree[kind], {path: origin}, faults
 
 
-def leaves(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
-    """Values of a tree by dotted path; what is absent or empty has none."""
-    if isinstance(tree, dict):
-        for key, value in tree.items():
-            yield from leaves(value, f"{path}.{key}" if path else str(key))
-    elif isinstance(tree, list):
-        for k, value in enumerate(tree):
-            yield from leaves(value, f"{path}[{k}]")
-    elif tree is not None:
-        yield path, tree
-
-
 def plain_values(tree: dict[str, Any], origins: Mapping[str, Origin]) -> Iterator[tuple[str, Any]]:
     """Values of a scene, by dotted path, that nothing is said of."""
     for path, value in leaves(tree):
-        called = path.rpartition(".")[2] in CALLED
+        called = last_name(path) in CALLED
         if not called and not any(within(path, place) for place in origins):
             yield path, value
-
-
-def within(path: str, place: str) -> bool:
-    """Whether a path is a place or lies below it."""
-    return path == place or path.startswith((f"{place}.", f"{place}["))

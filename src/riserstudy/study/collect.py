@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Collection
 from importlib.metadata import version
 from pathlib import Path
@@ -28,6 +27,7 @@ from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
 from riserstudy.records.facts import point_columns
+from riserstudy.scene.paths import as_name
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
 from riserstudy.study import store
 from riserstudy.study.axes import Numbers, Samples
@@ -267,7 +267,7 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
         for path in samples[0]:
             values = [assumed[path] for assumed in samples]
             plain = [v if isinstance(v, int | float) else str(v) for v in values]
-            label = "assumed_" + re.sub(r"\W+", "_", path)  # riser[0].mass: riser_0_mass
+            label = "assumed_" + as_name(path)  # riser[0].mass: riser_0_mass
             dataset[label] = xr.DataArray(plain, dims=name, attrs={"long_name": path})
 
 

@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterator
 from itertools import pairwise
 
-from riserstudy.scene.fields import in_si, value_at
+from riserstudy.scene.fields import in_si
+from riserstudy.scene.paths import value_at
 from riserstudy.study.axes import Numbers
 from riserstudy.study.study import Study
 

@@ -22,8 +22,9 @@ import numpy as np
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.inputs.check import check
-from riserstudy.scene.fields import in_si, value_at
+from riserstudy.scene.fields import in_si
 from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.paths import as_name, value_at
 from riserstudy.scene.units import factor
 from riserstudy.study import store
 from riserstudy.study.collect import SHARED, dataset_of
@@ -200,7 +201,7 @@ def _axis(file: SceneFile, path: str, values: Values | Labelled) -> tuple[str, A
     listed = [v.item() if isinstance(v, np.generic) else v for v in values]
     if not listed or len(set(listed)) < len(listed):
         raise InputError("sweep", f"axes.{path}", str(listed), "allowed are values, each once")
-    name = re.sub(r"\W+", "_", path).strip("_")
+    name = as_name(path)
     plain = [isinstance(v, int | float) and not isinstance(v, bool) for v in listed]
     if all(plain):
         return name, {"path": path, "unit": _unit_at(file, path), "values": listed}

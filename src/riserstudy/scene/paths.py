@@ -1,0 +1,119 @@
+"""Dotted paths in a scene, such as ``riser[0].drag.coefficient``: names, and indices in brackets."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import Any
+
+Step = str | int
+_STEP = re.compile(r"[A-Za-z_]\w*(\[\d{1,6}\])*")
+_INDEX = re.compile(r"\[\d+\]")
+
+
+@lru_cache(1024)
+def steps(path: str) -> tuple[Step, ...]:
+    """Names and indices of a path.
+
+    Raises
+    ------
+    ValueError
+        The part that is no step.
+    """
+    found: list[Step] = []
+    for part in path.split("."):
+        if not _STEP.fullmatch(part):
+            raise ValueError(part)
+        name, *indices = part.replace("]", "").split("[")
+        found += [name, *map(int, indices)]
+    return tuple(found)
+
+
+def value_at(tree: Any, path: str) -> Any:
+    """What stands at a path; None where nothing does."""
+    here = tree
+    for step in steps(path):
+        if isinstance(here, dict):
+            here = here.get(step)
+        elif isinstance(here, list) and isinstance(step, int) and step < len(here):
+            here = here[step]
+        else:
+            return None
+    return here
+
+
+def put(tree: dict[str, Any], path: str, value: Any) -> None:
+    """Put a value at a path; None removes what is there.
+
+    Raises
+    ------
+    LookupError
+        The step that leads nowhere.
+    """
+    *way, last = steps(path)
+    here: Any = tree
+    for step in way:
+        if isinstance(here, dict) and step not in here and isinstance(step, str):
+            here[step] = {}
+        try:
+            here = here[step]
+        except (KeyError, IndexError, TypeError):
+            raise LookupError(step) from None
+    try:
+        if value is None and isinstance(here, dict):
+            here.pop(last, None)
+        else:
+            here[last] = value
+    except (IndexError, TypeError):
+        raise LookupError(last) from None
+
+
+def leaves(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    """Values of a tree by path; what is absent or empty has none."""
+    if isinstance(tree, dict):
+        for key, value in tree.items():
+            yield from leaves(value, f"{path}.{key}" if path else str(key))
+    elif isinstance(tree, list):
+        for k, value in enumerate(tree):
+            yield from leaves(value, f"{path}[{k}]")
+    elif tree is not None:
+        yield path, tree
+
+
+def within(path: str, place: str) -> bool:
+    """Whether a path is a place or lies below it."""
+    return path == place or path.startswith((f"{place}.", f"{place}["))
+
+
+def and_above(path: str) -> Iterator[str]:
+    """A path and all that it is below, the nearest first."""
+    yield path
+    for k in range(len(path) - 1, 0, -1):
+        if path[k] in ".[":
+            yield path[:k]
+
+
+def parent(path: str) -> str:
+    """The path without its last name; empty where there is none above."""
+    return path.rpartition(".")[0]
+
+
+def last_name(path: str) -> str:
+    """The last name of a path, with its indices."""
+    return path.rpartition(".")[2]
+
+
+def without_indices(path: str) -> str:
+    """The same path in any of its sections, rows or cylinders."""
+    return _INDEX.sub("", path)
+
+
+def matches(path: str, pattern: str) -> bool:
+    """Whether a path is one of a pattern, in which ``[*]`` is any index."""
+    return re.fullmatch(re.escape(pattern).replace(r"\[\*\]", r"\[\d+\]"), path) is not None
+
+
+def as_name(path: str) -> str:
+    """A path as the name of a variable or dimension: ``riser[0].mass`` is ``riser_0_mass``."""
+    return re.sub(r"\W+", "_", path).strip("_")
