@@ -56,8 +56,13 @@ PAPERS = {
             "mud_weight": [1100.0, 1800.0],
             "surface_speed": [0.0, 1.6],
             "significant_height": [2.0, 6.0],
+            "sample": FEW,
         },
-        {"seas": {"analysis.duration": "300 s"}},
+        {
+            "seas": {"analysis.duration": "300 s"},
+            "wellhead": {"analysis.duration": "60 s"},
+            "wellhead_mesh": {"analysis.duration": "60 s"},
+        },
     ),
     "liu2017": Small(
         {"sample": FEW, "offset": [0.0, 100.0, 400.0], "surface_speed": [-1.0, 0.0, 1.0]},
@@ -73,7 +78,9 @@ PAPERS = {
 }
 GRADED = [paper for paper in PAPERS if (CONFIG / f"published/{paper}.yaml").exists()]
 FIGURES = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).figures]
-UNITS = "m|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|Hz|kN²/Hz|m²/Hz|kN/m|kN s²/m²|kg/m³|MPa|%|deg|deg/m|m/m"
+UNITS = (
+    "m|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|Hz|kN²/Hz|m²/Hz|kN/m|kN s²/m²|kg/m³|MPa|%|deg|deg/m|m/m|1/year"
+)
 #: pure numbers have no unit: a label says what is counted, or which ratio it is
 PURE = r"number of |share of |ratio| / |index|factor|utilisation|ends of its range"
 UNIT = re.compile(rf"\(({UNITS})\)|{PURE}")

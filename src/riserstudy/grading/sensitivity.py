@@ -152,7 +152,7 @@ def shares_by_option(
     for name in names:
         values = varied[name][known]
         options = list(dict.fromkeys(str(value) for value in values))
-        if _numbers(np.array(options)) is None:
+        if numbers_of(np.array(options)) is None:
             shares[name] = {o: float(true[values.astype(str) == o].mean()) for o in options}
     return shares
 
@@ -204,7 +204,7 @@ def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:
     """Group of each value: itself for options, one of several equally filled bins for a range."""
     unique, group = np.unique(values, return_inverse=True)
     places: NDArray[np.int64] = np.arange(len(unique))
-    numbers = _numbers(unique)
+    numbers = numbers_of(unique)
     if len(unique) > MOST_GROUPS and numbers is not None:
         count = max(2, min(MOST_GROUPS, len(unique) // A_GROUP))
         places[np.argsort(numbers)] = np.arange(len(unique)) * count // len(unique)
@@ -212,7 +212,7 @@ def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:
     return groups
 
 
-def _numbers(values: NDArray[np.generic]) -> NDArray[np.float64] | None:
+def numbers_of(values: NDArray[np.generic]) -> NDArray[np.float64] | None:
     """Numbers that values begin with; None for options, which have no order."""
     try:
         return np.array([float(str(value).split()[0]) for value in values])

@@ -1,0 +1,60 @@
+"""Design, wellhead: how far damage of a conductor is not known, and which inputs explain that."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from riserstudy.figures.style import COLOURS, GREY, headline, panel_title, panels
+
+WORDS = {
+    "riser[2].mass": "mass of the stack",
+    "riser[2].added_mass.coefficient": "added mass of the stack",
+    "riser[3].flex_joint_below.stiffness": "lower flex joint",
+    "riser[3].drag.coefficient": "drag of the riser",
+    "riser[3].added_mass.coefficient": "added mass of the riser",
+    "top.tension": "top tension",
+    "soil.resistance.strength_at_mudline": "soil strength at the seabed",
+    "soil.resistance.strength_gradient": "soil strength over depth",
+    "soil.resistance.strain_at_half_strength": "soil strain",
+    "cement": "cement level",
+    "platform": "platform motions",
+    "damping": "damping",
+}
+
+
+def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
+    """Damage of every sample in rising order, and the share of its variance that each input explains."""
+    figure, (left, right) = panels(1, 2, 4.6)
+    damage = np.sort(wellhead_fatigue["damage_largest"].values)
+    share = 100.0 * (np.arange(len(damage)) + 0.5) / len(damage)
+    left.plot(damage, share, "o", color=COLOURS[0], markersize=3)
+    left.set_xscale("log")
+    error = 100.0 * float(wellhead_fatigue["damage_error"])
+    left.set_xlabel(
+        f"damage of the conductor (1/year)\nmesh and step change it by {error:.1g} % at most"
+    )
+    left.set_ylabel("share of samples with less (%)")
+    low, high = np.quantile(damage, [0.05, 0.95])
+    for value in (low, high):
+        left.axvline(value, color=GREY, linewidth=0.8)
+    panel_title(left, f"90 % of samples: a factor of {high / low:.0f}")
+    names = [str(name) for name in wellhead_fatigue["varied_input"].values]
+    shares = 100.0 * wellhead_fatigue["share_explained"].values
+    sure = shares > 100.0 * wellhead_fatigue["by_chance"].values
+    rows = np.arange(len(names))[::-1]
+    colours = [COLOURS[0] if known else GREY for known in sure]
+    right.barh(rows, shares, color=colours, height=0.7)
+    right.set_yticks(rows, [WORDS.get(name, name) for name in names], fontsize="small")
+    right.set_xlabel("share of the variance of log damage (%)")
+    right.grid(visible=False, axis="y")
+    panel_title(right, "by input; grey: as by chance")
+    known = [WORDS.get(name, name) for name, one in zip(names, sure, strict=True) if one]
+    if known:
+        headline(
+            figure, f"The {known[0]} explains {shares[0]:.0f} % of the spread, more than others"
+        )
+    else:
+        headline(figure, "Damage of a conductor over what is not known of a well")
+    return figure
