@@ -194,3 +194,43 @@ def test_a_step_of_the_wall_is_pushed_by_the_water_on_it(tmp_path):
     other = write(tmp_path / "other.csv", ["s (m)", "wall_tension (N)"], s, wall)
     (pair,) = compared(run, other, scene=model).pairs
     assert np.abs(pair.ours - pair.theirs).max() < 3e-3 * top
+
+
+def test_the_command_converts_by_the_scene_of_the_dataset(tmp_path, commands):
+    """A range graph in OrcaFlex's words, from the top: the wall's dry weight, and the convention printed."""
+    from riserstudy.study.collect import write_dataset
+
+    tree = scene(np.random.default_rng(11))
+    file = SceneFile("pipe.yaml", tree)
+    run, pipe = simulate(file, progress=False), file.scene().riser[0]
+    write_dataset(run, tmp_path / "pipe.nc")
+    s, top = run["s"].to_numpy(), file.scene().top.tension
+    wall = 1e-3 * (top - GRAVITY * STEEL * pipe.wall_area * (s[-1] - s))
+    rows = [f"{arc:.4f}\t{value:.4f}" for arc, value in zip(s[-1] - s, wall, strict=True)][::-1]
+    other = tmp_path / "wall tension.txt"
+    other.write_text("\n".join(["Pipe", "Arc length (m)\tWall tension (kN)", *rows]))
+    figure = tmp_path / "both.png"
+    code, said, wrong = commands(
+        "compare", tmp_path / "pipe.nc", other, "-o", figure, "--end-a", "top"
+    )
+    assert (code, wrong) == (0, "")
+    assert "T_e = T_w + p_o A_o - p_i A_i" in said
+    assert "arc length counts down from s" in said
+    assert figure.stat().st_size > 1e4
+    code, _, wrong = commands("compare", tmp_path / "pipe.nc", other, "-o", figure)
+    assert code == 2
+    assert "add --end-a" in wrong
+
+
+@pytest.mark.parametrize("setting", ["Te", "=s (m)", "a=s (m)", "Te=", "Te=tension"])
+def test_a_column_that_is_not_named_well_is_refused(tmp_path, commands, setting):
+    run = simulate(SceneFile("pipe.yaml", scene(np.random.default_rng(1))), progress=False)
+    run.to_netcdf(tmp_path / "pipe.nc")
+    other = write(tmp_path / "o.csv", ["s (m)", "Te"], np.arange(9.0), np.arange(9.0))
+    figure = tmp_path / "both.png"
+    code, _, wrong = commands(
+        "compare", tmp_path / "pipe.nc", other, "-o", figure, "--column", setting
+    )
+    assert code == 2
+    assert len(wrong.splitlines()) == 1
+    assert not figure.exists()
