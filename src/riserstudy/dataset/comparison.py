@@ -135,8 +135,11 @@ def _pair(run: xr.Dataset, scene: Scene | None, path: Path, axis: str, column: C
         notes.append(f"the run is interpolated over {axis}")
     there = _both(theirs, mine, notes)
     if there.sum() < FEWEST:
-        found = f"{int(there.sum())} rows lie between {known[0]:g} and {known[-1]:g}"
-        raise InputError(path, title, found, f"at least {FEWEST} are needed")
+        found = (
+            f"{int(there.sum())} rows lie between {known[0]:g} and {known[-1]:g} and have numbers"
+        )
+        why = "".join(f"; {note}" for note in notes if note.startswith("left out"))
+        raise InputError(path, title, found, f"at least {FEWEST} are needed{why}")
     where = "" if place is None else f" at {place:g} m"
     return Pair(title, name + where, axis, stored, along[there], theirs[there], mine[there], notes)
 
@@ -144,9 +147,10 @@ def _pair(run: xr.Dataset, scene: Scene | None, path: Path, axis: str, column: C
 def _dim(run: xr.Dataset, path: Path, axis: str, title: str, name: str) -> str:
     """Dimension of the run's variable that is the table's axis."""
     dims = ("time",) if axis == "time" else ("s_node", "s")
-    found = next((d for d in dims if name in run.data_vars and d in run[name].dims), None)
+    filled = {str(n) for n in run.data_vars if run[n].size}
+    found = next((d for d in dims if name in filled and d in run[name].dims), None)
     if found is None:
-        there = sorted(str(n) for n in run.data_vars if set(dims) & set(run[n].dims))
+        there = sorted(n for n in filled if set(dims) & set(run[n].dims))
         allowed = f"allowed are {', '.join(there)}" if there else "the run has nothing over it"
         raise InputError(path, title, f"the run has no {name} over {axis}", allowed)
     return found

@@ -111,6 +111,7 @@ LONG = "\n".join(f"{k},{k}" for k in range(6))
         (HEAD + "0,1\n1,two\n", "'two' below 'effective_tension at 0 m (kN)'"),
         (HEAD + "0,1\n1,1_000\n", "'1_000' below"),
         (HEAD + "0,1\n1,1e999\n", "'1e999' below"),
+        (HEAD + "0,1\n1,-7e300\n", "'-7e300' below"),
         (HEAD + "0,1\n1,\uff11\n", "below"),
         (HEAD + "0,1\n,2\n2,3\n3,4\n4,5\n", "row 2 has no number"),
         (HEAD + "0,1\n2,2\n1,3\n3,4\n", "1 follows 2 in row 3"),
@@ -205,6 +206,23 @@ def test_names_of_the_file_are_said_by_the_user(tmp_path):
     assert found.notes == ["left out, as --column does not name them: Druck"]
     with pytest.raises(InputError, match="no heading of the file"):
         compared(run(), path, called={"Te": "ufj_angle (deg)"})
+
+
+@pytest.mark.parametrize("empty", ["time", "s"])
+def test_a_run_without_values_is_refused(tmp_path, empty):
+    path = tmp_path / "other.csv"
+    path.write_text(HEAD + LONG)
+    with pytest.raises(InputError, match="the run has no effective_tension over time"):
+        compared(run().isel({empty: slice(0, 0)}), path)
+
+
+def test_a_run_of_missing_values_is_refused_with_the_reason(tmp_path):
+    path = tmp_path / "other.csv"
+    path.write_text(HEAD + LONG)
+    lost = run()
+    lost["effective_tension"] = lost["effective_tension"] * np.nan
+    with pytest.raises(InputError, match="where the run has no number"):
+        compared(lost, path)
 
 
 def test_numbers_are_those_of_the_text(tmp_path):

@@ -80,7 +80,7 @@ def end_a(text: str, length: float) -> EndA:
 
 def axis_of(title: str) -> tuple[str, str] | None:
     """Axis of a run and unit, of a first heading in OrcaFlex's words."""
-    found = re.fullmatch(r"(time|arc length)\s*\((\w+)\)", title.strip(), re.IGNORECASE)
+    found = re.fullmatch(r"(time|arc length)\s*[(\[](\w+)[)\]]", title.strip(), re.IGNORECASE)
     return (AXES[found[1].lower()], found[2]) if found else None
 
 

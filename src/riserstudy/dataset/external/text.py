@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.inputs.text import read_text
+from riserstudy.scene.units import MOST
 
 FloatArray = NDArray[np.float64]
 MOST_BYTES = 100_000_000
@@ -150,10 +151,10 @@ def _numbers(
             )
         for cell, title in zip(row, titles, strict=False):
             value = _value(cell, decimal)
-            if value is None or math.isinf(value):
+            if value is None or abs(value) > MOST:
                 found = f"{cell!r} below {title!r}"
                 raise InputError(
-                    path, f"line {line}", found, "allowed are finite numbers, or nothing"
+                    path, f"line {line}", found, f"allowed are numbers up to {MOST:g}, or nothing"
                 )
             numbers.append(value)
     columns = np.array(numbers, np.float64).reshape(-1, width).T
