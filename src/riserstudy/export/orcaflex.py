@@ -86,6 +86,8 @@ def _rest(file: SceneFile) -> topside.Rest:
         "top.tension": f"{rig.count * each!r} N",
         "analysis": {},
     }
+    # what happens later may need the tensioners that are taken out
+    pull |= {name: None for name in ("disconnect", "fatigue") if getattr(scene, name)}
     run = simulate(file.with_values(pull, "export"), progress=False)
     length = sum(section.total_length for section in scene.riser)
     ring = np.interp(length, run["s"].to_numpy(), run["z"].to_numpy())

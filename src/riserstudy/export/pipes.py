@@ -51,9 +51,11 @@ def line_types(deck: Deck) -> None:
             "length", "joints", "outer_diameter", "inner_diameter", "young_modulus", "mass", "wall_density",
             "axial_stiffness", "bending_stiffness", "submerged_weight", "modules", "contents.density",
             "tangential_drag", "added_mass.coefficient", "added_mass.diameter", "drag.diameter",
-            "flex_joint_below", "buoyancy_lift",
+            "flex_joint_below",
         )
-    } | {"buoyancy"}  # fmt: skip
+    }  # fmt: skip
+    if deck.scene.buoyancy:
+        deck.otherwise["buoyancy"] = "within the weights in water and the top tension"
 
 
 def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
@@ -111,6 +113,10 @@ def _above_water(deck: Deck, section: Section, k: int, gravity: float) -> None:
     surface = water.surface if water else None
     if surface is None or high <= surface:
         return
+    if low < surface:
+        deck.otherwise[f"riser[{k}].length"] = (
+            f"what reads the deck cuts the section at the surface, {surface - low:.6g} m up"
+        )
     dry = high - max(low, surface)
     more = ((section.mass or 0.0) * GRAVITY - (section.submerged_weight or 0.0)) * dry
     if abs(more) > 1e3 * STEEPER and deck.scene.gravity:

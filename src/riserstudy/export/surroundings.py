@@ -162,6 +162,11 @@ def vessel(deck: Deck) -> None:
         "PrimaryMotion": "Prescribed" if cruise else "None",
         "SuperimposedMotion": "RAOs + harmonics" if response else "None",
     }  # fmt: skip
+    if response and deck.scene.wave is None:
+        deck.otherwise["platform.response"] = (
+            "operators are in the deck, whose sea is calm: the wave that moves the platform alone is not"
+        )
+        deck.otherwise["platform.centre_of_rotation"] = "the origin of these operators"
     if turned and any(turned):
         deck.otherwise["platform.position"] = "roll, pitch and yaw are left out"
     if cruise:
