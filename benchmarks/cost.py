@@ -180,6 +180,14 @@ def page(results):
     return "\n".join(lines)
 
 
+def whole_page():
+    """The page with the history of commits, where that was measured."""
+    import cost_history
+
+    history = cost_history.kept()
+    return page(kept()) + (f"\n{cost_history.section(history)}" if history else "")
+
+
 def kept():
     """Results of all versions, the oldest first."""
     files = sorted(KEPT.glob("*.json"), key=lambda f: tuple(map(int, f.stem.split("."))))
@@ -196,7 +204,7 @@ def main():
         KEPT.mkdir(exist_ok=True)
         file = KEPT / f"{version('riserstudy')}.json"
         file.write_text(json.dumps(result, indent=1) + "\n", "utf-8")
-        asked.write.write_text(page(kept()), "utf-8")
+        asked.write.write_text(whole_page(), "utf-8")
 
 
 if __name__ == "__main__":
