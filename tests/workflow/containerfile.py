@@ -12,6 +12,8 @@ from typing import NamedTuple
 BASE = re.compile(r"docker\.io/library/debian:(?P<release>\w+)-slim")
 #: how a system reaches its packages and the index, which an image gets from whoever builds it
 HOST = ("etc/resolv.conf", "etc/hosts", "etc/pip.conf", "etc/apt", "etc/ssl/certs")
+#: processes are seen in a container as here, in /proc
+PROCESSES = 'mount -t proc proc "$0/proc" && exec chroot "$0" "$@"'
 REACHING = re.compile(r"PIP_|SSL_|REQUESTS_CA|CURL_CA|\w+_proxy$", re.IGNORECASE)
 
 
@@ -72,7 +74,8 @@ class CleanRoot:
         environment |= self._reaching() | self.environment
         inside = f"cd {shlex.quote(self.place)} && {command}"
         as_user = ["setpriv", f"--reuid={self.user}", f"--regid={self.user}", "--clear-groups"]
-        words = ["chroot", self.folder, *as_user, "/bin/bash", "-o", "pipefail", "-c", inside]
+        words = ["unshare", "--mount", "/bin/sh", "-c", PROCESSES, self.folder, *as_user]
+        words += ["/bin/bash", "-o", "pipefail", "-c", inside]
         done = subprocess.run([*map(str, words)], env=environment, capture_output=True, text=True)
         assert done.returncode == 0, f"{command}\n{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
         return done.stdout
