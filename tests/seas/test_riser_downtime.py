@@ -13,6 +13,7 @@ from riserstudy.errors import InputError
 from riserstudy.seas.hours import sea_limit
 from riserstudy.seas.record import write_record
 from riserstudy.seas.riser_downtime import riser_downtime
+from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.synthetic import synthetic
 from riserstudy.study.in_sea import Sea, in_sea
 
@@ -176,3 +177,13 @@ def test_options_of_a_riser_need_one(commands, tmp_path, record, option):
     write_record(record, path)
     code, _, err = commands("downtime", path, "--limit", "hs <= 2 m", option, "a=1")
     assert (code, f"{option}: a=1; allowed with --scene" in err) == (2, True), err
+
+
+def test_the_time_that_is_told_is_that_of_a_run_without_loading(file, record):
+    """Told of two runs by the quicker one, which loads nothing; stored runs tell the same."""
+    riser = RiserResponse(file, 1, 3600.0, 1)
+    states = np.array([[2.1, 9.3], [2.3, 9.7]])
+    told = riser.seconds(states)
+    assert told > 0.0
+    assert riser.seconds(states) == told
+    assert told <= min(riser.seconds(states[:1]), riser.seconds(states[1:]))

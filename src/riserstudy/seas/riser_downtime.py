@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 Notify = Callable[[str], None]
+PRICED = 2  # runs by which the time of all is told
 
 
 class Downtime(NamedTuple):
@@ -171,7 +172,7 @@ def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
     chosen = first(of)
     least = len(chosen) + HELD_OUT
     runs = least * effort.seeds
-    each = riser.seconds(of.states[chosen[-1]])
+    each = riser.seconds(of.states[chosen[-PRICED:]])
     seconds = runs * each / effort.cores
     time = "" if math.isnan(each) else f" of {each:.2g} s, {seconds:.2g} s on {effort.cores} cores"
     return f"at least {least} sea states, {runs} runs{time}, less what is stored; at most {effort.most}"
