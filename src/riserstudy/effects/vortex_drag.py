@@ -36,6 +36,7 @@ from riserstudy.effects.synchronisation import (
     rest,
     synchronise,
 )
+from riserstudy.effects.vortex_lift import EXAMPLE
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread_and_keep, spread_stiffness
 from riserstudy.solve.state import ACCELERATION, OTHER, OWN, SUPPLIED, VELOCITY
@@ -134,11 +135,7 @@ register(
         "in-line vortex-induced vibration",
         "riser.viv.in_line",
         (taken_out("in-line vortex-induced vibration", "riser[*].viv.in_line", "lateral"),),
-        example={
-            "riser[0].viv": {"model": "synchronisation", "diameter": "0.5 m", "coefficient": 1.2}
-            | {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 1, "ramp": "0.1 s"}
-            | {"in_line": {"coefficient": 0.5, "frequencies": [0.22, 0.36, 0.52]}}
-        },
+        example=EXAMPLE,
     ),
     string=force,
     internal=internal,

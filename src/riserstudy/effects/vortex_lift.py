@@ -39,6 +39,13 @@ from riserstudy.solve.spread import spread_and_keep, spread_stiffness
 from riserstudy.solve.state import ACCELERATION, OTHER, OWN, SUPPLIED, VELOCITY
 from riserstudy.solve.vec import add, at, cross, dot, mul, outer, put, put_block, sub, upward
 
+#: calls for lift and for excitation in line with the flow, which is part of the same section of a scene
+EXAMPLE = {
+    "riser[0].viv": {"model": "synchronisation", "diameter": "0.5 m", "coefficient": 1.2}
+    | {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 1, "ramp": "0.1 s"}
+    | {"in_line": {"coefficient": 0.5, "frequencies": [0.22, 0.36, 0.52]}}
+}
+
 
 class VortexLift(NamedTuple):
     """Lift of the segments that shed vortices."""
@@ -135,10 +142,7 @@ register(
         "vortex-induced vibration",
         "riser.viv",
         (taken_out("vortex-induced vibration", "riser[*].viv", "lateral"),),
-        example={
-            "riser[0].viv": {"model": "synchronisation", "diameter": "0.5 m", "coefficient": 1.2}
-            | {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 1, "ramp": "0.1 s"}
-        },
+        example=EXAMPLE,
     ),
     string=force,
     internal=internal,
