@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from riserstudy.figures.style import COLOURS, GREY, headline, panel_title, panels
 
@@ -31,6 +32,7 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     share = 100.0 * (np.arange(len(damage)) + 0.5) / len(damage)
     left.plot(damage, share, "o", color=COLOURS[0], markersize=3)
     left.set_xscale("log")
+    left.xaxis.set_minor_formatter(NullFormatter())  # within a decade its labels overlap
     error = 100.0 * float(wellhead_fatigue["damage_error"])
     left.set_xlabel(
         f"damage of the conductor (1/year)\nmesh and step change it by {error:.1g} % at most"
