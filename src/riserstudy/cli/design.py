@@ -29,35 +29,44 @@ if TYPE_CHECKING:
     from riserstudy.dataset.table import Table
 
 
+TensionRatioOption = Annotated[
+    float,
+    typer.Option(min=0.01, max=1.0, help="R_f: vertical tension over setting, such as 0.95"),
+]
+WeightOption = Annotated[
+    float, typer.Option(min=0.1, max=10.0, help="tolerance on steel: 1.05, or 1 if weighed")
+]
+BuoyancyOption = Annotated[
+    float, typer.Option(min=0.0, max=10.0, help="tolerance on modules: 0.96, or 1 if weighed")
+]
+FleetAngleOption = Annotated[
+    str, typer.Option(help="of lines to the vertical, where R_f leaves it out", metavar="ANGLE")
+]
+DynamicLimitOption = Annotated[
+    str | None,
+    typer.Option(help="dynamic tension limit of all units: 6.7 MN", metavar="FORCE"),
+]
+ShareOption = Annotated[
+    float | None,
+    typer.Option(min=0.01, max=1.0, help="of the limit that a setting may be, such as 0.9"),
+]
+OverpullOption = Annotated[
+    str | None,
+    typer.Option(help="tension wanted between LMRP and stack: 200 kN", metavar="FORCE"),
+]
+
+
 def tension(
     scene: SceneArgument,
     units: Annotated[int, typer.Option(min=1, help="tensioner units")],
     failed: Annotated[int, typer.Option(min=0, help="units that are out")],
-    tension_ratio: Annotated[
-        float,
-        typer.Option(min=0.01, max=1.0, help="R_f: vertical tension over setting, such as 0.95"),
-    ],
-    weight: Annotated[
-        float, typer.Option(min=0.1, max=10.0, help="tolerance on steel: 1.05, or 1 if weighed")
-    ],
-    buoyancy: Annotated[
-        float, typer.Option(min=0.0, max=10.0, help="tolerance on modules: 0.96, or 1 if weighed")
-    ],
-    fleet_angle: Annotated[
-        str, typer.Option(help="of lines to the vertical, where R_f leaves it out", metavar="ANGLE")
-    ] = "0 deg",
-    dynamic_limit: Annotated[
-        str | None,
-        typer.Option(help="dynamic tension limit of all units: 6.7 MN", metavar="FORCE"),
-    ] = None,
-    share: Annotated[
-        float | None,
-        typer.Option(min=0.01, max=1.0, help="of the limit that a setting may be, such as 0.9"),
-    ] = None,
-    overpull: Annotated[
-        str | None,
-        typer.Option(help="tension wanted between LMRP and stack: 200 kN", metavar="FORCE"),
-    ] = None,
+    tension_ratio: TensionRatioOption,
+    weight: WeightOption,
+    buoyancy: BuoyancyOption,
+    fleet_angle: FleetAngleOption = "0 deg",
+    dynamic_limit: DynamicLimitOption = None,
+    share: ShareOption = None,
+    overpull: OverpullOption = None,
     settings: SetOption = None,
     csv: CsvOption = None,
     force: ForceOption = False,

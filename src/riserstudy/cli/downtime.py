@@ -135,12 +135,7 @@ def downtime(
     meets one counts as longer than that. With --scene, limits are those of a riser: sea states of the record
     are simulated until the response between them is known to --error, at others that are simulated too.
     """
-    reads = [path for path in (record, scene) if path]
-    check_tables(csv, reads, force)
-    if plot is not None:
-        check_output(plot, ("figure",), reads, force, "--plot")
-    if output is not None:
-        check_output(output, ("dataset",), reads, force)
+    _check_targets([path for path in (record, scene) if path], csv, plot, output, force)
     with_scene = {
         "-o": output, "--sectors": sectors, "--x-towards": x_towards, "--vary": vary,
         "--return-period": period,
@@ -155,16 +150,14 @@ def downtime(
     lengths = [quantity("--window", one, "s") / 3600.0 for one in window or []]
     sea = read_record(record)
     if not scene:
-        of_the_sea(sea, limits, lengths, ahead, hold_back, csv, plot, record.name)
-        return
+        return of_the_sea(sea, limits, lengths, ahead, hold_back, csv, plot, record.name)
     directions = _directions(sectors, x_towards)
     simulated = partial(
         riser_downtime, sea=sea, limits=limits, directions=directions,
         seeds=seeds, error=error, most=most, cores=cores,
     )  # fmt: skip
     if vary:
-        show(varied(scene, settings or [], vary, simulated), csv)
-        return
+        return show(varied(scene, settings or [], vary, simulated), csv)
     made = simulated(scene_of(scene, settings))
     show_riser(made, lengths, ahead, csv, units)
     if period:
@@ -173,6 +166,11 @@ def downtime(
 
         print("exceeded once in so many years:")
         show(in_units(table_of(returned(made.demands, period)), units), None)
+    _write(made, output, plot)
+
+
+def _write(made: Downtime, output: Path | None, plot: Path | None) -> None:
+    """Write the responses of a riser, and the figure of what governs, where they are wanted."""
     if output is not None:
         from riserstudy.dataset.netcdf import write_netcdf
 
@@ -185,6 +183,16 @@ def downtime(
         first = made.hours.modes[0]
         save(governing(made.responses, first.mode, first.hours.share), plot)
         wrote(plot)
+
+
+def _check_targets(
+    reads: list[Path], csv: Path | None, plot: Path | None, output: Path | None, force: bool
+) -> None:
+    check_tables(csv, reads, force)
+    if plot is not None:
+        check_output(plot, ("figure",), reads, force, "--plot")
+    if output is not None:
+        check_output(output, ("dataset",), reads, force)
 
 
 def refuse(

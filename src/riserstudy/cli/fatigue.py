@@ -24,51 +24,55 @@ if TYPE_CHECKING:
     from riserstudy.fatigue.years import Years
 
 
+StudyArgument = Annotated[
+    Path,
+    typer.Argument(help="dataset of a study, or of a run, with damage_rate", metavar="STUDY.nc"),
+]
+ScatterOption = Annotated[
+    Path | None,
+    typer.Option(help="how often sea states occur: hs (m),tp (s),share (%)", metavar="TABLE.csv"),
+]
+SeasOption = Annotated[
+    Path | None,
+    typer.Option(help="record of sea states in place of a table", metavar="RECORD"),
+]
+GammaOption = Annotated[
+    float,
+    typer.Option(min=1.0, max=7.0, help="of a record, by which zero-crossing become peak periods"),
+]
+CalmOption = Annotated[
+    bool, typer.Option("--calm", help="count seas below the lowest simulated value as that")
+]
+WithoutOption = Annotated[
+    Path | None,
+    typer.Option(
+        help="the same study without vortex-induced vibration, whose share is then computed",
+        metavar="STUDY.nc",
+    ),
+]
+AlongOption = Annotated[
+    Path | None,
+    typer.Option(help="also write the damage along the riser here", metavar="OUT.csv"),
+    Writes("table"),
+]
+BySeaOption = Annotated[
+    Path | None,
+    typer.Option(help="also write the damage by sea state here", metavar="OUT.csv"),
+    Writes("table"),
+]
+
+
 def fatigue(
-    study: Annotated[
-        Path,
-        typer.Argument(
-            help="dataset of a study, or of a run, with damage_rate", metavar="STUDY.nc"
-        ),
-    ],
-    scatter: Annotated[
-        Path | None,
-        typer.Option(
-            help="how often sea states occur: hs (m),tp (s),share (%)", metavar="TABLE.csv"
-        ),
-    ] = None,
-    seas: Annotated[
-        Path | None,
-        typer.Option(help="record of sea states in place of a table", metavar="RECORD"),
-    ] = None,
-    gamma: Annotated[
-        float,
-        typer.Option(
-            min=1.0, max=7.0, help="of a record, by which zero-crossing become peak periods"
-        ),
-    ] = 3.3,
-    calm: Annotated[
-        bool, typer.Option("--calm", help="count seas below the lowest simulated value as that")
-    ] = False,
+    study: StudyArgument,
+    scatter: ScatterOption = None,
+    seas: SeasOption = None,
+    gamma: GammaOption = 3.3,
+    calm: CalmOption = False,
     at: AtOption = None,
-    without: Annotated[
-        Path | None,
-        typer.Option(
-            help="the same study without vortex-induced vibration, whose share is then computed",
-            metavar="STUDY.nc",
-        ),
-    ] = None,
+    without: WithoutOption = None,
     csv: CsvOption = None,
-    along: Annotated[
-        Path | None,
-        typer.Option(help="also write the damage along the riser here", metavar="OUT.csv"),
-        Writes("table"),
-    ] = None,
-    by_sea: Annotated[
-        Path | None,
-        typer.Option(help="also write the damage by sea state here", metavar="OUT.csv"),
-        Writes("table"),
-    ] = None,
+    along: AlongOption = None,
+    by_sea: BySeaOption = None,
     plot: PlotOption = None,
     force: ForceOption = False,
 ) -> None:
@@ -114,11 +118,15 @@ def fatigue(
             write_csv(table, path)
             wrote(path)
     if plot is not None:
-        from riserstudy.figures import save
-        from riserstudy.figures.fatigue import fatigue as drawn
+        _draw(years, plot)
 
-        save(drawn(years), plot)
-        wrote(plot)
+
+def _draw(years: Years, plot: Path) -> None:
+    from riserstudy.figures import save
+    from riserstudy.figures.fatigue import fatigue as drawn
+
+    save(drawn(years), plot)
+    wrote(plot)
 
 
 def _summed(

@@ -19,53 +19,60 @@ if TYPE_CHECKING:
     from riserstudy.seas.netcdf_record import Place
 
 
+RecordArgument = Annotated[
+    Path | None,
+    typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv"),
+]
+SyntheticOption = Annotated[
+    int | None,
+    typer.Option(min=1, max=100, help="make a record of so many years instead"),
+]
+GammaOption = Annotated[
+    float,
+    typer.Option(min=1.0, max=7.0, help="peakedness by which zero-crossing become peak periods"),
+]
+NearOption = Annotated[
+    str | None,
+    typer.Option(
+        help="of a netCDF file of several places: the nearest to this", metavar="'LAT, LON'"
+    ),
+]
+PeriodOption = Annotated[
+    list[int] | None,
+    typer.Option(
+        "--return-period",
+        min=2,
+        max=10000,
+        help="years in which a height is exceeded once; may be repeated",
+        metavar="YEARS",
+    ),
+]
+ContourOption = Annotated[
+    int | None,
+    typer.Option(
+        min=1,
+        max=10000,
+        help="years in which a contour of height and period is exceeded once; needs virocon",
+        metavar="YEARS",
+    ),
+]
+OutputOption = Annotated[
+    Path | None,
+    typer.Option("-o", "--output", help="write the record here (netCDF)", metavar="OUT.nc"),
+    Writes("dataset"),
+]
+
+
 def seas(
-    record: Annotated[
-        Path | None,
-        typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv"),
-    ] = None,
-    synthetic: Annotated[
-        int | None,
-        typer.Option(min=1, max=100, help="make a record of so many years instead"),
-    ] = None,
+    record: RecordArgument = None,
+    synthetic: SyntheticOption = None,
     seed: Annotated[int, typer.Option(min=0, help="of the synthetic record")] = 1,
-    gamma: Annotated[
-        float,
-        typer.Option(
-            min=1.0, max=7.0, help="peakedness by which zero-crossing become peak periods"
-        ),
-    ] = 3.3,
-    near: Annotated[
-        str | None,
-        typer.Option(
-            help="of a netCDF file of several places: the nearest to this", metavar="'LAT, LON'"
-        ),
-    ] = None,
-    period: Annotated[
-        list[int] | None,
-        typer.Option(
-            "--return-period",
-            min=2,
-            max=10000,
-            help="years in which a height is exceeded once; may be repeated",
-            metavar="YEARS",
-        ),
-    ] = None,
-    contour: Annotated[
-        int | None,
-        typer.Option(
-            min=1,
-            max=10000,
-            help="years in which a contour of height and period is exceeded once; needs virocon",
-            metavar="YEARS",
-        ),
-    ] = None,
+    gamma: GammaOption = 3.3,
+    near: NearOption = None,
+    period: PeriodOption = None,
+    contour: ContourOption = None,
     csv: CsvOption = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("-o", "--output", help="write the record here (netCDF)", metavar="OUT.nc"),
-        Writes("dataset"),
-    ] = None,
+    output: OutputOption = None,
     force: ForceOption = False,
 ) -> None:
     """Read a record of sea states, say what it holds, and write it with labels.
@@ -76,9 +83,9 @@ def seas(
         raise InputError("RECORD", "", "none or two", "give a record, or --synthetic YEARS")
     if output is not None:
         check_output(output, ("dataset",), [record] if record else [], force)
+    check_tables(csv, [record] if record else [], force)
     if csv is not None and not contour:
         raise InputError("seas", "--csv", str(csv), "allowed with --contour")
-    check_tables(csv, [record] if record else [], force)
     from riserstudy.seas.record import read_record, with_peak_period, write_record
     from riserstudy.seas.synthetic import synthetic as made
 

@@ -92,8 +92,7 @@ def sweep(
         Variables to keep, such as ``bending_moment``; absent: all. Those of a whole run, such as
         ``largest_bending_moment`` (N m) and ``smallest_tension`` (N), are always there.
     modes : int, optional
-        Natural modes of each point, so many, as ``natural_period`` (s) over ``mode`` and ``mode_shape_x``,
-        ``mode_shape_z`` over ``s_relative``; absent: none.
+        So many modes of each point: ``natural_period`` (s) over ``mode``, shapes over ``s_relative``.
     on_error : {"nan", "raise"}
         With ``"nan"`` a point that cannot be completed has no numbers, and its reason in ``failure``;
         with ``"raise"`` the first such point is an error.

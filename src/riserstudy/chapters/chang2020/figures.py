@@ -168,20 +168,7 @@ def fig08(
                 bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
             )
             ax.margins(y=0.18)
-            left = 0.5 * (1.0 - reduced[quantity]) * bare
-            middle = 0.5 * float(
-                runs["without tensioner"][0][quantity].max()
-                + runs["without tensioner"][0][quantity].min()
-            )
-            ax.errorbar(
-                101.5,
-                middle,
-                yerr=left,
-                color="black",
-                capsize=3,
-                clip_on=False,
-                label="swing that the printed reduction leaves",
-            )
+            _printed_swing(ax, runs["without tensioner"][0][quantity], reduced[quantity])
     for ax in axes[2:]:
         ax.set_xlabel(TIME)
     axes[-1].set_xlim(0, 104)
@@ -191,6 +178,20 @@ def fig08(
     )
     key_below(figure, axes[0], 2)
     return figure
+
+
+def _printed_swing(ax: Axes, bare: xr.DataArray, reduction: float) -> None:
+    """The swing that a printed reduction (-) leaves of one without tensioner, beside the histories."""
+    low, high = float(bare.min()), float(bare.max())
+    ax.errorbar(
+        101.5,
+        0.5 * (high + low),
+        yerr=0.5 * (1.0 - reduction) * (high - low),
+        color="black",
+        capsize=3,
+        clip_on=False,
+        label="swing that the printed reduction leaves",
+    )
 
 
 def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) -> Figure:
