@@ -330,6 +330,9 @@ def test_an_output_replaces_its_own_and_what_it_is_told_to(commands, here, comma
     ending = ENDINGS[kinds[0]][0]
     words = words_of(command, ending)
     target = Path(f"out{ending}")
+    if (command, option) == ("seas", "--csv"):  # what it writes takes a package that is optional
+        assert "--contour" in refused(commands, [*words, option, target], here, 0)
+        return
     written = commands(*words, option, target)[0]
     assert written in WRITTEN
     first = target.read_bytes()
