@@ -77,7 +77,7 @@ def test_an_edited_package_reruns_what_the_edited_part_makes(checkout):
     package = checkout.own_package()
     assert checkout.planned() == set()
     for file, jobs in (
-        ("chapters/chang2020/figures.py", {"draw chang2020/fig14"}),
+        ("chapters/chang2020/figures/sweeps.py", {"draw chang2020/fig14"}),
         ("chapters/chang2020/derived.py", AFTER),
         ("scene/weight.py", SIMULATE | AFTER),
         ("effects/weight.py", COMPILE | SIMULATE | AFTER),

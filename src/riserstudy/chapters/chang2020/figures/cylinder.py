@@ -1,0 +1,95 @@
+"""Pressure and force of a cylinder over the displacement of its piston."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from scipy.interpolate import CubicSpline
+
+from riserstudy.chapters.chang2020.figures.shared import MODELS
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    headline,
+    panels,
+)
+
+FITTED = (-8.0, 8.0)  # m, of the line in Fig 9
+PISTON = "piston displacement X = x − a (m)"
+
+
+def fig05(quasi_static: xr.Dataset) -> Figure:
+    """Tensioner force over piston displacement."""
+    figure, (ax,) = panels()
+    law = _law(quasi_static, "gas law")
+    law = law.interp(X=np.linspace(*FITTED, 201), method="cubic")
+    ax.plot(law["X"], law / 1e6, color=COLOURS[0])
+    ax.set_xlabel(PISTON)
+    ax.set_ylabel("force of four cylinders (MN)")
+    _per_cylinder(ax, "force of one cylinder (MN)")
+    headline(figure, "The tensioner's force falls along a convex curve")
+    return figure
+
+
+def fig06(quasi_static: xr.Dataset) -> Figure:
+    """Secant and tangent stiffness over piston displacement."""
+    figure, (ax,) = panels()
+    law = _law(quasi_static, "gas law")
+    curve = CubicSpline(law["X"].values, law.values)
+    at = np.linspace(*FITTED, 401)
+    at = at[np.abs(at) > 1e-6]
+    ax.plot(at, np.abs(curve(at, 1)) / 1e6, color=GREY, label="tangent |dF/dX|")
+    secant = np.abs((curve(at) - curve(0.0)) / at)
+    ax.plot(
+        at,
+        secant / 1e6,
+        color=COLOURS[0],
+        label="secant |F(X) − F(0)| / |X|; Eq. 5, of one cylinder: right axis",
+    )
+    ax.set_xlabel(PISTON)
+    ax.set_ylabel("stiffness of four cylinders (MN/m)")
+    ax.legend(fontsize="small")
+    _per_cylinder(ax, "stiffness of one cylinder (MN/m)")
+    headline(figure, "Stiffness falls with the displacement; what Eq. 5 prints is the secant")
+    return figure
+
+
+def fig09(quasi_static: xr.Dataset) -> Figure:
+    """Gas law and its least-squares line."""
+    figure, (ax,) = panels()
+    for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+        law = _law(quasi_static, model).interp(X=np.linspace(*FITTED, 161), method="cubic")
+        label = {"gas law": "gas law", "linear": "least-squares line"}[model]
+        ax.plot(law["X"], law / 1e6, line, color=colour, label=label)
+    ax.set_xlabel(PISTON)
+    ax.set_ylabel("force of four cylinders (MN)")
+    ax.legend(fontsize="small")
+    _per_cylinder(ax, "force of one cylinder (MN)")
+    headline(figure, "The least-squares line deviates most from the gas law at its ends")
+    return figure
+
+
+def _law(quasi_static: xr.Dataset, model: str) -> xr.DataArray:
+    """Force of all cylinders (N) over X (m), from equilibria with the platform held at many heights."""
+    rest = quasi_static.sel(tensioner_model=model)
+    force = rest["tensioner_force_static"].sum("cylinder")
+    displacement = -rest["tensioner_stroke_static"].isel(cylinder=0)
+    order = np.argsort(displacement.values)
+    return xr.DataArray(
+        force.values[order], dims="X", coords={"X": displacement.values[order]}, name="force"
+    )
+
+
+def _per_cylinder(ax: Axes, label: str) -> None:
+    def one(force: Any) -> Any:
+        return force / 4
+
+    def four(force: Any) -> Any:
+        return 4 * force
+
+    right = ax.secondary_yaxis("right", functions=(one, four))
+    right.set_ylabel(label)

@@ -1,0 +1,249 @@
+"""Heave and tension over time, with and without tensioners."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.chapters.chang2020.figures.shared import MODELS, TIME
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    headline,
+    key_below,
+    panel_title,
+    panels,
+)
+
+FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
+NAMED = (3.0, 10.0)  # of them, those that the text names
+SHOWN = 60.0  # s, of runs from rest: three periods of the platform
+LEAST = "least squares over -8 to 8 m"
+HEAVE, TENSION = "riser heave x (m)", "riser tension (MN)"
+viridis = colormaps["viridis"]
+
+
+def fig08(
+    from_rest: xr.Dataset, steady: xr.Dataset, rigid: xr.Dataset, tension: float, heave: float
+) -> Figure:
+    """Riser tension and heave with and without tensioner, H = 5 m read in two ways.
+
+    ``tension``, ``heave``: the printed reductions (-).
+    """
+    reduced = {"tension": tension, "heave": heave}
+    figure, axes = panels(2, 2, 3.0, sharex=True)
+    for column, (amplitude, meant) in enumerate(
+        ((5.0, "H = 5 m is the amplitude"), (2.5, "H = 5 m is twice the amplitude"))
+    ):
+        runs = {
+            "without tensioner": (_histories(rigid).sel(heave_amplitude=amplitude), GREY, 1.4),
+            "with tensioner, from rest": (
+                _gas(from_rest).sel(heave_amplitude=amplitude),
+                COLOURS[0],
+                1.2,
+            ),
+            "with tensioner, settled": (
+                _repeated(_gas(steady).sel(heave_amplitude=amplitude), from_rest["time"]),
+                COLOURS[1],
+                1.2,
+            ),
+        }
+        for ax, quantity, label in zip(
+            axes[column::2], ("tension", "heave"), (TENSION, HEAVE), strict=True
+        ):
+            for name, (run, colour, width) in runs.items():
+                ax.plot(run["time"], run[quantity], color=colour, linewidth=width, label=name)
+            swing = {name: float(np.ptp(run[quantity].values)) for name, (run, *_) in runs.items()}
+            bare = swing.pop("without tensioner")
+            panel_title(ax, meant)
+            ax.set_ylabel(label)
+            reductions = [
+                f"{name[16:]} {100.0 * (1.0 - part / bare):.0f} %" for name, part in swing.items()
+            ]
+            ax.annotate(
+                f"swing less by: {', '.join(reductions)}; printed about {100.0 * reduced[quantity]:.0f} %",
+                (0.5, 0.97),
+                xycoords="axes fraction",
+                ha="center",
+                va="top",
+                fontsize="x-small",
+                bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
+            )
+            ax.margins(y=0.18)
+            _printed_swing(ax, runs["without tensioner"][0][quantity], reduced[quantity])
+    for ax in axes[2:]:
+        ax.set_xlabel(TIME)
+    axes[-1].set_xlim(0, 104)
+    headline(
+        figure,
+        "No interpretation gives both reductions: tension and heave decrease in proportion",
+    )
+    key_below(figure, axes[0], 2)
+    return figure
+
+
+def _printed_swing(ax: Axes, bare: xr.DataArray, reduction: float) -> None:
+    """The swing that a printed reduction (-) leaves of one without tensioner, beside the histories."""
+    low, high = float(bare.min()), float(bare.max())
+    ax.errorbar(
+        101.5,
+        0.5 * (high + low),
+        yerr=0.5 * (1.0 - reduction) * (high - low),
+        color="black",
+        capsize=3,
+        clip_on=False,
+        label="swing that the printed reduction leaves",
+    )
+
+
+def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) -> Figure:
+    """Heave and tension at 3 and 10 m, gas law and lines; (a) to (d) from rest as printed, then settled."""
+    figure, axes = panels(4, 2, 2.2)
+    started, settled = _histories(from_rest), _histories(steady)
+    straight = _histories(lines_settled)
+    start = float(steady["time"][0])
+    cases = [(a, q) for a in NAMED for q in ("heave", "tension")]
+    for (amplitude, quantity), early, late in zip(cases, axes[:4], axes[4:], strict=True):
+        for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+            run = started.sel(tensioner_model=model, heave_amplitude=amplitude)
+            label = {"gas law": "gas law", "linear": LEAST}[model]
+            early.plot(run["time"], run[quantity], line, color=colour, lw=1.1, label=label)
+        law = settled.sel(tensioner_model="gas law", heave_amplitude=amplitude)
+        late.plot(law["time"] - start, law[quantity], color=COLOURS[0], lw=2.2, label="gas law")
+        for colour, line in zip(COLOURS[1:], straight["line"].values, strict=False):
+            run = straight.sel(line=line, heave_amplitude=amplitude)
+            late.plot(run["time"] - start, run[quantity], "--", color=colour, lw=1.1, label=line)
+        for ax, when, end in ((early, "from rest", SHOWN), (late, "settled", 20.0)):
+            ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
+            ax.set_xlim(0.0, end)
+            panel_title(ax, f"platform {amplitude:g} m, {when}")
+    for ax in axes[2:4]:
+        ax.set_xlabel(TIME)
+    for ax in axes[6:]:
+        ax.set_xlabel("time in the settled period (s)")
+    curved = settled.sel(tensioner_model="gas law")["heave"].reset_coords(drop=True)
+    apart = abs(straight["heave"].reset_coords(drop=True) - curved).max("time")
+    share = 100.0 * apart / (curved.max("time") - curved.min("time"))
+    far = share.sel(heave_amplitude=NAMED[1])
+    headline(
+        figure,
+        f"At {NAMED[1]:g} m every linearised tensioner deviates from the gas law by "
+        f"{float(far.min()):.0f} % or more",
+    )
+    key_below(figure, axes[4], 3)
+    return figure
+
+
+def fig11(from_rest: xr.Dataset, steady: xr.Dataset) -> Figure:
+    """Heave of the riser for four amplitudes."""
+    return _four(from_rest, steady, "heave", HEAVE)
+
+
+def fig12(from_rest: xr.Dataset, steady: xr.Dataset) -> Figure:
+    """Tension of the riser for four amplitudes."""
+    return _four(from_rest, steady, "tension", TENSION)
+
+
+def settled_response(steady: xr.Dataset) -> Figure:
+    """Figs 10 to 12 without start-up ringing, over one period."""
+    figure, axes = panels(3, 2, 2.7, sharex=True)
+    _models_compared(axes, steady)
+    axes[0].legend(fontsize="small", loc="upper right")
+    for ax, quantity, label in zip(axes[4:], ("heave", "tension"), (HEAVE, TENSION), strict=True):
+        _amplitudes(ax, steady, quantity)
+        panel_title(ax, "gas law, by amplitude")
+        ax.set_ylabel(label)
+        ax.set_xlabel("time in the settled period (s)")
+    axes[4].legend(
+        fontsize="x-small", loc="upper right", title="amplitude", title_fontsize="x-small"
+    )
+    axes[0].set_xlim(0, 20)
+    headline(
+        figure,
+        "The gas law gives high crests and flat troughs, a line neither",
+    )
+    return figure
+
+
+def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
+    """Panels (a) to (d) of Fig 10."""
+    histories = _histories(runs)
+    start = float(runs["time"][0])
+    for k, amplitude in enumerate((3.0, 10.0)):
+        for ax, quantity, label in zip(
+            axes[2 * k :], ("heave", "tension"), (HEAVE, TENSION), strict=False
+        ):
+            for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+                run = histories.sel(tensioner_model=model, heave_amplitude=amplitude)
+                ax.plot(run["time"] - start, run[quantity], line, color=colour, lw=1.2, label=model)
+            ax.set_ylabel(label)
+            panel_title(ax, f"platform {amplitude:g} m")
+
+
+def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Figure:
+    """A panel an amplitude: from rest, and the settled motion to which the ringing decays."""
+    figure, axes = panels(4, 1, 1.75, sharex=True, sharey=True)
+    rest = _histories(runs, "static")[quantity].sel(tensioner_model="gas law")
+    for ax, amplitude in zip(axes, FOUR, strict=False):
+        run = _gas(runs).sel(heave_amplitude=amplitude)
+        settled = _repeated(_gas(steady).sel(heave_amplitude=amplitude), run["time"])
+        ax.axhline(float(rest.isel(heave_amplitude=0)), color=GREY, lw=0.8, label="equilibrium")
+        ax.plot(run["time"], run[quantity], color=COLOURS[0], lw=1.0, label="from rest")
+        ax.plot(settled["time"], settled[quantity], color=COLOURS[1], lw=2.0, label="settled")
+        status = "named in the text" if amplitude in NAMED else "assumed"
+        panel_title(ax, f"platform {amplitude:g} m, {status}")
+        ax.locator_params(axis="y", nbins=5)
+    figure.supylabel(label, fontsize="medium")
+    axes[-1].set_xlabel(TIME)
+    axes[-1].set_xlim(0, SHOWN)
+    index = _settled_index(steady)
+    low, high = (float(index.sel(heave_amplitude=a)) for a in (FOUR[0], FOUR[-1]))
+    headline(
+        figure,
+        f"Settled {quantity}: upper over lower displacement grows from {low:.2f} to {high:.2f}",
+    )
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def _settled_index(steady: xr.Dataset) -> xr.DataArray:
+    """Settled displacement above over that below the equilibrium; alike of heave and of tension."""
+    top = steady.isel(s_node=-1).sel(tensioner_model="gas law")
+    index: xr.DataArray = (top["z_max"] - top["z_static"]) / (top["z_static"] - top["z_min"])
+    return index
+
+
+def _amplitudes(ax: Axes, runs: xr.Dataset, quantity: str) -> None:
+    for colour, amplitude in zip(viridis(np.linspace(0.0, 0.85, len(FOUR))), FOUR, strict=True):
+        run = _gas(runs).sel(heave_amplitude=amplitude)
+        start = float(run["time"][0])
+        ax.plot(run["time"] - start, run[quantity], color=colour, label=f"{amplitude:g} m")
+
+
+def _histories(runs: xr.Dataset, when: str = "") -> xr.Dataset:
+    """Heave (m) and riser tension (MN) at the ring over time, or at rest."""
+    if when == "static":
+        top = runs.isel(s_node=-1)
+        z, tension, zero = (
+            top["z_static"],
+            top["effective_tension_static"],
+            float(runs["s_node"][-1]),
+        )
+    else:
+        top = runs.isel(s=-1)
+        z, tension, zero = top["z"], top["effective_tension"], float(runs["s"][-1])
+    return xr.Dataset({"heave": z - zero, "tension": tension / 1e6})
+
+
+def _gas(runs: xr.Dataset) -> xr.Dataset:
+    return _histories(runs).sel(tensioner_model="gas law")
+
+
+def _repeated(period: xr.Dataset, time: xr.DataArray) -> xr.Dataset:
+    """A settled period laid end to end over other times; both start at the same phase."""
+    start, end = float(period["time"][0]), float(period["time"][-1])
+    within = start + np.mod(time.values - start, end - start)
+    return period.interp(time=within).assign_coords(time=time.values)

@@ -1,0 +1,248 @@
+"""What amplitude, period, mass and unspecified inputs change."""
+
+from __future__ import annotations
+
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.chapters.chang2020.figures.shared import AMPLITUDE, MODELS, TIME
+from riserstudy.figures.style import (
+    COLOURS,
+    PRINTED,
+    headline,
+    key_below,
+    panel_title,
+    panels,
+)
+
+READINGS = {
+    "steady": "settled",
+    "from_rest": "first 100 s from rest",
+    "quasi_static": "quasi-static",
+}
+STARTS = {"unstretched": "unstretched at rest", "equilibrium": "in equilibrium"}
+
+
+def fig13(asymmetry: xr.Dataset) -> Figure:
+    """Displacement above and below equilibrium over amplitude."""
+    figure, axes = panels(1, 2, 3.6, sharey=True)
+    sides = {"displacement_up": "above, $x_p$", "displacement_down": "below, $x_n$"}
+    for ax, model in zip(axes, MODELS, strict=True):
+        for colour, (side, word) in zip(COLOURS, sides.items(), strict=False):
+            for line, (reading, label) in zip(("-", "--", ":"), READINGS.items(), strict=True):
+                curve = asymmetry[side].sel(reading=reading, tensioner_model=model)
+                ax.plot(
+                    curve["heave_amplitude"], curve, line, color=colour, label=f"{word}: {label}"
+                )
+        ax.set_xlabel(AMPLITUDE)
+        panel_title(ax, model)
+    axes[0].set_ylabel("displacement from equilibrium (m)")
+    key_below(figure, axes[0], 2)
+    far = asymmetry.sel(reading="steady").isel(heave_amplitude=-1)
+    up, down = (
+        float(far[f"displacement_{way}"].sel(tensioner_model="gas law")) for way in ("up", "down")
+    )
+    headline(
+        figure,
+        f"In the largest heave the gas law moves the riser {up:.1f} m up, {down:.1f} m down",
+    )
+    return figure
+
+
+def fig14(asymmetry: xr.Dataset) -> Figure:
+    """Asymmetry index over heave amplitude."""
+    figure, (ax,) = panels()
+    index = asymmetry["asymmetry_index"]
+    for colour, (reading, label) in zip(COLOURS, READINGS.items(), strict=False):
+        for model, line in MODELS.items():
+            curve = index.sel(reading=reading, tensioner_model=model)
+            mark = {"gas law": ".", "linear": "x"}[model] if reading == "quasi_static" else None
+            style = "none" if mark else line
+            ax.plot(
+                curve["heave_amplitude"],
+                curve,
+                linestyle=style,
+                marker=mark,
+                markersize=5,
+                color=colour,
+                label=f"{label}, {model}",
+            )
+    ax.set_xlabel(AMPLITUDE)
+    ax.set_ylabel("asymmetry index $S = x_p / x_n$")
+    ax.legend(fontsize="small")
+    far = index.sel(reading="steady").isel(heave_amplitude=-1)
+    curved, straight = (float(far.sel(tensioner_model=model)) for model in MODELS)
+    headline(
+        figure,
+        f"The asymmetry index reaches {curved:.2f} with the gas law, {straight:.2f} with a line",
+    )
+    return figure
+
+
+def open_choices(open_choices: xr.Dataset) -> Figure:
+    """Asymmetry index for each sample of the unspecified inputs."""
+    figure, axes = panels(1, 2, 3.6, sharey=True)
+    runs = open_choices.isel(s_node=-1)
+    rest = runs["z_static"].sel(heave_amplitude=0.0)
+    moving = runs.sel(heave_amplitude=runs["heave_amplitude"] > 0)
+    index = (moving["z_max"] - rest) / (rest - moving["z_min"])
+    ramps = (("None", "platform moves at once"), ("40 s", "motion grows over 40 s"))
+    starts = dict(zip(("unstretched", "equilibrium"), COLOURS, strict=False))
+    for ax, (ramp, title) in zip(axes, ramps, strict=True):
+        for start, colour in starts.items():
+            chosen = (runs["assumed_platform_heave_ramp"] == ramp) & (
+                runs["assumed_analysis_start"] == start
+            )
+            lines = index.sel(sample=chosen).transpose("heave_amplitude", "sample")
+            ax.plot(lines["heave_amplitude"], lines, color=colour, lw=0.7, alpha=0.55)
+        ax.axhline(1.0, color="black", linewidth=0.8)
+        panel_title(ax, title)
+        ax.set_xlabel(AMPLITUDE)
+    for start, colour in starts.items():
+        axes[0].plot([], [], color=colour, label=f"one sample, riser starts {STARTS[start]}")
+    axes[0].set_ylabel("asymmetry index $S$")
+    key_below(figure, axes[0], 2)
+    grows = (index.diff("heave_amplitude") > 0.0).all("heave_amplitude")
+    headline(
+        figure,
+        f"Asymmetry increases with every amplitude step in {int(grows.sum())} of {grows.size} samples",
+    )
+    return figure
+
+
+def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
+    """Every reading of the two percentages; ``tension``, ``heave``: the printed reductions (-)."""
+    reduced = {"tension": tension, "heave": heave}
+    figure, (ax,) = panels(height=4.0)
+    table = 100.0 * reductions["reduction"].sel(quantity="heave")
+    places: list[float] = []
+    names: list[str] = []
+    words = {"swing": "swing", "deviation": "standard\ndeviation", "peak": "peak"}
+    for j, height in enumerate(("amplitude", "height")):
+        for k, measure in enumerate(words):
+            at = j * 3.6 + k
+            for n, (colour, reading) in enumerate(zip(COLOURS, READINGS, strict=False)):
+                value = float(table.sel(height=height, measure=measure, reading=reading))
+                label = READINGS[reading] if not places else None
+                bar = ax.bar(at + 0.27 * (n - 1), value, 0.25, color=colour, label=label)
+                written = ax.bar_label(bar, fmt="%.0f", fontsize="x-small", padding=2)
+                written[0].set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
+            places.append(at)
+            names.append(words[measure])
+    for name, value in reduced.items():
+        ax.axhline(100.0 * value, zorder=0.5, **PRINTED)
+        ax.annotate(
+            f"printed: {name}",
+            (1.0, 100.0 * value),
+            xycoords=("axes fraction", "data"),
+            xytext=(4, 0),
+            textcoords="offset points",
+            va="center",
+            fontsize="small",
+        )
+    ax.axhline(0.0, color="black", linewidth=0.8)
+    ax.set_xticks(places, names)
+    for middle, text in (
+        (1.0, "H = 5 m is the amplitude"),
+        (4.6, "H = 5 m is twice the amplitude"),
+    ):
+        ax.annotate(
+            text,
+            (middle, 0),
+            xycoords=("data", "axes fraction"),
+            xytext=(0, -34),
+            textcoords="offset points",
+            ha="center",
+            va="top",
+            fontsize="small",
+        )
+    ax.set_ylabel("reduction of heave, and of tension (%)")
+    ax.margins(y=0.12)
+    key_below(figure, ax, 3)
+    headline(
+        figure,
+        f"No single measure decreases by {100.0 * tension:g} % in tension and {100.0 * heave:g} % in heave",
+    )
+    return figure
+
+
+def period_sweep(period_sweep: xr.Dataset) -> Figure:
+    """Settled motion over the platform's period, a row an amplitude; periods of the peaks by the gas law."""
+    amplitudes = period_sweep["heave_amplitude"].values
+    figure, axes = panels(len(amplitudes), 2, 2.6, sharex=True)
+    top = period_sweep.isel(s_node=-1)
+    up, down = top["z_max"] - top["z_static"], top["z_static"] - top["z_min"]
+    curves = {
+        "half range / heave amplitude": 0.5 * (up + down) / top["heave_amplitude"],
+        "asymmetry index $S$": up / down,
+    }
+    for k, amplitude in enumerate(amplitudes):
+        for ax, (label, values) in zip(axes[2 * k :], curves.items(), strict=False):
+            for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+                curve = values.sel(heave_amplitude=amplitude, tensioner_model=model)
+                ax.plot(curve["heave_period"], curve, line, color=colour, marker=".", ms=4, lw=1.2,
+                        label=model)  # fmt: skip
+            ax.set_ylabel(label)
+            ax.margins(y=0.2)
+            panel_title(ax, f"platform {amplitude:g} m")
+    for ax in axes[-2:]:
+        ax.set_xlabel("heave period of the platform (s)")
+    for ax in axes[::2]:
+        ax.set_yscale("log")
+    largest = {"heave_amplitude": amplitudes[-1], "tensioner_model": "gas law"}
+    response, index = (values.sel(largest) for values in curves.values())
+    resonance = _name_peak(axes[-2], response)
+    far = index.where(index["heave_period"] > 1.5 * resonance, drop=True)
+    _name_peak(axes[-1], far)
+    low = _name_peak(axes[-1], far, lowest=True)
+    headline(
+        figure,
+        f"Resonance is at {resonance:g} s; asymmetry reverses at twice that period, {low:g} s",
+    )
+    key_below(figure, axes[0], 2)
+    return figure
+
+
+def _name_peak(ax: Axes, curve: xr.DataArray, lowest: bool = False) -> float:
+    """Write the period at which a curve is largest (or smallest) there; it (s)."""
+    extreme = curve.min() if lowest else curve.max()
+    period = float(curve["heave_period"][int((curve == extreme).argmax("heave_period"))])
+    ax.annotate(
+        f"{period:g} s: {float(extreme):.3g}", (period, float(extreme)),
+        xytext=(8, -3 if lowest else 3), textcoords="offset points", fontsize="small",
+    )  # fmt: skip
+    return period
+
+
+def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
+    """The riser's mass at the ring and along the riser."""
+    figure, axes = panels(1, 2, 3.6)
+    for colour, place in zip(COLOURS, riser_mass["mass_place"].values, strict=False):
+        start = riser_mass_start.sel(mass_place=place)
+        away = start["z"].isel(s=-1) - start["z_static"].isel(s_node=-1)
+        axes[0].plot(start["time"], away, color=colour, linewidth=1.2, label=f"mass {place}")
+        top = riser_mass.sel(mass_place=place).isel(s_node=-1)
+        for line, word, side in (
+            ("-", "above, $x_p$", top["z_max"] - top["z_static"]),
+            ("--", "below, $x_n$", top["z_static"] - top["z_min"]),
+        ):
+            label = word if colour == COLOURS[0] else None
+            axes[1].plot(side["heave_amplitude"], side, line, color=colour, label=label)
+    axes[0].set_xlabel(TIME)
+    axes[0].set_xlim(0, float(riser_mass_start["time"][-1]))
+    axes[0].set_ylabel("heave from equilibrium (m)")
+    panel_title(axes[0], "platform 5 m, starts at once")
+    axes[1].set_xlabel(AMPLITUDE)
+    axes[1].set_ylabel("displacement from equilibrium (m)")
+    panel_title(axes[1], "settled")
+    axes[1].legend(fontsize="small")
+    key_below(figure, axes[0], 2)
+    far = riser_mass.isel(s_node=-1).sel(heave_amplitude=5.0)
+    swing = far["z_max"] - far["z_min"]
+    ranges = " or ".join(
+        f"{float(swing.sel(mass_place=place)):.2f} m ({place})"
+        for place in swing["mass_place"].values
+    )
+    headline(figure, f"The place of the mass sets the range: {ranges}")
+    return figure

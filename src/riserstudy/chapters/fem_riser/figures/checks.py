@@ -1,0 +1,226 @@
+"""What the verdicts rest on: interpretations, regions, other solvers, meshes."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import NullLocator
+
+from riserstudy.chapters.fem_riser.claims import (
+    BEAM,
+    DURATION,
+    LUMPED,
+    PAPER_STEP,
+    TOGETHER,
+    claims,
+    differences,
+    grid_error,
+)
+from riserstudy.chapters.fem_riser.figures.shared import BLACK, HEIGHT, TIME
+from riserstudy.figures.style import (
+    COLOURS,
+    PRINTED,
+    headline,
+    key_below,
+    panel_title,
+    panels,
+)
+
+GRID_TIME = 80.0  # s, of the runs of the grid test
+#: what the buoyant factor may mean
+READINGS = {
+    "R1": "the share of the weight in air that the blocks carry",
+    "R2": "the share of the weight in air that is left",
+    "R3": "the share that is left, the tension ratio being to the weight without blocks",
+    "R4": "the share that the blocks carry, the tension ratio being to the weight without blocks",
+}
+
+
+def readings(reading_trends: xr.Dataset) -> Figure:
+    """Deflection, stress and angle over the buoyant factor in its four readings."""
+    figure, axes = panels(1, 3, 3.4)
+    fields = (("deflection", 1.0, "largest deflection (m)"), ("stress", 1e-6, "largest stress (MPa)"),
+              ("angle", np.rad2deg(1.0), "largest angle (deg)"))  # fmt: skip
+    for ax, (name, scale, label) in zip(axes, fields, strict=True):
+        for colour, reading in zip(COLOURS, READINGS, strict=False):
+            curve = scale * reading_trends[f"{name}_by_factor"].sel(reading=reading)
+            ax.plot(
+                curve["buoyant_factor"],
+                curve,
+                "o-",
+                color=colour,
+                label=f"{reading}: {READINGS[reading]}",
+            )
+        ax.set_xlabel("buoyant factor")
+        ax.set_ylabel(label)
+        ax.set_ylim(bottom=0.0)
+    key_below(figure, axes[0], 1)
+    raised = [
+        reading
+        for reading in READINGS
+        if all(
+            bool(
+                (
+                    reading_trends[f"{name}_by_factor"].sel(reading=reading).diff("buoyant_factor")
+                    > 0
+                ).all()
+            )
+            for name, *_ in fields
+        )
+    ]
+    headline(
+        figure,
+        f"Only in interpretation {', '.join(raised) or 'none'} the factor raises all three, as claimed",
+    )
+    return figure
+
+
+def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Figure:
+    """Where B5 to B10 hold together; ``change``: what counts as an increase or decrease."""
+    figure, axes = panels(2, 2, 3.6)
+    held = claims(map_trends, change)
+    for ax, joints in zip(axes, map_trends["joints"].values, strict=False):
+        here = held.sel(joints=joints)
+        for tide in here["tide"].values:
+            for wave in here["wave_height"].values:
+                true = here.sel(tide=tide, wave_height=wave)
+                every = bool(true.all())
+                missed = [str(c) for c in TOGETHER if not bool(true.sel(claim=c))]
+                ax.plot(tide, wave, "o" if every else "s", ms=17, mfc=COLOURS[2] if every else "0.9",
+                        mec="none")  # fmt: skip
+                ax.annotate("all" if every else "\n".join(missed), (tide, wave), ha="center",
+                            va="center", fontsize="x-small", color="white" if every else "black")  # fmt: skip
+        ax.margins(0.15)
+        panel_title(ax, f"joints: {joints}")
+        ax.set_xlabel("surface speed of the tide (m/s)")
+        ax.set_ylabel("wave height (m)")
+    shares = _shares(axes[3], claims(open_trends, change))
+    headline(
+        figure,
+        f"B5 to B10 hold together in {100 * shares['all six']:.0f} % of the samples",
+    )
+    return figure
+
+
+def _shares(ax: Axes, held: xr.DataArray) -> dict[str, float]:
+    """Draw and return the share of the samples in which each claim and all six are true."""
+    shares = {str(c): float(held.sel(claim=c).mean()) for c in TOGETHER}
+    shares["all six"] = float(held.all("claim").mean())
+    for k, (name, share) in enumerate(shares.items()):
+        bar = ax.barh(k, 100.0 * share, color=COLOURS[2] if name == "all six" else COLOURS[0])
+        ax.bar_label(bar, fmt="%.0f", fontsize="x-small", padding=2)
+    ax.set_yticks(range(len(shares)), list(shares))
+    ax.invert_yaxis()
+    ax.set_xlim(0, 112)
+    ax.set_xlabel(f"share of {held.sizes['sample']} samples (%)")
+    return shares
+
+
+def solvers(small_deflection: xr.Dataset) -> Figure:
+    """Difference of the two solvers over the deflection."""
+    figure, (ax,) = panels()
+    largest = abs(small_deflection["x"].sel(solver=BEAM)).max(("time", "s"))
+    apart = differences(small_deflection)
+    for colour, (name, label) in zip(
+        COLOURS, (("x", "deflection"), ("bending_moment", "bending moment")), strict=False
+    ):
+        ax.loglog(largest, 100.0 * apart[name], "o-", color=colour, label=label)
+    ax.loglog(largest, 100.0 * float(apart["x"][-1]) * (largest / largest[-1]) ** 2, **PRINTED,
+              label="square of the deflection")  # fmt: skip
+    ax.set_xticks(largest.values, [f"{value:.2g}" for value in largest.values])
+    ax.minorticks_off()
+    ax.set_xlabel("largest deflection (m)")
+    ax.set_ylabel("largest difference over largest value (%)")
+    ax.legend(fontsize="small")
+    far = {name: 100.0 * float(apart[name].max()) for name in ("x", "bending_moment")}
+    headline(
+        figure,
+        f"Deflections of both models agree to {far['x']:.2g} %, moments only to "
+        f"{far['bending_moment']:.0f} %",
+    )
+    return figure
+
+
+def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
+    """Error over element length, and the time of a run, that of the paper's own setting among them."""
+    figure, (left, right) = panels(1, 2, 3.6)
+    error, elements = 100.0 * grid_error(grid_test), [str(e) for e in grid_test["element"].values]
+    lengths = [float(element.split()[0]) for element in elements]
+    for colour, mark, step in zip(COLOURS, "os^Dv<>", grid_test["time_step"].values, strict=False):
+        curve = error.sel(time_step=step)
+        left.loglog(
+            lengths, curve.where(curve > 0.0), mark + "-", color=colour, ms=6, mfc="none", lw=1.0,
+            label=f"steps of {step:g} s",
+        )  # fmt: skip
+        seconds = grid_test["solve_seconds"].sel(time_step=step)
+        right.plot(seconds, range(len(elements)), mark, color=colour, ms=6, mfc="none")
+    left.set_xticks(lengths, [f"{length:g}" for length in lengths])
+    left.xaxis.set_minor_locator(NullLocator())
+    left.yaxis.set_major_formatter("{x:g}")
+    left.set_xlabel("length of the elements (m)")
+    left.set_ylabel("error against the finest grid (%)")
+    step = float(
+        own_setting["time_step"].min()
+    )  # the paper's own, or the nearest to it at this tier
+    whole = float(own_setting["solve_seconds"].sel(time_step=step))
+    right.plot([GRID_TIME / DURATION * whole], [len(elements)], "*", color=BLACK, ms=11)
+    own = (
+        "its step" if np.isclose(step, PAPER_STEP) else f"here {step:g} s, its own {PAPER_STEP:g} s"
+    )
+    length = float(own_setting["s_node"][1] - own_setting["s_node"][0])
+    rows = [*elements, f"paper's {length:g} m\n({own})"]
+    right.set_yticks(range(len(rows)), rows)
+    right.set_ylim(len(rows) - 0.5, -0.5)
+    right.set_xscale("log")
+    right.xaxis.set_major_formatter("{x:g}")
+    right.set_xlabel(f"run time of {GRID_TIME:g} simulated seconds (s)")
+    panel_title(right, "by element; star: scaled from 300 s")
+    key_below(figure, left, 5)
+    most = float(error.sel(element="5 m").max())
+    headline(figure, f"Elements of 5 m have an error of up to {most:.1f} % at any tested step")
+    return figure
+
+
+def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
+    """Envelopes of the API riser by both solvers, and over its surge; and how far the solvers are apart."""
+    figure, axes = panels(1, 3, 4.0)
+    for ax, name, scale, label in (
+        (axes[0], "x", 1.0, "displacement x (m)"),
+        (axes[1], "bending_moment", 1e-3, "bending moment (kN m)"),
+    ):
+        over = ("surge_amplitude", "surge_phase")
+        low, high = (
+            scale * api2j_surge[f"{name}_min"].min(over),
+            scale * api2j_surge[f"{name}_max"].max(over),
+        )
+        ax.fill_betweenx(
+            api2j_surge["s_node"], low, high, color="0.88", linewidth=0, label="over the surge"
+        )
+        for solver, style in ((LUMPED, {"color": COLOURS[0]}), (BEAM, PRINTED)):
+            run = api2j.sel(solver=solver)
+            for side in ("min", "max"):
+                word = solver if side == "min" else None
+                ax.plot(scale * run[f"{name}_{side}"], run["s_node"], label=word, **style)
+        ax.set_xlabel(label)
+        ax.set_ylabel(HEIGHT)
+    both = api2j[["x", "bending_moment"]]
+    apart = abs(both.sel(solver=LUMPED) - both.sel(solver=BEAM)).max("s")
+    largest = abs(both.sel(solver=BEAM)).max(("time", "s"))
+    for colour, (name, label) in zip(
+        COLOURS, (("x", "displacement"), ("bending_moment", "bending moment")), strict=False
+    ):
+        axes[2].plot(apart["time"], 100.0 * apart[name] / largest[name], color=colour, label=label)
+    axes[2].set_xlabel(TIME)
+    axes[2].set_ylabel("difference over largest value (%)")
+    axes[2].set_ylim(0.0, 1.3 * axes[2].get_ylim()[1])
+    axes[2].legend(fontsize="x-small", loc="upper right")
+    key_below(figure, axes[0], 3)
+    headline(
+        figure,
+        "Both solvers agree to "
+        f"{float((apart['bending_moment'] / largest['bending_moment']).max()):.2%} of the moment, "
+        f"{float((apart['x'] / largest['x']).max()):.2%} of the displacement".replace("%", " %"),
+    )
+    return figure

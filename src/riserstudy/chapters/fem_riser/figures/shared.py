@@ -1,0 +1,11 @@
+"""What figures of this chapter have in common: labels, colours, interpretations."""
+
+from __future__ import annotations
+
+from riserstudy.figures.style import (
+    COLOURS,
+)
+
+HEIGHT, TIME = "s from the bottom (m)", "time (s)"
+DEFLECTION, STRESS, ANGLE = "deflection x (m)", "bending stress (MPa)", "angle (deg)"
+BLUE, RED, BLACK = COLOURS[0], COLOURS[1], COLOURS[6]
