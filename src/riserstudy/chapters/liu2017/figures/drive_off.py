@@ -1,0 +1,192 @@
+"""Surge, speed, angles and stroke of a drive-off over time."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.chapters.liu2017.figures.shared import (
+    SHOWN,
+    SURGE,
+    TIME,
+    UFJ_LIMIT,
+    draw_limits,
+    set_title,
+    viridis,
+)
+from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
+from riserstudy.dataset.crossing import first_crossing, first_limit
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panel_title, panels
+
+SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
+HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
+TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
+LOW = 218.0  # m above the conductor's foot, a tenth up the riser
+FORCE_AT_LIMIT = -3.02 * np.sin(np.deg2rad(UFJ_LIMIT))  # MN, which Fig 6 implies
+
+
+def fig04(driveoff: xr.Dataset) -> Figure:
+    """Surge and speed over time, with and without riser, for both sets of inputs."""
+    figure, axes = panels(2, 2, 3.2, sharex=True)
+    beginning = driveoff.sel(time=slice(0.0, SHOWN))
+    for column, (kind, title) in enumerate(SETS.items()):
+        for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
+            for ending, line, word in (("", "-", "with"), ("_no_riser", "--", "without")):
+                run = beginning.sel(case=f"{kind}_{heading}{ending}")
+                text = f"{label}, {word} riser"
+                axes[column].plot(
+                    run["time"], run["platform_surge"], line, color=colour, label=text
+                )
+                axes[2 + column].plot(run["time"], run["platform_speed_x"], line, color=colour)
+        axes[column].axhline(100.0, color=GREY, linewidth=0.9, label="printed: false position")
+        panel_title(axes[column], title)
+        axes[2 + column].set_xlabel(TIME)
+    later = [
+        float(first_crossing(driveoff["platform_surge"].sel(case=f"{kind}_180"), 100.0))
+        - float(first_crossing(driveoff["platform_surge"].sel(case=f"{kind}_0"), 100.0))
+        for kind in SETS
+    ]
+    set_title(figure, f"Against the environment the platform arrives {_range(later)} s later")
+    axes[0].set_ylabel(SURGE)
+    axes[2].set_ylabel("speed of the platform (m/s)")
+    key_below(figure, axes[0], 4)
+    return figure
+
+
+def _range(values: list[float]) -> str:
+    """Whole numbers, from the least to the largest."""
+    low, high = round(min(values)), round(max(values))
+    return f"{low}" if low == high else f"{low} to {high}"
+
+
+def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
+    """Shapes of the riser; against the environment mirrored, so that x is the same in both panels."""
+    figure, axes = panels(1, 2, 4.2, sharey=True)
+    for ax, run, sign, label in zip(
+        axes, (ref_0, ref_180), (1.0, -1.0), HEADINGS.values(), strict=True
+    ):
+        rest = run.isel(time=0)
+        ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="at rest")
+        for colour, time in zip(viridis(np.linspace(0.0, 0.9, len(TIMES))), TIMES, strict=True):
+            shape = run.sel(time=time)
+            ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
+        ax.set_xlabel("lateral displacement (m)")
+        panel_title(ax, label)
+    after = abs(ref_0["x"].sel(time=20.0) - ref_0["x"].isel(time=0))
+    low = float(after.sel(s=LOW, method="nearest"))
+    set_title(
+        figure,
+        f"Low on the riser motion is {low:.1f} m when the top has moved {float(after.isel(s=-1)):.0f} m",
+    )
+    axes[0].set_ylabel("elevation above the wellhead (m)")
+    axes[1].legend(fontsize="small", loc="lower left")
+    return figure
+
+
+def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
+    """Force of the riser on the platform; ``deadline`` is the printed time (s)."""
+    figure, axes = panels(1, 2, 3.6, sharey=True)
+    beginning = driveoff.sel(time=slice(0.0, SHOWN))
+    for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
+        for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
+            run = beginning.sel(case=f"{kind}_{heading}")
+            run = _until_the_stop(ax, run, "riser_force_x", 1e-6)
+            printed, exact = run["riser_force_x"] / 1e6, run["riser_reaction_x"] / 1e6
+            ax.plot(run["time"], printed, color=colour, label=f"{label}, T sin θ as printed")
+            ax.plot(run["time"], exact, ":", color=colour, label=f"{label}, exact reaction")
+        ax.plot(
+            [deadline],
+            [FORCE_AT_LIMIT],
+            "o",
+            color="black",
+            label=f"implied by print, at 0°: T sin 12° at {deadline:g} s",
+        )
+        ax.axhline(0.0, color=GREY, linewidth=0.9)
+        ax.set_xlabel(TIME)
+        panel_title(ax, title)
+    drives = driveoff["riser_force_x"].sel(case="ref_0")
+    until = float(first_crossing(-drives, 0.0))
+    against = (
+        float(driveoff["riser_force_x"].sel(case="ref_180", time=slice(0.0, SHOWN)).max()) / 1e6
+    )
+    inhibits = "always inhibits" if against < 0.0 else "does not always inhibit"
+    set_title(
+        figure, f"Along, the riser drives the platform for {until:.0f} s; against, it {inhibits}"
+    )
+    axes[0].set_ylabel("force of the riser on the platform (MN)")
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Dataset:
+    """A run until the telescopic joint meets its end, where a cross is drawn at a quantity.
+
+    The paper does not mention a stop; behind it the curves are those of an assumption.
+    """
+    end = float(first_crossing(run["stroke"], LIMITS["telescopic joint"].most))
+    if not np.isfinite(end):
+        return run
+    kept = run.sel(time=slice(0.0, end))
+    last = scale * float(kept[name].isel(time=-1))
+    key = "stroke ends (assumed stop)" if not _has_key(ax, "stroke ends (assumed stop)") else None
+    ax.plot([end], [last], "x", color="black", markersize=8, label=key)
+    return kept
+
+
+def _has_key(ax: Axes, label: str) -> bool:
+    return label in ax.get_legend_handles_labels()[1]
+
+
+def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
+    """Shares of the limits that are used, along the environment; ``deadline`` is the printed time (s)."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    beginning = driveoff.sel(time=slice(0.0, SHOWN))
+    for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
+        run = beginning.sel(case=f"{kind}_0")
+        used = shares(run)
+        stress = run["riser_stress"] / LIMITS["conductor"].most
+        run = _until_the_stop(
+            ax, run.assign(share=used.sel(limit="telescopic joint", drop=True)), "share", 1.0
+        )
+        used, stress = (part.sel(time=run["time"]) for part in (used, stress))
+        draw_limits(ax, used)
+        ax.plot(stress["time"], stress, color=COLOURS[5], label="riser, 386 MPa too (assumed)")
+        ax.plot([deadline], [1.0], "o", color="black", label=f"printed: 12° at {deadline:g} s")
+        panel_title(ax, title)
+    run = driveoff.sel(case="ref_0")
+    times, begins = reached(run), starts(run)
+    late = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(limit="upper flex joint")
+    set_title(
+        figure,
+        f"The {first_limit(times).item()!s} is first, at {float(times.min()):.0f} s; "
+        f"the bottom lags by {float(late):.0f} s",
+    )
+    axes[0].set_ylabel("utilisation of the limit")
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def envelope(envelope: xr.Dataset) -> Figure:
+    """Utilisation of the limits over the static offset; bands: over the currents."""
+    figure, (ax,) = panels(height=3.8)
+    used = envelope["limit_share"]
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        one = used.sel(limit=name)
+        low, high = one.min("surface_speed"), one.max("surface_speed")
+        ax.fill_between(one["offset"], low, high, color=colour, alpha=0.25, linewidth=0.0)
+        ax.plot(one["offset"], one.sel(surface_speed=0.0), color=colour, label=name)
+    ax.axhline(1.0, label="limit (printed)", **PRINTED)
+    still = envelope["limit_offset"].sel(surface_speed=0.0)
+    end, then = (float(still.sel(limit=name)) for name in ("telescopic joint", "conductor"))
+    ax.set_xlim(0.0, 1.5 * end)
+    ax.set_ylim(0.0, 1.6)
+    ax.set_xlabel("static offset of the platform (m)")
+    ax.set_ylabel("utilisation of the limit")
+    set_title(
+        figure,
+        f"Stroke-out occurs at {end:.0f} m of static offset, the conductor limit at {then:.0f} m",
+    )
+    key_below(figure, ax, 3)
+    return figure

@@ -1,0 +1,104 @@
+"""When limits are reached, and what disconnecting by then leaves."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.chapters.liu2017.figures.shared import draw_limits, set_title, viridis
+from riserstudy.chapters.liu2017.limits import LIMITS
+from riserstudy.design.watch_circles import TOO_LATE
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panel_title, panels
+
+
+def losses(losses: xr.Dataset) -> Figure:
+    """Shares of the limits in a drive-off and in a drift-off."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    for ax, loss in zip(axes, ("drive-off", "drift-off"), strict=True):
+        run = losses.sel(loss=loss).dropna("time", how="all")
+        draw_limits(ax, run["limit_share"])
+        end = float(run["limit_time"].sel(limit="telescopic joint"))
+        ax.axvline(end, color=GREY, linestyle=":", label="telescopic joint at its end")
+        panel_title(ax, loss)
+    lost = losses["limit_time"].sel(loss="drift-off")
+    end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
+    set_title(
+        figure,
+        f"In a drift-off stroke-out occurs at {end:.0f} s, the conductor limit {stress - end:.0f} s later",
+    )
+    axes[0].set_ylabel("utilisation of the limit")
+    axes[0].set_ylim(bottom=0.0)
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
+    """When limits are reached, and where the alarm must be, by angle to the environment.
+
+    ``station``: radius within which the platform keeps its station (m); a smaller red circle is too late.
+    """
+    scenarios = disconnect["scenario"].values
+    figure, axes = panels(2, len(scenarios), 3.2, sharex=True)
+    above, below = axes[: len(scenarios)], axes[len(scenarios) :]
+    for times, circles, scenario in zip(above, below, scenarios, strict=True):
+        run = disconnect.sel(scenario=scenario)
+        _limit_times(times, run)
+        _circles(circles, run)
+        circles.axhline(station, label=f"station keeping within {station:g} m (assumed)", **PRINTED)
+        panel_title(times, str(scenario))
+        circles.set_xlabel("environment to hull (deg)")
+        circles.set_xticks(range(0, 181, 45))
+    for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
+        top = max(ax.get_ylim()[1] for ax in row)
+        for ax in row:
+            ax.set_ylim(0.0, top)
+            ax.tick_params(labelleft=ax is row[0])
+        row[0].set_ylabel(label)
+    seen = {
+        label: line
+        for ax in above
+        for line, label in zip(*ax.get_legend_handles_labels(), strict=True)
+    }
+    above[0].legend(seen.values(), seen.keys(), loc="upper right", fontsize="small")
+    key_below(figure, below[-1], 3)
+    set_title(figure, _slowest_in_time(disconnect, station))
+    return figure
+
+
+def _limit_times(ax: Axes, run: xr.Dataset) -> None:
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        times = run["limit_time"].sel(limit=name)
+        beginning = times.where(np.isfinite(times))
+        if bool(beginning.notnull().any()):
+            ax.plot(run["environment_heading"], beginning, ".-", color=colour, label=name)
+
+
+def _circles(ax: Axes, run: xr.Dataset) -> None:
+    """Radius over the environment's angle to the hull; where every alarm is too late, a note instead."""
+    times = run["eds_time"].values
+    for colour, eds in zip(viridis(np.linspace(0.0, 0.9, len(times))), times, strict=True):
+        circle = run.sel(eds_time=eds)
+        radius = circle["red_circle_radius"].where(circle["red_circle_outcome"] != TOO_LATE)
+        label = f"disconnect takes {eds:g} s"
+        ax.plot(run["environment_heading"], radius, ".-", color=colour, label=label)
+    late = (run["red_circle_outcome"] == TOO_LATE).all("environment_heading")
+    if bool(late.any()):
+        words = f"too late: {', '.join(f'{eds:g}' for eds in times[late.values])} s"
+        ax.text(0.5, 0.95, words, transform=ax.transAxes, ha="center", va="top", fontsize="small")
+
+
+def _slowest_in_time(disconnect: xr.Dataset, station: float) -> str:
+    """Of each scenario the longest disconnect that is in time whatever the direction.
+
+    In time is one whose red circle exceeds the radius (m) within which the platform keeps its station.
+    """
+    in_time = (disconnect["red_circle_radius"] >= station).all("environment_heading")
+    longest = disconnect["eds_time"].where(in_time).max("eds_time")
+    if bool(longest.isnull().any()):
+        never = longest["scenario"].values[np.isnan(longest.values)]
+        return f"No tested disconnect is in time in every direction ({', '.join(map(str, never))})"
+    least = float(longest.min())
+    shortest = longest["scenario"].values[longest.values == least]
+    return f"The disconnect must take at most {least:g} s ({', '.join(map(str, shortest))})"

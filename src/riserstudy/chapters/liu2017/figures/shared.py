@@ -1,0 +1,29 @@
+"""What figures of this chapter have in common."""
+
+from __future__ import annotations
+
+import xarray as xr
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from riserstudy.chapters.liu2017.limits import LIMITS
+from riserstudy.figures.style import COLOURS, PRINTED
+
+TIME, SURGE = "time (s)", "surge of the platform (m)"
+SHOWN = 100.0  # s
+UFJ_LIMIT = 12.0  # degrees, of Table 4
+viridis = colormaps["viridis"]
+
+
+def set_title(figure: Figure, title: str) -> None:
+    """What a figure shows, above it."""
+    figure.suptitle(title, fontsize="medium")
+
+
+def draw_limits(ax: Axes, used: xr.DataArray) -> None:
+    """Shares of limits that are used over time (-), a line a limit."""
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        ax.plot(used["time"], used.sel(limit=name), color=colour, label=name)
+    ax.axhline(1.0, label="limit (printed)", **PRINTED)
+    ax.set_xlabel(TIME)
