@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 
 from riserstudy.chapters.liu2017.claims import deflects_along_at_first
-from riserstudy.chapters.liu2017.figures import _slowest_in_time
+from riserstudy.chapters.liu2017.figures.limits import _slowest_in_time
 from riserstudy.design.watch_circles import TOO_LATE
 
 
