@@ -28,10 +28,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("record", type=Path)
     parser.add_argument("--open", action="store_true")
-    asked = parser.parse_args()
-    record = read_record(asked.record)
+    options = parser.parse_args()
+    record = read_record(options.record)
     year = record["time"].values.astype("datetime64[Y]").astype(int) + 1970
-    if asked.open:
+    if options.open:
         write(OPENED, (*COLUMNS, "came", "inside"), opened(record, year))
         return
     before = record.isel(time=np.flatnonzero(year < FIRST))

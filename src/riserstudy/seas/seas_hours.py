@@ -265,12 +265,12 @@ def _about(study: SeasStudy, found: Sequence[Downtime], record: xr.Dataset) -> d
         "seeds": model.seeds,
         "next_years": model.next_years,
         "modes": json.dumps({mode: [*needs] for mode, needs in MODES.items()}),
-        "said": "\n".join(_said(study, found)),
+        "said": "\n".join(_in_words(study, found)),
         "history": history(f"hours of {study.name} of {study.paper}, tier {study.tier}"),
     }
 
 
-def _said(study: SeasStudy, found: Sequence[Downtime]) -> Iterator[str]:
+def _in_words(study: SeasStudy, found: Sequence[Downtime]) -> Iterator[str]:
     """What was simulated, in words, a line each setting."""
     for point, one in zip(study.settings.plan, found, strict=True):
         axes = study.settings.axes.items()

@@ -93,11 +93,11 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
     amplitude = surge["displacement_amplitude"]
     ratio = amplitude.sel(tensioner_model="gas law") / amplitude.sel(tensioner_model=WITHOUT)
     lag = surge["displacement_lag"]
-    behind = lag.sel(tensioner_model="gas law") - lag.sel(tensioner_model=WITHOUT)
-    behind = 180.0 / np.pi * ((behind + np.pi) % (2.0 * np.pi) - np.pi)
+    phase_lag = lag.sel(tensioner_model="gas law") - lag.sel(tensioner_model=WITHOUT)
+    phase_lag = 180.0 / np.pi * ((phase_lag + np.pi) % (2.0 * np.pi) - np.pi)
     for ax, depth in zip(axes, DEPTHS, strict=True):
         change = 100.0 * (float(ratio.sel(depth=depth)) - 1.0)
-        later = float(behind.sel(depth=depth))
+        later = float(phase_lag.sel(depth=depth))
         moved = f"{change:+.0f} %".replace("-", "−")
         panel_title(ax, f"{depth:.0f} m; on tensioners {moved}, {later:.0f}° later")
     for ax in axes[2:]:
@@ -106,7 +106,7 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
         ax.set_ylabel(DISPLACEMENT)
     effects = [
         word
-        for word, always in (("reduce", ratio.max() < 1.0), ("delay", behind.min() > 0.0))
+        for word, always in (("reduce", ratio.max() < 1.0), ("delay", phase_lag.min() > 0.0))
         if bool(always)
     ]
     done = f"{' and '.join(effects)} motion" if effects else "change little"

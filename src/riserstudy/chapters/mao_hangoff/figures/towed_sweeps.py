@@ -113,15 +113,15 @@ def fig14(riser_length: xr.Dataset) -> Figure:
     return figure
 
 
-def _by_profile(what: str, runs: xr.Dataset, axis: str, first: float, last: float) -> str:
+def _by_profile(quantity: str, runs: xr.Dataset, axis: str, first: float, last: float) -> str:
     """How the displacement changes along an axis in the two profiles that are drawn, in words."""
     profiles = [runs.isel(current_profile=k, drop=True) for k in (0, -1)]
     low, high = sorted(round(changes(run, axis, first, last)["displacement"]) for run in profiles)
     if low < 0 < high:
-        return f"By profile, a faster {what} changes the displacement by {low} or {high:+} %"
+        return f"By profile, a faster {quantity} changes the displacement by {low} or {high:+} %"
     verb = "increases" if high > 0 else "decreases"
     least, most = sorted((abs(low), abs(high)))
-    return f"By profile, a faster {what} {verb} the displacement by {least} or {most} %"
+    return f"By profile, a faster {quantity} {verb} the displacement by {least} or {most} %"
 
 
 def trends(
