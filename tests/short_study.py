@@ -82,9 +82,10 @@ def lay_out(folder, ends="\n"):
 
 
 def snakemake(folder, environment, *arguments, python=sys.executable):
-    """A plain ``snakemake``: exit status and all it said."""
+    """A plain ``snakemake`` in its own words, step by step: exit status and all it said."""
+    plain = ("--workflow-profile", "none", "--rerun-incomplete", "--scheduler", "greedy")
     done = subprocess.run(
-        [python, "-m", "snakemake", "--cores", "2", *arguments],
+        [python, "-m", "snakemake", "--cores", "2", *plain, *arguments],
         cwd=folder,
         env=environment,
         text=True,

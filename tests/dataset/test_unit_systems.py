@@ -17,7 +17,7 @@ from riserstudy.scene.units import factor
 
 STORED = sorted({entry["units"] for entry in variables().values() if "units" in entry})
 #: of which feet and kips have no other
-COMMON = {"s", "Hz", "1", "knot", "year-1"}
+COMMON = {"s", "h", "year", "Hz", "1", "knot", "year-1"}
 #: as pint spells what people read
 SPELT = {
     "lb/gal": "ppg", "ft³": "ft^3", "kip ft": "kip*ft", "kip s²/ft²": "kip*s^2/ft^2", "ft/s²": "ft/s^2",

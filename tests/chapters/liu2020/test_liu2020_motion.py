@@ -267,7 +267,7 @@ def test_what_is_left_open_keeps_the_riser_in_the_plane(name):
     """In space moments are sizes, and half the swing of a size is not an amplitude."""
     samples = read_study(CONFIG, "liu2020", name, "standard", None)
     others = (0,) * (len(samples.axes) - 1)
-    assert len(samples.axes["sample"]) >= 256
+    assert len(samples.axes["sample"]) >= 128
     spatial = {
         samples.grid.file((k, *others)).scene().spatial for k in range(len(samples.axes["sample"]))
     }
