@@ -34,8 +34,9 @@ def test_damage_of_one_mode_is_that_of_its_sinusoid(speed):
     rates = found.arrays["damage_rate"][0]
     assert amplitude.max() > 0.2 * 0.5334
     across = rates[rates.shape[0] // 4, middle]  # the side of +y
-    assert across == pytest.approx(expected, rel=0.08)
-    assert np.nanmax(rates) == pytest.approx(expected, rel=0.12)
+    # seen: -1.0 and -1.6 %, +1.8 and +1.2 %; half a per cent of stress is some two of damage
+    assert across == pytest.approx(expected, rel=0.03)
+    assert np.nanmax(rates) == pytest.approx(expected, rel=0.03)
     along = rates[
         0, middle
     ]  # the side of +x, bent by drag that is steady but for twice the frequency

@@ -155,7 +155,7 @@ def _periods(path: Path, name: str, numbers: FloatArray, unit: str) -> tuple[Flo
     factor = factors.get(unit.lower())
     if factor is None:
         raise InputError(path, name, f"unit {unit!r}", "allowed is Hz or rad/s")
-    with np.errstate(divide="ignore"):
+    with np.errstate(divide="ignore"):  # no frequency is no period, and missing
         periods = 1.0 / (factor * numbers)
     return np.where(np.isfinite(periods), periods, np.nan), f"peak_period from {name} ({unit})"
 
