@@ -1,14 +1,19 @@
 """Dotted paths of a scene: one way to read, write, list and compare them."""
 
 import copy
+from functools import partial
 from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from riserstudy.errors import InputError
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.scene import paths
+from riserstudy.scene.fields import in_si
+from riserstudy.scene.load import read_scene
+from riserstudy.study.sweep import as_study
 
 SCENES = sorted((Path(__file__).parents[2] / "config/scenes").rglob("*.yaml"))
 NAMES = st.from_regex(r"[a-z_]\w{0,8}", fullmatch=True)
@@ -62,10 +67,24 @@ def test_a_length_more_or_a_name_less_is_another_path():
     assert paths.as_name("riser[0].drag.coefficient") == "riser_0_drag_coefficient"
 
 
-@pytest.mark.parametrize("path", ["", "a..b", "a[x]", "[0]", "a[0", "0a", "a b"])
-def test_what_is_no_path_is_refused(path):
+NO_PATHS = ["", "a..b", "a[x]", "[0]", "a[0", "0a", "a b"]
+
+
+@pytest.mark.parametrize("path", NO_PATHS)
+def test_what_is_no_path_is_refused_and_nothing_stands_there(path):
     with pytest.raises(ValueError, match=r".*"):
         paths.steps(path)
+    assert not paths.is_path(path)
+    assert paths.value_at({"a": {"b": 1}, "": 2}, path) is None
+    assert in_si(path, "1 m") == (None, None)
+
+
+@pytest.mark.parametrize("values", [[1.0, 2.0], ["1 m", "2 m"], ["a", "b"]], ids=str)
+@pytest.mark.parametrize("path", [*NO_PATHS, "riser[x].mass", "riser[0].mass.x"])
+def test_an_axis_that_is_no_path_is_refused_by_a_message_whatever_its_values(path, values):
+    study = partial(as_study, read_scene(SCENES[0]), {path: values}, None, None)
+    with pytest.raises(InputError):
+        list(study().plan)
 
 
 def test_nothing_is_put_where_nothing_leads():

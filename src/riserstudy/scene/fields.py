@@ -13,7 +13,7 @@ from pydantic.fields import FieldInfo
 
 from riserstudy.inputs.percent import Percent
 from riserstudy.scene.models import Scene
-from riserstudy.scene.paths import steps
+from riserstudy.scene.paths import is_path, steps
 from riserstudy.scene.units import Unit
 
 
@@ -35,6 +35,8 @@ def in_si(path: str, value: Any) -> tuple[float | None, str | None]:
 @cache
 def _readers(path: str) -> list[tuple[Any, str]]:
     """How a scene reads text at a path, as its models say; several where it may be one of several."""
+    if not is_path(path):
+        return []
     kinds: list[tuple[Any, list[Any]]] = [(Scene, [])]
     for step in steps(path):
         kinds = [inner for kind, _ in kinds for inner in _into(kind, step)]

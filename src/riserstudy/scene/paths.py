@@ -30,8 +30,15 @@ def steps(path: str) -> tuple[Step, ...]:
     return tuple(found)
 
 
+def is_path(path: str) -> bool:
+    """Whether a text is a path, of whatever scene."""
+    return all(map(_STEP.fullmatch, path.split(".")))
+
+
 def value_at(tree: Any, path: str) -> Any:
-    """What stands at a path; None where nothing does."""
+    """What stands at a path; None where nothing does, as at what is no path."""
+    if not is_path(path):
+        return None
     here = tree
     for step in steps(path):
         if isinstance(here, dict):
