@@ -82,7 +82,7 @@ def faults_of(path: Path, kinds: dict[str, set[str]]) -> Iterator[str]:
     raised = Raised(tree, kinds)
     for function in public(tree):
         docstring = ast.get_docstring(function) or ""
-        wants = [] if folder == COMMANDS else raised.untold(function, docstring)
+        wants = [] if folder == COMMANDS else raised.undocumented(function, docstring)
         if folder in PHYSICS:
             wants += lacks(function, docstring)
         yield from (f"{place}:{function.lineno}: {function.name}: {kind}" for kind in wants)
@@ -153,7 +153,7 @@ class Raised:
         functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
         self.private = {f.name: f for f in functions if f.name[0] == "_" and f.name[:2] != "__"}
 
-    def untold(self, function: ast.FunctionDef, docstring: str) -> list[str]:
+    def undocumented(self, function: ast.FunctionDef, docstring: str) -> list[str]:
         """What a docstring does not tell of them."""
         section = docstring.partition("Raises\n------\n")[2]
         missing = [

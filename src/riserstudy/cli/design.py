@@ -18,15 +18,14 @@ from riserstudy.cli.shared import (
     quantity,
     scene_of,
     show,
+    write_table,
     wrote,
 )
 from riserstudy.cli.targets import ForceOption, check_output
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
-    from riserstudy.dataset.table import Table
+    pass
 
 
 TensionRatioOption = Annotated[
@@ -103,17 +102,9 @@ def tension(
     )
     rows = tension_table(riser, requested._replace(overpull=pulled, ceiling=ceiling))
     print("\n".join(lines(rows)))
-    _write_csv(rows.table(), csv)
+    write_table(rows.table(), csv)
     if rows.missing:
         raise typer.Exit(4)
-
-
-def _write_csv(table: Table, csv: Path | None) -> None:
-    if csv is not None:
-        from riserstudy.dataset import tables
-
-        tables.write_csv(table, csv)
-        wrote(csv)
 
 
 def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:

@@ -15,6 +15,7 @@ from riserstudy.cli.shared import (
     check_tables,
     place_of,
     show,
+    write_table,
     wrote,
 )
 from riserstudy.cli.targets import ForceOption, Writes, check_output
@@ -90,7 +91,6 @@ def fatigue(
         check_output(plot, ("figure",), reads, force, "--plot")
     if scatter and seas:
         raise InputError("--seas", str(seas), "with --scatter", "allowed is one of both")
-    from riserstudy.dataset.tables import write_csv
     from riserstudy.fatigue import tables
 
     years = _summed(study, scatter, seas, gamma, at, calm)
@@ -114,9 +114,7 @@ def fatigue(
     if without is not None:
         _print_comparison(years, _summed(without, scatter, seas, gamma, at, calm))
     for path, table in ((along, tables.along(years)), (by_sea, tables.by_sea(years))):
-        if path is not None:
-            write_csv(table, path)
-            wrote(path)
+        write_table(table, path)
     if plot is not None:
         _draw(years, plot)
 

@@ -124,7 +124,14 @@ def show(table: Table, csv: Path | None) -> None:
 
     for line in tables.in_columns(table):
         print(line)
+    write_table(table, csv)
+
+
+def write_table(table: Table, csv: Path | None) -> None:
+    """Write a table where an option names a file, and name the file."""
     if csv is not None:
+        from riserstudy.dataset import tables
+
         tables.write_csv(table, csv)
         wrote(csv)
 
