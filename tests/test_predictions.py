@@ -33,6 +33,7 @@ def rows():
 SECTIONS = {
     "stepped_current": "Model riser in a stepped current",
     "kept_back_years": "Years kept back",
+    "hindcast_years": "Years of a hindcast",
 }
 
 
@@ -89,6 +90,17 @@ def test_the_page_tells_what_came_of_the_years():
     assert f"{len(outside['1'])} of {singles} single years" in first
     calmer = sum(float(o["came"]) > float(o["high"]) for part in outside.values() for o in part)
     assert f"in {calmer} of the {sum(map(len, outside.values()))} cases" in PAGE
+
+
+def test_the_page_shows_the_sealed_years_of_the_hindcast():
+    with (FOLDER / "hindcast_years.csv").open(encoding="utf-8") as file:
+        sealed = [row for row in csv.DictReader(file) if row["known"] == row["years"] == "5"]
+    line = r"^\| (height|wind) of ([0-9.]+ m(?:/s)?) \| ([0-9.]+) \| ([0-9.]+) to ([0-9.]+) \|"
+    shown = re.findall(line, section("hindcast_years"), re.MULTILINE)
+    names = {"height": "hs", "wind": "wind_speed"}
+    assert [(f"{names[kind]} <= {limit}", *rest) for kind, limit, *rest in shown] == [
+        (row["limit"], row["share"], row["low"], row["high"]) for row in sealed
+    ]
 
 
 @pytest.mark.parametrize("k", [1, 4])

@@ -10,7 +10,7 @@ from riserstudy.seas.hours import hours, sea_limit
 from riserstudy.seas.record import gaps, read_record, with_peak_period, write_record
 from riserstudy.seas.synthetic import synthetic
 from riserstudy.seas.windows import statistics_of, stretches, waits, windows
-from riserstudy.seas.years import band, band_of_next, by_year
+from riserstudy.seas.years import by_year
 
 ROWS = ["time,hs (m),tz (s)"] + [
     f"2001-01-{day:02d} {hour:02d}:00,{1 + 0.1 * hour:.3f},5"
@@ -166,23 +166,13 @@ def waits_of(values, known):
     return Waits(values, known)
 
 
-def test_bands_of_years_alike_are_narrow_and_hold_the_mean_of_others():
-    time = np.arange(
-        np.datetime64("2001-01-01"), np.datetime64("2011-01-01"), np.timedelta64(1, "h")
-    )
-    alike = by_year(time, np.arange(len(time)) % 2 == 0, 1.0)
-    assert band(alike).high - band(alike).low < 1e-3
-    assert [year.recorded for year in alike] == [1.0] * 10
-    draw, inside = np.random.default_rng(6), 0
-    for trial in range(100):
-        shares = draw.beta(20.0, 5.0, 30)
-        years = [alike[0]._replace(workable=int(share * alike[0].rows)) for share in shares]
-        to_come = band_of_next(years[:20], 10, trial)
-        inside += to_come.low <= shares[20:].mean() <= to_come.high
-    assert 80 <= inside <= 98  # nine of ten, by binomial bounds of 99.9 %
-    one = band(alike[:1])
-    assert np.isnan(one.low)
-    assert one.share == pytest.approx(0.5, abs=1e-3)
+def test_rows_count_by_year():
+    begin, end = np.datetime64("2001-01-01"), np.datetime64("2011-01-01")
+    time = np.arange(begin, end, np.timedelta64(1, "h"))
+    years = by_year(time, np.arange(len(time)) % 2 == 0, 1.0)
+    assert [year.recorded for year in years] == [1.0] * 10
+    assert [year.share for year in years] == [0.5] * 10
+    assert [year.year for year in years] == [*range(2001, 2011)]
 
 
 def test_a_synthetic_record_has_the_statistics_that_it_is_said_to_have():

@@ -1,7 +1,7 @@
 """Hours of years kept back, from those before: `python workflow/scripts/predict_years.py RECORD [--open]`.
 
-Without --open rows of the kept years are dropped before anything is computed, and predictions are written;
-with it the sealed ones are compared with what came. The record is the netCDF of `riserstudy seas`.
+Without --open rows after the last known year are dropped before anything is computed, and predictions are
+written; with it the sealed ones are compared with what came.
 """
 
 from __future__ import annotations
@@ -13,14 +13,21 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from riserstudy.seas.hours import Hours, hours, sea_limit
+from riserstudy.seas.hours import hours, sea_limit
 from riserstudy.seas.record import read_record
 
 FOLDER = Path(__file__).resolve().parents[2] / "config/predictions"
-SEALED, OPENED = FOLDER / "kept_back_years.csv", FOLDER / "kept_back_years_opened.csv"
-FIRST, AHEAD = 2001, 5  # the first year that is kept back, and how many are
-LIMITS = ("hs <= 0.5 m", "hs <= 1 m", "hs <= 1.5 m", "hs <= 2 m", "hs <= 3 m")
-COLUMNS = ("limit", "years", "share", "low", "high")
+SEALED, OPENED = FOLDER / "hindcast_years.csv", FOLDER / "hindcast_years_opened.csv"
+FIRST, KNOWN, AHEAD = (
+    1965,
+    (3, 5, 10),
+    (1, 5, 10),
+)  # first year, and how many are known and kept back
+LIMITS = (
+    *("hs <= 1 m", "hs <= 1.5 m", "hs <= 2 m", "hs <= 3 m", "hs <= 4 m"),
+    *("wind_speed <= 8 m/s", "wind_speed <= 12 m/s", "wind_speed <= 16 m/s"),
+)
+COLUMNS = ("limit", "known", "years", "share", "low", "high")
 
 
 def main() -> None:
@@ -30,41 +37,41 @@ def main() -> None:
     parser.add_argument("--open", action="store_true")
     options = parser.parse_args()
     record = read_record(options.record)
-    year = record["time"].values.astype("datetime64[Y]").astype(int) + 1970
     if options.open:
-        write(OPENED, (*COLUMNS, "came", "inside"), opened(record, year))
+        write(OPENED, (*COLUMNS, "came", "inside"), opened(record))
         return
-    before = record.isel(time=np.flatnonzero(year < FIRST))
-    write(SEALED, COLUMNS, predicted(before))
+    write(SEALED, COLUMNS, predicted(of_years(record, FIRST, FIRST + max(KNOWN))))
 
 
-def predicted(before: xr.Dataset) -> list[list[str]]:
-    """Share of workable hours of one year and of all years kept back, with nine in ten of draws."""
+def of_years(record: xr.Dataset, first: int, end: int) -> xr.Dataset:
+    """Rows of some years; those of the last one are left out."""
+    year = record["time"].values.astype("datetime64[Y]").astype(int) + 1970
+    return record.isel(time=np.flatnonzero((year >= first) & (year < end)))
+
+
+def predicted(record: xr.Dataset) -> list[list[str]]:
+    """Share of workable hours of years kept back, with the band of nine in ten, from so many before them."""
     rows = []
     for limit in LIMITS:
-        known = hours(before, [sea_limit(limit)])
-        for years in (1, AHEAD):
-            band = known.next_years(years)
-            rows.append([limit, str(years), *(f"{value:.4f}" for value in band)])
+        for known in KNOWN:
+            before = hours(of_years(record, FIRST, FIRST + known), [sea_limit(limit)])
+            for years in AHEAD:
+                band = before.next_years(years)
+                rows.append([limit, str(known), str(years), *(f"{value:.4f}" for value in band)])
     return rows
 
 
-def opened(record: xr.Dataset, year: np.ndarray) -> list[list[str]]:
-    """The sealed rows with what came: of each year, and of all together."""
+def opened(record: xr.Dataset) -> list[list[str]]:
+    """The sealed rows with what came."""
     with SEALED.open(encoding="utf-8", newline="") as file:
         sealed = list(csv.reader(file))[1:]
     rows = []
-    for limit, years, *band in sealed:
-        came = hours(record.isel(time=np.flatnonzero(year >= FIRST)), [sea_limit(limit)])
-        for value in shares(came, int(years)):
-            inside = float(band[1]) <= value <= float(band[2])
-            rows.append([limit, years, *band, f"{value:.4f}", "yes" if inside else "no"])
+    for limit, known, years, *band in sealed:
+        first = FIRST + int(known)
+        came = hours(of_years(record, first, first + int(years)), [sea_limit(limit)]).share
+        inside = float(band[1]) <= came <= float(band[2])
+        rows.append([limit, known, years, *band, f"{came:.4f}", "yes" if inside else "no"])
     return rows
-
-
-def shares(came: Hours, years: int) -> list[float]:
-    """Shares that came: of all years, or of each that is recorded nearly whole."""
-    return [came.share] if years > 1 else [year.share for year in came.years]
 
 
 def write(target: Path, head: tuple[str, ...], rows: list[list[str]]) -> None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from riserstudy.cli.downtime_lines import Ahead, banded, held_back, show_hours, show_riser
 from riserstudy.cli.shared import (
     CsvOption,
     PlotOption,
@@ -25,15 +26,20 @@ from riserstudy.cli.shared import (
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
+from riserstudy.study.persistence import (
+    LEAST_PERSISTENCE,
+    MOST_AHEAD,
+    MOST_PERSISTENCE,
+    PERSISTENCE,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
 
     from riserstudy.dataset.table import Table
     from riserstudy.seas.directions import Directions
-    from riserstudy.seas.hours import Hours, SeaLimit
+    from riserstudy.seas.hours import SeaLimit
     from riserstudy.seas.riser_downtime import Downtime
-    from riserstudy.seas.years import Band
 
 
 RecordArgument = Annotated[
@@ -54,7 +60,15 @@ WindowOption = Annotated[
     list[str] | None,
     typer.Option(help="length of work in one go: '24 h'; may be repeated", metavar="TIME"),
 ]
-NextOption = Annotated[int, typer.Option("--next", min=1, help="years to come")]
+NextOption = Annotated[int, typer.Option("--next", min=1, max=MOST_AHEAD, help="years to come")]
+PersistenceOption = Annotated[
+    float,
+    typer.Option(
+        min=LEAST_PERSISTENCE,
+        max=MOST_PERSISTENCE,
+        help="Hurst exponent of the shares of years; 0.5: they do not depend on one another",
+    ),
+]
 ReturnOption = Annotated[
     list[int] | None,
     typer.Option(
@@ -113,6 +127,7 @@ def downtime(
     limit: LimitOption = None,
     window: WindowOption = None,
     ahead: NextOption = 10,
+    persistence: PersistenceOption = PERSISTENCE,
     hold_back: HoldBackOption = 0,
     settings: SetOption = None,
     vary: VaryOption = None,
@@ -131,9 +146,10 @@ def downtime(
 ) -> None:
     """Compute the hours of a record that limits leave, the windows, and the waits for them.
 
-    With bands from whole years drawn with replacement. A window ends at a gap of the record; a wait that
-    meets one counts as longer than that. With --scene, limits are those of a riser: sea states of the record
-    are simulated until the response between them is known to --error, at others that are simulated too.
+    Bands are predictions from whole years by Student's t, with years that persist. A window ends at a gap of
+    the record; a wait that meets one counts as longer than that. With --scene, limits are those of a riser:
+    sea states of the record are simulated until the response between them is known to --error, at others
+    that are simulated too.
     """
     _check_targets([path for path in (record, scene) if path], csv, plot, output, force)
     with_scene = {
@@ -148,18 +164,18 @@ def downtime(
 
     limits = [sea_limit(one) for one in limit or []]
     lengths = [quantity("--window", one, "s") / 3600.0 for one in window or []]
-    sea = read_record(record)
+    sea, years = read_record(record), Ahead(ahead, persistence)
     if not scene:
-        return of_the_sea(sea, limits, lengths, ahead, hold_back, csv, plot, record.name)
+        return of_the_sea(sea, limits, lengths, years, hold_back, csv, plot, record.name)
     directions = _directions(sectors, x_towards)
     simulated = partial(
         riser_downtime, sea=sea, limits=limits, directions=directions,
         seeds=seeds, error=error, most=most, cores=cores,
     )  # fmt: skip
     if vary:
-        return show(varied(scene, settings or [], vary, simulated), csv)
+        return show(varied(scene, settings or [], vary, simulated, years), csv)
     made = simulated(scene_of(scene, settings))
-    show_riser(made, lengths, ahead, csv, units)
+    show_riser(made, lengths, years, csv, units)
     if period:
         from riserstudy.dataset.tables import in_units
         from riserstudy.seas.riser_returns import returned, table_of
@@ -215,7 +231,7 @@ def of_the_sea(
     sea: xr.Dataset,
     limits: list[SeaLimit],
     lengths: list[float],
-    ahead: int,
+    ahead: Ahead,
     hold_back: int,
     csv: Path | None,
     plot: Path | None,
@@ -225,10 +241,11 @@ def of_the_sea(
     from riserstudy.seas.hours import hours
 
     if hold_back:
-        held_back(sea, limits, hold_back)
+        held_back(sea, limits, Ahead(hold_back, ahead.persistence))
     found = hours(sea, limits)
     print(f"{found.rows} rows of {found.interval:g} h; {found.lacking} more lack a value")
-    print(f"workable: {found.share:.2%} of all; {banded(found.band)} of a mean year")
+    mean = banded(found.mean_year(ahead.persistence))
+    print(f"workable: {found.share:.2%} of all; {mean} of a mean year")
     show_hours(found, lengths, ahead)
     show(found.by_month(), csv)
     if plot is not None:
@@ -241,7 +258,11 @@ def of_the_sea(
 
 
 def varied(
-    scene: Path, settings: list[str], vary: list[str], simulated: Callable[[Any], Downtime]
+    scene: Path,
+    settings: list[str],
+    vary: list[str],
+    simulated: Callable[[Any], Downtime],
+    ahead: Ahead,
 ) -> Table:
     """Hours by mode for each of some settings: what each of them buys."""
     from riserstudy.dataset.table import Cell, Table
@@ -255,13 +276,14 @@ def varied(
             _notify(line)
         rows += [
             [setting, one.mode, 100.0 * one.hours.share, 100.0 * one.low, 100.0 * one.high,
-             8766.0 * one.hours.share]
+             8766.0 * one.hours.share,
+             *("" if math.isnan(end) else 8766.0 * end
+               for end in one.hours.next_years(*ahead)[1:])]
             for one in made.hours.modes
         ]  # fmt: skip
+    heads = ["setting", "mode", "workable", "at worst", "at best", "hours a year"]
     return Table(
-        ["setting", "mode", "workable", "at worst", "at best", "hours a year"],
-        ["", "", "%", "%", "%", "h"],
-        rows,
+        [*heads, f"next {ahead.years} years from", "to"], ["", "", *["%"] * 3, *["h"] * 3], rows
     )
 
 
@@ -309,64 +331,3 @@ def _directions(sectors: int | None, x_towards: str | None) -> Directions | None
 
 def _notify(line: str) -> None:
     print(f"riserstudy: {line}", file=sys.stderr, flush=True)
-
-
-def show_riser(
-    made: Downtime, lengths: list[float], ahead: int, csv: Path | None, units: UnitSystem
-) -> None:
-    """Print hours by mode, and the table of limits."""
-    from riserstudy.dataset.tables import in_units
-
-    for line in made.lines:
-        print(line)
-    for one in made.hours.modes:
-        print(f"{one.mode}: {one.hours.share:.2%} of {one.hours.rows} rows")
-        print(f"  {one.low:.2%} to {one.high:.2%} by what is not known of the response")
-        print(f"  {banded(one.hours.band)} of a mean year")
-        show_hours(one.hours, lengths, ahead, "  ")
-    show(in_units(made.hours.limits, units), csv)
-
-
-def show_hours(found: Hours, lengths: list[float], ahead: int, indent: str = "") -> None:
-    """Print years to come, years left out, windows and waits."""
-    print(f"{indent}next {ahead} years: {banded(found.next_years(ahead))}")
-    for year in found.partial_years:
-        print(f"{indent}{year.year}: {year.recorded:.0%} recorded, left out of these bands")
-    for length in lengths:
-        of = found.of_windows(length)
-        print(
-            f"{indent}{length:g} h: {of.number} windows with {of.inside:.2%} of the hours; "
-            f"{of.starts:.2%} can start one"
-        )
-        print(f"{indent}  wait (h)   mean    50 %    90 %   open")
-        for name, one in found.of_waits(length):
-            p50, p90 = ("–" if math.isnan(p) else f"{p:.0f}" for p in (one.p50, one.p90))
-            print(f"{indent}  {name:8} {one.mean:6.1f}  {p50:>6}  {p90:>6}  {one.open:5d}")
-
-
-def held_back(sea: xr.Dataset, limits: list, count: int) -> None:  # type: ignore[type-arg]
-    """Predict the last years from those before, and print what came."""
-    import numpy as np
-
-    from riserstudy.seas.hours import hours
-
-    year = sea["time"].values.astype("datetime64[Y]").astype(int) + 1970
-    first = int(year.max()) - count + 1
-    before = sea.isel(time=np.flatnonzero(year < first))
-    if before.sizes["time"] < 2:
-        raise InputError("--hold-back", str(count), "nothing is left", "allowed are fewer years")
-    known, came = (
-        hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)
-    )
-    predicted = known.next_years(count)
-    outcome = "inside" if predicted.low <= came.band.share <= predicted.high else "outside"
-    print(
-        f"kept back from {first} on: predicted {banded(predicted)}, came {came.band.share:.2%}: {outcome}"
-    )
-
-
-def banded(of: Band) -> str:
-    """A share with its band."""
-    if math.isnan(of.low):
-        return f"{of.share:.2%} (of one year: no band)"
-    return f"{of.share:.2%} ({of.low:.2%} to {of.high:.2%} in nine of ten)"

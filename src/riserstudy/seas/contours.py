@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.seas.return_values import whole_years
-from riserstudy.seas.years import BAND
+from riserstudy.seas.year_bands import BAND
 
 if TYPE_CHECKING:
     import xarray as xr

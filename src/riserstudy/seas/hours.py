@@ -15,7 +15,9 @@ from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import NAMES, Column, plain
 from riserstudy.seas.record import rows_of
 from riserstudy.seas.windows import Wait, Windows, statistics_of, waits, windows
-from riserstudy.seas.years import WHOLE, Band, Year, band, band_of_next, by_year
+from riserstudy.seas.year_bands import Band, band, band_of_next
+from riserstudy.seas.years import WHOLE, Year, by_year
+from riserstudy.study.persistence import PERSISTENCE
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -50,7 +52,6 @@ class Hours(NamedTuple):
     workable: NDArray[np.bool_]  # of those rows
     time: NDArray[np.datetime64]
     years: list[Year]
-    band: Band  # of years that are recorded nearly whole
     joined: NDArray[np.bool_]  # (rows - 1,) whether a row and the next are one interval apart
 
     @property
@@ -89,9 +90,28 @@ class Hours(NamedTuple):
             (name, statistics_of(type(every)(every.hours[at], every.known[at]))) for name, at in of
         ]
 
-    def next_years(self, count: int) -> Band:
-        """The band of so many years to come, from years that are nearly whole."""
-        return band_of_next(whole(self.years), count)
+    @property
+    def band(self) -> Band:
+        """The band of a mean year, from years that are nearly whole."""
+        return self.mean_year()
+
+    def mean_year(self, persistence: float = PERSISTENCE) -> Band:
+        """The band of a mean year, from years that are nearly whole.
+
+        Parameters
+        ----------
+        persistence : Hurst exponent of their shares; 0.5: years do not depend on one another.
+        """
+        return band(whole(self.years), persistence)
+
+    def next_years(self, count: int, persistence: float = PERSISTENCE) -> Band:
+        """The band of so many years to come, from years that are nearly whole.
+
+        Parameters
+        ----------
+        persistence : Hurst exponent of their shares; 0.5: years do not depend on one another.
+        """
+        return band_of_next(whole(self.years), count, persistence)
 
     def by_month(self) -> Table:
         """Share of workable hours by month and year, in per cent; empty where none is recorded."""
@@ -187,7 +207,6 @@ def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.
         workable,
         time,
         years,
-        band(whole(years)),
         apart < 1.001 * interval,
     )
 

@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
-from riserstudy.seas.years import BAND, WHOLE
+from riserstudy.seas.year_bands import BAND
+from riserstudy.seas.years import WHOLE
 
 FloatArray = NDArray[np.float64]
 DRAWS = 400

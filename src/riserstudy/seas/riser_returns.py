@@ -28,7 +28,7 @@ from riserstudy.seas.return_values import (
     whole_years,
 )
 from riserstudy.seas.riser_hours import NINE_IN_TEN, Met
-from riserstudy.seas.years import BAND
+from riserstudy.seas.year_bands import BAND
 
 FloatArray = NDArray[np.float64]
 HISTORIES = 40  # of the record that are drawn

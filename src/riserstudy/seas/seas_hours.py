@@ -30,7 +30,7 @@ from riserstudy.seas.riser_hours import MODES, OfMode
 from riserstudy.seas.riser_returns import returned
 from riserstudy.seas.synthetic import synthetic
 from riserstudy.study.axes import Numbers
-from riserstudy.study.seas_model import SyntheticModel
+from riserstudy.study.seas_model import SeasModel, SyntheticModel
 from riserstudy.study.seas_study import SeasStudy
 
 #: of a sea state: what `riser_downtime` says of it, over limits or not
@@ -103,7 +103,7 @@ def seas_hours(study: SeasStudy, cores: int, notify: Notify) -> xr.Dataset:
     windows = [to_si(one, "s") / 3600.0 for one in study.model.windows]
     model = study.model
     flat = xr.concat(
-        [_of_setting(one, windows, model.next_years, model.return_periods) for one in found],
+        [_of_setting(one, windows, model) for one in found],
         "setting",
         join="outer",
         coords="minimal",
@@ -116,14 +116,12 @@ def seas_hours(study: SeasStudy, cores: int, notify: Notify) -> xr.Dataset:
     return dataset
 
 
-def _of_setting(
-    of: Downtime, windows: Sequence[float], ahead: int, periods: Sequence[int]
-) -> xr.Dataset:
+def _of_setting(of: Downtime, windows: Sequence[float], model: SeasModel) -> xr.Dataset:
     """Hours of one setting."""
     hours = of.hours
     modes = {one.mode: one for one in hours.modes}
     columns = np.array([row[1:3] for row in hours.limits.rows], float) / 100.0
-    each = [_of_mode(one, windows, ahead) for one in modes.values()]
+    each = [_of_mode(one, windows, model) for one in modes.values()]
     dataset = xr.concat(each, "riser_mode", join="outer").assign_coords(riser_mode=list(modes))
     labels = [str(row[0]) for row in hours.limits.rows]
     errors = of.responses["response_error"].values
@@ -137,7 +135,7 @@ def _of_setting(
             }
         )
         .assign_coords(limit=labels)
-        .assign(_returns(of, labels, periods))
+        .assign(_returns(of, labels, model.return_periods))
     )
 
 
@@ -159,9 +157,11 @@ def _returns(of: Downtime, labels: list[str], periods: Sequence[int]) -> xr.Data
     )
 
 
-def _of_mode(one: OfMode, windows: Sequence[float], ahead: int) -> xr.Dataset:
+def _of_mode(one: OfMode, windows: Sequence[float], model: SeasModel) -> xr.Dataset:
     """Hours of one mode, with bands, by month and year, windows and waits for them."""
-    hours, band, ahead_of = one.hours, one.hours.band, one.hours.next_years(ahead)
+    hours = one.hours
+    band = hours.mean_year(model.persistence)
+    ahead_of = hours.next_years(model.next_years, model.persistence)
     month = hours.time.astype("datetime64[M]").astype(int) % 12
     by_month = [
         float(hours.workable[month == k].mean()) if (month == k).any() else math.nan
@@ -264,6 +264,7 @@ def _about(study: SeasStudy, found: Sequence[Downtime], record: xr.Dataset) -> d
         "interval_hours": float(record.attrs["interval_hours"]),
         "seeds": model.seeds,
         "next_years": model.next_years,
+        "persistence": model.persistence,
         "modes": json.dumps({mode: [*needs] for mode, needs in MODES.items()}),
         "said": "\n".join(_in_words(study, found)),
         "history": history(f"hours of {study.name} of {study.paper}, tier {study.tier}"),

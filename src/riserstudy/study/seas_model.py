@@ -10,6 +10,12 @@ from pydantic import Field, model_validator
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.units import to_si
 from riserstudy.study.axes import Axis, AxisName
+from riserstudy.study.persistence import (
+    LEAST_PERSISTENCE,
+    MOST_AHEAD,
+    MOST_PERSISTENCE,
+    PERSISTENCE,
+)
 
 HEADING = "heading"  # the axis of the headings that directions of a record become
 
@@ -44,8 +50,9 @@ class SeasModel(Strict):
     heading of the scene. ``sea_limits``: limits on the sea itself that must be met too, as ``hs <= 2.5 m``;
     absent: none. ``seeds``: runs of each sea state. ``error``: of the response between sea states, as part of
     what is allowed. ``most``: sea states of a heading at most. ``windows``: lengths of work in one go, as
-    ``24 h``; absent: none. ``next_years``: for how many years to come a band is given. ``return_periods``:
-    years in which a response is exceeded once; absent: none.
+    ``24 h``; absent: none. ``next_years``: for how many years to come a band is given. ``persistence``: Hurst
+    exponent of the shares of years, which bands take for known. ``return_periods``: years in which a response
+    is exceeded once; absent: none.
     """
 
     scene: str
@@ -60,7 +67,8 @@ class SeasModel(Strict):
     error: Annotated[float, Field(ge=0.001, le=0.5)] = 0.05
     most: Annotated[int, Field(ge=20)] = 400
     windows: list[str] = Field(default_factory=list)
-    next_years: Annotated[int, Field(ge=1)] = 10
+    next_years: Annotated[int, Field(ge=1, le=MOST_AHEAD)] = 10
+    persistence: Annotated[float, Field(ge=LEAST_PERSISTENCE, le=MOST_PERSISTENCE)] = PERSISTENCE
     return_periods: list[Annotated[int, Field(ge=2, le=10_000)]] = Field(default_factory=list)
 
     @model_validator(mode="after")

@@ -1,0 +1,93 @@
+"""Hours of a record in lines: with their bands, windows, waits, and what came of years kept back."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from riserstudy.cli.shared import show
+from riserstudy.dataset.unit_systems import UnitSystem
+from riserstudy.errors import InputError
+from riserstudy.study.persistence import PERSISTENCES
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.seas.hours import Hours
+    from riserstudy.seas.riser_downtime import Downtime
+    from riserstudy.seas.year_bands import Band
+
+
+class Ahead(NamedTuple):
+    """Of how many years to come, and how years persist."""
+
+    years: int
+    persistence: float
+
+
+def show_riser(
+    made: Downtime, lengths: list[float], ahead: Ahead, csv: Path | None, units: UnitSystem
+) -> None:
+    """Print hours by mode, and the table of limits."""
+    from riserstudy.dataset.tables import in_units
+
+    for line in made.lines:
+        print(line)
+    for one in made.hours.modes:
+        print(f"{one.mode}: {one.hours.share:.2%} of {one.hours.rows} rows")
+        print(f"  {one.low:.2%} to {one.high:.2%} by what is not known of the response")
+        print(f"  {banded(one.hours.mean_year(ahead.persistence))} of a mean year")
+        show_hours(one.hours, lengths, ahead, "  ")
+    show(in_units(made.hours.limits, units), csv)
+
+
+def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "") -> None:
+    """Print years to come, what persistence is worth, years left out, windows and waits."""
+    print(f"{indent}next {ahead.years} years: {banded(found.next_years(*ahead))}")
+    others = [(h, found.next_years(ahead.years, h)) for h in PERSISTENCES]
+    if not math.isnan(others[0][1].low):
+        each = "; ".join(f"{of.low:.2%} to {of.high:.2%} at {h:g}" for h, of in others)
+        print(f"{indent}  persistence of years {ahead.persistence:g}; {each}")
+    for year in found.partial_years:
+        print(f"{indent}{year.year}: {year.recorded:.0%} recorded, left out of these bands")
+    for length in lengths:
+        of = found.of_windows(length)
+        print(
+            f"{indent}{length:g} h: {of.number} windows with {of.inside:.2%} of the hours; "
+            f"{of.starts:.2%} can start one"
+        )
+        print(f"{indent}  wait (h)   mean    50 %    90 %   open")
+        for name, one in found.of_waits(length):
+            p50, p90 = ("–" if math.isnan(p) else f"{p:.0f}" for p in (one.p50, one.p90))
+            print(f"{indent}  {name:8} {one.mean:6.1f}  {p50:>6}  {p90:>6}  {one.open:5d}")
+
+
+def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: ignore[type-arg]
+    """Predict the last years from those before, and print what came."""
+    import numpy as np
+
+    from riserstudy.seas.hours import hours
+
+    year = sea["time"].values.astype("datetime64[Y]").astype(int) + 1970
+    first = int(year.max()) - last.years + 1
+    before = sea.isel(time=np.flatnonzero(year < first))
+    if before.sizes["time"] < 2:
+        raise InputError(
+            "--hold-back", str(last.years), "nothing is left", "allowed are fewer years"
+        )
+    known, came = (
+        hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)
+    )
+    predicted = known.next_years(*last)
+    outcome = "inside" if predicted.low <= came.band.share <= predicted.high else "outside"
+    print(
+        f"kept back from {first} on: predicted {banded(predicted)}, came {came.band.share:.2%}: {outcome}"
+    )
+
+
+def banded(of: Band) -> str:
+    """A share with its band."""
+    if math.isnan(of.low):
+        return f"{of.share:.2%} (no band: one year, or years alike)"
+    return f"{of.share:.2%} ({of.low:.2%} to {of.high:.2%} in nine of ten)"

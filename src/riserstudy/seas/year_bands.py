@@ -1,0 +1,126 @@
+"""Bands of the share of workable hours, of a mean year and of years to come, from few years of record.
+
+Shares of years, made normal by the arcsine of their root, have an unknown mean and deviation, and persist:
+they are fractional Gaussian noise of a Hurst exponent that a record of some years cannot tell. Given the
+exponent, the error of the best linear prediction of years to come, over the deviation of the years of record,
+follows Student's t.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.seas.years import Year
+from riserstudy.study.persistence import PERSISTENCE
+
+FloatArray = NDArray[np.float64]
+DRAWS = 20_000
+BLOCK = 2_000  # draws at a time
+BAND = (0.05, 0.95)
+NODES = (np.arange(64) + 0.5) / 64  # chances of normal numbers, whose mean is that over many years
+
+
+class Band(NamedTuple):
+    """A share of the record, and what nine in ten predictions lie between; NaN where years tell no spread."""
+
+    share: float
+    low: float
+    high: float
+
+
+def band(years: Sequence[Year], persistence: float = PERSISTENCE) -> Band:
+    """Of the mean over very many years.
+
+    Parameters
+    ----------
+    years : of record.
+    persistence : Hurst exponent of their shares; 0.5: years do not depend on one another.
+    """
+    return _predicted(years, None, persistence)
+
+
+def band_of_next(years: Sequence[Year], count: int, persistence: float = PERSISTENCE) -> Band:
+    """Of the mean of so many years that follow the last year of record.
+
+    Parameters
+    ----------
+    persistence : Hurst exponent of their shares; 0.5: years do not depend on one another.
+
+    References
+    ----------
+    Goldberger 1962, J. Am. Stat. Assoc. 57: best linear prediction. Anscombe 1948, Biometrika 35: the
+    arcsine. Mandelbrot and Van Ness 1968, SIAM Review 10: fractional Gaussian noise.
+    """
+    return _predicted(years, count, persistence)
+
+
+def covariance(lags: FloatArray, persistence: float) -> FloatArray:
+    """Of fractional Gaussian noise of deviation 1, over lags in years."""
+    power = 2.0 * persistence
+    at = np.abs(lags)
+    found: FloatArray = 0.5 * ((at + 1.0) ** power - 2.0 * at**power + np.abs(at - 1.0) ** power)
+    return found
+
+
+class _Known(NamedTuple):
+    """What years of record tell of others."""
+
+    mean: float  # best linear estimate, of shares made normal
+    mean_spread: float  # standard error of the mean, in deviations of a year
+    deviation: float  # of a year, root of the unbiased estimate of its square
+    freedom: int
+    to_come: FloatArray  # (count,) best linear prediction
+    root: FloatArray  # (count, count) of the covariance of its errors, in deviations of a year
+
+
+def _predicted(years: Sequence[Year], count: int | None, persistence: float) -> Band:
+    rows = sum(year.rows for year in years)
+    share = sum(year.workable for year in years) / rows
+    shares = np.array([year.share for year in years])
+    if len(years) < 2 or np.ptp(shares) == 0.0:
+        return Band(share, math.nan, math.nan)
+    known = _known(shares, np.array([year.year for year in years]), count or 0, persistence)
+    draw = np.random.default_rng(0)
+    means = [_drawn(known, count, draw) for _ in range(DRAWS // BLOCK)]
+    low, high = np.quantile(np.concatenate(means), BAND)
+    return Band(share, float(low), float(high))
+
+
+def _known(shares: FloatArray, at: NDArray[np.int_], count: int, persistence: float) -> _Known:
+    """By generalised least squares."""
+    values = np.arcsin(np.sqrt(shares))
+    times = np.concatenate([at, at[-1] + 1 + np.arange(count)]).astype(float)
+    whole = covariance(times[:, None] - times, persistence)
+    n = len(shares)
+    among, across, ahead = whole[:n, :n], whole[n:, :n], whole[n:, n:]
+    solved = np.linalg.solve(among, np.column_stack([np.ones(n), values, across.T]))
+    weight = float(solved[:, 0].sum())
+    mean = float(solved[:, 1].sum()) / weight
+    off = values - mean
+    square = float(off @ (solved[:, 1] - mean * solved[:, 0])) / (n - 1)
+    to_come = mean + solved[:, 2:].T @ off
+    lacking = 1.0 - across @ solved[:, 0]  # what of the mean the years of record do not stand for
+    errors = ahead - across @ solved[:, 2:] + np.outer(lacking, lacking) / weight
+    root = np.asarray(np.linalg.cholesky(errors)) if count else errors
+    return _Known(mean, weight**-0.5, math.sqrt(square), n - 1, to_come, root)
+
+
+def _drawn(known: _Known, count: int | None, draw: np.random.Generator) -> FloatArray:
+    """Shares of means, (BLOCK,)."""
+    from scipy.special import ndtri
+
+    deviation = known.deviation / np.sqrt(draw.chisquare(known.freedom, BLOCK) / known.freedom)
+    if count is None:
+        middle = known.mean + deviation * known.mean_spread * draw.standard_normal(BLOCK)
+        values = middle[:, None] + deviation[:, None] * ndtri(NODES)
+    else:
+        noise = draw.standard_normal((BLOCK, count)) @ known.root.T
+        values = known.to_come + deviation[:, None] * noise
+    shares: FloatArray = np.sin(np.clip(values, 0.0, math.pi / 2.0)) ** 2
+    means: FloatArray = shares.mean(axis=1)
+    return means
