@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -39,7 +40,7 @@ def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> 
         "provenance": json.dumps(provenance(file)),
     }
     if "limits" in file.tree:
-        rows = checked(file, file.scene(), result.facts)
+        rows = checked(file, file.resolved(), result.facts)
         dataset.attrs["limits"] = json.dumps([row._asdict() for row in rows])
     return dataset
 
@@ -106,7 +107,7 @@ def dimensions(name: str, values: Any) -> tuple[str, ...]:
 def provenance(file: SceneFile) -> dict[str, Any]:
     """Version, engine and scene behind a result, with the origin of each value that has one."""
     return {
-        "riserstudy": version("riserstudy"),
+        "riserstudy": _version(),
         "engine": engine_digest(),
         "scene": file.tree,
         "tables": texts_of_tables(file.tree, Path(file.source).parent, file.held),
@@ -115,9 +116,15 @@ def provenance(file: SceneFile) -> dict[str, Any]:
     }
 
 
+@cache
+def _version() -> str:
+    """That of this package, which takes a millisecond to look up."""
+    return version("riserstudy")
+
+
 def history(done: str) -> str:
     """A line for the attribute of that name; without a date, so that the same run gives the same file."""
-    return f"riserstudy {version('riserstudy')}, engine {engine_digest()}: {done}"
+    return f"riserstudy {_version()}, engine {engine_digest()}: {done}"
 
 
 def _text(value: Any) -> Any:
