@@ -10,7 +10,7 @@ rule measure:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
         study=PLAN.measured_pattern,
-    priority: PLAN.simulate_priority
+    priority: PLAN.measure_priority
     threads: of(PLAN.measured_threads)
     params:
         digest=of(PLAN.measured_digest),

@@ -154,7 +154,7 @@ class Workplan(Configuration):
         """Scenes, settings and references of a measured dataset, the engine, and the code that measures."""
         model = self.measured(paper, name)
         scenes = scenes_of(model, self.setting(1))
-        about = [self.tier, model.model_dump_json(), {n: key_of(f.scene()) for n, f in scenes}]
+        about = [self.tier, model.model_dump_json(), {n: key_of(f.resolved()) for n, f in scenes}]
         about += [{p.name: _hash(p.read_bytes().hex()) for p in references(self.config, name)}]
         return f"{_hash(json.dumps(about))}-{digest(dependencies(module_of(model)))}"
 
@@ -183,7 +183,7 @@ class Workplan(Configuration):
         figure = self.files[paper].figures.get(name)
         if figure is None:
             model = self.files[paper].schematics[name]
-            drawn = json.dumps(canonical(self.schematic(paper, name).scene())) + model.cylinders
+            drawn = json.dumps(canonical(self.schematic(paper, name).resolved())) + model.cylinders
         else:
             drawn = " ".join((figure.plot or "", *(figure.of or [])))
             if figure.settings:
@@ -241,8 +241,18 @@ class Workplan(Configuration):
         """Studies whose kernels are there come before kernels of others, so that results appear early."""
         return 2
 
+    def measure_priority(self, wildcards: Any) -> float:
+        """What may run beside others begins before studies: the longest of it takes minutes on one core."""
+        timed = self.measured(wildcards.paper, wildcards.study).timed
+        return self.simulate_priority + (0 if timed else 1)
+
     def compile_priority(self, wildcards: Any) -> float:
-        """The kernels that are compiled soonest come first, and all before figures."""
+        """The kernels that are compiled soonest come first, and all before figures.
+
+        Those of strings come before studies: measurements wait for all kernels, and these take seconds.
+        """
+        if wildcards.group == "string":
+            return self.simulate_priority + 1
         return self.simulate_priority - (1 + GROUPS.index(wildcards.group)) / (1 + len(GROUPS))
 
     def kernels_of(self, group: str) -> str:
