@@ -58,7 +58,7 @@ def run(name, elements, seconds, method=None):
 def time_read_scenes():
     """Read and check twenty scenes."""
     for path in sorted(SCENES.glob("*/*.yaml"))[:20]:
-        read_scene(path).scene()
+        read_scene(path).resolved()
 
 
 def time_plan_a_study():

@@ -45,7 +45,7 @@ def read_scenes():
 
     for _ in range(7):
         for name in ("bench/s1", "bench/s2c", "chang2020/heave"):
-            read_scene(SCENES / f"{name}.yaml").scene()
+            read_scene(SCENES / f"{name}.yaml").resolved()
 
 
 def deck():

@@ -14,7 +14,7 @@ import numpy as np
 
 from riserstudy import load_scene
 from riserstudy.design.operability import AtRest, chart, offsets
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 SCENE = Path(__file__).resolve().parents[1] / "config/scenes/design/riser.yaml"
 CURRENTS = np.linspace(0.0, 1.6, 9)  # m/s
@@ -24,9 +24,9 @@ REACH = 240.0  # m
 PROMISED = 5.0  # s, on two cores
 
 
-def scene(speed: float) -> Scene:
+def scene(speed: float) -> Resolved:
     """The generic riser with the first limits of drilling, in a current (m/s)."""
-    whole = load_scene(SCENE, **{"current.profile.surface_speed": f"{speed} m/s"}).scene()
+    whole = load_scene(SCENE, **{"current.profile.surface_speed": f"{speed} m/s"}).resolved()
     limits = [limit for limit in whole.limits or [] if limit.mode == "drilling"]
     return whole.model_copy(update={"limits": limits[:LIMITS]})
 

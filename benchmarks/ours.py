@@ -102,4 +102,4 @@ def checked(path: Path, analysis: dict[str, Any]) -> Any:
     from riserstudy.scene.load import read_scene
 
     values = {f"analysis.{name}": value for name, value in analysis.items()}
-    return read_scene(path).with_values(values, "benchmark").scene()
+    return read_scene(path).with_values(values, "benchmark").resolved()

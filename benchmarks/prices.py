@@ -24,7 +24,7 @@ from riserstudy.numerics.attempt import mesh_of
 from riserstudy.numerics.fixed_step import stepped
 from riserstudy.numerics.references import by_run
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
@@ -70,7 +70,7 @@ def scene_file(name: str) -> SceneFile:
 
 def settings(file: SceneFile, found: Result) -> Iterator[tuple[str | None, Mesh, float]]:
     """Methods, meshes and steps (s), the cheapest first, up to twice the work of what was found."""
-    scene = file.scene()
+    scene = file.resolved()
     graded = [coarsest_mesh(scene)]
     while 2 * len(graded[-1].l0) <= SEGMENTS[-1]:
         graded.append(graded[-1].halved())
@@ -91,7 +91,7 @@ def settings(file: SceneFile, found: Result) -> Iterator[tuple[str | None, Mesh,
             yield method, mesh, step
 
 
-def reference(file: SceneFile, scene: Scene, found: Result) -> Result:
+def reference(file: SceneFile, scene: Resolved, found: Result) -> Result:
     """A much finer run, in time by another method."""
     if scene.analysis.duration is None:
         return single(scene, mesh_of(scene, found).halved().halved(), None)
@@ -111,7 +111,7 @@ def spent(do: Any) -> float:
 def price(name: str) -> float:
     """Print what the default and the cheapest cost for a scene; their ratio."""
     file = scene_file(name)
-    scene = file.scene()
+    scene = file.resolved()
     found = run(scene)
     measure = by_run(reference(file, scene, found))
 
@@ -154,7 +154,7 @@ def grid() -> None:
         base.with_values(
             {"platform.surge.period": f"{8 + p} s", "platform.surge.amplitude": f"{1 + 0.1 * a} m"},
             "benchmark",
-        ).scene()
+        ).resolved()
         for p in range(8)
         for a in range(GRID // 8)
     ]

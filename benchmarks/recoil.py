@@ -14,7 +14,7 @@ from multiprocessing import Pool
 from pathlib import Path
 
 from riserstudy import load_scene
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
 
 SCENE = Path(__file__).resolve().parents[1] / "config/scenes/design/recoil.yaml"
@@ -25,15 +25,15 @@ EVERY = 7  # of the grid; no divisor of an axis's length
 PROMISED_RUN, PROMISED_GRID = 0.3, 300.0  # s
 
 
-def scene(phase: float, heave: float, mud: float, pressure: float) -> Scene:
+def scene(phase: float, heave: float, mud: float, pressure: float) -> Resolved:
     """A point of the chapter's grid."""
     values = {f"riser[{k}].contents.density": f"{mud} kg/m^3" for k in range(4)}
     values |= {"disconnect.phase": f"{phase} deg", "platform.heave.amplitude": f"{heave} m"}
     values["top.tensioners.gas.pressure"] = f"{pressure} bar absolute"
-    return load_scene(SCENE, **values).scene()
+    return load_scene(SCENE, **values).resolved()
 
 
-def seconds(one: Scene) -> float:
+def seconds(one: Resolved) -> float:
     """Processor time of a run (s)."""
     begun = time.process_time()
     run(one)
@@ -42,7 +42,7 @@ def seconds(one: Scene) -> float:
 
 def main(processes: int) -> None:
     """Measure and print."""
-    alone = load_scene(SCENE, **DEFAULT).scene()
+    alone = load_scene(SCENE, **DEFAULT).resolved()
     run(alone)  # loads kernels
     print(
         f"one run of 60 s at the default accuracy: {min(seconds(alone) for _ in range(3)):.2f} s "

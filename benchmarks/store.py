@@ -76,7 +76,10 @@ def main(most: int = 6) -> None:
         files = [study.grid.file(point.index) for point in plan]
         runs = [
             Point(
-                p.key, f, run(f.scene(), estimated=has_error_estimate(study, p)), study.model.keep
+                p.key,
+                f,
+                run(f.resolved(), estimated=has_error_estimate(study, p)),
+                study.model.keep,
             )
             for p, f in zip(plan, files, strict=True)
         ]

@@ -12,7 +12,7 @@ import sys
 import time
 from pathlib import Path
 
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
 from riserstudy.study.corners import others
 from riserstudy.study.read import read_study
@@ -23,7 +23,7 @@ CONFIG = Path(__file__).resolve().parents[1] / "config"
 SHARE, SEED = 20, 20  # one in so many points; of the draw
 
 
-def spent(scene: Scene, estimated: bool) -> float:
+def spent(scene: Resolved, estimated: bool) -> float:
     """Processor time of a point (s)."""
     begun = time.thread_time()
     run(scene, estimated=estimated)
@@ -42,7 +42,7 @@ def main(paper: str, name: str, elements: str, step: str, method: str, *layers: 
     for number, index in enumerate(points):
         file = study.grid.file(index)
         estimated = number % 8 == 0
-        scenes = {"old": file.scene(), "new": file.with_values(setting.values, "new").scene()}
+        scenes = {"old": file.resolved(), "new": file.with_values(setting.values, "new").resolved()}
         for way, scene in scenes.items():
             seconds[way] += spent(scene, estimated)
         error = tuner.excess(setting, tuner.place(index))

@@ -75,7 +75,7 @@ def study_of(name: str) -> Study:
             raise SystemExit(f"{name}: no number at {path}")
         ends = [value * (1.0 + SPREAD * (2.0 * k / (VALUES - 1) - 1.0)) for k in range(VALUES)]
         axes[f"axis{number}"] = Numbers(path=path, unit=unit, values=ends)
-    still = file.scene().analysis.duration is None
+    still = file.resolved().analysis.duration is None
     model = StudyModel(
         scene="",
         caption=name,
@@ -99,7 +99,7 @@ def price(name: str, folder: Path) -> float:
     """Print what a grid costs, tuned and by the cheapest fixed setting; their ratio."""
     study, fixed = study_of(name), GRIDS[name][1]
     error, fixed = held_out(study, fixed) if study.model.settings else (None, fixed)
-    run(study.grid.file((0, 0)).scene())  # loads kernels
+    run(study.grid.file((0, 0)).resolved())  # loads kernels
     tuning, found = 0.0, None
     if study.model.settings:
         tuning, found = spent(lambda: tuned_for(study, lambda what: print(what, file=sys.stderr)))
@@ -135,7 +135,7 @@ def held_out(study: Study, fixed: Setting) -> tuple[Callable[[Setting], float], 
     tuner = Tuner(study, None, lambda _: None)
     (index,) = others(study, [], 1, 7)
     place = tuner.place(index)
-    kinds = [replace(fixed, layers=layers) for layers in layers_of([place.file.scene()], None)]
+    kinds = [replace(fixed, layers=layers) for layers in layers_of([place.file.resolved()], None)]
     fixed = min(kinds, key=lambda one: tuner.excess(one, place))
     while tuner.excess(fixed, place) > 1.0:
         fixed = finer(fixed)

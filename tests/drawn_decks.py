@@ -87,7 +87,7 @@ def drawn(seed):
             scene | {"top": {"x": "held", "z": "held", "elevation": f"{ring} m"}, "platform": {}}
         )[0],
     )
-    weight, _ = hanging.scene().hanging
+    weight, _ = hanging.resolved().hanging
     pull = 1.4 * max(weight, 3e5)
     joint = {"length": "12 m", "bending_stiffness": "5e8 N*m^2"}
     above = {

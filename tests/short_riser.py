@@ -46,4 +46,4 @@ def riser(speed, curve):
 
 
 def simulated(file, estimated=False):
-    return run(file.scene(), estimated=estimated)
+    return run(file.resolved(), estimated=estimated)

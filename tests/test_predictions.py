@@ -108,7 +108,9 @@ def test_the_engine_still_predicts_it(k):
     """With another seed, within 10 % of what was sealed with an error of 5 %."""
     made, row = script(), rows()[k]
     file = made.at_speed(read_scene(FOLDER / "stepped_current.yaml"), float(row[0]))
-    found = made.predicted(run(file.with_values({"riser[0].viv.seed": 9}, "test").scene()), 0.028)
+    found = made.predicted(
+        run(file.with_values({"riser[0].viv.seed": 9}, "test").resolved()), 0.028
+    )
     assert found[0] == int(row[1])
     for value, sealed in zip(found[1:4], map(float, row[2:5]), strict=True):
         assert value == pytest.approx(sealed, rel=0.1)

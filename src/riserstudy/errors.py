@@ -33,18 +33,23 @@ class InputError(RiserStudyError):
         What stands there.
     allowed : str
         What may stand there, or what to do.
+    also : tuple of str
+        Dotted paths of what the fault is about besides; no part of the message.
     """
 
     exit_code = 2
 
-    def __init__(self, where: object, field: str, found: str, allowed: str):
+    def __init__(
+        self, where: object, field: str, found: str, allowed: str, also: tuple[str, ...] = ()
+    ):
         self.where, self.field, self.found, self.allowed = str(where), field, found, allowed
+        self.also = also
         place = f"{printable(where)}: {printable(field)}" if field else printable(where)
         super().__init__(f"{place}: {printable(found)}; {printable(allowed)}")
 
-    def __reduce__(self) -> tuple[type[InputError], tuple[str, str, str, str]]:
+    def __reduce__(self) -> tuple[type[InputError], tuple[str, str, str, str, tuple[str, ...]]]:
         """What another process is told."""
-        return type(self), (self.where, self.field, self.found, self.allowed)
+        return type(self), (self.where, self.field, self.found, self.allowed, self.also)
 
 
 class InputErrors(InputError):

@@ -145,7 +145,7 @@ def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
 )
 def test_a_limit_that_cannot_be_meant_is_refused(limit, said):
     with pytest.raises(InputError, match="limits") as error:
-        SceneFile("hung.yaml", HUNG | {"limits": [limit]}).scene()
+        SceneFile("hung.yaml", HUNG | {"limits": [limit]}).resolved()
     assert said in str(error.value)
 
 
@@ -224,7 +224,7 @@ def test_a_limit_over_several_sections_is_the_worst_of_theirs(seed):
 def test_a_range_of_sections_that_is_none_is_refused(at, said):
     limit = {"output": "effective_tension", "at": at, "smallest": "1 kN", "mode": "drilling"}
     with pytest.raises(InputError, match=said):
-        SceneFile("hung.yaml", HUNG | {"limits": [limit]}).scene()
+        SceneFile("hung.yaml", HUNG | {"limits": [limit]}).resolved()
 
 
 @pytest.mark.parametrize("floor", ["0 N", "0 kN"])

@@ -173,7 +173,7 @@ def test_a_scene_of_a_dataset_reads_no_file_that_is_not_in_the_dataset(run, tmp_
         record["tables"] = {}
         other = run.assign_attrs(provenance=json.dumps(record))
         with pytest.raises(InputError, match="only the tables that the dataset holds"):
-            scene_file_of(other, {}).scene()
+            scene_file_of(other, {}).resolved()
 
 
 PIECES = [
@@ -200,7 +200,7 @@ def test_a_dataset_that_holds_anything_else_is_refused_in_one_line(run, seed):
 
 def refusal_of(dataset):
     try:
-        scene_file_of(dataset, {}).scene()
+        scene_file_of(dataset, {}).resolved()
     except InputError as error:
         return str(error)
     return None
@@ -213,7 +213,7 @@ def test_a_point_of_a_study_whose_axis_was_damaged_is_refused(run):
         with pytest.raises(InputError):
             scene_file_of(study, {"tension": 0})
     study["tension"].attrs["sets"] = '{"1.0": {"top.tension": "2 MN"}}'
-    assert scene_file_of(study, {"tension": 0}).scene().top.tension == 2e6
+    assert scene_file_of(study, {"tension": 0}).resolved().top.tension == 2e6
 
 
 def test_the_tables_of_a_rerun_stand_in_its_own_dataset(commands, run, sandbox):

@@ -40,7 +40,7 @@ def rows_of(path):
 
 def test_the_stack_up_adds_up_to_the_tension_that_is_lost_on_the_way_down():
     file = SceneFile("pulled.yaml", PULLED)
-    table = stack_up(file.scene())
+    table = stack_up(file.resolved())
     total = dict(zip(table.columns, table.rows[-1], strict=True))["with contents from the top"]
     dataset = simulate(file)
     assert [row[0] for row in table.rows] == ["ring", "buoyed", "slick"]
@@ -60,7 +60,7 @@ def test_bare_joints_weigh_on_the_hook_what_their_steel_does_in_water(steel, wat
     file = SceneFile(
         "bare.yaml", PULLED | {"riser": riser, "water": {"density": f"{water} kg/m^3"}}
     ).with_values({"top.body": None}, "test")
-    table = stack_up(file.scene())
+    table = stack_up(file.resolved())
     upper, lower = (dict(zip(table.columns, row, strict=True)) for row in table.rows)
     for one in (upper, lower):
         share = one["wet weight a joint"] / one["dry weight a joint"]
@@ -72,7 +72,7 @@ def test_bare_joints_weigh_on_the_hook_what_their_steel_does_in_water(steel, wat
 
 
 def test_uplift_is_the_water_that_a_body_displaces():
-    table = stack_up(SceneFile("pulled.yaml", PULLED).scene())
+    table = stack_up(SceneFile("pulled.yaml", PULLED).resolved())
     ring = dict(zip(table.columns, table.rows[0], strict=True))
     assert ring["uplift"] == pytest.approx(20.0 / 7.850 * 1.025 * 9.81, rel=1e-9)  # kN
     assert ring["upper end"] == 0.0
@@ -150,7 +150,7 @@ def test_a_workbook_has_the_tables_that_csv_files_have(tmp_path, monkeypatch, un
 
 def test_a_body_of_some_mass_that_weighs_nothing_is_told_of():
     without = SceneFile("pulled.yaml", PULLED).with_values({"top.body.density": None}, "test")
-    table = stack_up(without.scene())
+    table = stack_up(without.resolved())
     ring = dict(zip(table.columns, table.rows[0], strict=True))
     assert ring["wet weight"] is ring["uplift"] is None
     (said,) = json.loads(simulate(without).attrs["warnings"])

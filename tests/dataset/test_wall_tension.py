@@ -65,7 +65,7 @@ def test_wall_tension_falls_by_the_dry_weight_of_the_wall(tmp_path, seed):
     s, top = run["s"].to_numpy(), float(tree["top"]["tension"].split()[0])
     wall = top - GRAVITY * mass * (s[-1] - s)
     path = write(tmp_path / "other.csv", ["s (m)", "wall_tension (N)"], s, wall)
-    (pair,) = compared(run, path, scene=file.scene()).pairs
+    (pair,) = compared(run, path, scene=file.resolved()).pairs
     # the riser stretches by a thousandth, and its columns with it
     assert np.abs(pair.ours - pair.theirs).max() < 3e-3 * top
     assert np.abs(pair.theirs - wall).max() > 4e-3 * top
@@ -79,7 +79,7 @@ def test_wall_tension_over_time_is_that_of_the_elevations_at_the_time(tmp_path, 
     rng = np.random.default_rng(seed)
     tree = scene(rng)
     file = SceneFile("pipe.yaml", tree)
-    model, pipe = file.scene(), file.scene().riser[0]
+    model, pipe = file.resolved(), file.resolved().riser[0]
     length = sum(section.total_length for section in model.riser)
     s = np.linspace(0.0, length, 4001)
     time = np.linspace(0.0, 20.0, 81)
@@ -118,13 +118,13 @@ def test_the_wall_that_stress_rests_on_is_converted_back(tmp_path, seed):
     tree["riser"][0] |= {"contents": {"density": "1 kg/m^3"}, "submerged_weight": "500 N/m"}
     tree["water"]["density"] = "1 kg/m^3"
     file = SceneFile("pipe.yaml", tree)
-    run, pipe = simulate(file, progress=False), file.scene().riser[0]
+    run, pipe = simulate(file, progress=False), file.resolved().riser[0]
     wall = Wall(0.5 * pipe.outer_diameter, 0.5 * pipe.inner_diameter)
     tension = run["effective_tension"].to_numpy()
     none = np.zeros(len(tension))
     axial = four_stresses(wall, tension, none, none, none)[0] * wall.area
     path = write(tmp_path / "o.csv", ["s (m)", "wall_tension (N)"], run["s"].to_numpy(), axial)
-    (pair,) = compared(run, path, scene=file.scene()).pairs
+    (pair,) = compared(run, path, scene=file.resolved()).pairs
     assert np.abs(pair.ours - pair.theirs).max() < 1e-3 * np.abs(tension).max()
 
 
@@ -153,7 +153,7 @@ def test_what_is_not_known_is_not_guessed(tmp_path, path, said):
     s = run["s"].to_numpy()
     other = write(tmp_path / "other.csv", ["s (m)", "wall_tension (N)"], s, s)
     with pytest.raises(InputError, match=said) as refused:
-        compared(run, other, scene=file.scene())
+        compared(run, other, scene=file.resolved())
     assert "T_e = T_w" in str(refused.value)
 
 
@@ -170,8 +170,8 @@ def test_where_two_walls_meet_the_row_is_left_out_and_said(tmp_path):
     run = simulate(file, progress=False)
     s = run["s"].to_numpy()
     other = write(tmp_path / "other.csv", ["s (m)", "wall_tension (N)"], s, 1e6 + s)
-    (pair,) = compared(run, other, scene=file.scene()).pairs
-    meeting = file.scene().riser[0].total_length
+    (pair,) = compared(run, other, scene=file.resolved()).pairs
+    meeting = file.resolved().riser[0].total_length
     assert len(pair.along) == len(s) - 1
     assert not np.isclose(pair.along, meeting).any()
     assert any("walls of two sections meet" in note for note in pair.notes)
@@ -180,7 +180,7 @@ def test_where_two_walls_meet_the_row_is_left_out_and_said(tmp_path):
 def test_a_step_of_the_wall_is_pushed_by_the_water_on_it(tmp_path):
     """The wider pipe stands above: water pushes its lower face up, so that wall tension drops there."""
     file = SceneFile("pipe.yaml", two_walls(5))
-    run, model = simulate(file, progress=False), file.scene()
+    run, model = simulate(file, progress=False), file.resolved()
     lower, upper, _ = model.riser  # what is above the water is a section of its own
     s, top = run["s"].to_numpy(), model.top.tension
     above = s > lower.total_length
@@ -202,9 +202,9 @@ def test_the_command_converts_by_the_scene_of_the_dataset(tmp_path, commands):
 
     tree = scene(np.random.default_rng(11))
     file = SceneFile("pipe.yaml", tree)
-    run, pipe = simulate(file, progress=False), file.scene().riser[0]
+    run, pipe = simulate(file, progress=False), file.resolved().riser[0]
     write_dataset(run, tmp_path / "pipe.nc")
-    s, top = run["s"].to_numpy(), file.scene().top.tension
+    s, top = run["s"].to_numpy(), file.resolved().top.tension
     wall = 1e-3 * (top - GRAVITY * STEEL * pipe.wall_area * (s[-1] - s))
     rows = [f"{arc:.4f}\t{value:.4f}" for arc, value in zip(s[-1] - s, wall, strict=True)][::-1]
     other = tmp_path / "wall tension.txt"

@@ -181,7 +181,7 @@ ASKED = {
     "platform.position.sway": {"platform.position": {"sway": "3 m"}},
     "vessel.yaw": {"vessel.sway": {}, "vessel.yaw": {"inertia": "1e10 kg*m^2"}},
     "vessel.coupling": {"vessel.coupling": {"scheme": "staggered", "interval": "1 s"}},
-    "analysis.method: explicit": {"analysis.method": "explicit"},
+    "analysis.method": {"analysis.method": "explicit"},
 }
 
 
@@ -189,4 +189,4 @@ ASKED = {
 def test_what_does_not_go_with_a_vessel_in_waves_is_refused_by_name(name):
     file = SceneFile("rig.yaml", written(adrift(0)))
     with pytest.raises(InputError, match=name):
-        file.with_values(ASKED[name], "test").scene()
+        file.with_values(ASKED[name], "test").resolved()

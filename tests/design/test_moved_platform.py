@@ -41,7 +41,7 @@ def example():
 
 def put(file, offset):
     """The scene as its user would write it with the platform at an offset (m)."""
-    path = "platform.position.surge" if file.scene().top.x == "platform" else "top.offset"
+    path = "platform.position.surge" if file.resolved().top.x == "platform" else "top.offset"
     return file.with_values({path: f"{offset!r} m", "analysis.accuracy": "0.2 %"}, "test")
 
 
@@ -58,7 +58,7 @@ FILES = [example, *(lambda seed=seed: file_of(rig(seed), limits=LIMITS) for seed
 @pytest.mark.parametrize("made", FILES)
 def test_at_each_end_of_an_interval_a_run_with_the_platform_there_uses_all_of_the_limit(made):
     file = made()
-    scene = file.scene()
+    scene = file.resolved()
     reach = 0.04 * sum(section.total_length for section in scene.riser)
     found = offsets(scene, reach, {})
     reached = 0
@@ -78,7 +78,7 @@ def test_offsets_count_from_the_well_wherever_the_platform_stands_in_the_file(se
     aside = copy.deepcopy(tree)
     aside["top"]["offset"] = -9.0
     one, other, third = (
-        offsets(file_of(t, limits=LIMITS[:3]).scene(), 80.0, {}) for t in (tree, moved, aside)
+        offsets(file_of(t, limits=LIMITS[:3]).resolved(), 80.0, {}) for t in (tree, moved, aside)
     )
     np.testing.assert_allclose([o[:2] for o in other], [o[:2] for o in one], atol=0.1)
     np.testing.assert_allclose([o[:2] for o in third], [o[:2] for o in one], atol=0.1)
@@ -105,7 +105,7 @@ def test_a_riser_that_nothing_holds_at_an_offset_is_refused():
         **{"limits": LIMITS[:1], "platform": None},
     )
     with pytest.raises(InputError, match=r"top\.x.*held"):
-        offsets(free.scene(), 50.0, {})
+        offsets(free.resolved(), 50.0, {})
 
 
 def adrift(seed, constant=False):
@@ -194,7 +194,7 @@ def test_the_reaction_is_all_that_the_riser_does_to_the_vessel(seed):
             },
             "test",
         )
-        .scene()
+        .resolved()
     )
     model, _ = settle(scene, even(scene, 60))
     forces_and_tangent(model.programs, model.state)
@@ -223,7 +223,7 @@ def test_moving_sea_well_and_vessel_together_up_or_down_changes_nothing(seed):
     for by in (0.0, 1234.5):
         high = lifted(tree, by)
         high["platform"]["centre_of_rotation"]["elevation"] = by
-        found.append(offsets(file_of(high, limits=LIMITS).scene(), 60.0, {}))
+        found.append(offsets(file_of(high, limits=LIMITS).resolved(), 60.0, {}))
     np.testing.assert_allclose([o[:2] for o in found[1]], [o[:2] for o in found[0]], atol=1e-4)
 
 
@@ -234,4 +234,4 @@ def test_what_cylinders_in_space_do_not_do_with_a_vessel_is_refused(name):
         "coupling": {"vessel.coupling": {"scheme": "staggered", "interval": "1 s"}},
     }
     with pytest.raises(InputError, match=f"vessel.{name}.*arrangement"):
-        adrift(0).with_values(asked[name], "test").scene()
+        adrift(0).with_values(asked[name], "test").resolved()

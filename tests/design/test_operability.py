@@ -14,7 +14,7 @@ SCENE = Path(__file__).parents[2] / "config/scenes/design/riser.yaml"
 
 def scene(*limits, **changed):
     told = [{"mode": "drilling", **limit} for limit in limits]
-    return load_scene(SCENE, **{"limits": told, **changed}).scene()
+    return load_scene(SCENE, **{"limits": told, **changed}).resolved()
 
 
 def angle_by_closed_form(offset):
@@ -46,7 +46,7 @@ analysis: {mesh: {elements: 400, layers: {bottom: 8 m, top: 8 m}}}
 """,
         "utf-8",
     )
-    (found,) = offsets(load_scene(loaded).scene(), 100.0, {})
+    (found,) = offsets(load_scene(loaded).resolved(), 100.0, {})
     at_zero, slope = (
         angle_by_closed_form(0.0),
         angle_by_closed_form(1.0) - angle_by_closed_form(0.0),

@@ -51,7 +51,7 @@ def test_settings_that_serve_lie_between_those_that_were_tried_and_do_not():
 def test_the_riser_that_lets_go_is_the_riser_of_the_chapter():
     """Two files tell it: one with all that acts on it, one along its axis alone, with damping."""
     folder = Path(__file__).parents[2] / "config" / "scenes" / "design"
-    whole, along = (load_scene(folder / f"{name}.yaml").scene() for name in ("riser", "recoil"))
+    whole, along = (load_scene(folder / f"{name}.yaml").resolved() for name in ("riser", "recoil"))
     same = [s.model_copy(update={"structural_damping": None}) for s in along.riser]
     assert same == whole.riser
     assert along.bottom.body == whole.bottom.body

@@ -41,7 +41,7 @@ def alone(tree):
 
 
 def scene(tree, **more):
-    return SceneFile("rig.yaml", written(tree) | more).scene()
+    return SceneFile("rig.yaml", written(tree) | more).resolved()
 
 
 @pytest.mark.parametrize("seed", range(6))

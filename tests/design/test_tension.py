@@ -19,7 +19,7 @@ MUDS = [f"riser[{k}].contents.density" for k in range(4)]
 def scene(**changed):
     """The generic riser in still water, mud up to the tension ring."""
     levels = {f"riser[{k}].contents.level": None for k in range(4)}
-    return load_scene(SCENE, **{"current": None, **levels, **changed}).scene()
+    return load_scene(SCENE, **{"current": None, **levels, **changed}).resolved()
 
 
 def test_the_worked_case_of_a_public_source_comes_out():
@@ -67,7 +67,7 @@ def test_the_engines_tension_rises_with_mud_weight_by_bore_times_column():
 
 
 def test_mud_above_the_ring_is_carried_too():
-    filled = load_scene(SCENE, current=None).scene()
+    filled = load_scene(SCENE, current=None).resolved()
     above = 1440.0 * 9.80665 * 0.25 * math.pi * (19.25 * 0.0254) ** 2 * (1518.0 - 1505.0)
     for way in (tension, engine_tension):
         with_it, without = (
@@ -101,7 +101,7 @@ def test_another_point_than_the_lower_end_may_govern():
     ],
 )
 def test_what_a_scene_does_not_tell_is_named_and_nothing_evaluated(changed, missing):
-    untold = load_scene(SCENE, **{"limits": None, **changed}).scene()
+    untold = load_scene(SCENE, **{"limits": None, **changed}).resolved()
     assert missing in tension.lacks(untold)
     with pytest.raises(ValueError, match=f"not evaluated: .*{missing.split()[0]}"):
         tension.needed(untold, AS_TOLD)

@@ -46,7 +46,7 @@ def test_the_window_of_the_command_is_that_of_the_chapter(commands, tmp_path, de
     )
     assert code == 0
     rows = {row["quantity"]: row for row in csv.DictReader(table.open())}
-    of = window_of(load_scene(RISER, **mud(density)).scene(), settings(), failed)
+    of = window_of(load_scene(RISER, **mud(density)).resolved(), settings(), failed)
     assert float(rows["window"]["tension (N)"]) == pytest.approx(of.gap, rel=1e-8)
     assert float(rows["ceiling"]["tension (N)"]) == pytest.approx(of.ceilings[of.ceiling])
     assert ("no setting" in rows["window"]["note"]) == (of.gap < 0.0)
@@ -88,18 +88,20 @@ def test_cylinders_need_the_tension_at_which_the_riser_on_a_constant_one_is_slac
 ):
     held, constant = hung(seed, conductor=seed % 2 == 1)
     tolerances = Tolerances(1.0, 1.0)
-    needed = engine.needed(held.scene(), tolerances).tension
+    needed = engine.needed(held.resolved(), tolerances).tension
     at_it = constant.with_values({"top.telescopic_joint.tension": f"{needed!r} N"}, "test")
-    _, left = engine.along(at_it.scene())
+    _, left = engine.along(at_it.resolved())
     assert abs(left.min()) < 1e-6 * needed
     more = constant.with_values({"top.telescopic_joint.tension": f"{1.01 * needed!r} N"}, "test")
-    assert engine.along(more.scene())[1].min() > 0.005 * needed
+    assert engine.along(more.resolved())[1].min() > 0.005 * needed
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_a_plumb_riser_on_cylinders_needs_by_the_engine_what_the_formula_gives(seed):
     held, _ = hung(seed)
-    rows = tension_table(held.scene(), TensionRequest(Tolerances(1.05, 0.96), Rig(6, 1, 0.95, 0.0)))
+    rows = tension_table(
+        held.resolved(), TensionRequest(Tolerances(1.05, 0.96), Rig(6, 1, 0.95, 0.0))
+    )
     told = {row.quantity: row for row in rows.totals}
     assert told["engine"].tension == pytest.approx(told["formula"].tension, rel=1e-6)
     assert "in place of the tensioners" in told["engine"].note

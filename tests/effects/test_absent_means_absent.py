@@ -34,7 +34,7 @@ def history(monkeypatch, *extra):
         return built
 
     monkeypatch.setattr(riserstudy.simulation.equilibrium, "build", with_extra)
-    scene = SURGE.scene()
+    scene = SURGE.resolved()
     return single(scene, even(scene, N), scene.analysis.step, True).arrays
 
 
@@ -47,7 +47,7 @@ def test_an_effect_of_no_load_changes_nothing(effect, monkeypatch):
 
 
 def test_a_model_calls_the_effects_of_its_scene_and_no_others():
-    scene = SURGE.scene()
+    scene = SURGE.resolved()
     model = build(scene, even(scene, N), 533.0)
     on = {row.name for row in ledger(scene) if row.on} - {"lateral freedom"}
     assert {effect.name for effect in model.effects} == on
@@ -63,7 +63,7 @@ def test_an_effect_taken_out_takes_its_calls_with_it():
         {"riser[0].drag": None},
         {"riser[0].drag": None, "riser[0].added_mass": None},
     ):
-        scene = SURGE.with_values(values, "test").scene()
+        scene = SURGE.with_values(values, "test").resolved()
         model = build(scene, even(scene, N), 533.0)
         calls.append(sum(len(program) for program in model.programs.value))
     drag, added_mass = 3, 3  # force, tangent, power; inertia, mass, kinetic energy

@@ -30,7 +30,7 @@ def test_a_deck_read_back_is_the_same_riser_at_rest(tmp_path, seed):
 @pytest.mark.parametrize("seed", range(5))
 def test_masses_and_drag_come_back(tmp_path, seed):
     file = file_of(drawn(seed))
-    scene, back = file.scene(), there_and_back(file, tmp_path)[0].scene()
+    scene, back = file.resolved(), there_and_back(file, tmp_path)[0].resolved()
     light = (9.9, 1.01)  # N and kg, of the ring that a deck needs where a scene has none
     for one, same, more in zip(scene.hanging, back.hanging, light, strict=True):
         assert one == pytest.approx(same, abs=more)

@@ -61,7 +61,7 @@ def within(path, place):
 def silent(file, back, left):
     """Paths of a scene that are neither in what comes back nor named."""
     named = {bare(line.partition(": ")[0]) for line in left}
-    ours, theirs = (leaves(f.scene().model_dump(exclude_none=True)) for f in (file, back))
+    ours, theirs = (leaves(f.resolved().model_dump(exclude_none=True)) for f in (file, back))
     derived = [f"riser.{name}" for name in RISER] + [*CURRENT, *RESPONSE]
     if "top.tensioners.mid_stroke" in named:
         derived += ["top.tensioners.table.reach", "top.tensioners.linear.tension"]
@@ -77,14 +77,14 @@ def silent(file, back, left):
 @pytest.fixture(params=range(60))
 def came_back(request, tmp_path):
     file = file_of(loaded(request.param))
-    scene = file.scene()
+    scene = file.resolved()
     try:
         back, left = there_and_back(file, tmp_path)
     except InputError as refused:
         if "lie between no two headings" not in str(refused):
             raise
         pytest.skip("neither scene nor deck can be run in waves between the operators' headings")
-    return file, scene, back, back.scene(), left
+    return file, scene, back, back.resolved(), left
 
 
 def test_every_line_comes_back_or_is_named(came_back):
@@ -137,7 +137,7 @@ def test_scenes_of_papers_come_back(tmp_path, name):
     file = read_scene(ROOT / f"config/scenes/{name}.yaml")
     back, left = there_and_back(file, tmp_path)
     assert silent(file, back, left) == []
-    lengths = [sum(s.total_length for s in f.scene().riser) for f in (file, back)]
+    lengths = [sum(s.total_length for s in f.resolved().riser) for f in (file, back)]
     assert lengths[0] == pytest.approx(lengths[1])
 
 
@@ -167,7 +167,7 @@ def test_a_line_that_is_lost_is_found(tmp_path):
     ):
         try:
             spoiled = back.with_values({path: value}, "test")
-            spoiled.scene()
+            spoiled.resolved()
         except InputError:
             continue
         assert [bare(one) for one in silent(file, spoiled, left)] == [bare(path)]

@@ -57,7 +57,7 @@ PATHS = sorted(paths(load_scene(SURGE).tree))
 @given(path=st.sampled_from(PATHS) | st.text(max_size=20), value=anything | quantities)
 def test_any_value_anywhere_is_taken_or_refused(path, value):
     try:
-        tree = load_scene(SURGE, **{path: value}).scene().model_dump()
+        tree = load_scene(SURGE, **{path: value}).resolved().model_dump()
         said = ""
     except InputError as error:
         tree, said = {}, str(error)

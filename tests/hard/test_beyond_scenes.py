@@ -43,7 +43,7 @@ def like(model, fixed, left_out=()):
 @pytest.fixture
 def beam():
     """A cantilever of 100 m without load, on 40 segments."""
-    scene = changed(ROD | {"title": "beam", "analysis": {"mesh": {"elements": 40}}}).scene()
+    scene = changed(ROD | {"title": "beam", "analysis": {"mesh": {"elements": 40}}}).resolved()
     return settle(scene, even(scene, 40))[0]
 
 
@@ -88,7 +88,9 @@ def test_an_end_moment_bends_a_beam_into_a_full_circle(beam):
 
 
 def surge():
-    scene = from_file("hard/surge", analysis__mesh={"elements": 20}, analysis__step="0.1 s").scene()
+    scene = from_file(
+        "hard/surge", analysis__mesh={"elements": 20}, analysis__step="0.1 s"
+    ).resolved()
     model = settle(scene, even(scene, 20))[0]
     move_to(model.programs, model.state, 0.0)
     return model

@@ -26,7 +26,7 @@ PUSH = 1e-6  # N/m
 def beam(ratio, drag=False):
     """The riser as a Hermite beam, with a small load of the shape of half a sine's sum."""
     values = {**CALM, "buoyancy__tension_ratio": ratio}
-    scene = from_file("fem_riser/base", **values).scene()
+    scene = from_file("fem_riser/base", **values).resolved()
     found = beam_of(scene, even(scene, ELEMENTS))
     load = PUSH * np.sin(np.pi * found.s / found.s[-1])
     tension = np.repeat(found.tension.mean(axis=1)[:, None], 2, axis=1)  # as `squares` has it

@@ -90,7 +90,7 @@ def test_a_riser_that_nothing_holds_up_sideways_is_called_unstable():
 @pytest.mark.parametrize("elements", [8, 16, 50, 256, 600])
 def test_a_slack_cable_hangs_on_any_mesh(elements):
     """A sagging string without tension may be drawn into kinks, which are no stable equilibria."""
-    scene = read_scene(SCENES / "hard/snap.yaml").scene()
+    scene = read_scene(SCENES / "hard/snap.yaml").resolved()
     model, found = settle(scene, even(scene, elements))
     assert found.unstable == 0
     assert found.iterations <= 20

@@ -94,7 +94,7 @@ def simulated(changes, method):
     file = SceneFile("test", copy.deepcopy(SCENE), {}).with_values(
         changes | {"analysis.method": method}, "test"
     )
-    return run(file.scene(), estimated=False)
+    return run(file.resolved(), estimated=False)
 
 
 @pytest.mark.parametrize("method", [{"rho_inf": 0.8}, "TR-BDF2", "ESDIRK4"], ids=str)
@@ -140,6 +140,6 @@ def test_random_rigs_on_inclined_tensioners_vibrate_and_account_for_their_energy
         "mesh": {"elements": 80},
         "output": {"interval": 0.5},
     }
-    found = run(SceneFile("rig.yaml", written(tree)).scene(), estimated=False)
+    found = run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=False)
     assert found.facts["audit"]["unexplained_share"] < 1e-3
     assert 0.0 < found.facts["vibration_rms_max"] < 2.0

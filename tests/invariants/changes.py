@@ -150,7 +150,7 @@ def mirrored(tree: Tree, draw: np.random.Generator) -> Otherwise:
 
 def split(tree: Tree, draw: np.random.Generator) -> Otherwise:
     """Each section that has an even number of segments as two."""
-    scene = SceneFile("rig.yaml", written(tree)).scene()
+    scene = SceneFile("rig.yaml", written(tree)).resolved()
     counts = np.bincount(even(scene, tree["analysis"]["mesh"]["elements"]).section)
     total = sum(section["length"] for section in tree["riser"])
     size = total / tree["analysis"]["mesh"]["elements"]

@@ -13,7 +13,7 @@ from riserstudy.simulation.refine import run
 
 
 def damage_of(tree):
-    return run(SceneFile("rig.yaml", tree).scene(), estimated=False).arrays["damage_rate"]
+    return run(SceneFile("rig.yaml", tree).resolved(), estimated=False).arrays["damage_rate"]
 
 
 class Turned:

@@ -24,7 +24,7 @@ SMALL = 1e-3  # rad: smaller angles are compared as this one
 
 def outputs_of(tree):
     """Outputs of a run by its own mesh and step, without an estimate of its error."""
-    arrays = run(SceneFile("rig.yaml", tree).scene(), estimated=False).arrays
+    arrays = run(SceneFile("rig.yaml", tree).resolved(), estimated=False).arrays
     return {name: arrays[name] for name in (*ALONG, *OVER_TIME, *EXTREMES) if name in arrays}
 
 

@@ -11,7 +11,7 @@ STILL = Path(__file__).parents[2] / "config/scenes/liu2020/system.yaml"
 
 
 def test_a_riser_with_bending_stiffness_that_nothing_moves_sideways_is_not_said_to_lack_it():
-    scene = read_scene(STILL).scene()
+    scene = read_scene(STILL).resolved()
     assert not scene.lateral
     off = {row.name: row.because for row in ledger(scene) if not row.on}
     assert off["bending"] == off["lateral freedom"] == "no lateral load or motion"

@@ -17,7 +17,7 @@ GRAVITY, PISTON = 9.81, 6050.0  # m/s2; kg, counted once
 
 
 def rig(scene, **pressures):
-    return load_scene(scene, **pressures).scene().top.tensioners
+    return load_scene(scene, **pressures).resolved().top.tensioners
 
 
 def test_at_mid_stroke_six_cylinders_pull_as_hand_statics_say():
@@ -70,7 +70,7 @@ def test_a_riser_hangs_on_what_the_law_says():
     }
     scene = load_scene(CHANG, **settings)
     found = simulate(scene)
-    law = scene.scene().top.tensioners
+    law = scene.resolved().top.tensioners
     reach = found["tensioner_stroke_static"].values
     expected = gas_force(law.gas, reach) * np.array(law.working)
     np.testing.assert_allclose(found["tensioner_force_static"], expected, rtol=1e-9)

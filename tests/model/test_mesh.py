@@ -17,7 +17,7 @@ def mesh_of(elements, name="mao_hangoff/hangoff_ref", **sets):
     sets = {path.replace("__", "."): value for path, value in sets.items()}
     held = {"top.x": "held", "top.z": "held", "current.ramp": None}
     file = read_scene(SCENES / f"{name}.yaml").with_values(values | held | sets, "test")
-    return prescribed(file.scene(), elements)
+    return prescribed(file.resolved(), elements)
 
 
 @pytest.mark.parametrize("elements", [30, 100, 333])

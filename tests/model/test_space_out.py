@@ -105,17 +105,17 @@ def test_stops_count_from_mid_stroke(seed):
     assert stroke > 0.1
     for share, touched in ((0.9, True), (1.1, False)):
         stop = {"stroke": f"{share * stroke} m", "stiffness": "1e8 N/m"}
-        scene = file.with_values({"top.telescopic_joint.stop": stop}, "test").scene()
+        scene = file.with_values({"top.telescopic_joint.stop": stop}, "test").resolved()
         warned = single(scene, even(scene, 60), None).facts["warnings"]
         assert any("telescopic joint drawn out: stop touched" in said for said in warned) == touched
 
 
 def test_without_it_the_length_is_the_one_that_is_given():
-    scene = drawn(0, **{"top.telescopic_joint.mid_stroke": None}).scene()
+    scene = drawn(0, **{"top.telescopic_joint.mid_stroke": None}).resolved()
     assert joint_of(scene) is scene.top.telescopic_joint
 
 
 def test_a_riser_that_hangs_has_no_space_out():
     change = {"bottom": {"hold": "free"}}
     with pytest.raises(InputError, match="needs a lower end that is held"):
-        drawn(0, **change).scene()
+        drawn(0, **change).resolved()

@@ -53,8 +53,8 @@ def test_every_kind_of_scene_that_options_make_is_there_once():
     variants = ["hangoff_ref_heave", "hangoff_ref_xdrag"]  # another mass alone is the same kind
     options = [f"mao_hangoff/hangoff_ref: {name}" for name in variants]
     assert sorted(found) == ["mao_hangoff/hangoff_ref", *options, "mao_hangoff/steady"]
-    assert found[options[0]].scene().platform.heave
-    assert not found["mao_hangoff/hangoff_ref"].scene().platform.heave
+    assert found[options[0]].resolved().platform.heave
+    assert not found["mao_hangoff/hangoff_ref"].resolved().platform.heave
     assert len(list(bases(studies, "preview"))) == 2
 
 
@@ -68,7 +68,7 @@ def test_every_kind_of_scene_of_the_chapters_is_a_whole_scene(tier):
         for name in file.studies
     ]
     for _, file in bases(studies, tier):
-        file.scene()
+        file.resolved()
 
 
 def test_only_what_is_there_is_taken_out_and_only_what_is_missing_is_put_in():
@@ -212,5 +212,5 @@ def test_stops_are_put_in_where_a_table_of_tensioners_ends(first, last):
         },
     )  # fmt: skip
     (changed,) = [scene for change, scene in fitting(file) if change.label == "with end stops"]
-    stroke = changed.scene().top.tensioners.stroke
+    stroke = changed.resolved().top.tensioners.stroke
     assert (stroke.shortest, stroke.longest) == (max(first, -7.5), min(last, 7.5))

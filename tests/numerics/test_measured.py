@@ -129,7 +129,7 @@ def test_every_scene_that_may_be_drawn_can_be_meant(tier):
     for name, family in study.families.items():
         for one in drawn(name, family, study, CONFIG, tier):
             try:
-                one.file.scene()
+                one.file.resolved()
             except InputError as error:
                 pytest.fail(f"{name}: {error}")
 

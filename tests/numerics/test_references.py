@@ -49,8 +49,11 @@ def runs(name):
     file = case(name)
     found = []
     for elements, step in ((16, 0.1), (64, 0.05)):
-        mesh, step = even(file.scene(), elements), step if file.scene().analysis.duration else None
-        scene = stepped(file, METHOD, mesh, step) if step else whole(file.scene())
+        mesh, step = (
+            even(file.resolved(), elements),
+            step if file.resolved().analysis.duration else None,
+        )
+        scene = stepped(file, METHOD, mesh, step) if step else whole(file.resolved())
         found.append(single(scene, mesh, step, True))
     return found
 
@@ -58,7 +61,7 @@ def runs(name):
 def kept_of(name):
     fine = runs(name)[1]
     return Kept(
-        name, scene_digest(case(name).scene()), PHYSICS, "engine", "a run", {}, reduced(fine)
+        name, scene_digest(case(name).resolved()), PHYSICS, "engine", "a run", {}, reduced(fine)
     )
 
 
@@ -117,7 +120,7 @@ def folder(tmp_path):
     ],
 )
 def test_a_kept_solution_serves_whatever_mesh_step_and_accuracy_are_asked_for(folder, how):
-    assert store.read(folder, "study", "planar", case("planar", **how).scene()).result
+    assert store.read(folder, "study", "planar", case("planar", **how).resolved()).result
 
 
 @pytest.mark.parametrize(
@@ -131,12 +134,12 @@ def test_a_kept_solution_serves_whatever_mesh_step_and_accuracy_are_asked_for(fo
 )
 def test_a_solution_of_a_scene_that_changed_is_refused_by_name(folder, change):
     with pytest.raises(store.NotUsed, match="'planar' is no longer the scene") as refused:
-        store.read(folder, "study", "planar", case("planar", **change).scene())
+        store.read(folder, "study", "planar", case("planar", **change).resolved())
     assert str(path_of(folder, "study", "planar")) in str(refused.value)
 
 
 def test_a_solution_of_other_physics_or_damaged_or_missing_is_refused_by_name(folder):
-    scene = case("planar").scene()
+    scene = case("planar").resolved()
     with pytest.raises(store.NotUsed, match="'other' has no reference"):
         store.read(folder, "study", "other", scene)
     store.write(folder, "study", replace(kept_of("planar"), physics=PHYSICS + 1))
@@ -151,7 +154,7 @@ def test_a_solution_of_other_physics_or_damaged_or_missing_is_refused_by_name(fo
 def test_every_case_has_a_solution_that_can_be_used_or_says_why_there_is_none():
     for study, every in wanted().items():
         for one in every:
-            kept = store.read(CONFIG, study, one.case, one.file.scene())
+            kept = store.read(CONFIG, study, one.case, one.file.resolved())
             assert kept.result or kept.missing
 
 
@@ -184,7 +187,7 @@ def test_a_solution_found_anew_deviates_when_physics_do():
     assert check.deviation(kept, kept) <= 1.0
     heavier = {"riser[0].mass": "1100 kg/m"}
     file = case("planar", **heavier)
-    mesh = even(file.scene(), 64)
+    mesh = even(file.resolved(), 64)
     other = single(stepped(file, METHOD, mesh, 0.05), mesh, 0.05, True)
     assert check.deviation(kept, replace(kept, result=reduced(other))) > 1.0
     assert check.deviation(kept, replace(kept, result=None, missing="no")) == np.inf
@@ -209,7 +212,7 @@ def test_a_tenth_of_all_solutions_found_anew_is_what_is_kept():
     chosen = {one.case for one in check.tenth([one for _, one in every])}
     off = {
         f"{study}/{one.case}": check.deviation(
-            store.read(CONFIG, study, one.case, one.file.scene()), one.compute()
+            store.read(CONFIG, study, one.case, one.file.resolved()), one.compute()
         )
         for study, one in every
         if one.case in chosen

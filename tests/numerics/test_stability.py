@@ -63,7 +63,7 @@ def test_a_run_of_more_node_steps_than_the_budget_is_a_row_too():
     tight = STUDY.model_copy(update={"explicit_budget": 10.0})
     case = STUDY.cases["surge"]
     file = case_file(CONFIG, "surge", case)
-    told = run_case(tight, case, file, "preview", standard_of(CONFIG, "surge", file.scene()))
+    told = run_case(tight, case, file, "preview", standard_of(CONFIG, "surge", file.resolved()))
     assert {rung.outcome for rung in told.rungs["explicit"]} == {Outcome.TOO_LONG}
 
 
@@ -95,7 +95,7 @@ def test_bisection_finds_the_rungs_that_climbing_all_finds(count, accurate, surv
 def test_every_case_of_every_tier_is_a_scene():
     for tier in ("preview", "standard"):
         for name, case in in_tier(STUDY.cases, tier).items():
-            case_file(CONFIG, name, case).scene()
+            case_file(CONFIG, name, case).resolved()
 
 
 def test_the_figure_has_a_square_for_every_case_and_its_title_counts_them(few):

@@ -11,7 +11,7 @@ from riserstudy.report.hero import HEIGHT, WIDTH, hero
 from riserstudy.scene.load import read_scene
 
 CONFIG = Path(__file__).parents[2] / "config"
-SCENE = read_scene(CONFIG / "scenes/liu2017/ref_0.yaml").scene()
+SCENE = read_scene(CONFIG / "scenes/liu2017/ref_0.yaml").resolved()
 NUMBER = re.compile(r"-?[\d.]+")
 
 

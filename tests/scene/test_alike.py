@@ -58,7 +58,7 @@ SAME = ("damping", "bore", "density", "level")
 
 @pytest.mark.parametrize("seed", range(60))
 def test_what_is_the_same_in_all_sections_may_be_written_in_any_units(seed):
-    assert SceneFile("a.yaml", scene(random.Random(seed))).scene()
+    assert SceneFile("a.yaml", scene(random.Random(seed))).resolved()
 
 
 @pytest.mark.parametrize("what", SAME)
@@ -66,7 +66,7 @@ def test_what_is_the_same_in_all_sections_may_be_written_in_any_units(seed):
 def test_what_differs_is_refused_however_little_and_in_any_units(what, other):
     for seed in range(8):
         with pytest.raises(InputError, match=r"the same|is another than"):
-            SceneFile("a.yaml", scene(random.Random(seed), other, what)).scene()
+            SceneFile("a.yaml", scene(random.Random(seed), other, what)).resolved()
 
 
 @pytest.mark.parametrize("seed", range(60))

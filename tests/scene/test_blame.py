@@ -34,7 +34,7 @@ LAYER = "config/studies/own.yaml: studies.runs"
 )
 def test_what_a_study_sets_is_told_of_the_study(sets, where, field):
     with pytest.raises(InputError) as refused:
-        read_scene(SCENE).with_values(sets, LAYER).scene()
+        read_scene(SCENE).with_values(sets, LAYER).resolved()
     assert (refused.value.where, refused.value.field[: len(field)]) == (where, field)
 
 
@@ -42,7 +42,7 @@ def test_what_stands_in_the_scene_is_told_of_the_scene(tmp_path):
     scene = tmp_path / "own.yaml"
     scene.write_text(SCENE.read_text().replace("15 s, ramp", "15 kg, ramp"))
     with pytest.raises(InputError) as refused:
-        read_scene(scene).with_values({"riser[0].length": "534 m"}, LAYER).scene()
+        read_scene(scene).with_values({"riser[0].length": "534 m"}, LAYER).resolved()
     assert refused.value.where == str(scene)
 
 
@@ -52,7 +52,7 @@ def test_a_table_that_says_too_little_is_told_of_the_table(tmp_path, rows):
     scene = tmp_path / "own.yaml"
     scene.write_text(SCENE.read_text() + "current: {profile: {file: current.csv}}\n")
     with pytest.raises(InputError) as refused:
-        read_scene(scene).scene()
+        read_scene(scene).resolved()
     assert refused.value.where == str(tmp_path / "current.csv")
 
 

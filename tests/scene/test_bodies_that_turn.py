@@ -48,7 +48,7 @@ def hung(rng):
 @pytest.mark.parametrize("seed", range(25))
 def test_lines_of_sections_are_those_of_the_file(seed):
     file = SceneFile("hung.yaml", hung(random.Random(seed)))
-    point, turning = file.scene(), file.with_values(TURNING, "test").scene()
+    point, turning = file.resolved(), file.with_values(TURNING, "test").resolved()
     for told in (doubts, without_inertia):
         assert told(turning) == told(point)
         assert told(point)
@@ -71,8 +71,8 @@ def test_how_a_body_turns_changes_no_line_of_the_stack_up(seed):
     file = SceneFile("hung.yaml", hung(rng))
     arm = {"bottom.body.centre_below": f"{rng.uniform(0.5, 9.0)} m"}
     turning = file.with_values(TURNING | arm, "test")
-    assert stack_up(turning.scene()) == stack_up(file.scene())
-    table = stack_up(turning.scene())
+    assert stack_up(turning.resolved()) == stack_up(file.resolved())
+    table = stack_up(turning.resolved())
     names = [section["name"] for section in reversed(file.tree["riser"])]
     assert [row[0] for row in table.rows] == [*names, "LMRP"]
     lowest = table.rows[-1][table.columns.index("upper end")]

@@ -24,7 +24,7 @@ def loaded(folder, table=TABLE, **current):
 
 
 def shape(file):
-    found = single(file.scene(), even(file.scene(), 40), None).arrays
+    found = single(file.resolved(), even(file.resolved(), 40), None).arrays
     return np.stack([found["x_static"], found["y_static"]])
 
 
@@ -34,7 +34,7 @@ def shape(file):
 )
 def test_a_current_flows_where_its_convention_says(tmp_path, heading, headings, towards):
     given = {"heading": f"{heading} deg"} | ({"headings": headings} if headings else {})
-    current = loaded(tmp_path, **given).scene().current
+    current = loaded(tmp_path, **given).resolved().current
     assert current.towards == pytest.approx(math.radians(towards))
 
 
@@ -50,7 +50,9 @@ def test_from_one_side_is_towards_the_other(tmp_path):
 def test_columns_stand_in_any_order(tmp_path):
     told = "depth (m),speed (m/s),direction (deg)\n0,1,20\n9,0.5,40\n"
     turned = "direction (deg),speed (m/s),depth (m)\n20,1,0\n40,0.5,9\n"
-    currents = [loaded(tmp_path, table, beyond="hold").scene().current for table in (told, turned)]
+    currents = [
+        loaded(tmp_path, table, beyond="hold").resolved().current for table in (told, turned)
+    ]
     assert currents[0] == currents[1]
 
 

@@ -82,7 +82,7 @@ def file_of(**values):
 
 
 def test_mass_weight_and_stiffness_are_the_sums_by_hand():
-    (section,) = file_of().scene().riser
+    (section,) = file_of().resolved().riser
     assert section.mass == pytest.approx(PIPE + LINES + MODULES / JOINT, rel=1e-12)
     assert section.submerged_weight == pytest.approx(0.0, abs=1e-9)
     assert section.buoyancy_lift == pytest.approx(NEUTRAL / JOINT, rel=1e-12)
@@ -106,7 +106,9 @@ def test_neutral_joints_hang_stretch_and_bend_as_the_closed_form_has_it():
 
 
 def test_they_swing_by_all_of_their_mass():
-    first = float(modes_of(file_of(**{"riser[0].lateral_load": None}).scene(), 1)["frequency"][0])
+    first = float(
+        modes_of(file_of(**{"riser[0].lateral_load": None}).resolved(), 1)["frequency"][0]
+    )
     mass = PIPE + LINES + MODULES / JOINT
     stretch = 1.0 + TENSION / AXIAL
     exact = taut_beam_frequency(
@@ -126,7 +128,7 @@ def test_tension_is_lost_on_the_way_down_by_what_the_sums_weigh():
 
 
 def test_the_stack_up_tells_lines_and_modules_apart():
-    table = stack_up(file_of().scene())
+    table = stack_up(file_of().resolved())
     row = dict(zip(table.columns, table.rows[0], strict=True))
     assert row["joints"] == COUNT
     assert row["lines, dry"] == pytest.approx(G * LINES * LENGTH / 1e3, rel=1e-12)
@@ -154,7 +156,7 @@ def test_above_the_water_modules_weigh_and_nothing_lifts():
     two, rest = ({"count": k, "length": f"{JOINT} m"} for k in (2, COUNT - 2))
     riser = [DRESSED | {"joints": rest}, DRESSED | {"name": "aloft", "joints": two}]
     surface = f"{-600.0 + (COUNT - 2) * JOINT!r} m"
-    below, section = file_of(**{"riser": riser, "water.surface": surface}).scene().riser
+    below, section = file_of(**{"riser": riser, "water.surface": surface}).resolved().riser
     assert below.submerged_weight == pytest.approx(0.0, abs=1e-9)
     expected = OWN_WEIGHT + G * (LINES + MODULES / JOINT)
     assert section.submerged_weight == pytest.approx(expected, rel=1e-12)
@@ -164,7 +166,7 @@ def test_above_the_water_modules_weigh_and_nothing_lifts():
 def test_a_riser_s_other_sections_have_no_modules():
     bare = {name: DRESSED[name] for name in DRESSED if name not in ("modules", "lines", "name")}
     riser = [{"name": "slick", **bare}, DRESSED]
-    slick, buoyed = file_of(riser=riser).scene().riser
+    slick, buoyed = file_of(riser=riser).resolved().riser
     assert slick.buoyancy_lift == 0.0
     assert buoyed.buoyancy_lift > 0.0
     assert slick.mass == pytest.approx(PIPE)
@@ -186,18 +188,18 @@ def test_a_riser_s_other_sections_have_no_modules():
                 "buoyancy": {"factor": 0.5, "tension_ratio": 1.2, "reading": "R1"},
                 "top.tension": None,
             },
-            "not both",
+            "beside modules or lines",
         ),
     ],
 )
 def test_what_does_not_fit_is_refused(values, why):
     with pytest.raises(InputError, match=why):
-        file_of(**values).scene()
+        file_of(**values).resolved()
 
 
 def test_weights_that_follow_do_so_for_dressed_joints():
     """A pipe whose weight follows from mass, diameters and contents, dressed: the same sums."""
     follows = {"riser[0].submerged_weight": None, "riser[0].contents": {"density": "1100 kg/m^3"}}
-    (section,) = file_of(**follows).scene().riser
+    (section,) = file_of(**follows).resolved().riser
     assert section.submerged_weight == pytest.approx(0.0, abs=1e-6)
     assert sqrt(section.contents_mass) > 0.0

@@ -61,7 +61,7 @@ def test_times_of_any_size_end_a_run_or_are_refused(seed):
     if rng.random() < 0.5:
         values |= {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": "5 %"}
     with suppress(RiserStudyError):
-        run(file.with_values(values, "test").scene(), patience=0.5)
+        run(file.with_values(values, "test").resolved(), patience=0.5)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -74,8 +74,8 @@ def test_a_wave_number_meets_its_equation_for_waves_of_any_length(seed):
 
 def test_a_duration_within_the_bound_is_no_fault():
     file = read_scene(SURGE).with_values({"platform.surge.period": "1e-5 s"}, "test")
-    assert file.scene()
+    assert file.resolved()
     with pytest.raises(InputError):
         file.with_values(
             {"analysis.duration": "401 s", "analysis.mesh": None, "analysis.step": None}, "test"
-        ).scene()
+        ).resolved()

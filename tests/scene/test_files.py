@@ -23,7 +23,7 @@ def test_the_benchmark_scenes_are_there():
 
 @pytest.mark.parametrize("path", ALL, ids=lambda p: f"{p.parent.name}/{p.stem}")
 def test_every_scene_of_the_repository_is_valid(path):
-    assert load_scene(path).scene().title
+    assert load_scene(path).resolved().title
 
 
 @pytest.mark.parametrize("path", ALL, ids=lambda p: f"{p.parent.name}/{p.stem}")
@@ -31,7 +31,7 @@ def test_every_option_and_range_of_an_assumption_is_valid_too(path):
     file = read_scene(path)
     for place, origin in file.origins.items():
         for value in [*origin.options, *(origin.range or ())]:
-            file.with_values({place: value}, "assumption").scene()
+            file.with_values({place: value}, "assumption").resolved()
 
 
 def test_origins_say_what_is_assumed_derived_and_calibrated():
@@ -46,14 +46,14 @@ def test_origins_say_what_is_assumed_derived_and_calibrated():
     tuned = load_scene(CHANG, **{"top.body.mass": {"calibrated": "700 t", "to": "chang2020/N1"}})
     assert tuned.origins["top.body.mass"].status == "calibrated"
     assert tuned.origins["top.body.mass"].why == "chang2020/N1"
-    assert tuned.scene().top.body.mass == pytest.approx(700e3)
+    assert tuned.resolved().top.body.mass == pytest.approx(700e3)
 
 
 def test_an_override_takes_the_value_and_forgets_its_origin():
     file = load_scene(CHANG, **{"top.tensioners.gas.pressure": "2 bar gauge"})
     assert "top.tensioners.gas.pressure" not in file.origins
-    assert file.scene().top.tensioners.gas.pressure == pytest.approx(301325.0)
-    assert load_scene(CHANG).scene().top.tensioners.gas.pressure == pytest.approx(190.2e5)
+    assert file.resolved().top.tensioners.gas.pressure == pytest.approx(301325.0)
+    assert load_scene(CHANG).resolved().top.tensioners.gas.pressure == pytest.approx(190.2e5)
 
 
 def test_an_override_reaches_into_lists_makes_sections_and_takes_them_away():
@@ -66,7 +66,7 @@ def test_an_override_reaches_into_lists_makes_sections_and_takes_them_away():
             "platform.surge": None,
         },
     )
-    scene = file.scene()
+    scene = file.resolved()
     assert scene.riser[0].mass == 2000.0
     assert scene.platform.heave.period == 9.0
     assert scene.platform.surge is None

@@ -43,7 +43,7 @@ BORE, OUTER = 0.25 * math.pi * 0.4826**2, 0.25 * math.pi * 0.5334**2
 
 
 def scene(**values):
-    return SceneFile("deck.yaml", DECK).with_values(values, "test").scene()
+    return SceneFile("deck.yaml", DECK).with_values(values, "test").resolved()
 
 
 def test_a_deck_that_closes_runs():
@@ -54,8 +54,8 @@ def test_a_deck_that_closes_runs():
 SLIPS = {
     "feet for metres of riser": ({"riser[0].length": "980 ft"}, "too short between bottom.elevation -980 m"),
     "metres for feet of riser": ({"riser[0].length": "3215 m"}, "too long between bottom.elevation"),
-    "feet for metres of water": ({"water.seabed": "-1000 ft"}, "water.seabed -304.8 m"),
-    "a top 250 m up": ({"top.elevation": "250 m", "riser[1].length": "230 m"}, "water.surface 0 m"),
+    "feet for metres of water": ({"water.seabed": "-1000 ft"}, "water.seabed: -304.8 m"),
+    "a top 250 m up": ({"top.elevation": "250 m", "riser[1].length": "230 m"}, "water.surface: 0 m"),
     "a joint of 50 m": ({"top.telescopic_joint.length": "50 m"}, "too long"),
     "a riser below its seabed": (
         {"bottom.elevation": "-1080 m", "riser[0].length": "1080 m"}, "below it; allowed",
@@ -64,7 +64,7 @@ SLIPS = {
     "two sections of one name": ({"riser[1].name": "slick joints"}, "2 sections are named 'slick joints'"),
     "a current that ends above the foot": (
         {"current.profile": [{"depth": "0 m", "speed": "1 m/s"}, {"depth": "300 m", "speed": "0 m/s"}]},
-        "current.profile reaches from -300 m to 0 m of elevation, the riser in water from -980 m to 0 m",
+        "current.profile: reaches from -300 m to 0 m of elevation, the riser in water from -980 m to 0 m",
     ),
     "depths given as elevations": (
         {"current.profile": [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 980)]},
@@ -114,7 +114,7 @@ def test_contents_of_sea_water_give_the_weight_of_an_open_pipe():
 @pytest.mark.parametrize(
     "levels, said",
     [
-        ({"riser[0].contents.level": "-300 m"}, "riser\\[0\\].contents.level -300 m is another"),
+        ({"riser[0].contents.level": "-300 m"}, "riser\\[0\\].contents.level: -300 m is another"),
         (
             {"riser[0].contents.level": "-300 m", "riser[1].contents.level": "25 m"},
             "'upper joints'; allowed is that one's",
@@ -124,12 +124,12 @@ def test_contents_of_sea_water_give_the_weight_of_an_open_pipe():
 )
 def test_contents_are_one_column_with_one_level(levels, said):
     with pytest.raises(InputError, match=said):
-        SceneFile("deck.yaml", DECK).with_values(levels, "test").scene()
+        SceneFile("deck.yaml", DECK).with_values(levels, "test").resolved()
 
 
 def test_contents_may_stand_up_to_the_deck():
     levels = {f"riser[{k}].contents.level": "25 m" for k in (0, 1)}
-    assert SceneFile("deck.yaml", DECK).with_values(levels, "test").scene()
+    assert SceneFile("deck.yaml", DECK).with_values(levels, "test").resolved()
 
 
 def test_contents_counted_twice_are_doubted():
@@ -155,8 +155,8 @@ def test_a_string_or_cable_may_hang_slack_and_a_riser_may_not():
         "top": {"x": "held", "z": "held", "offset": "700 m", "elevation": "300 m"},
         "analysis": {},
     }
-    assert SceneFile("c.yaml", hung).scene().riser[0].length == 850.0
+    assert SceneFile("c.yaml", hung).resolved().riser[0].length == 850.0
     stiff = hung | {"riser": [cable | {"bending_stiffness": "1 MN*m^2"}]}
     with pytest.raises(InputError, match="too long"):
-        SceneFile("c.yaml", stiff | {"top": hung["top"] | {"offset": "70 m"}}).scene()
-    assert SceneFile("c.yaml", stiff).scene().riser[0].length == 850.0
+        SceneFile("c.yaml", stiff | {"top": hung["top"] | {"offset": "70 m"}}).resolved()
+    assert SceneFile("c.yaml", stiff).resolved().riser[0].length == 850.0

@@ -60,7 +60,7 @@ def loaded(folder, change=lambda deck: None):
     target = folder / "scene.yaml"
     sys.argv = ["riserstudy", "import", str(changed(folder, change)), "-o", str(target), "--force"]
     main()
-    return load_scene(target).scene()
+    return load_scene(target).resolved()
 
 
 def test_a_deck_becomes_its_scene(tmp_path):
@@ -165,7 +165,7 @@ def test_links_are_tensioners_and_carry_what_the_deck_hangs_on_them(tmp_path):
     vertical = 4.0 * force * upright / math.hypot(5.0, upright)
     weight = sum(
         (s.submerged_weight + s.contents_mass * GRAVITY) * s.total_length
-        for s in _file(tmp_path, pulled).scene().riser
+        for s in _file(tmp_path, pulled).resolved().riser
     )
     assert vertical - weight == pytest.approx(float(found["lower_end_tension"]), rel=1e-6)
 

@@ -40,7 +40,7 @@ def written(deck, folder):
 def scene_of(deck, folder):
     path = written(deck, folder)
     tree = read_deck(path).tree
-    return SceneFile(str(path), unwrap(tree)[0]).scene()
+    return SceneFile(str(path), unwrap(tree)[0]).resolved()
 
 
 def named(deck, of, name):

@@ -26,7 +26,9 @@ def test_runs_return_what_the_table_says_that_their_scene_has(scene):
     """Angles aside: which flex joints there are depends on how the scene holds the ends."""
     file = read_scene(SCENES / f"{scene}.yaml")
     short = {"analysis.duration": "2 s", "analysis.output": {"interval": "1 s"}}
-    made = file.with_values({"analysis.mesh": None, "analysis.step": None} | short, "test").scene()
+    made = file.with_values(
+        {"analysis.mesh": None, "analysis.step": None} | short, "test"
+    ).resolved()
     mesh = coarsest_mesh(made)
     arrays = finish(made, mesh, march(made, mesh, period(made) / 24.0)).arrays
     stems = {n for n in QUANTITIES for e in ("", "_max", "_static") if n + e in arrays}
@@ -45,7 +47,7 @@ def test_a_throw_away_quantity_needs_no_other_entry():
         from riserstudy.scene.limit_inputs import lacks
         from riserstudy.scene.limits import ALONG, Limit
         limit = Limit(output="noise", mode="drilling", at="riser", largest="3 m")
-        scene = load_scene("bench/s4e.yaml").scene()
+        scene = load_scene("bench/s4e.yaml").resolved()
         print(of_runs("noise_max"), "noise" in ALONG, limit.allowable, lacks(scene, limit))"""
     command = [sys.executable, "-c", program]
     ran = subprocess.run(command, cwd=SCENES, capture_output=True, text=True)

@@ -92,7 +92,7 @@ def moved(table, phases, motion, period, heading):
         },
         "analysis": {},
     }  # fmt: skip
-    response = SceneFile(str(table.parent / "scene.yaml"), tree).scene().platform.response
+    response = SceneFile(str(table.parent / "scene.yaml"), tree).resolved().platform.response
     parts = harmonics(response, response.wave)
     k = parts.motion.index(motion)
     time = np.linspace(0.0, 30.0, 61)

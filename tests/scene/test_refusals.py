@@ -94,7 +94,7 @@ REFUSED = {
     "a list that is none": (SURGE, "riser", "pipe", "riser", "list"),
     "a word not among those allowed": (SURGE, "top.x", "floating", "top.x", "'floating'"),
     # the sea
-    "a wave on water of unsaid depth": (SURGE, "wave", WAVE, "", "needs water.surface and water.seabed"),
+    "a wave on water of unsaid depth": (SURGE, "wave", WAVE, "wave", "needs water.surface and water.seabed"),
     "a wave of two heights": (SURGE, "wave", WAVE | {"amplitude": "3 m"}, "wave", "one of height"),
     "a wave that ends nowhere": (
         SURGE, "wave", {"height": "6 m", "period": "8 s"}, "wave.above_mean_level", "missing",
@@ -103,8 +103,9 @@ REFUSED = {
         SURGE, "water", WATER | {"seabed": "600 m"}, "water", "seabed must lie below surface",
     ),
     "a drift of unsaid depth": (
-        SURGE, "current", {"profile": {"sum": [{"shape": "uniform", "surface_speed": "1 m/s"}]}}, "",
-        "current.profile needs water.surface",
+        SURGE, "current", {"profile": {"sum": [{"shape": "uniform", "surface_speed": "1 m/s"}]}},
+        "current.profile",
+        "needs water.surface",
     ),
     # geometry and physics
     "a pipe without wall": (SURGE, "riser[0].inner_diameter", "1 m", "riser[0]", "must be smaller than"),
@@ -112,8 +113,11 @@ REFUSED = {
     "two ways to length": (
         SURGE, "riser[0].joints", {"count": 3, "length": "10 m"}, "riser[0]", "length and joints",
     ),
-    "contents without gravity": (SURGE, "riser[0].contents", {"density": "1 t/m^3"}, "", "gravity"),
-    "drag without water": (SURGE, "water", None, "", "needs water"),
+    "contents without gravity": (
+        SURGE, "riser[0].contents", {"density": "1 t/m^3"},
+        "riser[0].contents", "gravity",
+    ),
+    "drag without water": (SURGE, "water", None, "riser[0].drag", "needs water"),
     "a stroke that closes the gas volume": (
         CHANG, "top.tensioners.stroke", STROKE, "top.tensioners", "empty at 18.4",
     ),
@@ -140,35 +144,40 @@ REFUSED = {
         {"by": "chord", "shortest": "-8 m", "longest": "8 m", "at": "1 m"},
         "top.tensioners.linearised", "at goes with a tangent",
     ),
-    "a piston without gravity": (LIU, "gravity", None, "", "pistons need gravity"),
+    "a piston without gravity": (LIU, "gravity", None, "top.tensioners.piston_mass", "needs gravity"),
     "two laws of a tensioner": (
         CHANG, "top.tensioners.linear", {"tension": "1 MN", "stiffness": "1 kN/m"}, "top.tensioners",
         "one of gas, two_chamber_gas, linear, table and carried",
     ),
     "a weight carried where it stands": (
-        CHANG, "top.tensioners", {**RIG, "carried": {"doubles_over": "100 m"}}, "", "hold: free",
+        CHANG, "top.tensioners", {**RIG, "carried": {"doubles_over": "100 m"}}, "top.tensioners.carried",
+        "hold: free",
     ),
     "a ratio of damping without a weight": (
         CHANG, "top.tensioners.damping", {"ratio": 0.1}, "top.tensioners", "damping.ratio needs carried",
     ),
-    "both ends free": (HEAVE, "top", {"z": "free"}, "", "both ends are free"),
-    "a top on no platform": (SURGE, "platform", None, "", "needs platform"),
-    "lateral motion with x unsaid": (SURGE, "top.x", None, "", "top.x is needed"),
+    "both ends free": (HEAVE, "top", {"z": "free"}, "bottom.hold", "both ends are free"),
+    "a top on no platform": (SURGE, "platform", None, "top.x", "needs platform"),
+    "lateral motion with x unsaid": (SURGE, "top.x", None, "top.x", "is needed"),
     "a current that goes back down": (
-        SURGE, "current", {"profile": PROFILE}, "current", "elevations must rise",
+        SURGE, "current", {"profile": PROFILE}, "current.profile", "elevations must rise",
     ),
     "a motion that goes back in time": (
-        SURGE, "platform.surge", {"points": POINTS}, "platform.surge", "times must rise",
+        SURGE, "platform.surge", {"points": POINTS}, "platform.surge.points", "times must rise",
     ),
     # a platform that floats, and the ground
-    "a top on no vessel": (DRIVE_OFF, "vessel", None, "", "go together"),
-    "a vessel that turns in its first-order motions": (DRIVE_OFF, "platform", {}, "", "vessel.yaw"),
-    "a conductor's foot in no soil": (DRIVE_OFF, "soil", None, "", "go together"),
+    "a top on no vessel": (DRIVE_OFF, "vessel", None, "vessel", "go together"),
+    "a vessel that turns in its first-order motions": (
+        DRIVE_OFF, "platform", {},
+        "vessel.yaw", "heading at rest",
+    ),
+    "a conductor's foot in no soil": (DRIVE_OFF, "soil", None, "soil", "go together"),
     "a joint below the lowest section": (
-        DRIVE_OFF, "riser[0].flex_joint_below", {"stiffness": "1 kN*m/deg"}, "", "flex_joint_below: one",
+        DRIVE_OFF, "riser[0].flex_joint_below", {"stiffness": "1 kN*m/deg"}, "riser[2].flex_joint_below",
+        "allowed is one",
     ),
     "a stress wanted nowhere": (
-        DRIVE_OFF, "analysis.output.stress_in", "casing", "", "no section 'casing'",
+        DRIVE_OFF, "analysis.output.stress_in", "casing", "analysis.output.stress_in", "no section 'casing'",
     ),
     "stops of a joint that are nowhere": (
         DRIVE_OFF, "top.telescopic_joint.stop", {"stiffness": "1 N/m"},
@@ -183,12 +192,17 @@ REFUSED = {
         DRIVE_OFF, "vessel.coupling", turns(scheme="loose"), COUPLING + ".scheme", "staggered",
     ),
     "a tolerance of turns that are not repeated": (
-        DRIVE_OFF, "vessel.coupling", turns(tolerance="1 mm"), COUPLING, "tolerance: a staggered exchange",
+        DRIVE_OFF, "vessel.coupling", turns(tolerance="1 mm"), "vessel.coupling.tolerance",
+        "a staggered exchange",
     ),
     "turns longer than the run": (
-        DRIVE_OFF, "vessel.coupling", turns(interval="151 s"), "", "up to analysis.duration, 150 s",
+        DRIVE_OFF, "vessel.coupling", turns(interval="151 s"), "vessel.coupling.interval",
+        "up to analysis.duration, 150 s",
     ),
-    "a million turns": (DRIVE_OFF, "vessel.coupling", turns(interval="0.1 ms"), "", "1000000 turns"),
+    "a million turns": (
+        DRIVE_OFF, "vessel.coupling", turns(interval="0.1 ms"),
+        "vessel.coupling.interval", "1000000 turns",
+    ),
     # analysis
     "an accuracy of nothing": (SURGE, "analysis.accuracy", "0 %", "analysis.accuracy", "greater than 0"),
     "an accuracy below nothing": (SURGE, "analysis.accuracy", "-1 %", "analysis.accuracy", "greater"),
@@ -199,7 +213,10 @@ REFUSED = {
     "time that runs back": (SURGE, "analysis.duration", "-1 s", "analysis.duration", "greater than 0"),
     "output after the end": (SURGE, "analysis.output.start", "200 s", "analysis", "after the end"),
     "too much output": (SURGE, "analysis.output.interval", "1 ns", "analysis", "outputs"),
-    "a station beyond the riser": (SURGE, "analysis.output.stations", ["9 km"], "", "not on the riser"),
+    "a station beyond the riser": (
+        SURGE, "analysis.output.stations", ["9 km"],
+        "analysis.output.stations", "not on the riser",
+    ),
     "no stations": (SURGE, "analysis.output.stations", [], "analysis.output.stations", "at least 1"),
     "stations out of order": (
         SURGE, "analysis.output.stations", ["9 m", "5 m"], "analysis.output", "must rise",
@@ -367,7 +384,7 @@ def test_a_table_takes_the_place_of_points(tmp_path):
     (tmp_path / "current.csv").write_text("elevation (ft), speed (knot)\n0, 0\n1000, 2\n")
     found = load_scene(
         scene, **{"current": {"profile": {"file": "current.csv"}, "beyond": "hold"}}
-    ).scene()
+    ).resolved()
     assert found.current.profile[1].elevation == pytest.approx(304.8)
     assert found.current.profile[1].speed == pytest.approx(2 * 1852 / 3600)
 
@@ -383,7 +400,9 @@ def test_depths_and_elevations_tell_the_same_current(tmp_path):
     tables = []
     for name in ("up", "down"):
         profile = {"file": str(tmp_path / f"{name}.csv")}
-        scene = load_scene(SURGE, **LEVELS, current={"profile": profile, "beyond": "hold"}).scene()
+        scene = load_scene(
+            SURGE, **LEVELS, current={"profile": profile, "beyond": "hold"}
+        ).resolved()
         tables.append(np.array(current_table(scene.current, scene.water)))
     np.testing.assert_allclose(tables[1], tables[0], rtol=1e-6)
 

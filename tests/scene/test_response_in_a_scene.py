@@ -147,7 +147,7 @@ def test_a_table_says_the_same_in_every_convention(
         },
         "centre_of_rotation": {"elevation": "540 m"},
     }
-    response = load_scene(SYSTEM, platform=platform).scene().platform.response
+    response = load_scene(SYSTEM, platform=platform).resolved().platform.response
     for h, row in zip(towards, r, strict=True):
         found = operator(response, "pitch", 2.0 * math.pi / periods, math.radians(h))
         np.testing.assert_allclose(found, row, rtol=1e-9)

@@ -68,8 +68,8 @@ def drawn(seed, by_hand, dressed):
 @pytest.mark.parametrize("seed", range(4))
 def test_a_section_through_the_surface_is_the_two_that_it_stands_for(seed, dressed):
     whole, hand = (drawn(seed, by_hand, dressed) for by_hand in (False, True))
-    assert [s.name for s in whole.scene().riser] == [s.name for s in hand.scene().riser]
-    assert whole.scene().hanging == pytest.approx(hand.scene().hanging, rel=1e-12)
+    assert [s.name for s in whole.resolved().riser] == [s.name for s in hand.resolved().riser]
+    assert whole.resolved().hanging == pytest.approx(hand.resolved().hanging, rel=1e-12)
     one, other = (simulate(file, progress=False) for file in (whole, hand))
     for name in ("effective_tension", "bending_moment", "x"):
         assert one[name].to_numpy() == pytest.approx(other[name].to_numpy(), rel=1e-9, abs=1e-6)
@@ -80,14 +80,14 @@ def test_a_limit_at_a_section_is_about_both_its_parts(seed):
     file = drawn(seed, False, False)
     run = simulate(file, progress=False)
     moment, tension = json.loads(run.attrs["limits"])
-    s, length = run["s"].to_numpy(), file.scene().riser[0].total_length
+    s, length = run["s"].to_numpy(), file.resolved().riser[0].total_length
     there = np.abs(run["bending_moment"].to_numpy()[s >= length - 1e-9])
     assert moment["demand"] == pytest.approx(there.max())
     assert tension["demand"] == pytest.approx(float(run["effective_tension"][-1]))
 
 
 def test_the_part_above_weighs_what_no_water_carries():
-    lower, upper = drawn(0, False, False).scene().riser[1:]
+    lower, upper = drawn(0, False, False).resolved().riser[1:]
     displaced = 9.81 * 1025.0 * 0.25 * math.pi * lower.outer_diameter**2
     assert upper.submerged_weight - lower.submerged_weight == pytest.approx(displaced)
 
@@ -98,4 +98,4 @@ def test_a_stress_of_a_section_that_is_cut_is_refused():
         {"analysis.output": output, "analysis.duration": "10 s", "analysis.step": "0.1 s"}, "test"
     )
     with pytest.raises(InputError, match="reaches through the water's surface"):
-        file.scene()
+        file.resolved()

@@ -10,6 +10,7 @@ from riserstudy.effects.gas_spring import GasSpring, energy
 from riserstudy.model.mesh import even
 from riserstudy.model.tensioner_law import gas_force, linear_law
 from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import resolve
 from riserstudy.scene.tensioners import Gas, Linearised, Tensioners
 from riserstudy.simulation.run import single
 
@@ -33,29 +34,31 @@ def scene(east=1.0, shift=(0.0, 0.0)):
         for z, u in ((0.0, 0.2), (150.0, 0.4), (300.0, 1.2))
     ]
     surge = {"amplitude": "2 m", "period": "9 s", "phase": "0 deg" if east > 0 else "180 deg"}
-    return Scene.model_validate(
-        {
-            "title": "mirror",
-            "water": {"density": "1025 kg/m^3"},
-            "riser": [pipe],
-            "bottom": {
-                "hold": "wellhead",
-                "elevation": f"{up!r} m",
-                "rotation": {"stiffness": "30 kN*m/deg"},
-            },
-            "top": {"x": "platform", "z": "free", "tension": "900 kN", "rotation": "free"},
-            "platform": {
-                "surge": surge | {"ramp": "9 s"},
-                "position": {"surge": f"{east * 12.0!r} m"},
-            },
-            "current": {"profile": profile},
-            "analysis": {
-                "duration": "12 s",
-                "output": {"interval": "0.5 s"},
-                "mesh": {"elements": 20},
-                "step": "0.1 s",
-            },
-        }
+    return resolve(
+        Scene.model_validate(
+            {
+                "title": "mirror",
+                "water": {"density": "1025 kg/m^3"},
+                "riser": [pipe],
+                "bottom": {
+                    "hold": "wellhead",
+                    "elevation": f"{up!r} m",
+                    "rotation": {"stiffness": "30 kN*m/deg"},
+                },
+                "top": {"x": "platform", "z": "free", "tension": "900 kN", "rotation": "free"},
+                "platform": {
+                    "surge": surge | {"ramp": "9 s"},
+                    "position": {"surge": f"{east * 12.0!r} m"},
+                },
+                "current": {"profile": profile},
+                "analysis": {
+                    "duration": "12 s",
+                    "output": {"interval": "0.5 s"},
+                    "mesh": {"elements": 20},
+                    "step": "0.1 s",
+                },
+            }
+        )
     )
 
 

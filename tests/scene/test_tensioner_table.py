@@ -30,7 +30,7 @@ MOVING = {
 
 def gas_rows(first, last, count):
     """Chang's gas law, tabulated."""
-    gas = load_scene(HEAVE).scene().top.tensioners.gas
+    gas = load_scene(HEAVE).resolved().top.tensioners.gas
     reach = np.linspace(first, last, count)
     return [
         {"reach": f"{x:.6f} m", "force": f"{f:.3f} N"}
@@ -73,8 +73,8 @@ def test_a_csv_table_is_the_same_as_rows_written_out(tmp_path):
     (tmp_path / "law.csv").write_text("\n".join(["reach (m), force (N)", *lines]) + "\n")
     (tmp_path / "scene.yaml").write_text(HEAVE.read_text())
     changes = {f"{TENSIONERS}.gas": None, f"{TENSIONERS}.table": {"file": "law.csv"}}
-    from_file = load_scene(tmp_path / "scene.yaml", **changes).scene()
-    assert from_file.top.tensioners == tabulated(rows, {}).scene().top.tensioners
+    from_file = load_scene(tmp_path / "scene.yaml", **changes).resolved()
+    assert from_file.top.tensioners == tabulated(rows, {}).resolved().top.tensioners
 
 
 def rows(*pairs):

@@ -15,8 +15,8 @@ MASS = "riser[0].added_mass"
 
 
 def test_a_scene_with_added_mass_or_without_waves_is_not_warned_of():
-    assert without_inertia(load_scene(BASE).scene()) == []
-    assert without_inertia(load_scene(BASE, **{MASS: None, "wave": None}).scene()) == []
+    assert without_inertia(load_scene(BASE).resolved()) == []
+    assert without_inertia(load_scene(BASE, **{MASS: None, "wave": None}).resolved()) == []
 
 
 def test_drag_in_waves_without_added_mass_is_told_in_the_run():

@@ -12,6 +12,7 @@ from matplotlib.text import Annotation
 from riserstudy.errors import InputError
 from riserstudy.scene.load import load_scene
 from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import resolve
 from riserstudy.scene.riser import Section
 from riserstudy.schematic import not_shown as module
 from riserstudy.schematic import schematic
@@ -53,7 +54,7 @@ def lower_and_upper(below, **parts):
     """A scene of two sections, the lower one so long (m), with parts of each."""
     lower = section("lower", below, **parts.get("lower", {}))
     upper = section("upper", 980.0 - below, **parts.get("upper", {}))
-    return Scene.model_validate(GUIDED | {"riser": [lower, upper]})
+    return resolve(Scene.model_validate(GUIDED | {"riser": [lower, upper]}))
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -83,7 +84,7 @@ def test_a_new_part_of_sections_is_drawn_or_nothing_that_could_be():
 @pytest.mark.parametrize("path", ["riser.guide_below", "water.surface", "top.tension"])
 def test_a_part_that_the_schematic_knows_nothing_of_is_named(path, monkeypatch):
     upper = section("upper", 480.0, guide_below={"stiffness": "7 kN/m"})
-    scene = Scene.model_validate(GUIDED | {"riser": [section("lower", 500.0), upper]})
+    scene = resolve(Scene.model_validate(GUIDED | {"riser": [section("lower", 500.0), upper]}))
     monkeypatch.setattr(module, "SHOWN", SHOWN - {path})
     assert parts_left_out(scene) == [path]
     assert f"Not shown: {path}." in words(schematic(scene))
@@ -91,7 +92,7 @@ def test_a_part_that_the_schematic_knows_nothing_of_is_named(path, monkeypatch):
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_every_schematic_says_what_it_leaves_out(path):
-    scene = load_scene(path).scene()
+    scene = load_scene(path).resolved()
     left = parts_left_out(scene)
     assert (f"Not shown: {', '.join(left)}." in words(schematic(scene))) == bool(left)
 
@@ -119,7 +120,7 @@ def inner_names(about, schema):
 def picture(path, taken):
     """A digest of the pixels of a scene's schematic, with something taken out; None where it cannot be."""
     try:
-        return picture_of(load_scene(path, **dict.fromkeys(taken)).scene())
+        return picture_of(load_scene(path, **dict.fromkeys(taken)).resolved())
     except InputError:
         return None
 

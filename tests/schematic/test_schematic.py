@@ -53,14 +53,14 @@ def words(figure):
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_every_scene_can_be_drawn(path):
-    figure = schematic(load_scene(path).scene())
+    figure = schematic(load_scene(path).resolved())
     assert len(figure.axes) in (3, 4)
     assert "lower end:" in words(figure)
 
 
 @pytest.mark.parametrize("paper, name", SHOWN)
 def test_a_schematic_is_headed_by_the_title_of_its_scene(paper, name):
-    scene = read_studies(CONFIG, paper).schematics[name].file(CONFIG).scene()
+    scene = read_studies(CONFIG, paper).schematics[name].file(CONFIG).resolved()
     assert headline(drawn(paper, name)) == scene.title
 
 
@@ -88,7 +88,7 @@ def test_labels_neither_touch_nor_leave_the_figure(paper, name):
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_arrows_of_loads_are_in_their_panels(path):
-    assert_forces_are_shown(schematic(load_scene(path).scene()))
+    assert_forces_are_shown(schematic(load_scene(path).resolved()))
 
 
 @pytest.mark.parametrize("paper, name", SHOWN)
@@ -151,7 +151,7 @@ def test_what_is_there_is_named_and_what_is_not_is_not():
 
 def test_parts_lie_where_the_scene_puts_them():
     """Conductor, LMRP and BOP, riser and telescopic joint one above the other, counted from the wellhead."""
-    scene = load_scene(CONFIG / "scenes/liu2017/ref_0.yaml").scene()
+    scene = load_scene(CONFIG / "scenes/liu2017/ref_0.yaml").resolved()
     place = Geometry(scene)
     assert [place.at(low)[1] for _, low, _ in place.sections] == pytest.approx([-73.0, 0.0, 14.0])
     assert place.ring == pytest.approx((0.0, 1326.0))
@@ -160,7 +160,7 @@ def test_parts_lie_where_the_scene_puts_them():
 
 
 def test_a_slack_riser_sags_with_its_length():
-    scene = load_scene(CONFIG / "scenes/bench/s4e.yaml").scene()
+    scene = load_scene(CONFIG / "scenes/bench/s4e.yaml").resolved()
     s, x, z = Geometry(scene).line
     steps = ((x[1:] - x[:-1]) ** 2 + (z[1:] - z[:-1]) ** 2) ** 0.5
     assert steps.sum() == pytest.approx(s[-1], rel=1e-3)
@@ -193,7 +193,7 @@ def test_words_of_a_scene_are_drawn_as_written(tmp_path):
     """A dollar or a bracket is one, and begins neither a formula nor a style."""
     words = r"a [b] [/c] $\frac$ d $"
     said = {"title": words, "riser[0].name": r"$\alpha{$ [/x]"}
-    figure = schematic(load_scene(CONFIG / "scenes/bench/s4b.yaml", **said).scene())
+    figure = schematic(load_scene(CONFIG / "scenes/bench/s4b.yaml", **said).resolved())
     figure.savefig(tmp_path / "a.png")
     drawn = [text.get_text() for text in figure.findobj(Text)]
     assert words in drawn
@@ -211,7 +211,7 @@ def levels(figure):
 
 
 def test_standing_cylinders_are_below_the_ring_and_hanging_ones_above():
-    scene = load_scene(CONFIG / "scenes/chang2020/heave.yaml").scene()
+    scene = load_scene(CONFIG / "scenes/chang2020/heave.yaml").resolved()
     ring = Geometry(scene).ring[1]
     hull = 0.26 * 1.3  # the mass at the ring reaches to both sides of it by less than that (inches)
     standing, hanging = (levels(schematic(scene, standing=way)) for way in (True, False))

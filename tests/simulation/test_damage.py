@@ -32,7 +32,7 @@ def curve(detail_class="D", environment=SEA):
 
 
 def arrays_of(tree, *details):
-    return run(SceneFile("rig.yaml", tree).scene(), estimated=False).arrays
+    return run(SceneFile("rig.yaml", tree).resolved(), estimated=False).arrays
 
 
 # Counts and curves
@@ -159,7 +159,7 @@ def test_a_regular_motion_has_the_damage_of_its_largest_range():
     tree["analysis"]["duration"] = 25.0 * period
     tree["analysis"]["output"]["start"] = 15.0 * period
     file = SceneFile("rig.yaml", written(tree, unit_of={"start": "s"}))
-    found = run(file.scene(), estimated=False)
+    found = run(file.resolved(), estimated=False)
     swing = (found.arrays["bending_moment_max"] - found.arrays["bending_moment_min"])[0]
     one = damage(Cycles(np.array([200.0 * swing]), np.ones(1)), curve(), 1.3, 0.025)
     assert found.arrays["damage_rate"][0, 0, 0] == pytest.approx(one * YEAR / period, rel=0.05)
@@ -169,7 +169,7 @@ def test_a_regular_motion_has_the_damage_of_its_largest_range():
 @pytest.mark.parametrize("spatial", [False, True])
 def test_damage_converges_at_the_order_of_the_method(spatial):
     """Steps halved on one mesh: differences fall by four, as those of a second-order method."""
-    scene = SceneFile("rig.yaml", written(fatigued(moving(12, spatial=spatial), WELD))).scene()
+    scene = SceneFile("rig.yaml", written(fatigued(moving(12, spatial=spatial), WELD))).resolved()
     mesh = coarsest_mesh(scene).halved()
     step = scene.fatigue and scene.analysis.output.interval
     runs = [single(scene, mesh, step / 2.0**k, everywhere=True) for k in range(1, 5)]
@@ -184,7 +184,7 @@ def test_the_estimated_error_of_damage_covers_the_true_one(seed, spatial):
     for name in ("mesh", "step"):
         del tree["analysis"][name]
     file = SceneFile("rig.yaml", written(tree) | {})
-    scene = file.with_values({"analysis.accuracy": "5 %"}, "test").scene()
+    scene = file.with_values({"analysis.accuracy": "5 %"}, "test").resolved()
     from riserstudy.simulation.refine import Refinement
 
     refinement = Refinement(scene)
@@ -208,7 +208,7 @@ def scene_with(**changes):
 @pytest.mark.parametrize(
     "changes, said",
     [
-        ({"analysis.output.interval": "3 s"}, "cuts the peaks of stress off"),
+        ({"analysis.output.interval": "3 s"}, "cuts off peaks of stress"),
         ({"riser[0].contents": None, "riser[0].inner_diameter": None}, "young_modulus"),
         ({"fatigue.details[0].at": "nowhere"}, "no section 'nowhere'"),
         ({"fatigue.details[0].curve.detail_class": "Z"}, "detail_class 'Z' is not known"),
@@ -223,13 +223,13 @@ def scene_with(**changes):
 )
 def test_a_scene_that_tells_too_little_is_refused(changes, said):
     with pytest.raises(InputError, match=said):
-        scene_with(**changes).scene()
+        scene_with(**changes).resolved()
 
 
 def test_a_run_that_ends_within_its_ramps_is_refused():
     file = scene_with(**{"platform.surge.ramp": "500 s"})
     with pytest.raises(SimulationError, match="cycles count from 500 s on"):
-        run(file.scene(), estimated=False)
+        run(file.resolved(), estimated=False)
 
 
 def test_a_scene_without_fatigue_does_not_count():
@@ -274,7 +274,7 @@ def test_cycles_of_vortices_count_once_their_vibration_is_built_up():
     tree["analysis"] |= {"duration": 300.0, "output": {"interval": 0.5}}
     tree["fatigue"] = {"angles": 8, "details": [WELD]}
     tree["analysis"]["step"] = 0.25
-    found = run(SceneFile("rig.yaml", written(tree)).scene(), estimated=False)
+    found = run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=False)
     (row,) = found.facts["fatigue"]
     assert row["since"] == found.facts["vibration_since"] == 165.0
     assert row["since"] + row["time"] == pytest.approx(300.0, abs=0.5)

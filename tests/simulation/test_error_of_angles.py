@@ -28,7 +28,7 @@ def requested(tree, accuracy):
     """A rig that requests an accuracy in place of its mesh and step."""
     file = file_of(tree)
     sets = {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": accuracy}
-    return file.with_values(sets, "test").scene()
+    return file.with_values(sets, "test").resolved()
 
 
 @pytest.mark.parametrize("spatial", [False, True])
@@ -64,8 +64,8 @@ def test_the_estimate_on_a_mesh_and_step_of_ones_own_covers_the_true_error(seed,
     fine = copy.deepcopy(tree)
     fine["analysis"]["mesh"]["elements"] *= 4
     fine["analysis"]["step"] /= 4.0
-    found = run(file_of(tree).scene())
-    true = difference(found, run(file_of(fine).scene(), estimated=False))
+    found = run(file_of(tree).resolved())
+    true = difference(found, run(file_of(fine).resolved(), estimated=False))
     assert true["angle"] <= COVERED * found.facts["error_estimate"]["angle"]
 
 
@@ -79,7 +79,10 @@ def test_angles_converge_with_the_order_of_the_method(spatial):
     for k in range(5):
         analysis = {"mesh": {"elements": 40 * 2**k}, "step": period / (40.0 * 2**k)}
         runs.append(
-            run(file_of(tree | {"analysis": tree["analysis"] | analysis}).scene(), estimated=False)
+            run(
+                file_of(tree | {"analysis": tree["analysis"] | analysis}).resolved(),
+                estimated=False,
+            )
         )
     changes = [difference(coarse, fine)["angle"] for coarse, fine in pairwise(runs)]
     falls = [before / after for before, after in pairwise(changes)]
@@ -112,7 +115,7 @@ def test_how_errors_are_seen_to_fall_is_that_of_the_quantities_that_an_accuracy_
 def test_an_angle_is_within_its_limit_only_with_its_error(seed):
     """Limits a little above the largest angle, by less and by more than its estimated error."""
     tree = moving(seed, spatial=bool(seed % 2), conductor=False)
-    result = run(file_of(tree).scene())
+    result = run(file_of(tree).resolved())
     rows = {row["output"]: row for row in result.facts["extremes"] if row["output"] in ANGLES}
     sizes = {name: max(abs(row["largest"]), abs(row["smallest"])) for name, row in rows.items()}
     error = result.facts["error_estimate"]["angle"] * max(sizes.values())
@@ -125,13 +128,13 @@ def test_an_angle_is_within_its_limit_only_with_its_error(seed):
                 "largest": f"{size + margin * error!r} rad",
             }
             file = file_of(tree, limits=[limit])
-            (row,) = checked(file, file.scene(), result.facts)
+            (row,) = checked(file, file.resolved(), result.facts)
             assert row.verdict == verdict
             assert ("error of the angle" in row.missing) == (verdict == "not evaluated")
         limit = {"output": "bending_moment", "mode": "drilling", "largest": "1e9 N*m"}
         file = file_of(tree, limits=[limit])
         poor = result.facts | {"error_estimate": {"angle": 3.0}}
-        (row,) = checked(file, file.scene(), poor)
+        (row,) = checked(file, file.resolved(), poor)
         assert row.verdict == "within"
 
 
@@ -152,7 +155,7 @@ def test_a_string_aside_tells_the_error_of_its_upper_angle():
         "top": {"x": "held", "z": "held", "offset": "150 m", "elevation": "980 m"},
         "analysis": {"accuracy": "2 %"},
     }
-    scene = SceneFile("string.yaml", tree).scene()
+    scene = SceneFile("string.yaml", tree).resolved()
     refinement = Refinement(scene)
     found = refinement.result()
     mesh = refinement.finest_mesh

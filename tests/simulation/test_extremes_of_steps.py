@@ -31,7 +31,7 @@ LIMITS = [
 def run_of(tree, **more):
     """A run without an estimate of its error: on a mesh as coarse as these it might be refused."""
     file = SceneFile("rig.yaml", written(tree) | {"limits": LIMITS} | more)
-    return to_dataset(run(file.scene(), estimated=False), file, {})
+    return to_dataset(run(file.resolved(), estimated=False), file, {})
 
 
 @pytest.mark.parametrize("seed", range(16))

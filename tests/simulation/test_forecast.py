@@ -13,7 +13,7 @@ SCENES = Path(__file__).parents[2] / "config/scenes"
 
 def surging(duration, **changes):
     analysis = {"duration": duration, "output": {"interval": "1 s"}, "accuracy": "5 %"}
-    return load_scene(SCENES / "hard/surge.yaml", analysis=analysis, **changes).scene()
+    return load_scene(SCENES / "hard/surge.yaml", analysis=analysis, **changes).resolved()
 
 
 def test_a_forecast_is_what_the_run_then_takes():

@@ -39,7 +39,7 @@ def record(seed=1, accuracy=0.01, duration=DURATION, **wave):
         "output": {"interval": "1 s"},
         "accuracy": f"{100 * accuracy:g} %",
     }
-    return load_scene(RISER, **response, analysis=analysis).scene()
+    return load_scene(RISER, **response, analysis=analysis).resolved()
 
 
 def work(refinement):

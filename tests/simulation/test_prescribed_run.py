@@ -22,7 +22,7 @@ SURGE = {"analysis.duration": "30 s", "analysis.output.interval": "0.5 s"}
 def of(scene, values, segments, step):
     """The scene with a mesh and a step."""
     own = {"analysis.mesh.elements": segments, "analysis.step": f"{step} s"}
-    return read_scene(SCENES / scene).with_values(values | own, "test").scene()
+    return read_scene(SCENES / scene).with_values(values | own, "test").resolved()
 
 
 @pytest.mark.parametrize(

@@ -45,7 +45,7 @@ def given(words):
 
 
 def test_the_words_of_a_recipe_make_a_run_with_an_error_like_that_of_its_piece():
-    found = recipe(in_a_sea(3000).scene())
+    found = recipe(in_a_sea(3000).resolved())
     assert found is not None
     own = simulate(in_a_sea(3000).with_values(given(found.words), "recipe"), progress=False)
     estimate = json.loads(own.attrs["error_estimate"])
@@ -56,9 +56,9 @@ def test_the_words_of_a_recipe_make_a_run_with_an_error_like_that_of_its_piece()
 
 
 def test_a_recipe_is_for_long_irregular_records_without_a_mesh():
-    assert recipe(in_a_sea(900).scene()) is None
+    assert recipe(in_a_sea(900).resolved()) is None
     own = {"analysis.mesh": {"elements": 20}, "analysis.step": "0.5 s"}
-    assert recipe(in_a_sea(3000).with_values(own, "test").scene()) is None
-    assert recipe(load_scene(RISER).scene()) is None
-    rough = in_a_sea(3000).with_values({"analysis.accuracy": "5 %"}, "test").scene()
+    assert recipe(in_a_sea(3000).with_values(own, "test").resolved()) is None
+    assert recipe(load_scene(RISER).resolved()) is None
+    rough = in_a_sea(3000).with_values({"analysis.accuracy": "5 %"}, "test").resolved()
     assert recipe(rough) is None

@@ -35,7 +35,7 @@ def refined(monkeypatch, error):
     monkeypatch.setattr(module, "finish", lambda scene, mesh, result: result)
     monkeypatch.setattr(module, "difference", difference)
     monkeypatch.setattr(module, "keep_stations", lambda *_: None)
-    facts = run(read_scene(SCENE).with_values(SETS, "test").scene()).facts
+    facts = run(read_scene(SCENE).with_values(SETS, "test").resolved()).facts
     return facts["elements"], facts["step"], facts["error_estimate"]["moment"]
 
 
@@ -85,7 +85,7 @@ def patient(monkeypatch, patience):
     monkeypatch.setattr(module, "keep_stations", lambda *_: None)
     monkeypatch.setattr(Watch, "spent", property(lambda _: spent[0]))
     told = []
-    scene = read_scene(SCENE).with_values(SETS, "test").scene()
+    scene = read_scene(SCENE).with_values(SETS, "test").resolved()
     return run(scene, patience, notify=lambda what, _: told.append(what)).facts, told
 
 
@@ -131,7 +131,7 @@ def test_a_march_is_broken_off_when_its_time_is_up(method):
         {"analysis": sets | {"mesh": {"elements": 8}}, "top.z": "free"}, "test"
     )
     with pytest.raises(TakesTooLong, match=r"longer than 1 s, broken off with .* of the outputs"):
-        run(file.scene(), 1.0, estimated=False)
+        run(file.resolved(), 1.0, estimated=False)
 
 
 class AtOnce(Watch):
@@ -149,7 +149,7 @@ def test_turns_are_broken_off_on_either_side(scheme):
     file = read_scene(SCENE.parents[1] / "liu2017/ref_0.yaml").with_values(
         {"vessel.coupling": {"scheme": scheme, "interval": "1 s"}}, "test"
     )
-    scene = file.scene()
+    scene = file.resolved()
     with pytest.raises(TakesTooLong, match="broken off with 0 % of the outputs"):
         single(scene, even(scene, 20), 0.1, watch=AtOnce())
 

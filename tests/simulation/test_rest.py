@@ -37,7 +37,7 @@ EVENT = "disconnect: {at: 2 s, over: 0.5 s, drain: {friction: 0.02}, stack: {sti
 def scene(request, tmp_path):
     file = tmp_path / "scene.yaml"
     file.write_text(SPATIAL.replace("EVENT", request.param))
-    return load_scene(file).scene()
+    return load_scene(file).resolved()
 
 
 def test_the_second_run_from_a_rest_is_that_of_a_new_model_to_the_last_bit(scene):

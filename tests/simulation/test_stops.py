@@ -25,7 +25,7 @@ RUN = {
 
 @pytest.fixture(scope="module")
 def rig():
-    return load_scene(HEAVE, **RUN).scene().top.tensioners
+    return load_scene(HEAVE, **RUN).resolved().top.tensioners
 
 
 def test_the_first_touch_and_the_largest_force_are_told(rig):

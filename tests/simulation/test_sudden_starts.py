@@ -47,7 +47,7 @@ def test_a_ramp_that_ends_on_a_step_ends_alike_in_every_unit_of_time(seed):
         other = copy.deepcopy(tree)
         other["platform"]["surge"]["ramp"] = ramp * (1.0 + rounding)
         # without an estimate: a jolt that a mesh of its own does not resolve would be refused
-        result = run(SceneFile("rig.yaml", written(other)).scene(), estimated=False)
+        result = run(SceneFile("rig.yaml", written(other)).resolved(), estimated=False)
         moments.append(result.arrays["bending_moment"])
     size = float(abs(moments[0]).max())
     for other in moments[1:]:

@@ -26,7 +26,7 @@ SETS = {
 
 @pytest.fixture
 def scene():
-    return read_scene(SCENE).with_values(SETS, "test").scene()
+    return read_scene(SCENE).with_values(SETS, "test").resolved()
 
 
 @pytest.mark.parametrize("step", [0.4, 0.1, 0.03, 0.01])

@@ -66,7 +66,7 @@ def river(seed, uniform):
 
 
 def scene_of(tree):
-    return SceneFile("river.yaml", written(copy.deepcopy(tree), unit_of=UNITS), {}).scene()
+    return SceneFile("river.yaml", written(copy.deepcopy(tree), unit_of=UNITS), {}).resolved()
 
 
 def refined(seed, uniform):

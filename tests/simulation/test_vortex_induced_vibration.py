@@ -54,7 +54,7 @@ def scene(**changes):
 
 
 def simulated(file, estimated=False):
-    return run(file.scene(), estimated=estimated)
+    return run(file.resolved(), estimated=estimated)
 
 
 @pytest.fixture(scope="module")
@@ -124,7 +124,7 @@ def test_a_request_holds_for_the_statistics():
     shape = {"shape": "uniform", "surface_speed": "0.15 m/s"}  # which calls for one mode alone
     flow = {"current.profile": shape, "analysis.duration": "30 s"}
     own = {"analysis.accuracy": "5 %", "analysis.mesh": None, "analysis.step": None}
-    found = run(scene(**flow, **own).scene())
+    found = run(scene(**flow, **own).resolved())
     elements, step = found.facts["elements"], found.facts["step"]
     finer = {"analysis.mesh.elements": 3 * elements, "analysis.step": f"{step / 3.0} s"}
     fine = simulated(scene(**flow, **finer))
@@ -158,15 +158,15 @@ def test_a_run_with_few_outputs_after_its_ramps_is_not_judged():
 )
 def test_what_it_cannot_do_is_refused(changes, says):
     with pytest.raises(InputError, match=says):
-        scene(**changes).scene()
+        scene(**changes).resolved()
 
 
 @pytest.mark.parametrize("name, other", [("ramp", "9 s"), ("seed", 2)])
 def test_sections_begin_together(name, other):
     halves = [{"name": part} | PIPE | {"length": "6.5 m"} for part in ("below", "above")]
     halves[1] = halves[1] | {"viv": PIPE["viv"] | {name: other}}
-    with pytest.raises(InputError, match=f"riser.viv.{name} must be the same"):
-        SceneFile("test", copy.deepcopy(SCENE) | {"riser": halves}, {}).scene()
+    with pytest.raises(InputError, match=f"viv.{name}: differs between sections"):
+        SceneFile("test", copy.deepcopy(SCENE) | {"riser": halves}, {}).resolved()
 
 
 @pytest.mark.parametrize("hertz", [0.7, 1.3])

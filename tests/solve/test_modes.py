@@ -5,6 +5,7 @@ import pytest
 
 from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import resolve
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.evaluate import force_of, shape_of
 from riserstudy.solve.modes import matrices
@@ -19,14 +20,16 @@ def cantilever(load):
         "young_modulus": "206 GPa",
         "mass": "1006 kg/m",
     }
-    return Scene.model_validate(
-        {
-            "title": "cantilever",
-            "riser": [pipe],
-            "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": "fixed"},
-            "top": {"x": "free", "z": "free", "lateral_force": f"{load} N", "rotation": "free"},
-            "analysis": {"mesh": {"elements": 8}},
-        }
+    return resolve(
+        Scene.model_validate(
+            {
+                "title": "cantilever",
+                "riser": [pipe],
+                "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": "fixed"},
+                "top": {"x": "free", "z": "free", "lateral_force": f"{load} N", "rotation": "free"},
+                "analysis": {"mesh": {"elements": 8}},
+            }
+        )
     )
 
 

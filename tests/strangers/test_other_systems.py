@@ -34,7 +34,9 @@ def test_a_study_names_its_scene_as_every_system_does(tmp_path, name):
     file = tmp_path / "study/config/studies/example.yaml"
     text = file.read_text("utf-8").replace("scene: scenes/riser.yaml", f"scene: '{name}'")
     file.write_text(text, "utf-8")
-    with pytest.raises(InputError, match=r"studies\.tension: .*(below the folder|/ between)"):
+    with pytest.raises(
+        InputError, match=r"studies\.tension\.scene: .*(below the folder|/ between)"
+    ):
         read_studies(tmp_path / "study/config", "example")
 
 
@@ -44,7 +46,7 @@ def test_a_scene_names_its_tables_as_every_system_does(tmp_path, name):
     file = tmp_path / "study/config/scenes/riser.yaml"
     file.write_text(file.read_text("utf-8").replace("current.csv", f"'{name}'"), "utf-8")
     with pytest.raises(InputError, match="/ between folders"):
-        read_scene(file).scene()
+        read_scene(file).resolved()
 
 
 @pytest.mark.parametrize("ends", ["\r\n", "\n"])
@@ -56,7 +58,7 @@ def test_line_ends_and_marks_of_spreadsheets_change_no_scene(tmp_path, ends, mar
         file = tmp_path / "other/config/scenes" / name
         file.write_bytes(mark.encode() + file.read_bytes())
     read = [
-        read_scene(tmp_path / n / "config/scenes/riser.yaml").scene() for n in ("plain", "other")
+        read_scene(tmp_path / n / "config/scenes/riser.yaml").resolved() for n in ("plain", "other")
     ]
     assert key_of(read[0]) == key_of(read[1])
 

@@ -37,7 +37,7 @@ def steps(path, *values):
 def test_a_point_has_the_key_of_its_whole_scene(study):
     some = study.plan[:: max(1, len(study.plan) // 3)]
     for point in [*some, study.plan[-1]]:
-        assert point.key == key_of(study.grid.file(point.index).scene())
+        assert point.key == key_of(study.grid.file(point.index).resolved())
 
 
 def test_a_later_axis_wins_and_takes_away_what_an_earlier_one_set():
@@ -75,7 +75,7 @@ def test_a_point_that_cannot_be_meant_is_refused_as_the_whole_scene_is(path, val
     with pytest.raises(InputError) as of_grid:
         list(grid.points())
     with pytest.raises(InputError) as of_scene:
-        grid.file((0, 0)).scene()
+        grid.file((0, 0)).resolved()
     assert str(of_grid.value) == str(of_scene.value)
     assert field in str(of_grid.value)
 

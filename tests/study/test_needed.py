@@ -46,7 +46,7 @@ def study(tmp_path, monkeypatch):
 def whole(study):
     """Its dataset of runs that went through no store."""
     files = [study.grid.file(point.index) for point in study.plan]
-    return dataset_of(study, [run(file.scene()) for file in files])
+    return dataset_of(study, [run(file.resolved()) for file in files])
 
 
 def same(one, other):

@@ -218,7 +218,7 @@ def test_true_errors_of_held_out_points_stay_below_the_request(study_of, name):
     for index in others(study, [], max(4, len(study.grid) // 20), 11):
         everywhere = {"analysis.output.stations": None}
         scene, requested = (
-            of.grid.file(index).with_values(everywhere, "test").scene() for of in (tuned, study)
+            of.grid.file(index).with_values(everywhere, "test").resolved() for of in (tuned, study)
         )
         refinement = Refinement(requested)
         refinement.result()

@@ -75,9 +75,9 @@ def test_numbers_have_their_own_unit_or_that_of_the_scene(texts, unit, values):
     written = planned({"top.tension": texts})
     assert written.model.axes["top_tension"].unit == unit
     assert [value for value, _ in written.axes["top_tension"]] == pytest.approx(values, rel=1e-12)
-    loads = [written.grid.file(point.index).scene().top.tension for point in written.plan]
+    loads = [written.grid.file(point.index).resolved().top.tension for point in written.plan]
     plain = planned({"top.tension": [load / 1e3 for load in loads]})  # in kN, as the scene has it
-    again = [plain.grid.file(point.index).scene().top.tension for point in plain.plan]
+    again = [plain.grid.file(point.index).resolved().top.tension for point in plain.plan]
     assert again == pytest.approx(loads, rel=1e-12)
 
 

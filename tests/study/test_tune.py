@@ -85,7 +85,7 @@ def study_of(file, name):
 
 def true_error(study, setting, index):
     """Error of a setting at a point, by segments and steps a quarter as long."""
-    scene = study.grid.file(index).with_values(FREE | setting.values, "test").scene()
+    scene = study.grid.file(index).with_values(FREE | setting.values, "test").resolved()
     coarse = single(scene, prescribed(scene, setting.elements), setting.step)
     fine = single(scene, prescribed(scene, 4 * setting.elements), setting.step / 4)
     return controlled(difference(coarse, fine))
@@ -158,7 +158,7 @@ def test_what_is_written_is_what_was_printed_and_leaves_the_rest_of_the_file(com
     changed = [line for line in before - {line.strip() for line in text.splitlines()} if line]
     assert all("analysis" in line for line in changed)
     study = study_of(file, name)
-    setting = own_setting(study.base.scene())
+    setting = own_setting(study.base.resolved())
     assert f"elements: {setting.elements}" in out.splitlines()[0]
     assert out.splitlines()[1] == f"analysis.step: {setting.step:g} s"
     about = study.model.tuned

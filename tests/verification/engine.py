@@ -33,7 +33,7 @@ def dataset(name: str, elements: int | None = None, **values):
 def march(name: str, elements: int, step: float, **values) -> Result:
     """One run on given mesh and step, without the second run that estimates its error."""
     wanted = {"analysis__mesh": {"elements": elements}, "analysis__step": f"{step!r} s"}
-    file = scene(name, **(wanted | values)).scene()
+    file = scene(name, **(wanted | values)).resolved()
     return single(file, even(file, elements), step)
 
 

@@ -123,4 +123,4 @@ def test_tensioners_that_pull_at_the_ring_have_the_joint_s_stop_too():
 )
 def test_stops_that_are_none_are_refused(stop, why):
     with pytest.raises(InputError, match=why):
-        scene(**{"top.telescopic_joint.stop": stop}).scene()
+        scene(**{"top.telescopic_joint.stop": stop}).resolved()

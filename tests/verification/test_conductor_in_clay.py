@@ -67,8 +67,8 @@ def scene(offset, **changes):
     where = "top.offset" if file.tree["top"]["x"] == "held" else "platform.position.surge"
     if "platform" in where:
         file = file.with_values({"platform": {"position": {"surge": f"{offset} m"}}}, "test")
-        return file.scene()
-    return file.with_values({where: f"{offset} m"}, "test").scene()
+        return file.resolved()
+    return file.with_values({where: f"{offset} m"}, "test").resolved()
 
 
 def resistance(depth, y):

@@ -108,7 +108,7 @@ def test_a_table_beside_the_scene_is_that_written_out(tmp_path):
     (tmp_path / "soil.csv").write_text("\n".join(lines) + "\n")
     there = SceneFile(str(tmp_path / "scene.yaml"), SCENE)
     both = [
-        there.with_values({"soil.resistance": one}, "test").scene()
+        there.with_values({"soil.resistance": one}, "test").resolved()
         for one in (curves, {"table": {"file": "soil.csv"}})
     ]
     found = [head_and_moment(one, 200) for one in both]
@@ -151,4 +151,4 @@ def test_a_softer_part_below_the_mudline_bends_more():
 )  # fmt: skip
 def test_soil_that_cannot_be_meant_is_refused(changes, said):
     with pytest.raises(InputError, match=said):
-        SceneFile("sand.yaml", SCENE).with_values(changes, "test").scene()
+        SceneFile("sand.yaml", SCENE).with_values(changes, "test").resolved()

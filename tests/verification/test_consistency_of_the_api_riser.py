@@ -21,7 +21,7 @@ def moving(solver, **surge):
     if solver:
         changes["analysis__solver"] = solver
     mesh = {"analysis__mesh": {"elements": ELEMENTS}, "analysis__step": f"{STEP} s"}
-    file = scene("api2j", **mesh, **changes).scene()
+    file = scene("api2j", **mesh, **changes).resolved()
     return single(file, even(file, ELEMENTS), STEP).arrays
 
 
@@ -43,7 +43,7 @@ def off(found, expected):
 @cache
 def at_rest():
     """Geometrically exact rod in the current, by collocation: s, x and moment."""
-    file = scene("api2j").scene()
+    file = scene("api2j").resolved()
     section, current = file.riser[0], file.current.profile
     pipe = stiffness(section)
     drag = 0.5 * file.water.density * section.drag.coefficient * section.drag.diameter
@@ -81,7 +81,7 @@ def at_rest():
 
 
 def test_statics_agree_with_a_boundary_value_solver():
-    file = scene("api2j").scene()
+    file = scene("api2j").resolved()
     rest = single(file, even(file, 400), None).arrays
     x, _, _, moment, _, _ = at_rest()(rest["s_node"])
     assert off(rest["x_static"], x) < 1e-4
@@ -91,7 +91,7 @@ def test_statics_agree_with_a_boundary_value_solver():
 def test_the_beam_of_small_slopes_agrees_in_statics_to_the_square_of_its_slope():
     file = scene(
         "api2j", analysis__solver="hermite", analysis__mesh={"elements": 400}, analysis__step="1 s"
-    ).scene()
+    ).resolved()
     rest = single(file, even(file, 400), None).arrays
     x, _, _, moment, _, _ = at_rest()(rest["s_node"])
     # slopes of 0.05

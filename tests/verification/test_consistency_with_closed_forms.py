@@ -7,6 +7,7 @@ from engine import dataset, off, scene, slopes
 
 from riserstudy.errors import SimulationError
 from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import resolve
 from riserstudy.simulation.modes import modes_of
 
 TENSION = 2275e3
@@ -18,7 +19,7 @@ LENGTHS = 1.0 / np.array([32, 48, 64, 96, 128])
 
 
 def frequencies(name, motion, elements):
-    found = modes_of(scene(name, analysis__mesh={"elements": elements}).scene(), 15)
+    found = modes_of(scene(name, analysis__mesh={"elements": elements}).resolved(), 15)
     chosen = found["motion"].values == motion
     return 2.0 * np.pi * found["frequency"].values[chosen][:5]
 
@@ -137,10 +138,10 @@ def test_modes_of_a_mass_on_a_massless_spring_are_those_of_the_oscillator():
         "top": {"z": "free", "body": {"name": "mass", "mass": "749 t"}},
         "analysis": {},
     }
-    found = modes_of(Scene.model_validate(spring), 3)
+    found = modes_of(resolve(Scene.model_validate(spring)), 3)
     assert found["frequency"].values == pytest.approx([np.sqrt(3.43e6 / 749e3) / (2 * np.pi)])
 
 
 def test_modes_without_mass_are_refused_with_the_reason():
     with pytest.raises(SimulationError, match="need mass"):
-        modes_of(scene("s1").scene(), 3)
+        modes_of(scene("s1").resolved(), 3)

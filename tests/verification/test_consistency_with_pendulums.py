@@ -57,14 +57,14 @@ def test_a_body_on_a_rod_that_does_not_bend_is_a_compound_pendulum(scene, arm, i
     """To the 1e-5 or so by which rod and body bend."""
     body = {"bottom.body.centre_below": f"{arm} m"}
     body["bottom.body.rotary_inertia"] = f"{inertia} kg*m^2" if inertia else None
-    found = modes_of(scene(**(STIFF | body)).scene(), 1)
+    found = modes_of(scene(**(STIFF | body)).resolved(), 1)
     known = compound(LENGTH, arm, inertia=inertia or 0.0)
     assert float(found["frequency"][0]) == pytest.approx(known, rel=1e-4)
 
 
 def test_it_swings_alike_in_every_direction(scene):
     across = {"platform": {"sway": {"amplitude": "0 m", "period": "10 s"}}, "top.x": "platform"}
-    found = modes_of(scene(**(STIFF | across | {"top.z": "platform"})).scene(), 2)
+    found = modes_of(scene(**(STIFF | across | {"top.z": "platform"})).resolved(), 2)
     np.testing.assert_allclose(found["frequency"], compound(LENGTH, ARM), rtol=1e-4)
 
 
@@ -74,13 +74,13 @@ def test_on_a_string_it_is_a_double_pendulum(scene):
     mass = [[string, MASS * LENGTH * ARM], [MASS * LENGTH * ARM, INERTIA + MASS * ARM**2]]
     square = eigh(np.diag([WEIGHT * LENGTH, WEIGHT * ARM]), mass, eigvals_only=True)
     one = {"analysis.mesh.elements": 1, "top.rotation": None}
-    found = modes_of(scene(**one, **{"riser[0].lateral_load": "1e-9 N/m"}).scene(), 2)
+    found = modes_of(scene(**one, **{"riser[0].lateral_load": "1e-9 N/m"}).resolved(), 2)
     np.testing.assert_allclose(found["frequency"], np.sqrt(square) / (2 * np.pi), rtol=1e-4)
 
 
 def test_added_mass_moves_with_the_centre(scene):
     body = {"bottom.body.added_mass": {"horizontal": "70 t"}}
-    found = modes_of(scene(**(STIFF | body)).scene(), 1)
+    found = modes_of(scene(**(STIFF | body)).resolved(), 1)
     known = compound(LENGTH, ARM, mass=MASS + 70e3)
     assert float(found["frequency"][0]) == pytest.approx(known, rel=1e-4)
 
@@ -155,4 +155,4 @@ def test_refusals(scene):
         ({"bottom.hold": "wellhead", "bottom.elevation": "-30 m"}, "needs 'hold: free'"),
     ):
         with pytest.raises(InputError, match=text):
-            scene(**sets).scene()
+            scene(**sets).resolved()

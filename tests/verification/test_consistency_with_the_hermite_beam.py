@@ -11,6 +11,7 @@ from reference_heave import ramped_sine
 from riserstudy import load_scene
 from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import resolve
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 from riserstudy.solve.hermite import dynamics, statics
@@ -74,22 +75,24 @@ def test_structural_damping_agrees_with_damping_in_proportion_to_bending_stiffne
         "mass": "1006 kg/m",
         "structural_damping": {"ratio": ratio, "at_period": f"{period} s"},
     }
-    scene = Scene.model_validate(
-        {
-            "title": "damped beam",
-            "riser": [pipe],
-            "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": "free"},
-            "top": {"x": "platform", "z": "free", "rotation": "free"},
-            "platform": {
-                "surge": {"amplitude": f"{amplitude} m", "period": "1.5 s", "ramp": "3 s"}
-            },
-            "analysis": {
-                "duration": "12 s",
-                "output": {"interval": "0.1 s"},
-                "mesh": {"elements": elements},
-                "step": "5 ms",
-            },
-        }
+    scene = resolve(
+        Scene.model_validate(
+            {
+                "title": "damped beam",
+                "riser": [pipe],
+                "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": "free"},
+                "top": {"x": "platform", "z": "free", "rotation": "free"},
+                "platform": {
+                    "surge": {"amplitude": f"{amplitude} m", "period": "1.5 s", "ramp": "3 s"}
+                },
+                "analysis": {
+                    "duration": "12 s",
+                    "output": {"interval": "0.1 s"},
+                    "mesh": {"elements": elements},
+                    "step": "5 ms",
+                },
+            }
+        )
     )
     found = single(scene, even(scene, elements), 0.005).arrays
 
@@ -138,14 +141,16 @@ def jointed(analysis):
         "lateral_load": f"{LOAD} N/m",
     }
     joint = {"stiffness": f"{STIFFNESS} N*m/rad"}
-    return Scene.model_validate(
-        {
-            "title": "joints",
-            "riser": [pipe],
-            "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": joint},
-            "top": {"x": "held", "z": "free", "tension": "2275 kN", "rotation": "fixed"},
-            "analysis": analysis,
-        }
+    return resolve(
+        Scene.model_validate(
+            {
+                "title": "joints",
+                "riser": [pipe],
+                "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": joint},
+                "top": {"x": "held", "z": "free", "tension": "2275 kN", "rotation": "fixed"},
+                "analysis": analysis,
+            }
+        )
     )
 
 
@@ -216,7 +221,7 @@ def drifted(elements, **changes):
         "analysis.mesh": {"elements": elements},
         "analysis.step": "0.1 s",
     }
-    scene = load_scene(FEM_RISER, **(settings | changes)).scene()
+    scene = load_scene(FEM_RISER, **(settings | changes)).resolved()
     return single(scene, even(scene, elements), 0.1).arrays
 
 

@@ -95,7 +95,7 @@ def test_the_least_squares_line_is_that_of_the_continuous_law():
 @pytest.mark.parametrize("counted, each", [("once", PISTON), ("each", 6050.0)])
 def test_pistons_add_their_inertia_to_the_ring(counted, each):
     file = load_scene(SCENE, **{"top.tensioners.two_chamber_gas.pistons.counted": counted})
-    found = modes_of(file.scene(), 1)
+    found = modes_of(file.resolved(), 1)
     mass, spring = 15334.0 / 15.24, 6.0 * (printed(-1e-4) - printed(1e-4)) / 2e-4
     rigidity = STIFFNESS * 533.0
 

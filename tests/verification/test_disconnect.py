@@ -170,4 +170,4 @@ def test_what_cannot_be_let_go_is_refused(tmp_path, old, new, message):
     text = RISER.replace("JOINT", "free")
     assert old in text
     with pytest.raises(InputError, match=message):
-        scene(tmp_path, text.replace(old, new)).scene()
+        scene(tmp_path, text.replace(old, new)).resolved()

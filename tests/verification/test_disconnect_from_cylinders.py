@@ -27,7 +27,7 @@ def released(seed):
     tree["bottom"]["body"] = body
     tree["disconnect"] = {"at": "4 s", "over": "0.5 s"}
     tree["analysis"] |= {"duration": "6 s", "method": "ESDIRK4", "step": "0.02 s"}
-    return SceneFile("rig.yaml", tree).scene()
+    return SceneFile("rig.yaml", tree).resolved()
 
 
 def test_energy_is_accounted_for_through_a_disconnect():

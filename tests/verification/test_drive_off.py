@@ -370,7 +370,7 @@ def test_a_twisted_riser_is_the_spring_of_a_torsion_pendulum(tmp_path, lag):
 def test_its_natural_frequency_is_among_the_modes(tmp_path):
     file = tmp_path / "alone.yaml"
     file.write_text(ALONE % "79 GPa")
-    modes = modes_of(load_scene(file).scene(), 12)
+    modes = modes_of(load_scene(file).resolved(), 12)
     spring = 79e9 * np.pi / 32.0 * (0.5**4 - 0.45**4) / 1000.0
     yaw = modes["frequency"].values[modes["motion"].values == "yaw"]
     assert yaw == pytest.approx([np.sqrt((4e5 + spring) / 3e10) / (2.0 * np.pi)], rel=1e-6)

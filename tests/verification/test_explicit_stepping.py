@@ -19,7 +19,7 @@ DAMPED = {"riser[0].structural_damping": {"ratio": 0.05, "at_period": "1 s"}}
 
 def at_rest(name, elements, **values):
     mesh = {"analysis__mesh": {"elements": elements}, "analysis__step": "0.1 ms"}
-    file = scene(name, **(EXPLICIT | mesh | values)).scene()
+    file = scene(name, **(EXPLICIT | mesh | values)).resolved()
     return settle(file, even(file, elements))[0]
 
 

@@ -18,7 +18,7 @@ ANGLE = np.radians(30.0)
 
 def ran(name, elements, step, **values):
     file = scene(name, analysis__mesh={"elements": elements}, analysis__step=f"{step} s", **values)
-    return single(file.scene(), even(file.scene(), elements), step)
+    return single(file.resolved(), even(file.resolved(), elements), step)
 
 
 @pytest.mark.parametrize("name", ["s2", "s2c"])
@@ -148,7 +148,7 @@ def kirchhoff():
 
 
 def bent(elements):
-    file = SceneFile("rod.yaml", ROD).scene()
+    file = SceneFile("rod.yaml", ROD).resolved()
     found = single(file, even(file, elements), None).arrays
     exact = kirchhoff().sol(found["s_node"])
     moment = np.sqrt((exact[6:9] ** 2).sum(axis=0))
@@ -227,7 +227,7 @@ LEAN = {"amplitude": "4 deg", "period": "10 s", "ramp": "20 s"}
 
 def rolled(elements=35, **values):
     values = {key.replace("__", "."): value for key, value in values.items()}
-    file = SceneFile("rig.yaml", RIG).with_values(values, "test").scene()
+    file = SceneFile("rig.yaml", RIG).with_values(values, "test").resolved()
     return single(file, even(file, elements), 0.1)
 
 

@@ -18,7 +18,7 @@ OWN = {"analysis.mesh": {"elements": 10}, "analysis.step": "0.1 s"}
 
 def run(elements, step, **values):
     wanted = RAMP | {"analysis.duration": "8 s", "analysis.output.interval": "0.25 s"} | values
-    scene = load_scene(HANG_OFF, **wanted).scene()
+    scene = load_scene(HANG_OFF, **wanted).resolved()
     return single(scene, even(scene, elements), step, True).arrays
 
 
@@ -44,7 +44,7 @@ def test_outputs_and_the_energy_balance_go_on_across_a_jolt():
     top = found["x"][:, -1]
     t = found["time"]
     assert top == pytest.approx(np.where(t < 4.9, 0.5 * t**2 / 4.9, t - 2.45), abs=1e-9)
-    scene = load_scene(HANG_OFF, **(RAMP | {"analysis.duration": "8 s"})).scene()
+    scene = load_scene(HANG_OFF, **(RAMP | {"analysis.duration": "8 s"})).resolved()
     assert single(scene, even(scene, 120), 0.05).facts["audit"]["unexplained_share"] < 1e-3
 
 
@@ -59,7 +59,7 @@ def test_outputs_and_the_energy_balance_go_on_across_a_jolt():
     ],
 )
 def test_a_scene_tells_when_accelerations_jump(values, jolts):
-    assert load_scene(HANG_OFF, **values).scene().jolts == pytest.approx(jolts)
+    assert load_scene(HANG_OFF, **values).resolved().jolts == pytest.approx(jolts)
 
 
 def test_a_top_that_starts_with_a_speed_bends_the_riser_as_much_however_soon_after():
@@ -80,7 +80,7 @@ def test_a_top_that_starts_with_a_speed_bends_the_riser_as_much_however_soon_aft
         "analysis.mesh": {"elements": 600},
         "analysis.step": "5e-6 s",
     }
-    scene = load_scene(SURGE, **values).scene()
+    scene = load_scene(SURGE, **values).resolved()
     found = single(scene, even(scene, 600), 5e-6, True).arrays
     bending, mass, speed = scene.riser[0].elasticity[1], 1006.0, 2.0 * 2.0 * np.pi / 15.0
     x = 60.0 - found["s"][300:]

@@ -30,7 +30,7 @@ def string(points, **more):
         "top": {"x": "held", "z": "free", "tension": "1e8 N"},
         "current": {"profile": points}, "analysis": {}, **more,
     }  # fmt: skip
-    return SceneFile("string.yaml", tree).scene()
+    return SceneFile("string.yaml", tree).resolved()
 
 
 def drawn(seed, directions=False):
@@ -84,7 +84,7 @@ def test_a_jump_of_a_riser_that_bends_is_seen_by_the_error_estimate():
         for z, v in ((0.0, 0.1), (371.3, 0.2), (371.3, 1.1), (540.0, 1.2))
     ]
     file = scene("s1", current={"profile": points})
-    fine = single(file.scene(), even(file.scene(), 2000), None).arrays
+    fine = single(file.resolved(), even(file.resolved(), 2000), None).arrays
     found = simulate(file.with_values({"analysis": {"accuracy": "0.1 %"}}, "test"), progress=False)
     for name, node, allowed in (
         ("x", "x_static", 1e-3),

@@ -105,7 +105,7 @@ def test_one_failed_cylinder_pulls_the_ring_to_the_side():
 def once(step=0.125, **changes):
     """One run of the system by ``step`` (s), Newton's iteration carried on to its end."""
     tight = {"analysis": SHORT | {"newton_tolerance": 1e-12}}
-    scene = load_scene(SYSTEM, **(tight | changes)).scene()
+    scene = load_scene(SYSTEM, **(tight | changes)).resolved()
     return single(scene, even(scene, 40), step)
 
 
@@ -150,7 +150,7 @@ def test_the_gas_law_runs_in_space_with_a_cylinder_failed():
 
 def test_the_horizontal_force_balances_a_ring_held_aside():
     """Six cylinders of 24 m and a ring 0.24 m aside: one per cent of their pull."""
-    scene = load_scene(SYSTEM).scene()
+    scene = load_scene(SYSTEM).resolved()
     rig = scene.top.tensioners.model_copy(
         update={
             "arrangement": scene.top.tensioners.arrangement.model_copy(

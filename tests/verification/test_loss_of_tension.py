@@ -73,4 +73,4 @@ def test_a_loss_that_cannot_be_meant_is_refused(tmp_path, values, said):
     file = tmp_path / "bar.yaml"
     file.write_text(BAR)
     with pytest.raises(InputError, match=said):
-        load_scene(file, **values).scene()
+        load_scene(file, **values).resolved()

@@ -13,6 +13,7 @@ from engine import METHODS, march, rms, slopes
 
 from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import resolve
 from riserstudy.simulation.run import single
 
 SECOND = pytest.approx(2.0, abs=0.1)
@@ -78,7 +79,7 @@ def test_added_mass_on_a_pipe_that_swings_is_of_second_order_in_the_step(method)
     steps = [0.02, 0.01, 0.005]
 
     def run(step):
-        scene = Scene.model_validate(SWINGING | {"analysis": swing(step, METHODS[method])})
+        scene = resolve(Scene.model_validate(SWINGING | {"analysis": swing(step, METHODS[method])}))
         return single(scene, even(scene, 4), step).arrays
 
     best = run(steps[-1] / 8.0)

@@ -303,7 +303,7 @@ analysis: {duration: 2 s, output: {interval: 0.05 s}, mesh: {elements: 4}, step:
 def test_the_release_waits_for_its_phase(tmp_path, phase, at):
     text = STRING.replace("MORE", f"phase: {phase}").replace("at: 1 s", "at: 11 s")
     text = text.replace("duration: 4 s", "duration: 30 s")
-    model = scene(tmp_path, text).scene()
+    model = scene(tmp_path, text).resolved()
     assert model.disconnect.at == pytest.approx(at, rel=1e-12)
     assert model.fitted().disconnect.at == pytest.approx(at, rel=1e-12)
 
@@ -315,9 +315,9 @@ def test_the_release_waits_for_its_phase(tmp_path, phase, at):
         (
             "platform: {heave: {amplitude: 1e-9 m, period: 10 s}}\ndisconnect: {at: 1 s,",
             "disconnect: {at: 1 s, phase: 0 deg,",
-            "phase needs",
+            "phase: needs",
         ),
-        ("MORE", "drain: {friction: 0.02}", "contents in sections from the lowest"),
+        ("MORE", "drain: {friction: 0.02}", "those in sections from the lowest"),
         ("MORE", VALVE[:-1] + ", failed: [5]}", "failed"),
         ("MORE", VALVE[:-1] + ", isolation: {after: 1 s, volume: 2000 m^3}}", "leaves none"),
         (
@@ -332,7 +332,7 @@ def test_the_release_waits_for_its_phase(tmp_path, phase, at):
 def test_what_does_not_fit_is_refused(tmp_path, old, new, message):
     text = STRING.replace(old, new).replace("MORE", VALVE)
     with pytest.raises(InputError, match=message):
-        scene(tmp_path, text).scene()
+        scene(tmp_path, text).resolved()
 
 
 def test_more_bottles_than_there_is_gas_is_told_when_it_happens(tmp_path):

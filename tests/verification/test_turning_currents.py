@@ -29,7 +29,7 @@ def profile(points, turned=0.0):
 
 
 def ran(elements=320, **current):
-    file = scene("s1", current=current).scene()
+    file = scene("s1", current=current).resolved()
     return file, single(file, even(file, elements), None).arrays
 
 
@@ -166,4 +166,4 @@ def test_a_tide_adds_to_the_spiral_along_the_heading():
 )
 def test_directions_that_cannot_be_meant_are_refused(told, said):
     with pytest.raises(InputError, match=said):
-        scene("s1", current=told).scene()
+        scene("s1", current=told).resolved()

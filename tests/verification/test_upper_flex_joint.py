@@ -26,7 +26,7 @@ def ran(elements=28, still=False, **values):
     }
     surge = {"platform__surge": None if still else SURGING}
     tight = {"analysis__newton_tolerance": 1e-12, "analysis__mesh": {"elements": elements}}
-    file = scene("s2", analysis__step="0.1 s", **(about | time | surge | tight | values)).scene()
+    file = scene("s2", analysis__step="0.1 s", **(about | time | surge | tight | values)).resolved()
     return single(file, even(file, elements), 0.1).arrays
 
 
@@ -95,7 +95,7 @@ def test_a_sprung_joint_above_a_telescopic_joint_does_so_too(radius, within):
             "newton_tolerance": 1e-12,
         },
     }
-    file = load_scene(SCENES.parent / "liu2020/system.yaml", **values).scene()
+    file = load_scene(SCENES.parent / "liu2020/system.yaml", **values).resolved()
     found = single(file, even(file, 40), 0.1).arrays
     assert np.abs(found["bending_moment"][:, -1]).max() > 1e5
     assert off(-found["bending_moment"][:, -1], SPRING * found["ufj_angle"]) < within

@@ -84,7 +84,7 @@ def gallery() -> list[str]:
 def overview() -> Figure:
     """A riser as its scene has it, and what a drive-off makes of it."""
     run, times = SHOWN
-    figure = schematic(load_scene(ROOT / f"config/scenes/liu2017/{run}.yaml").scene())
+    figure = schematic(load_scene(ROOT / f"config/scenes/liu2017/{run}.yaml").resolved())
     whole, *ends = figure.axes
     for part in (*ends, *figure.texts, *figure.legends):
         part.remove()

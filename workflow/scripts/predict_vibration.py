@@ -55,7 +55,7 @@ def main() -> None:
         rows = csv.writer(out, lineterminator="\n")
         rows.writerow(COLUMNS)
         for speed in SPEEDS:
-            values = predicted(run(at_speed(file, speed).scene()), DIAMETER)
+            values = predicted(run(at_speed(file, speed).resolved()), DIAMETER)
             rows.writerow([speed, *(f"{value:.4g}" for value in values)])
 
 

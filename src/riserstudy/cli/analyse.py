@@ -34,7 +34,7 @@ def cost(
     file = scene_of(scene, settings)
     if plot is not None:
         check_output(plot, ("figure",), file.files, force, "--plot")
-    compile_kernels(file.scene())
+    compile_kernels(file.resolved())
     from riserstudy.numerics import accuracy_cost as requests
 
     prices: list[requests.Price] = []
@@ -46,7 +46,7 @@ def cost(
         requested = "default" if price.requested is None else f"{100 * price.requested:.3g} %"
         shares = f"{requested:>9}  {100 * price.estimated:7.2g} %"
         print(f"{shares}  {price.elements:8d}  {step}  {price.seconds:.3g} s", flush=True)
-    for line in recipe_lines(file.scene()):
+    for line in recipe_lines(file.resolved()):
         print(line)
     if plot is not None:
         requests.plot(prices, str(file.tree["title"]), plot)
@@ -74,11 +74,11 @@ def effects(
     from riserstudy.numerics.effect_shares import could_have, priced, solved_for
 
     file = scene_of(scene, settings)
-    rows, could = ledger(file.scene()), could_have(file)
+    rows, could = ledger(file.resolved()), could_have(file)
     console = Console(markup=False)
     share = {}
     if times:
-        compile_kernels(file.scene())
+        compile_kernels(file.resolved())
         price = priced(file)
         share = {name: f"{100 * part:.1f} %" for name, part in price.share.items()}
     table = Table("effect", "", "because of", *(["time"] if times else []))

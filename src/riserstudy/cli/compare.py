@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from riserstudy.dataset.comparison import Difference, Pair
-    from riserstudy.scene.models import Scene
+    from riserstudy.scene.resolve import Resolved
 
 COLUMNS = ("quantity", "rms", "of range", "largest", "at", "peak", "low", "lag", "rms in phase")
 
@@ -107,7 +107,7 @@ def _called(settings: list[str] | None) -> dict[str, str]:
     return called
 
 
-def _scene(of_run: xr.Dataset, index: dict[str, int]) -> Scene | None:
+def _scene(of_run: xr.Dataset, index: dict[str, int]) -> Resolved | None:
     """The scene behind the point; None where the dataset has none."""
     from riserstudy.dataset.provenance import scene_of_point
 

@@ -89,7 +89,7 @@ def tension(
     from riserstudy.design import tension as formula
     from riserstudy.design.tension import Rig, Tolerances
 
-    riser = file.scene()
+    riser = file.resolved()
     if missing := formula.lacks(riser):
         print("not evaluated: " + ", ".join(missing))
         raise typer.Exit(4)
@@ -141,7 +141,7 @@ def operability(
         allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
         raise InputError(file.source, "limits", "missing", allowed)
     added, far = _allowances(allowance), quantity("--reach", reach, "m")
-    riser = file.scene()
+    riser = file.resolved()
     compile_as_needed()
     from riserstudy.design.operability import offsets
 
@@ -192,7 +192,7 @@ def envelope(
 
     seas = [Sea(*pair) for pair in pairs]
     for one in seas:
-        in_sea(file, one, 1).scene()  # refuses a scene without a sea before anything runs
+        in_sea(file, one, 1).resolved()  # refuses a scene without a sea before anything runs
     found = computed(file, far, speeds, seas, seeds, _notify)
     show(found.table, csv)
     for name, why in found.missing.items():

@@ -302,7 +302,7 @@ def riser_downtime(
     from riserstudy.seas.riser_downtime import riser_downtime as made
     from riserstudy.simulation.compile import available_cores
 
-    compile_kernels(file.scene())
+    compile_kernels(file.resolved())
     return made(
         file,
         sea,

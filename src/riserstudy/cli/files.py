@@ -29,7 +29,7 @@ def draw(
     from riserstudy.figures import save
     from riserstudy.schematic import schematic
 
-    save(schematic(file.scene()), output)
+    save(schematic(file.resolved()), output)
     wrote(output)
 
 

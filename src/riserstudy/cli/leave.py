@@ -51,10 +51,10 @@ def recoil(
     """
     file = scene_of(scene, settings, accuracy)
     _check_outputs(output, csv, file.files, force)
-    if file.scene().disconnect is None:
+    if file.resolved().disconnect is None:
         allowed = "Add `disconnect: {at: 12 s}` and what follows it"
         raise InputError(file.source, "disconnect", "absent: nothing disconnects", allowed)
-    compile_kernels(file.scene())
+    compile_kernels(file.resolved())
     from riserstudy.dataset import recoil_table
     from riserstudy.simulation.simulate import simulate
     from riserstudy.study.collect import write_dataset
@@ -62,7 +62,7 @@ def recoil(
     announce(file)
     dataset = simulate(file)
     print_warnings(dataset)
-    show(recoil_table.recoil(file.scene(), dataset), csv)
+    show(recoil_table.recoil(file.resolved(), dataset), csv)
     show_limits(dataset)
     if output is not None:
         write_dataset(dataset, output)
@@ -114,7 +114,7 @@ def watch_circles(
             raise InputError(option, text, "below 0 s", "Give a time from 0 s")
     from riserstudy.design.watch_table import Times, circles, moves_off
 
-    of = file.scene()
+    of = file.resolved()
     moves_off(of)
     modes = [one.value for one in mode or Mode]
     modes = [one for one in modes if any(limit.mode == one for limit in of.limits or [])]

@@ -103,7 +103,7 @@ def table(
     file = None if stored else scene_of(source, settings)
     check_output(output, ("table", "workbook"), file.files if file else [source], force)
     one = kind or (None if book else TableKind.EXTREMES)
-    scene, dataset = _run_of(source) if file is None else (file.scene(), None)
+    scene, dataset = _run_of(source) if file is None else (file.resolved(), None)
     if dataset is None and one is not TableKind.STACK_UP:
         from riserstudy.simulation.simulate import simulate
 

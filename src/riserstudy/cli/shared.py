@@ -17,7 +17,7 @@ from riserstudy.errors import InputError, RiserStudyError
 
 if TYPE_CHECKING:
     from riserstudy.dataset.table import Table
-    from riserstudy.scene.models import Scene
+    from riserstudy.scene.resolve import Resolved
 
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
 
@@ -63,11 +63,11 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
     file = read_scene(path).with_values(overrides, "--set")
     if accuracy is not None:
         file = at_accuracy(file, accuracy)
-    file.scene()
+    file.resolved()
     return file
 
 
-def compile_kernels(scene: Scene) -> None:
+def compile_kernels(scene: Resolved) -> None:
     """Compile the kernels that runs of a scene need, before its runs are timed.
 
     By a run that is broken off, so that compiling counts neither as time of the run nor against its patience.
@@ -152,7 +152,7 @@ def quantity(option: str, text: str, unit: str) -> float:
         raise InputError(option, text, str(fault), f"allowed is a value in {unit}") from None
 
 
-def recipe_lines(scene: Scene) -> list[str]:
+def recipe_lines(scene: Resolved) -> list[str]:
     """The recipe for long records in words; nothing for scenes that it is not for."""
     from riserstudy.simulation.recipe import recipe
 

@@ -77,7 +77,7 @@ def run(
     seconds(patience)
     file = scene_of(scene, settings, accuracy)
     check_output(output, ("dataset", "table"), file.files, force)
-    compile_kernels(file.scene())
+    compile_kernels(file.resolved())
     from riserstudy.simulation.simulate import simulate
 
     if patience is None:
@@ -113,7 +113,7 @@ def _recoil(file: Any, dataset: Any) -> list[str]:
 
     if not recoil_table.disconnects(dataset):
         return []
-    return in_columns(recoil_table.recoil(file.scene(), dataset))
+    return in_columns(recoil_table.recoil(file.resolved(), dataset))
 
 
 def announce(file: Any) -> None:
@@ -123,10 +123,10 @@ def announce(file: Any) -> None:
     from riserstudy.simulation.show import progress_line
     from riserstudy.simulation.watch import Watch
 
-    for warning in sudden_wave(file.scene()):
+    for warning in sudden_wave(file.resolved()):
         print(f"riserstudy: warning: {warning}", file=sys.stderr, flush=True)
     with progress_line(True) as notify:
-        price = forecast(file.scene(), Watch(notify=notify))
+        price = forecast(file.resolved(), Watch(notify=notify))
     if price and price.seconds > WORTH_TELLING:
         minutes = f"{price.seconds / 60.0:.2g} min" if price.seconds > 90.0 else ""
         print(
@@ -135,7 +135,7 @@ def announce(file: Any) -> None:
             file=sys.stderr,
             flush=True,
         )
-        for line in recipe_lines(file.scene()) if price.seconds > WORTH_A_RECIPE else []:
+        for line in recipe_lines(file.resolved()) if price.seconds > WORTH_A_RECIPE else []:
             print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
 
@@ -185,7 +185,7 @@ def check(
     if "limits" not in file.tree:
         allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
         raise InputError(file.source, "limits", "missing", allowed)
-    compile_kernels(file.scene())
+    compile_kernels(file.resolved())
     from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
     from riserstudy.simulation.simulate import simulate
 

@@ -45,7 +45,7 @@ def tune(
     from riserstudy.study.tune import tune as tuned_of
 
     check_tunable(one, points)
-    compile_kernels(one.grid.file((0,) * len(one.axes)).scene())
+    compile_kernels(one.grid.file((0,) * len(one.axes)).resolved())
     found = tuned_of(one, accuracy, points, seed, _notify)
     for line in _lines(one, found):
         print(line)

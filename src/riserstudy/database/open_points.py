@@ -69,7 +69,7 @@ def _anew(key: str, file: SceneFile, stored: Result) -> Result:
     from riserstudy.simulation.refine import run
     from riserstudy.study import store
 
-    scene = file.scene()
+    scene = file.resolved()
     if store.key_of(scene) != key:
         found = f"point {key!r} was simulated by another engine or with other tables"
         allowed = "whole=False gives what is stored; `riserstudy rerun` takes scene and tables from a dataset"

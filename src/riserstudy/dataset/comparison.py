@@ -16,7 +16,7 @@ from riserstudy.dataset.external.read import read_external
 from riserstudy.dataset.lag import lag
 from riserstudy.dataset.wall_tension import Walls
 from riserstudy.errors import InputError
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 FloatArray = NDArray[np.float64]
 FEWEST = 4  # rows that are compared
@@ -84,7 +84,7 @@ def compared(
     run: xr.Dataset,
     path: Path,
     *,
-    scene: Scene | None = None,
+    scene: Resolved | None = None,
     called: Mapping[str, str] | None = None,
     end_a: str | None = None,
 ) -> Compared:
@@ -109,7 +109,7 @@ def compared(
     return Compared(pairs, external.notes)
 
 
-def _pair(run: xr.Dataset, scene: Scene | None, path: Path, axis: str, column: Column) -> Pair:
+def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column: Column) -> Pair:
     title, (name, place, unit, size) = column.title, column.heading
     if name in OTHERWISE:
         raise InputError(path, title, "is defined otherwise than in a run", OTHERWISE[name])
@@ -196,7 +196,7 @@ def _both(theirs: FloatArray, ours: FloatArray, notes: list[str]) -> NDArray[np.
 
 def _walls(
     run: xr.Dataset,
-    scene: Scene | None,
+    scene: Resolved | None,
     path: Path,
     title: str,
     axis: str,

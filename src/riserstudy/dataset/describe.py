@@ -11,7 +11,7 @@ import xarray as xr
 
 from riserstudy.dataset.variables import attributes
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 
 def described(dataset: xr.Dataset, paper: str, title: str) -> xr.Dataset:
@@ -28,7 +28,7 @@ def sampled(source: xr.Dataset) -> dict[str, xr.DataArray]:
     return {str(n): v for n, v in source.data_vars.items() if str(n).startswith("assumed_")}
 
 
-def scenes_of(dataset: xr.Dataset) -> Iterator[tuple[dict[str, Any], Scene]]:
+def scenes_of(dataset: xr.Dataset) -> Iterator[tuple[dict[str, Any], Resolved]]:
     """The place on the axes and the scene of every point of a simulated dataset."""
     axes = [str(dim) for dim in dataset["point_key"].dims]
     sets = {axis: json.loads(dataset[axis].attrs["sets"]) for axis in axes}
@@ -40,4 +40,4 @@ def scenes_of(dataset: xr.Dataset) -> Iterator[tuple[dict[str, Any], Scene]]:
         values: dict[str, Any] = {}
         for axis, value in place.items():
             values |= sets[axis][str(value)]
-        yield place, base.with_values(values, "dataset").scene()
+        yield place, base.with_values(values, "dataset").resolved()

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, UNITS, Limit
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 #: outputs whose sign is a convention
@@ -36,7 +36,7 @@ class Checked(NamedTuple):
     takes: str = ""  # what it looks at, where its name does not tell
 
 
-def checked(file: SceneFile, scene: Scene, facts: Mapping[str, Any]) -> list[Checked]:
+def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[Checked]:
     """Every limit of a scene against the extremes of its run.
 
     Nothing is within a limit that is known no better than by an error larger than itself. No accuracy bounds
@@ -85,7 +85,7 @@ def _with_error(one: Checked, error: float) -> Checked:
     return one._replace(verdict=UNKNOWN, missing=why)
 
 
-def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) -> Checked:
+def _one(scene: Resolved, limit: Limit, rows: list[dict[str, Any]], origin: str) -> Checked:
     about = (limit.output, limit.place, limit.mode, limit.side, limit.allowable)
     unit = UNITS[limit.output]
     missing = lacks(scene, limit)
@@ -99,7 +99,7 @@ def _one(scene: Scene, limit: Limit, rows: list[dict[str, Any]], origin: str) ->
     return Checked(*about, demand, share, s, time, verdict, ", ".join(missing), origin, unit)
 
 
-def takes(scene: Scene, limit: Limit) -> str:
+def takes(scene: Resolved, limit: Limit) -> str:
     """What a limit applies to where its name does not show it: sections, and what counts where they meet."""
     if limit.side == "mean" and 0.0 < scene.built_up < (scene.analysis.duration or 0.0):
         return f"from {scene.built_up:g} s on, when ramps are over"
@@ -122,7 +122,7 @@ def takes(scene: Scene, limit: Limit) -> str:
 
 
 def demand_of(
-    scene: Scene, limit: Limit, rows: list[dict[str, Any]]
+    scene: Resolved, limit: Limit, rows: list[dict[str, Any]]
 ) -> tuple[float, float | None, float | None] | None:
     """Value, place (m) and time (s) at which most of a limit is used; None where no row tells it.
 
@@ -137,7 +137,7 @@ def demand_of(
     return max(demands, key=lambda one: use(limit.side, one[0], limit.allowable), default=None)
 
 
-def sections_of(scene: Scene, limit: Limit) -> list[Section]:
+def sections_of(scene: Resolved, limit: Limit) -> list[Section]:
     """The sections that a limit without a place applies to."""
     return scene.riser_sections if limit.output in OF_THE_RISER else scene.riser
 

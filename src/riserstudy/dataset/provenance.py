@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 from riserstudy.errors import InputError
 from riserstudy.inputs.plain_yaml import plain_fault
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin
+from riserstudy.scene.resolve import Resolved
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -91,9 +91,9 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     return file.with_values(sets, f"{source}: axes")
 
 
-def scene_of_point(dataset: xr.Dataset, index: Mapping[str, int]) -> Scene:
+def scene_of_point(dataset: xr.Dataset, index: Mapping[str, int]) -> Resolved:
     """The scene of one point, as ``scene_file_of`` has it."""
-    return scene_file_of(dataset, index).scene()
+    return scene_file_of(dataset, index).resolved()
 
 
 def _name(dataset: xr.Dataset | xr.DataArray) -> str:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 TOUCHING = 1e-6  # m, beyond an end of the stroke that is contact
 
 
-def recoil(scene: Scene, dataset: xr.Dataset) -> Table:
+def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
     """Outcome of the disconnect of one run, in kN, m and s.
 
     Raises
@@ -62,7 +62,7 @@ def _clearance(of: dict[str, Any]) -> list[Cell]:
     return ["smallest clearance", of["clearance_min"], "m", of["clearance_time"], ""]
 
 
-def _strokes(scene: Scene, extremes: list[dict[str, Any]]) -> list[list[Cell]]:
+def _strokes(scene: Resolved, extremes: list[dict[str, Any]]) -> list[list[Cell]]:
     """Largest strokes of cylinders and telescopic joint, with the ends that they have."""
     rig, joint = scene.top.tensioners, scene.top.telescopic_joint
     ends: dict[str, tuple[str, float | None, float | None]] = {}

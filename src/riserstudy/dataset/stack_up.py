@@ -8,7 +8,7 @@ from typing import NamedTuple
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.scene.ends import Body
 from riserstudy.scene.geometry import levels
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 COLUMNS = {
@@ -37,7 +37,7 @@ class Piece(NamedTuple):
         return None if self.empty is None else self.empty + self.flood
 
 
-def stack_up(scene: Scene) -> Table:
+def stack_up(scene: Resolved) -> Table:
     """The riser from the top down, with sums.
 
     ``wet weight`` is in water with the bore flooded with sea water, as joints hang on the hook: ``hook load``
@@ -74,7 +74,7 @@ def stack_up(scene: Scene) -> Table:
     return Table(list(COLUMNS), list(COLUMNS.values()), rows)
 
 
-def _pieces(scene: Scene) -> list[Piece]:
+def _pieces(scene: Resolved) -> list[Piece]:
     """Bodies and sections from the top down."""
     upper = _upper_end(scene)
     pieces = [_body(scene, scene.top.body, upper)] if scene.top.body else []
@@ -84,7 +84,7 @@ def _pieces(scene: Scene) -> list[Piece]:
     return pieces + ([_body(scene, scene.bottom.body, upper)] if scene.bottom.body else [])
 
 
-def _body(scene: Scene, body: Body, at: float | None) -> Piece:
+def _body(scene: Resolved, body: Body, at: float | None) -> Piece:
     gravity, water = scene.gravity or 0.0, scene.water.density if scene.water else 0.0
     dry = body.mass * gravity / 1e3 if gravity else None
     wet = None if body.weightless else body.weight(gravity, water) / 1e3
@@ -92,7 +92,7 @@ def _body(scene: Scene, body: Body, at: float | None) -> Piece:
     return Piece(about, None, dry, wet, 0.0, 0.0, [None] * 3)
 
 
-def _section(scene: Scene, k: int, upper: float | None) -> Piece:
+def _section(scene: Resolved, k: int, upper: float | None) -> Piece:
     section, gravity = scene.riser[k], scene.gravity or 0.0
     length, each = section.total_length, section.submerged_weight
     joints = section.joints.count if section.joints else None
@@ -111,7 +111,7 @@ def _section(scene: Scene, k: int, upper: float | None) -> Piece:
     )
 
 
-def _flooding(scene: Scene, k: int) -> float:
+def _flooding(scene: Resolved, k: int) -> float:
     """Mass of the sea water in the bore of a section (kg/m), where its weight leaves out what is inside."""
     section, ends = scene.riser[k], levels(scene, k)
     surface = scene.water.surface if scene.water else None
@@ -131,7 +131,7 @@ def _parts(section: Section, gravity: float) -> list[Cell]:
     return [lines, modules, None if lift is None else lift * section.total_length / 1e3]
 
 
-def _upper_end(scene: Scene) -> float | None:
+def _upper_end(scene: Resolved) -> float | None:
     """Elevation of the riser's upper end before it stretches (m)."""
     if scene.bottom.elevation is not None:
         upper = scene.bottom.elevation + sum(s.total_length for s in scene.sections)

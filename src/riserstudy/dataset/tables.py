@@ -12,7 +12,7 @@ from riserstudy.dataset.table import OF_ROW, Cell, Table, heads
 from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -133,7 +133,7 @@ def _text(cell: Cell) -> Cell:
     return f"{cell:.10g}" if isinstance(cell, float) else cell
 
 
-def table_of(kind: str, scene: Scene | None, dataset: xr.Dataset | None) -> Table:
+def table_of(kind: str, scene: Resolved | None, dataset: xr.Dataset | None) -> Table:
     """A table by its name: stack-up is that of the scene, recoil of both, the others of its run.
 
     Raises
@@ -153,7 +153,7 @@ def table_of(kind: str, scene: Scene | None, dataset: xr.Dataset | None) -> Tabl
     return made(dataset)
 
 
-def tables_of(scene: Scene | None, dataset: xr.Dataset) -> dict[str, Table]:
+def tables_of(scene: Resolved | None, dataset: xr.Dataset) -> dict[str, Table]:
     """All tables that there are of a run, by their names: of a run at rest no time series."""
     names = ["extremes", *(["time-series"] if "time" in dataset else [])]
     names += ["limits"] if json.loads(dataset.attrs.get("limits", "[]")) else []

@@ -22,9 +22,9 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.scene.geometry import levels
-from riserstudy.scene.models import Scene
 from riserstudy.scene.outputs import wall_lacks
 from riserstudy.scene.pressures import pressures
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
@@ -54,7 +54,7 @@ class Walls:
     path, title : of the column, for errors.
     """
 
-    def __init__(self, run: xr.Dataset, scene: Scene, path: Path, title: str):
+    def __init__(self, run: xr.Dataset, scene: Resolved, path: Path, title: str):
         self._scene, self._path, self._title = scene, path, title
         ends = np.cumsum([0.0, *(section.total_length for section in scene.riser)])
         self._ends, self._notes = ends, list[str]()

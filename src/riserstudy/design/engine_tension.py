@@ -15,7 +15,7 @@ from riserstudy.design.tension import (
     mud_above_the_riser,
 )
 from riserstudy.model.mesh import prescribed
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.outputs import at_rest
 from riserstudy.simulation.section_forces import riser_foot
@@ -35,14 +35,14 @@ class Slack(NamedTuple):
     left: float  # effective tension that is left there (N)
 
 
-def lacks(scene: Scene) -> list[str]:
+def lacks(scene: Resolved) -> list[str]:
     """What a scene lacks that the engine needs beside the formula."""
     top, joint = scene.top, scene.top.telescopic_joint
     pulled = top.tension is not None or top.tensioners or (joint and joint.tension is not None)
     return [] if pulled else ["top.tension, top.telescopic_joint.tension or top.tensioners"]
 
 
-def needed(scene: Scene, tolerances: Tolerances) -> Slack:
+def needed(scene: Resolved, tolerances: Tolerances) -> Slack:
     """Smallest top tension at which no point of a riser at rest is slack.
 
     The tension falls by what is left at the slackest point until nothing is left there. Tensioners are
@@ -65,7 +65,7 @@ def needed(scene: Scene, tolerances: Tolerances) -> Slack:
     return Slack(tension + above, float(s[slackest]), float(left[slackest]))
 
 
-def along(scene: Scene) -> tuple[FloatArray, FloatArray]:
+def along(scene: Resolved) -> tuple[FloatArray, FloatArray]:
     """Places from the bottom (m) and effective tension (N) of a riser at rest, each (nodes of the riser,).
 
     Stack and conductor below the riser's flex joint are left out: they stand.
@@ -82,7 +82,7 @@ def along(scene: Scene) -> tuple[FloatArray, FloatArray]:
     return mesh.s[first:], at_rest(scene, model, mesh)["effective_tension_static"][first:]
 
 
-def with_tension(scene: Scene, tension: float) -> Scene:
+def with_tension(scene: Resolved, tension: float) -> Resolved:
     """The scene with a constant tension (N) on the ring, in place of its tension or of its tensioners."""
     top, joint = scene.top, scene.top.telescopic_joint
     changed: dict[str, Any] = {"tension": tension}
@@ -91,7 +91,7 @@ def with_tension(scene: Scene, tension: float) -> Scene:
     return scene.model_copy(update={"top": top.model_copy(update=changed | {"tensioners": None})})
 
 
-def _with_tolerances(scene: Scene, tolerances: Tolerances) -> Scene:
+def _with_tolerances(scene: Resolved, tolerances: Tolerances) -> Resolved:
     """The scene with weights of steel and lifts of modules off by their tolerances."""
     of = columns_above(scene)
     steel, lift, water = (-np.diff(values) for values in (of.steel, of.lift, of.water))

@@ -17,7 +17,7 @@ from riserstudy.design.sea_allowances import allowances
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.forcing import Shape
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.study.in_sea import Sea
 
 COLUMNS = ["mode", "sea", "current", "from", "to", "limit at from", "limit at to", "note"]
@@ -57,7 +57,7 @@ def envelope(
     SimulationError
         When a run in a sea cannot be completed.
     """
-    scene = file.scene()
+    scene = file.resolved()
     limits = scene.limits or []
     moved(scene, 0.0)  # refuses a scene that cannot be moved
     with_speeds = [with_current(scene, speed) for speed in currents]
@@ -87,7 +87,7 @@ def envelope(
     return Envelope(Table(COLUMNS, UNITS, _rows(array) if kept else []), missing)
 
 
-def _each(scene: Scene, reach: float, added: list[list[float]]) -> list[list[Offsets]]:
+def _each(scene: Resolved, reach: float, added: list[list[float]]) -> list[list[Offsets]]:
     """Offsets of all limits with the allowances of each sea, on risers at rest that all seas share."""
     limits = scene.limits or []
     try:
@@ -106,7 +106,7 @@ def _each(scene: Scene, reach: float, added: list[list[float]]) -> list[list[Off
     ]
 
 
-def with_current(scene: Scene, speed: float) -> Scene:
+def with_current(scene: Resolved, speed: float) -> Resolved:
     """The scene in a current of another speed at the surface (m/s); a table of speeds is scaled.
 
     Raises

@@ -24,7 +24,7 @@ from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.scene.forcing import Position
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import Limit
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.simulation.tolerance import MOMENT
@@ -46,7 +46,7 @@ class Offsets(NamedTuple):
     missing: str = ""
 
 
-def offsets(scene: Scene, reach: float, allowances: Mapping[str, float]) -> list[Offsets]:
+def offsets(scene: Resolved, reach: float, allowances: Mapping[str, float]) -> list[Offsets]:
     """The offsets between which each limit of a scene is kept.
 
     Parameters
@@ -73,7 +73,7 @@ def offsets_at(
 
 
 def chart(
-    scenes: Sequence[Scene], reach: float, allowances: Mapping[str, float], processes: int = 1
+    scenes: Sequence[Resolved], reach: float, allowances: Mapping[str, float], processes: int = 1
 ) -> list[list[Offsets]]:
     """The same of several scenes, such as currents and muds, in several processes."""
     task = partial(offsets, reach=reach, allowances=allowances)
@@ -88,7 +88,7 @@ class AtRest:
     reach : farthest offset (m) that the mesh is to serve.
     """
 
-    def __init__(self, scene: Scene, reach: float) -> None:
+    def __init__(self, scene: Resolved, reach: float) -> None:
         self.scene = scene
         elements = scene.analysis.mesh and scene.analysis.mesh.elements
         self.mesh = prescribed(scene, elements) if elements else _fine_enough(scene, reach)
@@ -115,7 +115,7 @@ class AtRest:
         return self.rows[offset]
 
 
-def moved(scene: Scene, offset: float) -> Scene:
+def moved(scene: Resolved, offset: float) -> Resolved:
     """The scene with the riser's top, and all that it hangs from, at an offset from the well (m).
 
     Raises
@@ -143,7 +143,7 @@ def moved(scene: Scene, offset: float) -> Scene:
     )
 
 
-def _fine_enough(scene: Scene, reach: float) -> Mesh:
+def _fine_enough(scene: Resolved, reach: float) -> Mesh:
     """The finest of the meshes that the accuracy needs above the well and at both ends of the search."""
     accuracy = 0.5 * (scene.analysis.accuracy or MOMENT)  # half is left for the offset itself
     analysis = scene.analysis.model_copy(update={"duration": None, "accuracy": accuracy})

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.limits import demand_of
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
 from riserstudy.study.demand_in_sea import demand
 from riserstudy.study.in_sea import Sea, in_sea
@@ -38,13 +38,13 @@ def allowances(
     SimulationError
         When a run cannot be completed.
     """
-    scene = file.scene()
+    scene = file.resolved()
     limits = scene.limits or []
     rest = _extremes(at_rest(scene))
     added = np.zeros((seeds, len(limits)))
     for seed in range(seeds):
         notify(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
-        rows = _extremes(in_sea(file, sea, seed + 1).scene())
+        rows = _extremes(in_sea(file, sea, seed + 1).resolved())
         added[seed] = [_added(scene, limit, rest, rows) for limit in limits]
     return [allowance(column) for column in added.T]
 
@@ -54,19 +54,19 @@ def allowance(added: FloatArray) -> float:
     return max(demand(added, "largest", 1.0).value, 0.0)
 
 
-def at_rest(scene: Scene) -> Scene:
+def at_rest(scene: Resolved) -> Resolved:
     """The scene without time."""
     still = {"duration": None, "output": None, "step": None, "start": None}
     return scene.model_copy(update={"analysis": scene.analysis.model_copy(update=still)})
 
 
-def _extremes(scene: Scene) -> list[dict[str, Any]]:
+def _extremes(scene: Resolved) -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = run(scene).facts["extremes"]
     return rows
 
 
 def _added(
-    scene: Scene, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]
+    scene: Resolved, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]
 ) -> float:
     """What a run adds to the demand at rest; not a number where either has none."""
     still, moving = demand_of(scene, limit, rest), demand_of(scene, limit, rows)

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from riserstudy.scene.geometry import span
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
@@ -74,7 +74,7 @@ def setting(tension: float, rig: Rig) -> float:
     return tension * rig.units / (ratio * working)
 
 
-def lacks(scene: Scene) -> list[str]:
+def lacks(scene: Resolved) -> list[str]:
     """What a scene lacks for the minimum tension, by its fields; empty where it is all there."""
     missing = [] if scene.gravity is not None else ["gravity"]
     if scene.water is None or scene.water.surface is None:
@@ -89,7 +89,7 @@ def lacks(scene: Scene) -> list[str]:
     return missing
 
 
-def columns_above(scene: Scene) -> Columns:
+def columns_above(scene: Resolved) -> Columns:
     """What hangs above each section's ends.
 
     Raises
@@ -120,7 +120,7 @@ def columns_above(scene: Scene) -> Columns:
     )
 
 
-def mud_above_the_riser(scene: Scene) -> float:
+def mud_above_the_riser(scene: Resolved) -> float:
     """Weight (N) on the bore of the mud that stands above the riser's upper end.
 
     Its pressure there lowers the effective tension by as much.
@@ -133,7 +133,7 @@ def mud_above_the_riser(scene: Scene) -> float:
     return max(last.contents_mass * (scene.gravity or 0.0) * height, 0.0)
 
 
-def needed(scene: Scene, tolerances: Tolerances) -> FloatArray:
+def needed(scene: Resolved, tolerances: Tolerances) -> FloatArray:
     """T_SRmin (N) at the ends of sections, from the bottom up, (sections + 1,): straight between them.
 
     Raises
@@ -145,7 +145,7 @@ def needed(scene: Scene, tolerances: Tolerances) -> FloatArray:
     return carrying_tension(of.steel, of.lift, of.mud - of.water, tolerances)
 
 
-def governing(scene: Scene, tolerances: Tolerances) -> Governing:
+def governing(scene: Resolved, tolerances: Tolerances) -> Governing:
     """The largest T_SRmin of the riser itself; stack and conductor below its flex joint stand.
 
     Raises

@@ -9,7 +9,7 @@ from riserstudy.design import engine_tension as engine
 from riserstudy.design import tension as formula
 from riserstudy.design.tension import Rig, Tolerances, setting
 from riserstudy.design.window import lift_off, lift_off_lacks, window
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 
 class TensionRequest(NamedTuple):
@@ -46,7 +46,7 @@ class Rows(NamedTuple):
         return Table(["quantity", "tension", "note"], ["", "N", ""], rows)
 
 
-def tension_table(scene: Scene, request: TensionRequest) -> Rows:
+def tension_table(scene: Resolved, request: TensionRequest) -> Rows:
     """Minimum tension by formula and engine, the setting, and the window that it lies in.
 
     Raises
@@ -74,7 +74,7 @@ def tension_table(scene: Scene, request: TensionRequest) -> Rows:
     return Rows(ends, [*totals, least, *_window(scene, request, of.tension)])
 
 
-def _engine(scene: Scene, request: TensionRequest) -> Found:
+def _engine(scene: Resolved, request: TensionRequest) -> Found:
     if missing := engine.lacks(scene):
         return Found("engine", None, ", ".join(missing))
     slack = engine.needed(scene, request.tolerances)
@@ -84,7 +84,7 @@ def _engine(scene: Scene, request: TensionRequest) -> Found:
     return Found("engine", slack.tension, note)
 
 
-def _window(scene: Scene, request: TensionRequest, minimum: float) -> list[Found]:
+def _window(scene: Resolved, request: TensionRequest, minimum: float) -> list[Found]:
     """Floor by the LMRP, ceiling, and what is between floors and ceiling; nothing where none is wanted."""
     rows, lifted = [], None
     if request.overpull is not None:

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.modes import MOST_MODES, mesh_of_modes, modes_of
@@ -89,7 +89,7 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
         When there is no equilibrium.
     """
     given = _checked(coefficients or Coefficients())
-    scene = file.scene()
+    scene = file.resolved()
     if scene.current is None:
         allowed = "allowed is a scene with a current: without one no vortices are shed"
         raise InputError(file.source, "current", "missing", allowed)
@@ -105,7 +105,7 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
     return _dataset(file, flow, found, given)
 
 
-def flow_along(scene: Scene, given: Coefficients) -> Flow:
+def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     """The whole current, its ramp aside, across a riser at rest.
 
     Raises

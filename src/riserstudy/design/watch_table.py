@@ -14,7 +14,7 @@ from riserstudy.dataset.limits import EXCEEDED, label
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.design.watch_circles import NEVER, TOO_LATE, watch_circle
 from riserstudy.errors import InputError
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 COLUMNS = ["limit", "reached", "offset", "red circle", "yellow circle", "note"]
 UNITS = ["", "s", "m", "m", "m", ""]
@@ -34,7 +34,7 @@ class Circles(NamedTuple):
     missing: bool
 
 
-def moves_off(scene: Scene) -> None:
+def moves_off(scene: Resolved) -> None:
     """Refuse a scene that does not leave the well.
 
     Raises
@@ -53,7 +53,7 @@ def moves_off(scene: Scene) -> None:
         raise InputError("limits", "", "missing", allowed)
 
 
-def offset_of(scene: Scene, dataset: xr.Dataset) -> xr.DataArray:
+def offset_of(scene: Resolved, dataset: xr.Dataset) -> xr.DataArray:
     """Distance of the platform from the well over ``time`` (m), first-order motions left out."""
     time = dataset["time"]
     if scene.vessel:
@@ -80,7 +80,7 @@ def _distance(x: xr.DataArray, y: xr.DataArray) -> xr.DataArray:
     return (x**2 + y**2) ** 0.5
 
 
-def circles(scene: Scene, dataset: xr.Dataset, times: Times, modes: Sequence[str]) -> Circles:
+def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[str]) -> Circles:
     """Red and yellow circle of each limit of some modes, and of each mode as a whole.
 
     Parameters

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from riserstudy.design import tension
 from riserstudy.design.tension import Rig, Tolerances, setting
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 WEIGHED = Tolerances(1.0, 1.0)
 
@@ -71,7 +71,7 @@ class Ceiling(NamedTuple):
 
 
 def window_of(
-    scene: Scene, tolerances: Tolerances, rig: Rig, overpull: float | None, ceiling: Ceiling
+    scene: Resolved, tolerances: Tolerances, rig: Rig, overpull: float | None, ceiling: Ceiling
 ) -> Window:
     """The window of a scene's setting by the formula.
 
@@ -89,7 +89,7 @@ def window_of(
     return window(needed, lifted, rig, *ceiling)
 
 
-def lift_off(scene: Scene, overpull: float, weighed: float | None = None) -> float:
+def lift_off(scene: Resolved, overpull: float, weighed: float | None = None) -> float:
     """Vertical tension (N) at which the riser pulls its LMRP off with an overpull (N).
 
     Parameters
@@ -112,7 +112,7 @@ def lift_off(scene: Scene, overpull: float, weighed: float | None = None) -> flo
     return weighed + body.weight(gravity or 0.0, water.density) + overpull
 
 
-def lift_off_lacks(scene: Scene) -> list[str]:
+def lift_off_lacks(scene: Resolved) -> list[str]:
     """What a scene lacks for lifting its LMRP off, by its fields; empty where it is all there."""
     if scene.lowest_riser_section:
         return ["bottom.body as the LMRP: sections of the riser stand below its flex joint"]

@@ -10,9 +10,9 @@ from typing import Any
 
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import CALLED
 from riserstudy.scene.paths import last_name, leaves, parent, within, without_indices
+from riserstudy.scene.resolve import Resolved
 
 PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9 _.,/+-]*[A-Za-z0-9)]|[A-Za-z]")
 WORDS = ("yes", "no", "on", "off", "true", "false", "null", "infinity")
@@ -30,7 +30,7 @@ class Deck:
     """
 
     file: SceneFile
-    scene: Scene
+    scene: Resolved
     objects: dict[str, Any] = field(default_factory=dict)
     carried: set[str] = field(default_factory=set)
     otherwise: dict[str, str] = field(default_factory=dict)

@@ -39,7 +39,7 @@ def write_deck(file: SceneFile) -> Exported:
     SimulationError
         Where the riser at rest is needed, and there is none.
     """
-    scene = file.scene()
+    scene = file.resolved()
     deck = Deck(file, scene)
     if scene.water is None:
         raise deck.refused("water", "missing", "a deck has water; add 'water:'")
@@ -73,7 +73,7 @@ def _rest(file: SceneFile) -> topside.Rest:
 
     Cylinders are at mid-stroke where the riser rests under the constant pull that they have there.
     """
-    scene = file.scene()
+    scene = file.resolved()
     unstretched = (scene.bottom.elevation or 0.0) + sum(s.total_length for s in scene.riser)
     rig = scene.top.tensioners
     if rig is None or rig.mid_stroke == "riser unstretched":

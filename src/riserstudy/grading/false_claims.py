@@ -15,6 +15,7 @@ from riserstudy.errors import InputError
 from riserstudy.grading.models import InWords, Item, Option, PublishedFile
 from riserstudy.grading.published import looked_up, refuse_check
 from riserstudy.inputs.check import check
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
 
@@ -65,7 +66,7 @@ class Falsified(Strict):
     def _changes_something(self) -> Self:
         changes = (self.options, self.exchanged, self.relabelled, self.reversed, self.negated)
         if self.published is None and not any(changes):
-            raise ValueError("nothing is changed; name published, with, or what changes places")
+            raise Misfit("", "nothing is changed", "name published, with, or what changes places")
         return self
 
     @property

@@ -8,6 +8,7 @@ from pydantic import Field, field_validator, model_validator
 
 from riserstudy.grading.verdict import RELATIVE
 from riserstudy.grading.word import Word
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.strict import Strict
 from riserstudy.records.printed_figures import figures_in
@@ -106,19 +107,28 @@ class Item(Checked):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.kind == "number") != (self.published is not None):
-            raise ValueError("published: every number has a printed value, and no claim has one")
+            raise Misfit(
+                "published",
+                "does not fit together",
+                "every number has a printed value, and no claim has one",
+            )
         if (self.published is None) != (self.rounding is None):
-            raise ValueError(
-                "rounding: the unit of the last printed digit goes with a printed value"
+            raise Misfit(
+                "rounding",
+                "does not fit together",
+                "the unit of the last printed digit goes with a printed value",
             )
         if self.rounding and self.published and self.rounding > abs(self.published):
-            raise ValueError(
-                f"rounding: {self.rounding:g} is coarser than the number {self.published:g}; "
-                "it is the unit of the last printed digit, as 0.1 of 24.4"
+            raise Misfit(
+                "rounding",
+                f"{self.rounding:g} is coarser than the number {self.published:g}",
+                "it is the unit of the last printed digit, as 0.1 of 24.4",
             )
         if self.within is not None and not (self.published and 0.0 < self.within <= RELATIVE):
-            raise ValueError(
-                f"within: {100 * self.within:g} %; allowed is a share of a number other than zero, up to 1 %"
+            raise Misfit(
+                "within",
+                f"{100 * self.within:g} %",
+                "allowed is a share of a number other than zero, up to 1 %",
             )
         if sum(map(bool, (self.check, self.impossible, self.not_comparable))) != 1:
             raise ValueError("needs one of check, impossible and not_comparable")
@@ -192,10 +202,11 @@ class PublishedFile(Strict):
         for item in self.items:
             for other in item.together:
                 if item.id not in numbers or other not in numbers or other == item.id:
-                    found = f"{item.id}: together: {other!r} is no other number"
-                    raise ValueError(f"{found}; allowed are {', '.join(numbers)}")
+                    found = f"{other!r} is no other number"
+                    raise Misfit(f"{item.id}.together", found, f"allowed are {', '.join(numbers)}")
                 if set(numbers[other].reads) != set(item.reads):
-                    raise ValueError(f"{item.id}: together: {other} reads by other names")
+                    found, allowed = f"{other!r} reads by other names", "allowed are the same"
+                    raise Misfit(f"{item.id}.together", found, allowed)
         return self
 
     @model_validator(mode="after")
@@ -211,12 +222,12 @@ class PublishedFile(Strict):
 
         Raises
         ------
-        ValueError
+        Misfit
             When there is none.
         """
         numbers = {item.id: item.published for item in self.items if item.published is not None}
         if of not in numbers:
-            raise ValueError(f"printed: no number {of!r}; allowed are {', '.join(numbers)}")
+            raise Misfit("printed", f"no number {of!r}", f"allowed are {', '.join(numbers)}")
         return numbers[of]
 
     @property

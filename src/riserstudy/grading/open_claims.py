@@ -15,6 +15,7 @@ from riserstudy.grading.models import ChosenBy, InWords, Item, WordName
 from riserstudy.grading.word import Word
 from riserstudy.grading.words_file import WordsFile
 from riserstudy.inputs.check import check
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
@@ -55,13 +56,21 @@ class Assumed(Strict):
         if (self.range is None) == (self.options is None):
             raise ValueError("needs one of range and options")
         if self.options is not None and len({*self.options}) < len(self.options):
-            raise ValueError("options: one stands twice, and would be drawn twice as often")
+            raise Misfit(
+                "options",
+                "does not fit together",
+                "one stands twice, and would be drawn twice as often",
+            )
         if self.options is not None and self.assumed not in self.options:
-            raise ValueError(f"assumed: {self.assumed!r} is none of its options")
+            raise Misfit(
+                "assumed", "does not fit together", f"{self.assumed!r} is none of its options"
+            )
         if self.range is not None:
             low, high = self.range
             if isinstance(self.assumed, str) or not low <= self.assumed <= high or low == high:
-                raise ValueError(f"assumed: {self.assumed!r} is not inside its range")
+                raise Misfit(
+                    "assumed", "does not fit together", f"{self.assumed!r} is not inside its range"
+                )
         return self
 
 

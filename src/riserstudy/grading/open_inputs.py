@@ -16,6 +16,7 @@ from riserstudy.grading.found import Found, judged
 from riserstudy.grading.grade import FITTED, graded
 from riserstudy.grading.open_claims import BASE, SAMPLES, Assumed, ClaimsFile, OpenClaim, Value
 from riserstudy.grading.yardstick import Condition, plain
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.records.graded import Graded
 
 #: from inputs by name, and the options of a number or claim, to a number, or a value with its margin
@@ -38,7 +39,7 @@ def claim(value: float, judged_by: float | Condition) -> Found:
     """
     condition = judged_by if isinstance(judged_by, Condition) else plain(xr.DataArray(judged_by))
     if condition.margin.ndim:
-        raise ValueError(f"a margin of shape {condition.margin.shape}; allowed is one number")
+        raise Misfit("", f"a margin of shape {condition.margin.shape}", "allowed is one number")
     return judged(xr.DataArray(float(value)), condition)
 
 

@@ -13,6 +13,7 @@ from riserstudy.errors import InputError
 from riserstudy.grading.models import PrintedInput, PublishedFile
 from riserstudy.grading.published import printed_of, published_path
 from riserstudy.grading.words_file import read_words
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import plain_values
 from riserstudy.scene.paths import matches
@@ -57,9 +58,9 @@ def with_printed(
             name: file.number(value["printed"]) if _names(value, "printed") else value
             for name, value in settings.items()
         }
-    except ValueError as error:
-        found, _, allowed = str(error).partition("; ")
-        raise InputError(config / "studies" / f"{paper}.yaml", "with", found, allowed) from None
+    except Misfit as fault:
+        where = config / "studies" / f"{paper}.yaml"
+        raise InputError(where, "with", fault.found, fault.allowed) from None
 
 
 def _names(value: Any, what: str) -> bool:

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from riserstudy.errors import InputError
+from riserstudy.inputs.misfit import Misfit, joined
 
 T = TypeVar("T", bound=BaseModel)
 
@@ -51,10 +52,12 @@ def _readable(error: ValidationError, source: object) -> InputError:
         )
     if kind == "missing":
         return InputError(source, where, "missing", "it has no default: add it")
+    misfit = first.get("ctx", {}).get("error")
+    if isinstance(misfit, Misfit):
+        also = tuple(joined(where, path) for path in misfit.also)
+        path = joined(where, misfit.path)
+        return InputError(source, path, misfit.found, misfit.allowed, also)
     message = first["msg"].removeprefix("Value error, ")
-    if kind == "value_error" and ";" in message:
-        found_text, allowed = message.split(";", 1)
-        return InputError(source, where, found_text.strip(), allowed.strip())
     if kind == "value_error":
         return InputError(source, where, "does not fit together", message)
     return InputError(source, where, value_text[:120], message[0].lower() + message[1:])

@@ -92,7 +92,9 @@ def with_values(study: Study, free: Sequence[Free], shares: Sequence[float]) -> 
 
 def values_of(study: Study, items: Sequence[Item], derived: dict[str, Derived]) -> dict[str, float]:
     """What simulations of a study give for printed numbers that are checked with it alone."""
-    results = [run(study.grid.file(point.index).scene(), estimated=False) for point in study.plan]
+    results = [
+        run(study.grid.file(point.index).resolved(), estimated=False) for point in study.plan
+    ]
     runs = dataset_of(study, results)
     values = {}
     for item in items:

@@ -59,7 +59,7 @@ class Configuration:
             refuse_unknown_claims(config, self.files, known)
         for paper, name in self._studies if only is None else only:
             study = self.study(paper, name)
-            scene_file(config / study.model.scene).scene()
+            scene_file(config / study.model.scene).resolved()
             study.plan  # noqa: B018  every point is checked before any job
             if study.model.settings:
                 refuse_settings(study)
@@ -70,7 +70,7 @@ class Configuration:
                 self.schematic(p, n) for p, of in self.files.items() for n in of.schematics
             ]
             for scene in schematics:
-                scene.scene()
+                scene.resolved()
             own = {self.config / study.model.scene for study in self.studies}
             refuse_unprinted(config, map(scene_file, sorted(own)))
 

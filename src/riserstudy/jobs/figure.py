@@ -47,7 +47,7 @@ def from_scene(config: Path, paper: str, name: str) -> Figure:
     from riserstudy.schematic import schematic
 
     model = read_studies(config, paper).schematics[name]
-    scene, standing = model.file(config).scene(), model.cylinders == "standing"
+    scene, standing = model.file(config).resolved(), model.cylinders == "standing"
     rig = scene.top.tensioners
     if standing and (rig is None or rig.arrangement):
         where = config / f"studies/{paper}.yaml"

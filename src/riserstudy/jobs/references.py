@@ -50,7 +50,7 @@ def in_words(kept: Kept) -> str:
 def usable(config: Path, study: str, one: Wanted) -> bool:
     """Whether a case has a reference that can be used."""
     try:
-        read(config, study, one.case, one.file.scene())
+        read(config, study, one.case, one.file.resolved())
     except NotUsed:
         return False
     return True

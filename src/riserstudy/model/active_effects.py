@@ -7,7 +7,7 @@ from typing import NamedTuple
 from riserstudy.model.absent_effects import absent
 from riserstudy.model.build import build
 from riserstudy.model.mesh import even
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 
 class Row(NamedTuple):
@@ -18,7 +18,7 @@ class Row(NamedTuple):
     because: str
 
 
-def ledger(scene: Scene) -> list[Row]:
+def ledger(scene: Resolved) -> list[Row]:
     """All effects, those that are on first."""
     model = build(scene, even(scene, max(2, len(scene.riser))), ring_elevation=0.0)
     on = {effect.name: effect.because for effect in model.effects}

@@ -25,14 +25,14 @@ from riserstudy.model.supports import afloat, first_order, fixed, supports
 from riserstudy.model.tensioners import tensioners
 from riserstudy.model.vessel import floating
 from riserstudy.model.vortices import first_phases
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.state import OTHER, OWN
 
 TAUT = 1e-6  # strain of a hanging riser in the first shape
 
 
 def build(
-    scene: Scene,
+    scene: Resolved,
     mesh: Mesh,
     ring_elevation: float | None = None,
     d: int | None = None,

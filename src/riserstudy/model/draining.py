@@ -13,10 +13,10 @@ from riserstudy.model.hydrodynamics import over
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
 from riserstudy.model.mud_column import Column, Flow, flow
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 
-def draining(scene: Scene, mesh: Mesh, model: Model) -> Iterator[Effect]:
+def draining(scene: Resolved, mesh: Mesh, model: Model) -> Iterator[Effect]:
     """What the contents do from the release on, in a model that is let go."""
     column = flow_of(scene)
     if scene.disconnect is None or column is None:
@@ -50,7 +50,7 @@ def draining(scene: Scene, mesh: Mesh, model: Model) -> Iterator[Effect]:
     yield Effect("draining contents", record, "disconnect.drain")
 
 
-def flow_of(scene: Scene) -> Flow | None:
+def flow_of(scene: Resolved) -> Flow | None:
     """How a scene's contents run out; None where they stay.
 
     Raises

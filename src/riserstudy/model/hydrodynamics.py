@@ -25,7 +25,7 @@ from riserstudy.model.model import Effect
 from riserstudy.model.sea import components_of, current_table, current_velocity, wave_number
 from riserstudy.model.vortices import vortex_forces
 from riserstudy.scene.forcing import Water
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import IrregularSea, RegularWave
 
 FloatArray = NDArray[np.float64]
@@ -75,13 +75,13 @@ def hydrodynamics(of: Layout) -> Iterator[Effect]:
     yield from by_depth  # after the waterline, which changes their scale
 
 
-def _contents(scene: Scene, mesh: Mesh) -> Iterator[Effect]:
+def _contents(scene: Resolved, mesh: Mesh) -> Iterator[Effect]:
     inside = over(mesh, [s.contents_mass for s in scene.riser])
     if np.any(inside):
         yield Effect("contents", AddedMass(inside, -inside, 0), "riser.contents")
 
 
-def _added_mass(scene: Scene, mesh: Mesh, rho: float) -> Iterator[Effect]:
+def _added_mass(scene: Resolved, mesh: Mesh, rho: float) -> Iterator[Effect]:
     """What goes with the pipe, normal to it or horizontal."""
     for direction in (None, "horizontal"):
         _, added = _accelerated(scene, mesh, rho, direction)
@@ -90,7 +90,7 @@ def _added_mass(scene: Scene, mesh: Mesh, rho: float) -> Iterator[Effect]:
             yield Effect("added mass", record, "riser.added_mass")
 
 
-def _wave_force(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
+def _wave_force(scene: Resolved, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
     """What goes with the water's acceleration: water displaced, and added mass."""
     force = np.zeros(len(mesh.l0))
     for direction in (None, "horizontal"):
@@ -102,7 +102,7 @@ def _wave_force(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect
 
 
 def _accelerated(
-    scene: Scene, mesh: Mesh, rho: float, direction: str | None
+    scene: Resolved, mesh: Mesh, rho: float, direction: str | None
 ) -> tuple[FloatArray, FloatArray]:
     """Mass of water displaced and added mass of the segments that have it in a direction, (n,), kg."""
     around = [s.added_mass for s in scene.riser]
@@ -112,7 +112,7 @@ def _accelerated(
     return over(mesh, displaced), over(mesh, added)
 
 
-def _drag(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
+def _drag(scene: Resolved, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
     """One effect for all constant coefficients, and one for each table over elevation, by direction."""
     drags = [s.drag for s in scene.riser]
     for direction, table in dict.fromkeys((a.direction, a.table) for a in drags if a):
@@ -135,7 +135,7 @@ def _drag(scene: Scene, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
             yield Effect("drag", Drag(whole, whole, scratch, horizontal), "riser.drag")
 
 
-def _tangential(scene: Scene, mesh: Mesh, rho: float) -> Iterator[Effect]:
+def _tangential(scene: Resolved, mesh: Mesh, rho: float) -> Iterator[Effect]:
     """Drag along the pipe."""
     around = [s.tangential_drag for s in scene.riser]
     scale = over(
@@ -146,7 +146,7 @@ def _tangential(scene: Scene, mesh: Mesh, rho: float) -> Iterator[Effect]:
 
 
 def _waterline(
-    scene: Scene, drags: list[Effect], added: list[Effect], waves: list[Effect], n: int
+    scene: Resolved, drags: list[Effect], added: list[Effect], waves: list[Effect], n: int
 ) -> Iterator[Effect]:
     """What wets segments in part, by changing the arrays of the others, where there is a surface."""
     if scene.water is None or scene.water.surface is None:

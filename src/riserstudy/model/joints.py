@@ -25,7 +25,7 @@ def inner_joints(of: Layout, report: Report) -> Iterator[Effect]:
             continue
         flexibility = 1.0 / joint.stiffness
         record = InnerFlexJoint(of.mesh.foot(k), flexibility, report("lfj_angle"))
-        yield Effect("inner flex joint", record, f"{of.scene.line(k)}.flex_joint_below")
+        yield Effect("inner flex joint", record, f"{section.line}.flex_joint_below")
 
 
 def guides(of: Layout) -> Iterator[Effect]:
@@ -33,7 +33,7 @@ def guides(of: Layout) -> Iterator[Effect]:
     for k, section in enumerate(of.scene.riser if of.d > 1 else []):
         if section.guide_below:
             record = Guide(of.mesh.foot(k), section.guide_below.stiffness)
-            yield Effect("guide", record, f"{of.scene.line(k)}.guide_below")
+            yield Effect("guide", record, f"{section.line}.guide_below")
 
 
 def sliding_joint(of: Layout) -> Iterator[Effect]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.vessel import loose_nodes
 from riserstudy.scene.ends import FlexJoint, Rotation
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
@@ -32,7 +32,7 @@ def stiffness(section: Section) -> Stiffness:
     return Stiffness(*section.elasticity, 0.25 * math.pi * (section.inner_diameter or 0.0) ** 2)
 
 
-def directions(scene: Scene) -> int:
+def directions(scene: Resolved) -> int:
     """Directions that the scene needs: 1 along the riser, 2 in a plane, 3 in space."""
     if scene.spatial:
         return 3
@@ -49,7 +49,7 @@ def flexibility_of(rotation: Rotation | None) -> float | None:
 class Layout(NamedTuple):
     """What the effects of a scene on a mesh are made from."""
 
-    scene: Scene
+    scene: Resolved
     mesh: Mesh
     d: int  # directions
     m: int  # bending moments of a node
@@ -97,7 +97,7 @@ class Layout(NamedTuple):
         return [*first, *(k for k, s in enumerate(self.scene.riser) if s.corner_below)]
 
 
-def layout_of(scene: Scene, mesh: Mesh, ring_elevation: float | None, d: int) -> Layout:
+def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int) -> Layout:
     """Layout of a scene on a mesh in ``d`` directions.
 
     Parameters
@@ -133,7 +133,7 @@ def layout_of(scene: Scene, mesh: Mesh, ring_elevation: float | None, d: int) ->
 
 
 def per_segment(
-    scene: Scene, mesh: Mesh, value: Callable[[int], float], joint: float = 0.0
+    scene: Resolved, mesh: Mesh, value: Callable[[int], float], joint: float = 0.0
 ) -> FloatArray:
     """Values of the sections, in their unit, over the segments, (n,); ``joint`` of a telescopic joint."""
     values = [float(value(k)) for k in range(len(scene.riser))]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.space_out import joint_of
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 GROWTH = 0.15  # by which segments grow away from a held end, metre by metre
 LAYER = 0.5  # first segment of a layer, in layer lengths sqrt(EI/T), on the coarsest mesh
@@ -90,13 +90,13 @@ def _laid(
     return np.concatenate(pieces), np.repeat(np.arange(len(counts)), counts)
 
 
-def lowest_leaning(scene: Scene, mesh: Mesh) -> int:
+def lowest_leaning(scene: Resolved, mesh: Mesh) -> int:
     """The lowest node above which a riser leans: at its inner flex joint, on the ground, or at its end."""
     lowest = scene.lowest_riser_section or int(scene.soil is not None)
     return min(mesh.foot(lowest), len(mesh.l0) - 1)
 
 
-def prescribed(scene: Scene, elements: int) -> Mesh:
+def prescribed(scene: Resolved, elements: int) -> Mesh:
     """Segments as the scene's own mesh has them, equal or finer towards ends, but so many."""
     layers = scene.analysis.mesh and scene.analysis.mesh.layers
     if not layers:
@@ -106,7 +106,7 @@ def prescribed(scene: Scene, elements: int) -> Mesh:
     return graded(scene, ends).with_about(elements)
 
 
-def even(scene: Scene, elements: int) -> Mesh:
+def even(scene: Resolved, elements: int) -> Mesh:
     """Equal segments within each section, ``elements`` in all or a few more."""
     lengths = [section.total_length for section in scene.riser]
     size = sum(lengths) / elements
@@ -119,14 +119,14 @@ def even(scene: Scene, elements: int) -> Mesh:
     )
 
 
-def _with_joint(scene: Scene, l0: NDArray[np.float64], section: NDArray[np.int64]) -> Mesh:
+def _with_joint(scene: Resolved, l0: NDArray[np.float64], section: NDArray[np.int64]) -> Mesh:
     joint, body = joint_of(scene), _has_body(scene)
     if joint is None:
         return Mesh(l0, section, body=body)
     return Mesh(np.append(l0, joint.length), np.append(section, len(scene.riser)), True, body=body)
 
 
-def _has_body(scene: Scene) -> bool:
+def _has_body(scene: Resolved) -> bool:
     """Whether the lowest section stands for a body that turns with the riser's end."""
     return scene.bottom.body is not None and scene.bottom.body.reach > 0.0
 
@@ -139,7 +139,7 @@ class Layer(NamedTuple):
 
 
 def graded(
-    scene: Scene,
+    scene: Resolved,
     layers: list[Layer],
     elements: int = GRADED,
     longest: dict[int, float] | None = None,

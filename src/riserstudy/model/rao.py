@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.model.sea import components_of
-from riserstudy.scene.models import Scene
 from riserstudy.scene.rao import TILTS, Operator, Response
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell, Wave
 
 FloatArray = NDArray[np.float64]
@@ -90,7 +90,7 @@ def _over_frequency(
     return np.asarray(real + 1j * imaginary)
 
 
-def doubts(scene: Scene) -> list[str]:
+def doubts(scene: Resolved) -> list[str]:
     """What there is to tell of a response: components beyond its operators, sizes that look like slips."""
     response = scene.platform and scene.platform.response
     wave = response and (response.wave or scene.wave)

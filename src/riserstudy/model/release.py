@@ -15,7 +15,7 @@ from riserstudy.effects.support import Support
 from riserstudy.effects.tension_loss import TensionLoss
 from riserstudy.model.layout import Layout
 from riserstudy.model.model import Effect, Model, Report
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.evaluate import forces_and_tangent, shape_of
 
 LIFT = ("lift", "lift_rate")  # what the gauge reports
@@ -27,7 +27,7 @@ def lift_gauge(of: Layout, report: Report) -> Iterator[Effect]:
         yield Effect("lift gauge", LiftGauge(of.bottom, report(*LIFT)), "disconnect")
 
 
-def stack_contact(scene: Scene) -> Iterator[Effect]:
+def stack_contact(scene: Resolved) -> Iterator[Effect]:
     """What the lower end may come down on."""
     if scene.disconnect and (stack := scene.disconnect.stack):
         contact = StackContact(scene.bottom.elevation or 0.0, stack.stiffness)

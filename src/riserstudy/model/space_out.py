@@ -21,14 +21,14 @@ import numpy as np
 
 from riserstudy.model.tensioner_law import gas_force, linear_law, table_law, tension_at_mid_stroke
 from riserstudy.scene.ends import TelescopicJoint
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.tensioners import Tensioners
 
 HALVINGS = 60  # of the range in which the stretch is looked for
 FURTHEST = 0.05  # share of its length by which no riser stretches
 
 
-def joint_of(scene: Scene) -> TelescopicJoint | None:
+def joint_of(scene: Resolved) -> TelescopicJoint | None:
     """The telescopic joint of a scene, by its length at mid-stroke; None without one."""
     joint = scene.top.telescopic_joint
     if joint is None or joint.mid_stroke is None:
@@ -38,7 +38,7 @@ def joint_of(scene: Scene) -> TelescopicJoint | None:
     return joint.model_copy(update={"length": length, "mid_stroke": None})
 
 
-def stretch(scene: Scene) -> float:
+def stretch(scene: Resolved) -> float:
     """By how much a riser is longer, plumb and in equilibrium under what pulls its ring (m)."""
     pull, most = _pull(scene), FURTHEST * sum(section.total_length for section in scene.riser)
     low, high = -most, most
@@ -55,12 +55,12 @@ def stretch(scene: Scene) -> float:
     return 0.5 * (low + high)
 
 
-def _unstretched(scene: Scene) -> float:
+def _unstretched(scene: Resolved) -> float:
     """Elevation of the ring before the riser stretches (m)."""
     return (scene.bottom.elevation or 0.0) + sum(s.total_length for s in scene.riser)
 
 
-def _stretched_by(scene: Scene, pull: float) -> float:
+def _stretched_by(scene: Resolved, pull: float) -> float:
     """Stretch (m) of a plumb riser under a vertical pull at its ring (N)."""
     gravity = scene.gravity or 0.0
     water = scene.water.density if scene.water else 0.0
@@ -75,7 +75,7 @@ def _stretched_by(scene: Scene, pull: float) -> float:
     return total
 
 
-def _pull(scene: Scene) -> Callable[[float], float]:
+def _pull(scene: Resolved) -> Callable[[float], float]:
     """What pulls the ring vertically (N), by the stretch of the riser (m)."""
     top, joint, rig = scene.top, scene.top.telescopic_joint, scene.top.tensioners
     constant = (top.tension or 0.0) + ((joint.tension if joint else None) or 0.0)

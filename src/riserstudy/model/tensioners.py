@@ -24,7 +24,7 @@ from riserstudy.model.model import Effect
 from riserstudy.model.platform_motion import centre
 from riserstudy.model.tensioner_law import linear_law, table_law
 from riserstudy.scene.disconnect import RecoilValve
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.tensioners import Arrangement, Tensioners
 
 GAS_FIELDS = ("area", "pressure", "volume")
@@ -102,7 +102,7 @@ def outside(force: NDArray[np.float64], name: str, why: str) -> Iterator[Effect]
         yield Effect(name, LinearSpring(-force, np.zeros(len(force))), why)
 
 
-def recoil_valve(rig: Tensioners, valve: RecoilValve, scene: Scene) -> Iterator[Effect]:
+def recoil_valve(rig: Tensioners, valve: RecoilValve, scene: Resolved) -> Iterator[Effect]:
     """The valves between cylinders and their gas."""
     gas, release = rig.pulling, scene.disconnect
     if gas is None or release is None:

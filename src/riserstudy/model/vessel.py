@@ -15,7 +15,7 @@ from riserstudy.effects.vessel import Vessel
 from riserstudy.model.model import Effect, Report
 from riserstudy.model.sea import current_velocity
 from riserstudy.scene import vessel as scenes
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 FloatArray = NDArray[np.float64]
 AHEAD = ("platform_speed", "riser_reaction", "environment_force")  # reported by direction
@@ -23,7 +23,7 @@ YAW, THRUST, THRUST_MOMENT = "platform_yaw", "thrust", "thrust_moment"
 SWAY = 1  # direction
 
 
-def loose_nodes(scene: Scene, d: int) -> int:
+def loose_nodes(scene: Resolved, d: int) -> int:
     """Nodes beyond the riser: yaw and the lag of the thrust share one, the lag of the moment is one more."""
     of = scene.vessel
     if of is None:
@@ -33,7 +33,7 @@ def loose_nodes(scene: Scene, d: int) -> int:
     return int(turns or lags) + int(turns and lags and bool(of.thrusters and of.thrusters.yaw))
 
 
-def unknowns(scene: Scene, d: int, top: int) -> list[tuple[int, int]]:
+def unknowns(scene: Resolved, d: int, top: int) -> list[tuple[int, int]]:
     """(node, direction) pairs that are free because the vessel is, though held at rest."""
     of = scene.vessel
     if of is None:
@@ -49,7 +49,7 @@ def unknowns(scene: Scene, d: int, top: int) -> list[tuple[int, int]]:
     return free
 
 
-def floating(scene: Scene, d: int, node: int, probe: Report) -> Iterator[Effect]:
+def floating(scene: Resolved, d: int, node: int, probe: Report) -> Iterator[Effect]:
     """Effects of a vessel at a node; ``probe`` takes names and tells where they are reported."""
     of = scene.vessel
     if of is None:
@@ -140,7 +140,7 @@ def _thrusters(
     yield Effect("heading control", turning, "vessel.thrusters.yaw")
 
 
-def _surface_current(scene: Scene) -> FloatArray:
+def _surface_current(scene: Resolved) -> FloatArray:
     """Velocity of the current at the surface (m/s)."""
     if not (scene.current and scene.water):
         return np.zeros(2)

@@ -16,7 +16,7 @@ from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
 from riserstudy.model.sea import current_velocity, fastest_current
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import VortexInducedVibration
 
 FloatArray = NDArray[np.float64]
@@ -83,12 +83,12 @@ def at_nodes(mesh: Mesh, values: FloatArray, there: NDArray[np.bool_]) -> FloatA
     return out / np.where(weight > 0.0, weight, 1.0)
 
 
-def shedding(scene: Scene) -> list[VortexInducedVibration]:
+def shedding(scene: Resolved) -> list[VortexInducedVibration]:
     """What sections shed vortices by; ramp and seed are the same in all of them."""
     return [section.viv for section in scene.riser if section.viv]
 
 
-def ramp_of(scene: Scene) -> float:
+def ramp_of(scene: Resolved) -> float:
     """Time over which lift comes up (s)."""
     ramp = shedding(scene)[0].ramp
     if ramp is not None:
@@ -98,7 +98,7 @@ def ramp_of(scene: Scene) -> float:
     return VORTICES * shedding_period(scene, free=True)
 
 
-def shedding_period(scene: Scene, free: bool = False) -> float:
+def shedding_period(scene: Resolved, free: bool = False) -> float:
     """Shortest period of vortices in the current (s), infinite for none.
 
     ``free``: that of lift on a riser at rest; else of the highest frequency of lift or varying drag.
@@ -114,7 +114,7 @@ def shedding_period(scene: Scene, free: bool = False) -> float:
     )
 
 
-def slowest(scene: Scene) -> float:
+def slowest(scene: Resolved) -> float:
     """Frequency (Hz) of the slowest motion that vortices of the current make: slower motion is no vibration.
 
     Half of the lowest frequency at which they lift the riser where it takes power from the flow, as the
@@ -141,7 +141,7 @@ def slowest(scene: Scene) -> float:
     return 0.5 * float(each[order][int(np.searchsorted(taken, IDLE))])
 
 
-def first_phases(scene: Scene, mesh: Mesh, model: Model) -> None:
+def first_phases(scene: Resolved, mesh: Mesh, model: Model) -> None:
     """Give a model the phases that its lift begins with: smooth along the riser, whatever the mesh."""
     if not len(model.s.internal):
         return

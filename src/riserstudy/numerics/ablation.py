@@ -21,7 +21,7 @@ from riserstudy.errors import RiserStudyError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.changes import fitting
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless, period
 
@@ -126,17 +126,17 @@ def ablate(
         When the scene itself cannot be run.
     """
     file, mesh = fixed(file, budget)
-    scene = file.scene()
+    scene = file.resolved()
     step = scene.analysis.step
     base = Ablation(file, mesh, step)
-    runs: list[tuple[Ablation | Changed, Scene]] = [(base, scene)]
+    runs: list[tuple[Ablation | Changed, Resolved]] = [(base, scene)]
     every = list(fitting(file))
     for k, (change, other) in enumerate(every, 1):
         notify(f"{k} of {len(every)} changes: {change.label}")
         changed = Changed(change, change.because or "")
         base.changed.append(changed)
         try:
-            of_change = other.scene()
+            of_change = other.resolved()
             single(brief(of_change, step), mesh, step)
             runs.append((changed, of_change))
         except RiserStudyError as error:
@@ -155,7 +155,7 @@ def ablate(
     return base
 
 
-def brief(scene: Scene, step: float | None) -> Scene:
+def brief(scene: Resolved, step: float | None) -> Resolved:
     """The first steps of a scene, which load its kernels; all of it where others are run later on."""
     if step is None or scene.analysis.output is None or scene.disconnect or scene.vessel:
         return scene
@@ -167,7 +167,7 @@ def brief(scene: Scene, step: float | None) -> Scene:
     )
 
 
-def measure(of: Measured, scene: Scene, mesh: Mesh, step: float | None) -> None:
+def measure(of: Measured, scene: Resolved, mesh: Mesh, step: float | None) -> None:
     """One run, its peaks, and its time."""
     result = single(scene, mesh, step)
     of.peaks = peaks(result)
@@ -180,7 +180,7 @@ def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:
     Without mesh and step of its own it gets plain ones, fine enough to see what an effect changes: that is
     the difference of two runs which share their errors.
     """
-    scene = file.scene()
+    scene = file.resolved()
     a = scene.analysis
     segments = len(scene.riser) if massless(scene) else SEGMENTS
     mesh = even(scene, a.mesh.elements if a.mesh else segments)

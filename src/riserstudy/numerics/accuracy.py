@@ -32,7 +32,7 @@ from riserstudy.numerics.references import (
 from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.numerics.stability import attempt_limit
 from riserstudy.scene.load import SceneFile, read_scene
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
 from riserstudy.study.measured import AccuracyStudy, Ladder, Method
 
@@ -208,7 +208,7 @@ def rung(
     steps = method.tolerances or ladder.steps
     if m >= len(steps):
         return Attempt(None, None, "no such rung", 0.0)
-    mesh = even(whole(file.scene()), ladder.elements[k])
+    mesh = even(whole(file.resolved()), ladder.elements[k])
     own = stepped(file, method.set, mesh, ladder.steps[-1] if method.tolerances else steps[m])
     step = steps[m]
     if method.set.get("analysis.method") == EXPLICIT and not method.tolerances:
@@ -219,7 +219,7 @@ def rung(
     return timed(lambda: once(own, mesh, step, method, budget), repeats, warm)
 
 
-def once(scene: Scene, mesh: Mesh, step: float, method: Method, budget: float) -> Attempt:
+def once(scene: Resolved, mesh: Mesh, step: float, method: Method, budget: float) -> Attempt:
     """One run by a method, the engine's or another."""
     which = method.integrator
     if which is None or (which != RADAU and too_long(scene, mesh, step, budget)):
@@ -275,7 +275,7 @@ def requests(file: SceneFile, name: str, shares: Iterable[float], patience: floa
 
 def spent(file: SceneFile, name: str, share: float, patience: float) -> Request:
     """What asking for an accuracy came to, for a scene, within so many seconds; the shorter of two runs."""
-    scene = whole(file.with_values({"analysis.accuracy": f"{100 * share!r} %"}, WHERE).scene())
+    scene = whole(file.with_values({"analysis.accuracy": f"{100 * share!r} %"}, WHERE).resolved())
     attempt(lambda: run(scene, 0.0))  # warms up
     tried = attempt(lambda: in_time(scene, patience))
     if tried.result is not None and tried.seconds < SOON:

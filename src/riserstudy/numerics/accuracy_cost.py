@@ -10,7 +10,7 @@ from typing import NamedTuple
 from riserstudy.errors import TakesTooLong
 from riserstudy.numerics.attempt import deciding
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.forecast import forecast
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.show import progress_line
@@ -59,7 +59,7 @@ def prices(file: SceneFile, progress: bool = False) -> Iterator[Price]:
             return
 
 
-def _price(scene: Scene, share: float | None, notify: Notify | None, first: bool) -> Price:
+def _price(scene: Resolved, share: float | None, notify: Notify | None, first: bool) -> Price:
     """What one request comes to."""
     if price := forecast(scene, Watch(PATIENCE, notify)):
         error = deciding(price.error)
@@ -75,11 +75,11 @@ def _price(scene: Scene, share: float | None, notify: Notify | None, first: bool
     return Price(share, estimated, facts["elements"], facts.get("step"), seconds, False)
 
 
-def requesting(file: SceneFile, share: float | None) -> Scene:
+def requesting(file: SceneFile, share: float | None) -> Resolved:
     """The scene with a relative error requested in place of its mesh and step; None for the default."""
     if share is not None:
-        return at_accuracy(file, f"{100 * share!r} %").scene()
-    return file.with_values(dict.fromkeys(OF_ACCURACY), "default").scene()
+        return at_accuracy(file, f"{100 * share!r} %").resolved()
+    return file.with_values(dict.fromkeys(OF_ACCURACY), "default").resolved()
 
 
 def _requested(share: float | None) -> str:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from riserstudy.numerics.ablation import Ablation, Changed, Notify, ablate
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
 
 REPEATS = 5  # rounds of timed runs, of which the median counts
@@ -45,7 +45,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     SimulationError
         When the scene itself cannot be run.
     """
-    limits = accuracy_of(file.scene())
+    limits = accuracy_of(file.resolved())
     base = ablate(file, REPEATS, BUDGET, notify)
     rows = [row(base, changed, limits) for changed in base.changed]
     order = (COULD_GO, MISSING, NEEDED, NO_GAIN, NOT_MISSED)
@@ -54,7 +54,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     idle = [_effect(r) for r in rows if r.verdict == NO_GAIN]
     missing = [f"{_effect(r)} ({_largest(r)})" for r in rows if r.verdict == MISSING]
     limit = f"{100 * limits[0]:g} % of displacement, {100 * limits[1]:g} % of moment and tension"
-    before, after = (f.scene().analysis.duration for f in (file, base.file))
+    before, after = (f.resolved().analysis.duration for f in (file, base.file))
     step = f", step {base.step:.3g} s" if base.step else ""
     cut = f", over the first {after:.4g} s of {before:.4g} s" if before != after else ""
     probe = (
@@ -72,7 +72,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     )
 
 
-def accuracy_of(scene: Scene) -> tuple[float, float, float]:
+def accuracy_of(scene: Resolved) -> tuple[float, float, float]:
     """Requested accuracy, of displacement, moment and tension."""
     accuracy = scene.analysis.accuracy
     return (accuracy or DISPLACEMENT, accuracy or MOMENT, accuracy or MOMENT)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import controlled, difference, statistics_of
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
@@ -64,7 +64,7 @@ def attempt(do: Callable[[], Result]) -> Attempt:
     return Attempt(result, refused, message, clock.perf_counter() - started)
 
 
-def in_time(scene: Scene, patience: float) -> Result:
+def in_time(scene: Resolved, patience: float) -> Result:
     """A run to the requested accuracy.
 
     Raises
@@ -78,12 +78,12 @@ def in_time(scene: Scene, patience: float) -> Result:
     return result
 
 
-def attempt_on(scene: Scene, mesh: Mesh, step: float | None, budget: float) -> Attempt:
+def attempt_on(scene: Resolved, mesh: Mesh, step: float | None, budget: float) -> Attempt:
     """Run on a mesh with a step, unless that takes more node-steps than the budget."""
     return too_long(scene, mesh, step, budget) or attempt(lambda: single(scene, mesh, step, True))
 
 
-def too_long(scene: Scene, mesh: Mesh, step: float | None, budget: float) -> Attempt | None:
+def too_long(scene: Resolved, mesh: Mesh, step: float | None, budget: float) -> Attempt | None:
     """The refusal of a run of more node-steps than the budget."""
     work = len(mesh.s) * (scene.analysis.duration or 0.0) / step if step else 0.0
     if work <= budget:
@@ -136,7 +136,7 @@ def largest(result: Result, name: str) -> float:
     return max((float(np.abs(values - rest).max()) for values in sides), default=0.0)
 
 
-def mesh_of(scene: Scene, result: Result) -> Mesh:
+def mesh_of(scene: Resolved, result: Result) -> Mesh:
     """The mesh that a run was made on."""
     l0 = result.arrays["l0"]
     ends = np.cumsum([section.total_length for section in scene.riser])

@@ -11,9 +11,9 @@ from riserstudy.effects.registry import Change, Need
 from riserstudy.model.layout import stiffness
 from riserstudy.scene.forcing import Cruise, Current
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
 from riserstudy.scene.paths import parent as parent_of
 from riserstudy.scene.paths import value_at
+from riserstudy.scene.resolve import Resolved
 
 SEA_WATER = "1025 kg/m^3"
 SECTIONS = "riser[*]"
@@ -23,7 +23,7 @@ STOPS = 7.5  # m, either way from mid-stroke, of stops that a scene has not
 
 def fitting(file: SceneFile) -> Iterator[tuple[Change, SceneFile]]:
     """The changes that a scene can be asked for, with the scene changed; not yet checked."""
-    scene = file.scene()
+    scene = file.resolved()
     for change in changes():
         if scene.analysis.solver and change.kind == "added":
             continue  # what the other solver cannot do is not of interest here
@@ -36,7 +36,7 @@ def fitting(file: SceneFile) -> Iterator[tuple[Change, SceneFile]]:
             yield change, file.with_values(values, change.label)
 
 
-def suits(scene: Scene, need: Need) -> bool:
+def suits(scene: Resolved, need: Need) -> bool:
     """Whether a scene is such that an effect can matter."""
     water = scene.water
     return {
@@ -47,7 +47,7 @@ def suits(scene: Scene, need: Need) -> bool:
     }[need]
 
 
-def has(tree: dict[str, Any], scene: Scene, where: str) -> bool:
+def has(tree: dict[str, Any], scene: Resolved, where: str) -> bool:
     """Whether a scene has what a path, or one of a few words, names."""
     special = {
         "riser[*].bending": all(stiffness(section).bending > 0.0 for section in scene.riser)
@@ -62,7 +62,7 @@ def has(tree: dict[str, Any], scene: Scene, where: str) -> bool:
     return bool(value_at(tree, where))
 
 
-def _expanded(change: Change, tree: dict[str, Any], scene: Scene) -> Iterator[tuple[str, Any]]:
+def _expanded(change: Change, tree: dict[str, Any], scene: Resolved) -> Iterator[tuple[str, Any]]:
     """Path and value of everything that a change sets on a scene."""
     for path, value in change.set.items():
         if not path.startswith(SECTIONS):
@@ -80,7 +80,7 @@ def _expanded(change: Change, tree: dict[str, Any], scene: Scene) -> Iterator[tu
                 yield f"riser[{k}].{field}", _filled(value, scene, k - count)
 
 
-def _filled(value: Any, scene: Scene, k: int) -> Any:
+def _filled(value: Any, scene: Resolved, k: int) -> Any:
     """A value with what follows from the scene put in."""
     if isinstance(value, dict):
         return {name: _filled(part, scene, k) for name, part in value.items()}
@@ -108,7 +108,7 @@ def _filled(value: Any, scene: Scene, k: int) -> Any:
     }[value.removeprefix("=")]
 
 
-def _reaches(scene: Scene) -> list[float]:
+def _reaches(scene: Resolved) -> list[float]:
     """Reaches of the table of tensioners (m), rising; none without one."""
     rig = scene.top.tensioners
     return [row.reach for row in (rig and rig.table) or []]

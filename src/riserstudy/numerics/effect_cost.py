@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from riserstudy.effects.registry import ROLES
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.run import single
 from riserstudy.solve.evaluate import one_call, shape_of
@@ -45,7 +45,7 @@ class Cost(NamedTuple):
     share: float
 
 
-def costs(scene: Scene, mesh: Mesh, step: float | None) -> list[Cost]:
+def costs(scene: Resolved, mesh: Mesh, step: float | None) -> list[Cost]:
     """Share of run time by effect, the largest first; what is left is the solver's."""
     best, counts = _timed(scene, mesh, step)
     model, _ = settle(scene, mesh)
@@ -66,7 +66,7 @@ def costs(scene: Scene, mesh: Mesh, step: float | None) -> list[Cost]:
     return sorted(rows, key=lambda cost: -cost.share)
 
 
-def _timed(scene: Scene, mesh: Mesh, step: float | None) -> tuple[float, dict[str, int]]:
+def _timed(scene: Resolved, mesh: Mesh, step: float | None) -> tuple[float, dict[str, int]]:
     """Shortest time of a run (s), and how often it evaluates what."""
     results = [single(scene, mesh, step) for _ in range(TIMES)]
     facts = results[-1].facts
@@ -108,7 +108,7 @@ class Freedom(NamedTuple):
     because: str
 
 
-def freedom(scene: Scene, model: Model) -> Freedom:
+def freedom(scene: Resolved, model: Model) -> Freedom:
     """How many degrees of freedom a model solves, in which directions, because of what."""
     d, m, n = len(model.s.dim), len(model.s.dof) - len(model.s.dim), len(model.s.l0)
     directions = {1: "along the riser only", 2: "in the plane of x and z", 3: "in space"}[d]

@@ -28,7 +28,7 @@ def could_have(file: SceneFile) -> set[str]:
 
 def solved_for(file: SceneFile) -> str:
     """Directions in which a scene is free, and what makes it so."""
-    scene = file.scene()
+    scene = file.resolved()
     model = build(scene, fixed(file, BUDGET)[1], ring_elevation=0.0)
     return freedom(scene, model).because.partition(":")[0]
 
@@ -45,11 +45,11 @@ def priced(file: SceneFile) -> Prices:
 
     A scene that cannot be run has a ledger without prices, and says why.
     """
-    if file.scene().analysis.solver:
+    if file.resolved().analysis.solver:
         return Prices({}, ["no times: measured for lumped masses only"])
     try:
         alone, mesh = fixed(file, BUDGET)
-        scene = alone.scene()
+        scene = alone.resolved()
         model, _ = settle(scene, mesh)
         share = {cost.name: cost.share for cost in costs(scene, mesh, scene.analysis.step)}
     except SimulationError as error:

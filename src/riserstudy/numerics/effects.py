@@ -72,7 +72,7 @@ def _tried(repeats: int, budget: float, file: SceneFile) -> Tried | str:
     """One scene with its changes, or why it cannot be run."""
     try:
         ablation = ablate(file, repeats, budget)
-        scene = ablation.file.scene()
+        scene = ablation.file.resolved()
         if scene.analysis.solver:
             return Tried(ablation, [], None)
         model = settle(scene, ablation.mesh)[0]

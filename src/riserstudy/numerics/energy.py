@@ -68,7 +68,7 @@ def ledger_of(
         "analysis.output": {"interval": f"{duration!r} s"},
     }
     alone = file.with_values(cut, "energy")
-    mesh = even(alone.scene(), case.elements)
+    mesh = even(alone.resolved(), case.elements)
     own = stepped(alone, method.set, mesh, case.step)
     tried = attempt_on(own, mesh, case.step, math.inf)
     return (tried.result.facts["audit"] if tried.result else {}), tried.message

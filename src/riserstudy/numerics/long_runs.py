@@ -27,7 +27,7 @@ from riserstudy.numerics.reference.store import Wanted, read
 from riserstudy.numerics.references import by_run
 from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.scene.load import SceneFile, read_scene
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.starting_mesh import coarsest_mesh
 from riserstudy.study.measured import LongCase, LongStudy
 
@@ -55,7 +55,7 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
     files = [scene_of(setting.config, name, case, setting.tier) for name, case in cases.items()]
     rows: list[dict[str, Any]] = []
     for (name, case), file in zip(cases.items(), files, strict=True):
-        best = read(setting.config, STUDY, named(name, setting.tier), file.scene())
+        best = read(setting.config, STUDY, named(name, setting.tier), file.resolved())
         if best.result is None:
             raise SimulationError(f"{name}: {best.missing}")
         rows += candidates(name, case, file, best.result, study.repeats, setting.tier)
@@ -79,7 +79,7 @@ def candidates(
     name: str, case: LongCase, file: SceneFile, best: Result, repeats: int, tier: Tier
 ) -> list[dict[str, Any]]:
     """Every candidate of a case as a row, the paper's own first."""
-    scene = whole(file.scene())
+    scene = whole(file.resolved())
     rows = []
     if case.own and tier != "preview":
         mesh, step = even(scene, case.own.elements), case.own.step
@@ -108,7 +108,7 @@ def candidate(
     return timed(one, repeats, warm=True)
 
 
-def meshes(case: LongCase, scene: Scene) -> list[tuple[str, Mesh]]:
+def meshes(case: LongCase, scene: Resolved) -> list[tuple[str, Mesh]]:
     """Even meshes, and those that a refinement would try."""
     named = [("even", even(scene, n)) for n in case.elements]
     mesh = coarsest_mesh(scene)
@@ -134,7 +134,7 @@ def wanted(study: LongStudy, config: Path) -> Iterator[Wanted]:
 
 def solved(name: str, case: LongCase, file: SceneFile) -> Kept:
     """A reference finer in mesh and step than any candidate, by the fourth-order method."""
-    mesh, step = meshes(case, whole(file.scene()))[-1][1], case.steps[-1]
+    mesh, step = meshes(case, whole(file.resolved()))[-1][1], case.steps[-1]
     finest = attempt_on(stepped(file, SMOOTH.method, mesh, step), mesh, step, math.inf)
     if finest.result is None:
         return none(name, file, finest.message)

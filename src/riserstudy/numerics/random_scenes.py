@@ -27,8 +27,8 @@ from riserstudy.numerics.reference.store import NotUsed, Wanted, read
 from riserstudy.numerics.references import QUANTITIES, by_run
 from riserstudy.numerics.scenes import Setting, in_tier
 from riserstudy.scene.load import SceneFile, read_scene
-from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.starting_mesh import massless, period
 from riserstudy.study.measured import Family, RandomStudy
@@ -125,7 +125,7 @@ def judge(config: Path, patience: float, anew: bool, one: Drawn) -> Drawn:
     ----------
     anew : whether to find the cheapest without what is kept of it.
     """
-    scene = whole(one.file.scene())
+    scene = whole(one.file.resolved())
     try:
         kept = read(config, STUDY, one.name, scene)
     except NotUsed as error:
@@ -148,7 +148,7 @@ def judge(config: Path, patience: float, anew: bool, one: Drawn) -> Drawn:
     return one
 
 
-def least_work(one: Drawn, scene: Scene, measure: Measure, known: list[Even]) -> Even | None:
+def least_work(one: Drawn, scene: Resolved, measure: Measure, known: list[Even]) -> Even | None:
     """Even mesh and step of least work that err no more than the request; None where none works less.
 
     Parameters
@@ -168,7 +168,7 @@ def least_work(one: Drawn, scene: Scene, measure: Measure, known: list[Even]) ->
 
 
 def search(
-    file: SceneFile, scene: Scene, measure: Measure, spent: float, achieved: float
+    file: SceneFile, scene: Resolved, measure: Measure, spent: float, achieved: float
 ) -> list[Even]:
     """Even meshes and steps that were tried, the cheapest first, until one errs no more than ``achieved``.
 
@@ -196,7 +196,7 @@ def search(
 
 
 def tried_on(
-    file: SceneFile, scene: Scene, measure: Measure, elements: int, step: float
+    file: SceneFile, scene: Resolved, measure: Measure, elements: int, step: float
 ) -> Even | None:
     """Error and work of an even mesh and a step; None where they cannot be run."""
     mesh = even(scene, elements)
@@ -207,7 +207,7 @@ def tried_on(
     return Even(elements, step, error, _work(tried.result.facts))
 
 
-def by_work(scene: Scene) -> Iterator[tuple[float, int, float]]:
+def by_work(scene: Resolved) -> Iterator[tuple[float, int, float]]:
     """Segments per second of step, segments of even meshes, and steps (s): the cheapest first."""
     counts = [len(scene.riser)] if massless(scene) else [round(COARSE * x) for x in LEVELS]
     steps = [period(scene) / (COARSE * x) for x in LEVELS]
@@ -222,7 +222,7 @@ def wanted(study: RandomStudy, config: Path) -> Iterator[Wanted]:
 
 def solved(one: Drawn) -> Kept:
     """The reference of a scene, and the even meshes and steps on the way to what errs no more."""
-    scene = whole(one.file.scene())
+    scene = whole(one.file.resolved())
     first = attempt(lambda: in_time(scene, LONGEST))
     if first.result is None:
         return none(one.name, one.file, first.message)

@@ -60,7 +60,7 @@ def reference(file: SceneFile, name: str, ladder: Ladder, config: Path) -> Refer
     if ladder.stored:
         return stored(config / ladder.stored)
     try:
-        kept = read(config, STUDY, name, file.scene())
+        kept = read(config, STUDY, name, file.resolved())
     except NotUsed as error:
         return Reference(str(error), lambda _: {})
     if kept.result is None:
@@ -70,7 +70,7 @@ def reference(file: SceneFile, name: str, ladder: Ladder, config: Path) -> Refer
 
 def solved(name: str, file: SceneFile, ladder: Ladder) -> Kept:
     """Our own reference, from the default accuracy, or from the finest rung where that takes long."""
-    scene = whole(file.scene())
+    scene = whole(file.resolved())
     first = attempt(lambda: in_time(scene, LONGEST))
     if first.result is None:
         mesh, step = even(scene, ladder.elements[-1]), ladder.steps[-1]
@@ -88,7 +88,7 @@ def differences(best: Reference, file: SceneFile, ladder: Ladder) -> dict[str, d
 
 def opinions(file: SceneFile, ladder: Ladder) -> list[Attempt]:
     """Fine runs by several methods; one that cannot do the scene is a refusal."""
-    scene = whole(file.scene())
+    scene = whole(file.resolved())
     mesh, step = even(scene, ladder.elements[-1]), ladder.steps[-1]
     finer = mesh if massless(scene) else even(scene, 2 * ladder.elements[-1])
 

@@ -35,7 +35,7 @@ from riserstudy.numerics.reference.kept import Kept
 from riserstudy.numerics.reference.store import NotUsed, Wanted, read
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.stable_step import explicit_limit
@@ -94,7 +94,7 @@ def run_case(
     study: StabilityStudy, case: Case, file: SceneFile, tier: Tier, standard: Standard
 ) -> CaseResult:
     """Run one case by every method."""
-    scene = file.scene()
+    scene = file.resolved()
     tried = attempt(lambda: run(whole(scene)))
     outcome, error = judged(tried, standard.reference)
     if tried.result and case.expect == "unstable":
@@ -119,7 +119,7 @@ class Chosen(NamedTuple):
     alone: bool
 
 
-def chosen(scene: Scene, written: Attempt) -> Chosen | None:
+def chosen(scene: Resolved, written: Attempt) -> Chosen | None:
     """Mesh and step of a scene, its own or those of its accuracy; None where there are none."""
     own, result = scene.analysis, written.result
     if own.mesh and own.step:
@@ -177,19 +177,21 @@ def climbed(one: Callable[[float], Rung], steps: Sequence[float]) -> list[Rung]:
     return [tried[k] for k in sorted(tried)]
 
 
-def attempt_limit(scene: Scene, mesh: Mesh) -> float | None:
+def attempt_limit(scene: Resolved, mesh: Mesh) -> float | None:
     """Predicted stable step."""
     limit = explicit_limit(scene, settle(scene, mesh)[0])
     return limit if 0.0 < limit < math.inf else None
 
 
-def rung(scene: Scene, mesh: Mesh, step: float, *, budget: float, reference: Result | None) -> Rung:
+def rung(
+    scene: Resolved, mesh: Mesh, step: float, *, budget: float, reference: Result | None
+) -> Rung:
     """One run of a ladder, judged."""
     tried = attempt_on(scene, mesh, step, budget)
     return Rung(step, *judged(tried, reference), tried)
 
 
-def standard_of(config: Path, name: str, scene: Scene) -> Standard:
+def standard_of(config: Path, name: str, scene: Resolved) -> Standard:
     """The reference of a case, as it is kept; why there is none where none can be used."""
     try:
         kept = read(config, STUDY, name, scene)
@@ -212,8 +214,10 @@ def wanted(study: StabilityStudy, config: Path) -> Iterator[Wanted]:
 
 def solved(name: str, file: SceneFile) -> Kept:
     """The reference of a case, from the mesh and step that the default accuracy chooses."""
-    free = file.with_values(FREE, "reference") if file.scene().analysis.mesh is not None else file
-    first = attempt(lambda: run(whole(free.scene())))
+    free = (
+        file.with_values(FREE, "reference") if file.resolved().analysis.mesh is not None else file
+    )
+    first = attempt(lambda: run(whole(free.resolved())))
     if first.result is None:
         return none(name, file, first.message)
     return converged(name, free, first.result, HARD)
@@ -248,7 +252,7 @@ def _case_result(
     study: StabilityStudy, config: Path, tier: Tier, item: tuple[str, Case]
 ) -> CaseResult:
     file = case_file(config, *item)
-    return run_case(study, item[1], file, tier, standard_of(config, item[0], file.scene()))
+    return run_case(study, item[1], file, tier, standard_of(config, item[0], file.resolved()))
 
 
 def tabulated(

@@ -14,7 +14,7 @@ import numpy as np
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.numerics.scenes import Setting, case_file, in_tier
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.run import EXPLICIT_BOUND
 from riserstudy.simulation.stable_step import explicit_limit
@@ -51,7 +51,7 @@ def stable_step(study: LimitStudy, setting: Setting) -> xr.Dataset:
                 "analysis.duration": study.duration,
                 "analysis.output": {"interval": study.duration},
             }
-            scene = case_file(setting.config, name, variant).with_values(settings, name).scene()
+            scene = case_file(setting.config, name, variant).with_values(settings, name).resolved()
             mesh = even(scene, elements)
             predicted = limit(scene, mesh)
             values["elements"][i, k] = len(mesh.l0)
@@ -64,12 +64,12 @@ def stable_step(study: LimitStudy, setting: Setting) -> xr.Dataset:
     return dataset
 
 
-def limit(scene: Scene, mesh: Mesh) -> float:
+def limit(scene: Resolved, mesh: Mesh) -> float:
     """The stable step that the engine predicts."""
     return explicit_limit(scene, settle(scene, mesh)[0])
 
 
-def measured(scene: Scene, mesh: Mesh, predicted: float) -> float:
+def measured(scene: Resolved, mesh: Mesh, predicted: float) -> float:
     """The longest step found that stays calm, over the predicted one; an end of the bracket if beyond."""
     low, high = BRACKET
     calm = speed(scene, mesh, 0.5 * predicted)
@@ -86,12 +86,12 @@ def measured(scene: Scene, mesh: Mesh, predicted: float) -> float:
     return low
 
 
-def grows(scene: Scene, mesh: Mesh, step: float, calm: float) -> bool:
+def grows(scene: Resolved, mesh: Mesh, step: float, calm: float) -> bool:
     """Whether speeds grow beyond those of a calm run."""
     return not speed(scene, mesh, step) <= GROWN * calm
 
 
-def speed(scene: Scene, mesh: Mesh, step: float) -> float:
+def speed(scene: Resolved, mesh: Mesh, step: float) -> float:
     """Largest speed at the end of an explicit run (m/s), infinite where it stops."""
     model, _ = settle(scene, mesh)
     rng = np.random.default_rng(1)

@@ -87,7 +87,7 @@ def up_to(tier: Tier, study: TiersStudy) -> list[Tier]:
 def known(setting: Setting, name: str, file: SceneFile) -> tuple[NDArray[np.float64], str]:
     """Peaks of the reference of a scene, and why there are none where there are none."""
     try:
-        kept = read(setting.config, STUDY, name, file.scene())
+        kept = read(setting.config, STUDY, name, file.resolved())
     except NotUsed as error:
         return np.full(len(PEAKS), np.nan), str(error)
     if kept.result is None:
@@ -118,7 +118,7 @@ def solved(name: str, file: SceneFile) -> Kept:
 def requested(file: SceneFile, accuracy: str) -> Any:
     """The scene with the accuracy of a tier."""
     values = None if accuracy == DEFAULT else accuracy
-    return file.with_values({"analysis.accuracy": values}, "tiers").scene()
+    return file.with_values({"analysis.accuracy": values}, "tiers").resolved()
 
 
 def once(file: SceneFile, accuracy: str, patience: float) -> Attempt:

@@ -142,7 +142,7 @@ def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
     for name, path in stored.items():
         other = references.stored(path)
         short = {"analysis.duration": "60 s", "analysis.output": {"interval": "0.1 s"}}
-        scene = files[name].with_values(short, "validation").scene()
+        scene = files[name].with_values(short, "validation").resolved()
         requested = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
         for quantity, error in other.errors(run(scene)).items():
             case, because = f"{name} from beginning to end", "the default accuracy"

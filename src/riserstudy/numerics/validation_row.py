@@ -48,7 +48,7 @@ Case = Callable[[Files], Iterator[Row]]
 
 def pipe_of(file: SceneFile) -> tuple[float, float, float]:
     """Length (m), axial stiffness EA (N) and bending stiffness EI (N m2) of a scene's steel pipe."""
-    section = file.scene().riser[0]
+    section = file.resolved().riser[0]
     young, outer, inner = section.young_modulus, section.outer_diameter, section.inner_diameter
     if young is None or outer is None or inner is None:
         raise ValueError("the scene's riser is no pipe")
@@ -63,7 +63,7 @@ def simulated(file: SceneFile, sets: Mapping[str, Any] | None = None) -> xr.Data
 
 def frequencies_of(file: SceneFile, motion: str, count: int) -> list[float]:
     """Natural frequencies of one kind (rad/s), the lowest first."""
-    modes = modes_of(file.scene(), 15)
+    modes = modes_of(file.resolved(), 15)
     of = modes["frequency"].values[modes["motion"].values == motion]
     return [2.0 * math.pi * float(f) for f in of[:count]]
 

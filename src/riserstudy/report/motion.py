@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from riserstudy.report.wording import unit
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.study.models import RunInMotion
 
@@ -43,7 +43,7 @@ class Motion(NamedTuple):
     """A run, thinned; positions in metres."""
 
     title: str
-    scene: Scene
+    scene: Resolved
     time: Array  # (frames,) s
     x: Array  # (frames, nodes)
     y: Array | None  # the same, None in the plane
@@ -103,7 +103,7 @@ def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
     )
 
 
-def _displaced(scene: Scene, time: Array) -> Array | None:
+def _displaced(scene: Resolved, time: Array) -> Array | None:
     """Displacement of the platform over time, (times, 6), if there is one."""
     if scene.platform is None:
         return None
@@ -118,7 +118,7 @@ def _some(count: int, most: int) -> NDArray[np.int64]:
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.int64))
 
 
-def _scene(dataset: xr.Dataset, at: dict[str, Any]) -> Scene:
+def _scene(dataset: xr.Dataset, at: dict[str, Any]) -> Resolved:
     """The scene of the dataset with what the place on the axes sets."""
     attributes = dataset.attrs
     held = json.loads(attributes["tables"])
@@ -127,7 +127,7 @@ def _scene(dataset: xr.Dataset, at: dict[str, Any]) -> Scene:
         sets = json.loads(dataset[axis].attrs["sets"])
         key = str(dataset[axis].sel({axis: value}).item())
         file = file.with_values(sets[key], f"in_motion.at.{axis}")
-    return file.scene()
+    return file.resolved()
 
 
 def _title(dataset: xr.Dataset, at: dict[str, Any]) -> str:
@@ -154,7 +154,7 @@ def _rest(run: xr.Dataset, geometry: Geometry, s: Array) -> tuple[Array, Array]:
 
 
 def _platform(
-    scene: Scene, geometry: Geometry, x: Array, z: Array, moved: Array | None
+    scene: Resolved, geometry: Geometry, x: Array, z: Array, moved: Array | None
 ) -> tuple[Array, Array]:
     """Where the platform is: at the riser's top in the directions in which it holds that."""
     top = scene.top
@@ -169,7 +169,7 @@ def _platform(
     )
 
 
-def _histories(run: xr.Dataset, scene: Scene, moved: Array | None) -> list[History]:
+def _histories(run: xr.Dataset, scene: Resolved, moved: Array | None) -> list[History]:
     """What is shown over time beside the riser."""
     rows = []
     if "platform_surge" in run:

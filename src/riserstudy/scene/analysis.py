@@ -7,6 +7,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
@@ -108,21 +109,27 @@ class Analysis(Strict):
     def _fits_in_time(self, duration: float, output: Output) -> None:
         start = output.start or 0.0
         if start > duration:
-            raise ValueError(
-                f"output.start {start:g} s lies after the end; allowed is up to {duration:g} s"
+            raise Misfit(
+                "",
+                f"output.start {start:g} s lies after the end",
+                f"allowed is up to {duration:g} s",
             )
         if (duration - start) / output.interval > MOST_OUTPUTS:
-            raise ValueError(
-                f"output.interval {output.interval:g} s asks for more than {MOST_OUTPUTS} outputs; "
-                "take a longer one"
+            raise Misfit(
+                "",
+                f"output.interval {output.interval:g} s asks for more than {MOST_OUTPUTS} outputs",
+                "take a longer one",
             )
         places = len(output.stations or []) or (self.mesh.elements if self.mesh else 1)
         if places * (duration - start) / output.interval > MOST_VALUES:
-            raise ValueError(
-                f"output of {places} places every {output.interval:g} s is more than {MOST_VALUES} "
-                "values; take a longer interval, or stations"
+            raise Misfit(
+                "",
+                f"output of {places} places every {output.interval:g} s is more than {MOST_VALUES} values",
+                "take a longer interval, or stations",
             )
         if self.step is not None and duration / self.step > MOST_STEPS:
-            raise ValueError(
-                f"step {self.step:g} s asks for more than {MOST_STEPS} steps; take a longer one"
+            raise Misfit(
+                "",
+                f"step {self.step:g} s asks for more than {MOST_STEPS} steps",
+                "take a longer one",
             )

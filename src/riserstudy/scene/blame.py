@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import lru_cache
 from typing import Any, get_args
 
@@ -23,23 +22,36 @@ def blamed(error: InputError, layers: dict[str, str], tables: dict[str, str]) ->
     tables : files that stand in for values, by their path.
     """
     every = layers | tables
+    if error.also:
+        return _between(error, every)
     missing = error.found == "missing"
     above = [path for path in every if within(error.field, path)]
     if above and not (missing and error.field not in above):
         where = every[max(above, key=len)]
     else:
-        others = above or _below(error, every) or ([] if error.field else [*layers])
-        names = ", ".join(sorted({every[path] for path in others}))
-        where = f"{error.where} with {names}" if names else error.where
+        place = error.field.rpartition(".")[0] if missing else error.field
+        below = [path for path in every if within(path, place)] if place else []
+        where = _together(
+            error, {every[path] for path in above or below or ([] if error.field else layers)}
+        )
     return InputError(where, error.field, error.found, error.allowed)
 
 
-def _below(error: InputError, paths: Iterable[str]) -> list[str]:
-    """Paths of what a fault is about as a whole: below its place, or in parts that it speaks of."""
-    place = error.field.rpartition(".")[0] if error.found == "missing" else error.field
-    if place:
-        return [path for path in paths if within(path, place)]
-    return [path for path in paths if re.split(r"\W", path)[0] in error.found]
+def _between(error: InputError, every: dict[str, str]) -> InputError:
+    """A fault of several places, told of the scene together with whoever set one of them."""
+    places = (error.field, *error.also)
+    setters = {
+        who
+        for path, who in every.items()
+        if any(within(place, path) or within(path, place) for place in places)
+    }
+    where = _together(error, setters)
+    return InputError(where, error.field, error.found, error.allowed, error.also)
+
+
+def _together(error: InputError, setters: set[str]) -> str:
+    """The scene's file, with whoever set values on top of it."""
+    return f"{error.where} with {', '.join(sorted(setters))}" if setters else error.where
 
 
 @lru_cache(1024)

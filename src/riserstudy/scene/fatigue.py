@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE, WHOLE
 from riserstudy.scene.limits import ENDS, place_of, sections_at
-from riserstudy.scene.outputs import wall_lacks
 
 if TYPE_CHECKING:
-    from riserstudy.scene.parts import Parts
+    pass
 
 DATA_FILES = ("sn_curves.yaml",)
 A_PERIOD = 8  # outputs, at least: fewer cut the peaks of stress off
@@ -59,7 +59,11 @@ class OwnCurve(Strict):
     def _rising(self) -> Self:
         exponents = [slope.exponent for slope in self.slopes]
         if exponents != sorted(set(exponents)):
-            raise ValueError("slopes: exponents must rise: the second line is that of small ranges")
+            raise Misfit(
+                "slopes",
+                "does not fit together",
+                "exponents must rise: the second line is that of small ranges",
+            )
         return self
 
     @property
@@ -86,8 +90,10 @@ class StandardCurve(Strict):
     @model_validator(mode="after")
     def _known(self) -> Self:
         if self.detail_class not in (known := sn_curves()["curves"]):
-            raise ValueError(
-                f"detail_class {self.detail_class!r} is not known; allowed are {', '.join(known)}"
+            raise Misfit(
+                "",
+                f"detail_class {self.detail_class!r} is not known",
+                f"allowed are {', '.join(known)}",
             )
         return self
 
@@ -129,7 +135,11 @@ class Detail(Strict):
         if (self.face is None) == (self.stress_per_moment is None):
             raise ValueError("give one of face and stress_per_moment")
         if self.stress_per_moment and not place_of(self.at).startswith(ENDS):
-            raise ValueError(f"stress_per_moment: allowed with 'at: {ENDS[0]}' a section")
+            raise Misfit(
+                "stress_per_moment",
+                "does not fit together",
+                f"allowed with 'at: {ENDS[0]}' a section",
+            )
         if self.stress_per_moment and self.thickness is None:
             raise ValueError("stress_per_moment needs thickness")
         return self
@@ -155,44 +165,3 @@ def sn_curves() -> dict[str, Any]:
     """The table of S-N curves, with its source and edition."""
     table: dict[str, Any] = read_yaml(Path(__file__).with_name(DATA_FILES[0]))
     return table
-
-
-def fatigue_fits(scene: Parts) -> None:
-    """See that a scene tells what the damage of its details needs.
-
-    Raises
-    ------
-    ValueError
-        Field, what was found and what is allowed.
-    """
-    if scene.fatigue is None:
-        return
-    a = scene.analysis
-    if a.duration is None or a.output is None:
-        raise ValueError("fatigue needs analysis.duration: statics have no cycles")
-    if a.solver:
-        raise ValueError("fatigue: not with analysis.solver; leave out the solver")
-    if scene.events or scene.top.tension_loss:
-        raise ValueError("fatigue: not with events such as a disconnect, which do not recur")
-    shortest = scene.shortest_period
-    if shortest and a.output.interval > shortest / A_PERIOD:
-        raise ValueError(
-            f"fatigue: analysis.output.interval of {a.output.interval:g} s cuts the peaks of stress off; "
-            f"allowed are {A_PERIOD} outputs in the shortest period, {shortest / A_PERIOD:.3g} s"
-        )
-    names = [section.name for section in scene.riser]
-    known: set[str] = set()
-    for k, detail in enumerate(scene.fatigue.details):
-        where = f"fatigue.details[{k}]"
-        if detail.name in known:
-            raise ValueError(f"{where}.name: {detail.name!r} is there before; give another")
-        known.add(detail.name)
-        try:
-            there = detail.sections(names)
-        except ValueError as fault:
-            raise ValueError(f"{where}.at: {fault}") from None
-        if detail.face is None:
-            continue
-        lacking = [lack for s in scene.riser if s.name in there for lack in wall_lacks(scene, s)]
-        if lacking:
-            raise ValueError(f"{where}: stress of the wall lacks {lacking[0]}; give it")

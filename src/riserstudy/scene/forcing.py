@@ -8,6 +8,7 @@ from typing import Annotated, Generic, Literal, Self, TypeVar
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE, Positive
@@ -118,7 +119,7 @@ class TimeSeries(Strict, Generic[P]):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if any(a.time >= b.time for a, b in pairwise(self.points)):
-            raise ValueError("points: times must rise from point to point")
+            raise Misfit("points", "does not fit together", "times must rise from point to point")
         return self
 
 
@@ -235,8 +236,10 @@ class Point(Strict):
 def _within_a_turn(name: str, angle: float | None) -> None:
     """See that an angle is no number of degrees in a column of radians."""
     if angle is not None and abs(angle) > TURN:
-        raise ValueError(
-            f"{name}: {math.degrees(angle):.4g} deg is more than a turn; allowed is up to 360 deg"
+        raise Misfit(
+            "",
+            f"{name}: {math.degrees(angle):.4g} deg is more than a turn",
+            "allowed is up to 360 deg",
         )
 
 
@@ -344,20 +347,28 @@ class Current(Strict):
         points = self.profile if isinstance(self.profile, list) else []
         directed = {point.direction is not None for point in points}
         if len(directed) > 1:
-            raise ValueError("profile: direction in every line or in none")
+            raise Misfit("profile", "does not fit together", "direction in every line or in none")
         _within_a_turn("heading", self.heading)
         if True in directed and self.heading is not None:
-            raise ValueError("heading: the points have directions of their own; leave it out")
+            raise Misfit("heading", "the points have directions of their own", "leave it out")
         if self.headings is not None and self.heading is None and directed != {True}:
-            raise ValueError("headings: 'towards' or 'from' goes with a heading")
+            raise Misfit(
+                "headings", "does not fit together", "'towards' or 'from' goes with a heading"
+            )
         if len({point.depth is None for point in points}) > 1:
-            raise ValueError("profile: elevation in every line, or depth in every line")
+            raise Misfit(
+                "profile",
+                "does not fit together",
+                "elevation in every line, or depth in every line",
+            )
         for name in ("elevation", "depth"):
             values = [x for point in points if (x := getattr(point, name)) is not None]
             if any(a > b for a, b in pairwise(values)) or any(
                 a == b for a, b in zip(values, values[2:], strict=False)
             ):
-                raise ValueError(
-                    f"profile: {name}s must rise from point to point; two at one {name} are a jump there"
+                raise Misfit(
+                    "profile",
+                    f"{name}s must rise from point to point",
+                    f"two at one {name} are a jump there",
                 )
         return self

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.units import to_si
@@ -43,25 +44,25 @@ class Limit(Strict):
     @classmethod
     def _has_a_unit(cls, given: Any) -> Any:
         if isinstance(given, int | float):
-            raise ValueError(f"{given} has no unit; allowed is text such as '5 deg' or '100 kN'")
+            raise Misfit("", f"{given} has no unit", "allowed is text such as '5 deg' or '100 kN'")
         return given
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.output not in UNITS:
-            raise ValueError(
-                f"output {self.output!r} is none that has limits; allowed are " + ", ".join(UNITS)
-            )
+            allowed = f"allowed are {', '.join(UNITS)}"
+            raise Misfit("output", f"{self.output!r} is none that has limits", allowed)
         if [self.largest, self.smallest, self.mean].count(None) != 2:
             raise ValueError("give one of largest, smallest and mean")
         if self.at is not None and self.output not in ALONG:
-            raise ValueError(f"at: {self.output} has one place; allowed with " + ", ".join(ALONG))
+            allowed = f"allowed with {', '.join(ALONG)}"
+            raise Misfit("at", f"{self.output} has one place", allowed)
         if self.mean is not None and self.output in ALONG and not self.place.startswith(ENDS):
-            raise ValueError(
-                f"mean: of {self.output} at one place; allowed with 'at: {ENDS[0]}' a section"
+            raise Misfit(
+                "mean", f"of {self.output} at one place", f"allowed with 'at: {ENDS[0]}' a section"
             )
         if self.allowable == 0.0 and self.side != "smallest":
-            raise ValueError(f"{self.side}: nothing has a use of 0; allowed is any other value")
+            raise Misfit(self.side, "nothing has a use of 0", "allowed is any other value")
         return self
 
     @property
@@ -115,11 +116,13 @@ def sections_at(at: str | list[str] | None, names: Sequence[str]) -> list[str]:
     if not at:
         return list(names)
     if missing := [end for end in ends if end not in names]:
-        raise ValueError(f"no section {missing[0]!r}; allowed are {', '.join(map(repr, names))}")
+        raise Misfit("", f"no section {missing[0]!r}", f"allowed are {', '.join(map(repr, names))}")
     first, last = names.index(ends[0]), names.index(ends[-1])
     last += names[last] + ABOVE in names
     if first > last:
-        raise ValueError(f"{ends[0]!r} is above {ends[-1]!r}; allowed is the lowest section first")
+        raise Misfit(
+            "", f"{ends[0]!r} is above {ends[-1]!r}", "allowed is the lowest section first"
+        )
     return list(names[first : last + 1])
 
 

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
 from riserstudy.inputs.check import check
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.scene import paths
 from riserstudy.scene.blame import blamed, is_known
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
+from riserstudy.scene.resolve import Resolved, resolve
 from riserstudy.scene.tables import files_of_tables, fill_in_tables, names_of_tables
 
 
@@ -67,7 +70,7 @@ class SceneFile:
         return [Path(self.source), *(Path(self.source).parent / name for name in tables)]
 
     def scene(self) -> Scene:
-        """The checked scene, in SI.
+        """The checked scene as it is written, in SI.
 
         Raises
         ------
@@ -78,10 +81,33 @@ class SceneFile:
         try:
             return check(Scene, fill_in_tables(self.tree, folder, self.held), self.source)
         except InputError as error:
-            if error.where != self.source:
-                raise
-            files = files_of_tables(self.tree, folder) if self.held is None else ()
-            raise blamed(error, self.layers, {p: str(file) for p, file in files}) from None
+            raise self._blamed(error) from None
+
+    def resolved(self) -> Resolved:
+        """The checked scene with what follows from its parts, checked and worked out once.
+
+        Raises
+        ------
+        InputError
+            As ``scene``.
+        """
+        return self._resolved
+
+    @cached_property
+    def _resolved(self) -> Resolved:
+        scene = self.scene()
+        try:
+            return resolve(scene)
+        except Misfit as fault:
+            error = InputError(self.source, fault.path, fault.found, fault.allowed, fault.also)
+            raise self._blamed(error) from None
+
+    def _blamed(self, error: InputError) -> InputError:
+        """The fault, told of who set what it is about."""
+        if error.where != self.source:
+            return error
+        files = files_of_tables(self.tree, Path(self.source).parent) if self.held is None else ()
+        return blamed(error, self.layers, {p: str(file) for p, file in files})
 
 
 def _copied(tree: Any) -> Any:
@@ -145,5 +171,5 @@ def load_scene(path: str | Path, **overrides: Any) -> SceneFile:
         With file, field, what was found and what is allowed.
     """
     scene = read_scene(path).with_values(overrides, "overrides")
-    scene.scene()
+    scene.resolved()
     return scene

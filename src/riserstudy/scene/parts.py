@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
@@ -45,6 +45,13 @@ class Parts(Strict):
     fatigue: Fatigue | None = None
     analysis: Analysis
 
+    @field_validator("riser", mode="after")
+    @classmethod
+    def _know_their_lines(cls, riser: list[Section]) -> list[Section]:
+        for k, section in enumerate(riser):
+            section.stands_at(f"riser[{k}]")
+        return riser
+
     @property
     def lowest_riser_section(self) -> int:
         """Index of the riser's lowest section: the one above the inner flex joint, 0 without a joint.
@@ -63,10 +70,6 @@ class Parts(Strict):
     def sections(self) -> list[Section]:
         """Sections as the scene's file has them, without what stands for a body below them."""
         return [section for section in self.riser if not isinstance(section, RigidBody)]
-
-    def line(self, k: int) -> str:
-        """Path, in the scene's file, of section ``k`` of the riser (from 0, with a body below it)."""
-        return f"riser[{k - len(self.riser) + len(self.sections)}]"
 
     @property
     def bodies(self) -> list[Body]:

@@ -8,6 +8,7 @@ from typing import Annotated, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
@@ -122,31 +123,52 @@ class Response(Strict):
         tables = list(self.by_heading.values())
         kinds = {row.period is None for row in self.operators}
         if len(kinds) > 1:
-            raise ValueError("operators: period in every line, or frequency in every line")
+            raise Misfit(
+                "operators",
+                "does not fit together",
+                "period in every line, or frequency in every line",
+            )
         kind = "frequency" if kinds == {True} else "period"
         for heading, rows in self.by_heading.items():
             if twice := [a for a, b in pairwise(rows) if _one_frequency(a, b)]:
-                raise ValueError(
-                    f"operators: a {kind} stands twice, {_place_of(twice[0])}{_at(heading, self.headings)}; "
-                    "allowed is once a heading, and headings a turn apart are one"
+                raise Misfit(
+                    "operators",
+                    f"a {kind} stands twice, {_place_of(twice[0])}{_at(heading, self.headings)}",
+                    "allowed is once a heading, and headings a turn apart are one",
                 )
         if len(tables[0]) < 2 or any(not _same_frequencies(t, tables[0]) for t in tables):
-            raise ValueError("operators: every heading must have the same periods, at least two")
+            raise Misfit(
+                "operators",
+                "does not fit together",
+                "every heading must have the same periods, at least two",
+            )
         if len(tables) > 1 and None in self.by_heading:
-            raise ValueError("operators: heading must stand in every line or in none")
+            raise Misfit(
+                "operators", "does not fit together", "heading must stand in every line or in none"
+            )
         if (self.headings is None) != (None in self.by_heading):
-            raise ValueError(
-                "headings: 'towards' or 'from' goes with a heading in every line of the operators"
+            raise Misfit(
+                "headings",
+                "does not fit together",
+                "'towards' or 'from' goes with a heading in every line of the operators",
             )
         if self.symmetry and self.headings is None:
-            raise ValueError("symmetry: is about headings, which the operators do not have")
+            raise Misfit(
+                "symmetry",
+                "does not fit together",
+                "is about headings, which the operators do not have",
+            )
         if self.heading is not None and self.wave is None:
-            raise ValueError("heading: the wave of the scene has its own")
+            raise Misfit("heading", "does not fit together", "the wave of the scene has its own")
         if any(a.motions != b.motions for a, b in pairwise(self.operators)):
-            raise ValueError("operators: every line must have the same motions")
+            raise Misfit(
+                "operators", "does not fit together", "every line must have the same motions"
+            )
         missing = set(self.motions or []) - self.operators[0].motions
         if missing:
-            raise ValueError(f"motions: the operators have no {sorted(missing)[0]}")
+            raise Misfit(
+                "motions", "does not fit together", f"the operators have no {sorted(missing)[0]}"
+            )
         return self
 
     @property

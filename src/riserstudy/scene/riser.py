@@ -6,8 +6,9 @@ import math
 from itertools import pairwise
 from typing import Annotated, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient
@@ -37,7 +38,11 @@ class Drag(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if any(a > b for (a, _), (b, _) in pairwise(self.table)):
-            raise ValueError("coefficient: elevations must not fall from point to point")
+            raise Misfit(
+                "coefficient",
+                "does not fit together",
+                "elevations must not fall from point to point",
+            )
         return self
 
     @property
@@ -75,7 +80,7 @@ class AddedMass(Strict):
 
 def _must_rise(frequencies: list[float]) -> None:
     if any(a >= b for a, b in pairwise(frequencies)):
-        raise ValueError("frequencies: lowest, free and highest must rise")
+        raise Misfit("frequencies", "does not fit together", "lowest, free and highest must rise")
 
 
 class InLineExcitation(Strict):
@@ -221,6 +226,7 @@ class Section(Strict):
     structural_damping: StructuralDamping | None = None
     flex_joint_below: InnerJoint | None = None
     guide_below: Guide | None = None
+    _line: str = PrivateAttr("")
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -254,7 +260,7 @@ class Section(Strict):
                 "give modules or buoyancy_lift, not both: modules have a lift of their own"
             )
         if len({line.name for line in self.lines or []}) < len(self.lines or []):
-            raise ValueError("lines: names must differ")
+            raise Misfit("lines", "does not fit together", "names must differ")
         if self.wall_density:
             return self.model_copy(update={"mass": self.wall_density * self.wall_area})
         return self
@@ -301,13 +307,24 @@ class Section(Strict):
     def rigid(self, name: str, length: float) -> RigidBody:
         """A weightless section of a length (m) that does not bend, and stretches as this one does."""
         axial, bending = self.elasticity
-        return RigidBody.model_construct(
+        body = RigidBody.model_construct(
             name=name,
             length=length,
             axial_stiffness=axial,
             bending_stiffness=RIGID * bending or None,
             structural_damping=self.structural_damping,
         )
+        body.stands_at("bottom.body")
+        return body
+
+    @property
+    def line(self) -> str:
+        """Path, in the scene's file, of what it stands for; "" for a section of no scene."""
+        return self._line
+
+    def stands_at(self, line: str) -> None:
+        """Note its path in the scene's file, which parts that are cut from it keep."""
+        self._line = line
 
     @property
     def corner_below(self) -> bool:

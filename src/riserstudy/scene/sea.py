@@ -6,6 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE, WHOLE, Positive
@@ -95,5 +96,9 @@ class WindDrift(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.component == "both") != (self.hemisphere is not None):
-            raise ValueError("hemisphere: 'northern' or 'southern' goes with 'component: both'")
+            raise Misfit(
+                "hemisphere",
+                "does not fit together",
+                "'northern' or 'southern' goes with 'component: both'",
+            )
         return self

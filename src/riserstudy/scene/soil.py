@@ -8,6 +8,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
@@ -68,14 +69,20 @@ class TabulatedSoil(Strict):
     def _rising(self) -> Self:
         depths = [depth for depth, _ in groupby(self.table, lambda row: row.depth)]
         if depths != sorted(set(depths)):
-            raise ValueError("table: depths must rise, all rows of one together")
+            raise Misfit(
+                "table", "does not fit together", "depths must rise, all rows of one together"
+            )
         for depth, rows in self.curves.items():
             for name, values in zip(
                 ("displacement", "resistance"), zip(*rows, strict=True), strict=True
             ):
                 steps = [b - a for a, b in pairwise(values)]
                 if any(step < 0.0 or (step == 0.0 and name == "displacement") for step in steps):
-                    raise ValueError(f"table: {name} must rise at the depth of {depth:g} m")
+                    raise Misfit(
+                        "table",
+                        "does not fit together",
+                        f"{name} must rise at the depth of {depth:g} m",
+                    )
         return self
 
     @property

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.alike import ROUNDING
@@ -179,21 +180,23 @@ class Tensioners(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.failing and max(self.failing.cylinders) >= self.count:
-            raise ValueError(
-                f"failing.cylinders: {self.failing.cylinders} of {self.count}; they count from 0"
+            raise Misfit(
+                "failing.cylinders",
+                f"{self.failing.cylinders} of {self.count}",
+                "they count from 0",
             )
         wrong = [c for c in self.failed or [] if c >= self.count]
         if wrong or len(set(self.failed or [])) == self.count:
-            raise ValueError(f"failed: {self.failed} of {self.count} cylinders; they count from 0")
+            raise Misfit("failed", f"{self.failed} of {self.count} cylinders", "they count from 0")
         laws = [self.gas, self.two_chamber_gas, self.linear, self.table, self.carried]
         if laws.count(None) != len(laws) - 1:
             raise ValueError("needs one of gas, two_chamber_gas, linear, table and carried")
         if isinstance(self.damping, DampingRatio) and self.carried is None:
-            raise ValueError("damping.ratio needs carried; give N*s/m for other laws")
+            raise Misfit("", "damping.ratio needs carried", "give N*s/m for other laws")
         if self.table:
             self._serves(self.table)
         elif self.interpolation:
-            raise ValueError("interpolation: is that of a table; needs table")
+            raise Misfit("interpolation", "is that of a table", "needs table")
         if self.linearised and self.any_gas is None:
             raise ValueError("linearised needs gas or two_chamber_gas")
         for part in ("stroke", "linearised"):
@@ -206,27 +209,29 @@ class Tensioners(Strict):
         reach, force = [row.reach for row in table], [row.force for row in table]
         for k in range(1, len(table)):
             if reach[k] <= reach[k - 1]:
-                raise ValueError(
-                    f"table: reach {reach[k]:g} m in row {k + 1}; must grow by the row"
+                raise Misfit(
+                    "table", f"reach {reach[k]:g} m in row {k + 1}", "must grow by the row"
                 )
             if force[k] < force[k - 1]:
-                raise ValueError(
-                    f"table: force falls to {force[k]:g} N in row {k + 1}; "
-                    "a cylinder pulls no less the longer it is"
+                raise Misfit(
+                    "table",
+                    f"force falls to {force[k]:g} N in row {k + 1}",
+                    "a cylinder pulls no less the longer it is",
                 )
         first, last = reach[0], reach[-1]
         if self.stroke:
             close = ROUNDING * (last - first)
             shortest, longest = self.stroke.shortest, self.stroke.longest
             if first > shortest + close or last < longest - close:
-                raise ValueError(
-                    f"table: from {reach[0]:g} m to {reach[-1]:g} m; must cover the stroke, "
-                    f"{shortest:g} m to {longest:g} m"
+                raise Misfit(
+                    "table",
+                    f"from {reach[0]:g} m to {reach[-1]:g} m",
+                    f"must cover the stroke, {shortest:g} m to {longest:g} m",
                 )
             first, last = shortest, longest
         if not first < 0 < last:
-            raise ValueError(
-                f"table: from {first:g} m to {last:g} m; must have mid-stroke, 0 m, within it"
+            raise Misfit(
+                "table", f"from {first:g} m to {last:g} m", "must have mid-stroke, 0 m, within it"
             )
 
     def _stays_open(self, part: str, reach: float | None) -> None:

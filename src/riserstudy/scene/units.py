@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.percent import NUMBER
 
 if TYPE_CHECKING:
@@ -51,25 +52,25 @@ def to_si(text: str, unit: str) -> float:
         )
         kind = re.search(r"\b(absolute|gauge)$", plain)
         if not kind:
-            raise ValueError(f"{text!r} says neither absolute nor gauge; {allowed}")
+            raise Misfit("", f"{text!r} says neither absolute nor gauge", allowed)
         plain = plain[: kind.start()].strip()
         offset = ATMOSPHERE if kind.group() == "gauge" else 0.0
     number = NUMBER.match(plain)
     if not number:
-        raise ValueError(f"{text!r} does not start with a number; {allowed}")
+        raise Misfit("", f"{text!r} does not start with a number", allowed)
     name = plain[number.end() :].strip()
     if len(name) > LONGEST_UNIT or not _UNIT.fullmatch(name):
-        raise ValueError(f"{text!r} has a unit that is not known; {allowed}")
+        raise Misfit("", f"{text!r} has a unit that is not known", allowed)
     if not name:
-        raise ValueError(f"{text!r} has no unit; {allowed}")
+        raise Misfit("", f"{text!r} has no unit", allowed)
     try:
         value = float(number.group()) * _factor(name, unit) + offset
     except ValueError as error:
-        raise ValueError(f"{text!r} {error}; {allowed}") from None
+        raise Misfit("", f"{text!r} {error}", allowed) from None
     if not math.isfinite(value):
-        raise ValueError(f"{text!r} is not finite; {allowed}")
+        raise Misfit("", f"{text!r} is not finite", allowed)
     if abs(value) > MOST:
-        raise ValueError(f"{text!r} is {value:.3g} {unit}; allowed is up to {MOST:g} {unit}")
+        raise Misfit("", f"{text!r} is {value:.3g} {unit}", f"allowed is up to {MOST:g} {unit}")
     return value
 
 
@@ -100,7 +101,7 @@ def factor(name: str, unit: str) -> float:
     import pint
 
     if _MILLITONNE.search(name):
-        raise ValueError("has 'mt', a thousandth of a tonne; write t or kg")
+        raise Misfit("", "has 'mt', a thousandth of a tonne", "write t or kg")
     try:
         given, wanted = _registry().parse_units(name), _registry().parse_units(unit)
         same = _angle_power(given._units) == _angle_power(wanted._units)
@@ -112,7 +113,7 @@ def factor(name: str, unit: str) -> float:
     except Exception:
         raise ValueError("has a unit that is not known") from None
     if odd := [name for name in given._units if _is_no_quantity(name)]:
-        raise ValueError(f"has {odd[0]!r}; without dimension only deg, rad and % are taken")
+        raise Misfit("", f"has {odd[0]!r}", "without dimension only deg, rad and % are taken")
     if not same:
         raise ValueError("must say '/deg' or '/rad', deg or rad")
     return float(value)
@@ -161,7 +162,7 @@ class Unit:
         """The value of a field in its SI unit."""
         if isinstance(value, str):
             return to_si(value, self.name)
-        raise ValueError(f"{value!r} has no unit; allowed is text such as '1 {self.name}'")
+        raise Misfit("", f"{value!r} has no unit", f"allowed is text such as '1 {self.name}'")
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Literal, Self
 
 from pydantic import model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.analysis import Analysis
 from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 MOST_TURNS = 1_000_000  # of platform and riser, each some hundred microseconds and its steps
 MOST_STEPS_A_TURN = 100_000  # whose motions and forces are kept
@@ -107,48 +111,39 @@ class Coupling(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.tolerance is not None and self.scheme == "staggered":
-            raise ValueError("tolerance: a staggered exchange repeats nothing; leave it out")
+            raise Misfit("tolerance", "a staggered exchange repeats nothing", "leave it out")
         return self
 
-    def fits(self, analysis: Analysis) -> None:
-        """Refuse, with a ValueError, what cannot be done in turns."""
+    def misfits(self, analysis: Analysis) -> Iterator[Misfit]:
+        """What cannot be done in turns of a run."""
         if analysis.duration is None:
-            raise ValueError(
-                "vessel.coupling: at rest nothing is exchanged; needs analysis.duration"
-            )
+            found, also = "at rest nothing is exchanged", ("analysis.duration",)
+            yield Misfit("", found, "needs analysis.duration", also)
+            return
+        also = ("analysis",)
         if isinstance(analysis.method, str):
-            raise ValueError(
-                f"vessel.coupling: analysis.method {analysis.method} does not work in turns; "
-                "take generalised-alpha or Newmark's method"
-            )
+            found = f"analysis.method {analysis.method} does not work in turns"
+            yield Misfit("", found, "take generalised-alpha or Newmark's method", also)
         if analysis.solver:
-            raise ValueError(
-                f"vessel.coupling: analysis.solver {analysis.solver} has no vessel; leave it out"
-            )
+            found = f"analysis.solver {analysis.solver} has no vessel"
+            yield Misfit("", found, "leave it out", also)
         if analysis.start not in (None, "equilibrium"):
-            raise ValueError(
-                f"vessel.coupling: analysis.start {analysis.start} takes steps that do not fit into "
-                "turns; start from equilibrium"
-            )
+            found = f"analysis.start {analysis.start} takes steps that do not fit into turns"
+            yield Misfit("", found, "start from equilibrium", also)
+        path, interval, step = "interval", f"{self.interval:g} s", analysis.step
         if self.interval > analysis.duration:
-            raise ValueError(
-                f"vessel.coupling.interval {self.interval:g} s: allowed is up to analysis.duration, "
-                f"{analysis.duration:g} s"
-            )
+            allowed = f"allowed is up to analysis.duration, {analysis.duration:g} s"
+            yield Misfit(path, f"{interval} is longer than the run", allowed, also)
         if analysis.duration / self.interval > MOST_TURNS:
-            raise ValueError(
-                f"vessel.coupling.interval {self.interval:g} s asks for more than {MOST_TURNS} turns; "
-                "take a longer one"
-            )
-        if analysis.step and self.interval / analysis.step > MOST_STEPS_A_TURN:
-            raise ValueError(
-                f"vessel.coupling.interval {self.interval:g} s has more than {MOST_STEPS_A_TURN} steps of "
-                f"{analysis.step:g} s; take a shorter one"
-            )
-        if analysis.step and STEPS_A_TURN * analysis.step > self.interval * (1.0 + 1e-9):
-            raise ValueError(
-                f"vessel.coupling.interval {self.interval:g} s: allowed is from {STEPS_A_TURN} times "
-                "analysis.step on, for runs with longer steps estimate the error"
+            found = f"{interval} asks for more than {MOST_TURNS} turns"
+            yield Misfit(path, found, "take a longer one", also)
+        if step and self.interval / step > MOST_STEPS_A_TURN:
+            found = f"{interval} has more than {MOST_STEPS_A_TURN} steps of {step:g} s"
+            yield Misfit(path, found, "take a shorter one", also)
+        if step and STEPS_A_TURN * step > self.interval * (1.0 + 1e-9):
+            found = f"{interval} is too short, for runs with longer steps estimate the error"
+            yield Misfit(
+                path, found, f"allowed is from {STEPS_A_TURN} times analysis.step on", also
             )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.geometry import levels
 from riserstudy.scene.limits import ABOVE
 
@@ -24,7 +25,7 @@ def cut(scene: Parts) -> list[Section]:
 
     Raises
     ------
-    ValueError
+    Misfit
         Where a section that is cut is asked for its stress as one, or has no outer diameter.
     """
     if scene.water is None or scene.water.surface is None or scene.gravity is None:
@@ -39,16 +40,18 @@ def cut(scene: Parts) -> list[Section]:
             continue
         output = scene.analysis.output
         if output and output.stress_in == section.name:
-            raise ValueError(
-                f"analysis.output.stress_in: {section.name!r} reaches through the water's surface, where it "
-                "is cut; give two sections, and name one of them"
-            )
+            found = f"{section.name!r} reaches through the water's surface, where it is cut"
+            remedy = "give two sections, and name one of them"
+            raise Misfit("analysis.output.stress_in", found, remedy, ("riser", "water.surface"))
         above: dict[str, Any] = {"flex_joint_below": None, "guide_below": None}
         if section.submerged_weight is not None:
             if section.outer_diameter is None:
-                raise ValueError(
-                    f"riser[{k}].outer_diameter: {section.name!r} reaches through the water's surface, and "
-                    "what it displaces is not known; give it, or two sections with their weights"
+                raise Misfit(
+                    f"{section.line}.outer_diameter",
+                    f"{section.name!r} reaches through the water's surface, and what it displaces is not "
+                    "known",
+                    "give it, or two sections with their weights",
+                    ("riser", "water.surface"),
                 )
             displaced = scene.water.density * 0.25 * math.pi * section.outer_diameter**2
             above["submerged_weight"] = section.submerged_weight + displaced * scene.gravity

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from riserstudy.scene.models import Scene
+    from riserstudy.scene.resolve import Resolved
 
 
-def without_inertia(scene: Scene) -> list[str]:
+def without_inertia(scene: Resolved) -> list[str]:
     """Warnings about sections that waves drag and do not accelerate, since they tell no added mass.
 
     The water's own acceleration pushes with 1 + Ca; a coefficient of 0 leaves the 1, an absent field nothing.
@@ -16,9 +16,9 @@ def without_inertia(scene: Scene) -> list[str]:
     if scene.wave is None:
         return []
     return [
-        f"{scene.line(k)}.added_mass: {section.name!r} has drag in waves and no added mass: the acceleration "
+        f"{section.line}.added_mass: {section.name!r} has drag in waves and no added mass: the acceleration "
         "of the water does not act on it, by no Froude-Krylov force either; a coefficient of 0 gives that "
         "alone"
-        for k, section in enumerate(scene.riser)
+        for section in scene.riser
         if section.drag is not None and section.added_mass is None
     ]

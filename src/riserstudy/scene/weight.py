@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.dressed import carried
 from riserstudy.scene.geometry import levels
 
@@ -25,7 +26,7 @@ def weighed(scene: Parts) -> list[Section]:
 
     Raises
     ------
-    ValueError
+    Misfit
         Where a weight is neither given nor follows, in a scene that has gravity, water or other weights.
     """
     without = [k for k, section in enumerate(scene.riser) if section.submerged_weight is None]
@@ -36,9 +37,12 @@ def weighed(scene: Parts) -> list[Section]:
     for k in without:
         section = sections[k]
         if None in (scene.gravity, section.mass, section.inner_diameter, section.contents):
-            raise ValueError(
-                f"riser section {section.name!r} has no weight; give riser[{k}].submerged_weight, or mass, "
-                "outer_diameter, inner_diameter and contents, from which it follows with gravity and water"
+            raise Misfit(
+                f"{section.line}.submerged_weight",
+                f"riser section {section.name!r} has no weight",
+                "give it, or mass, outer_diameter, inner_diameter and contents, from which it follows with "
+                "gravity and water",
+                ("gravity", "water", "riser"),
             )
         weight = (scene.gravity or 0.0) * ((section.mass or 0.0) - _displaced(scene, k))
         sections[k] = section.model_copy(update={"submerged_weight": weight})
@@ -50,20 +54,21 @@ def dressed(scene: Parts) -> list[Section]:
 
     Raises
     ------
-    ValueError
+    Misfit
         Where gravity or the weight of a pipe is missing.
     """
     if not any(section.modules or section.lines for section in scene.riser):
         return scene.riser
     if scene.gravity is None:
-        raise ValueError("modules and lines of riser sections need gravity")
+        found = "modules and lines of riser sections need gravity"
+        raise Misfit("riser", found, "add gravity", ("gravity",))
     modular = any(section.modules for section in scene.riser)
     sections = list(scene.riser)
     for k, section in enumerate(scene.riser):
         if section.submerged_weight is None:
-            raise ValueError(
-                f"modules and lines need riser[{k}].submerged_weight, that of the pipe"
-            )
+            found = f"modules and lines need {section.line}.submerged_weight"
+            remedy = "give that of the pipe"
+            raise Misfit(f"{section.line}.submerged_weight", found, remedy, ("riser",))
         bare = section.buoyancy_lift is None and modular
         more: dict[str, float] = {"buoyancy_lift": 0.0} if bare else {}
         if section.modules or section.lines:
@@ -93,7 +98,7 @@ def doubts(scene: Parts) -> list[str]:
         if (section.submerged_weight or 0.0) > most + DOUBTED * dry:
             weight = f"{section.submerged_weight:.4g} N/m"
             sentences.append(
-                f"{scene.line(k)}.submerged_weight: {weight} of {section.name!r} is more than its mass less "
+                f"{section.line}.submerged_weight: {weight} of {section.name!r} is more than its mass less "
                 f"the water that its outer diameter displaces, {most:.4g} N/m; contents are added to it: "
                 "leave out what is inside"
             )

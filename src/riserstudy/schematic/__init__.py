@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from riserstudy.figures.style import as_written
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.schematic.above import above, has_plan, radius
 from riserstudy.schematic.facts import freedom_text
 from riserstudy.schematic.geometry import Geometry
@@ -40,13 +40,13 @@ NOTE = (
 )
 
 
-def schematic(scene: Scene, *, standing: bool = False) -> Figure:
+def schematic(scene: Resolved, *, standing: bool = False) -> Figure:
     """Drawing of a scene; ``standing``: cylinders without an arrangement are drawn below the ring."""
     with as_written():
         return _schematic(Geometry(scene, standing), scene)
 
 
-def _schematic(geometry: Geometry, scene: Scene) -> Figure:
+def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
     figure = Figure((WIDTH, HEIGHT), dpi=150, facecolor="white")
     whole = _panel(figure, COLUMNS[0], FLOOR, (WHOLE, CEILING - FLOOR), *_all(geometry), whole=True)
     whole.ax.set_title("(a) whole", loc="left", fontsize="small")
@@ -86,7 +86,7 @@ def _times(ratio: float) -> str:
     return f"{ratio:.2g}" if ratio < 100 else f"{round(ratio, -1):.0f}"
 
 
-def _to_scale(scene: Scene) -> bool:
+def _to_scale(scene: Resolved) -> bool:
     """Whether the view from above shows more than headings."""
     return bool(scene.top.tensioners and scene.top.tensioners.arrangement)
 
@@ -155,7 +155,7 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
     return (x, z + above - 0.5 * height), height
 
 
-def _texts(figure: Figure, scene: Scene) -> None:
+def _texts(figure: Figure, scene: Resolved) -> None:
     """Title, directions of motion, what colours mean, and what is to scale."""
     title = "\n".join(textwrap.wrap(scene.title, 110))
     figure.suptitle(title, x=0.03, y=0.985, ha="left", va="top", fontsize=10)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from riserstudy.model.sea import current_velocity
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.schematic.facts import degrees
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import FREEDOM, LOAD, PART, WATER
@@ -14,7 +14,7 @@ from riserstudy.schematic.view import View
 ROSE = 0.5  # length of headings (inches)
 
 
-def headings(scene: Scene) -> list[tuple[str, float, str]]:
+def headings(scene: Resolved) -> list[tuple[str, float, str]]:
     """What has a heading: name, heading (rad) and colour."""
     platform, vessel = scene.platform, scene.vessel
     named = [
@@ -41,7 +41,7 @@ def headings(scene: Scene) -> list[tuple[str, float, str]]:
     return rows
 
 
-def has_plan(scene: Scene) -> bool:
+def has_plan(scene: Resolved) -> bool:
     """Whether anything lies out of the plane of x and z, or around the ring."""
     rig = scene.top.tensioners
     return bool(scene.spatial) or bool(rig and rig.arrangement)

@@ -9,7 +9,7 @@ from matplotlib.ticker import EngFormatter
 
 from riserstudy.scene.ends import Body, Rotation
 from riserstudy.scene.forcing import TILTS, Harmonic, Platform
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import Storm, Swell
 from riserstudy.scene.tensioners import Tensioners
@@ -99,7 +99,7 @@ def body_text(body: Body, gravity: float, density: float) -> str:
     )
 
 
-def top_text(scene: Scene) -> str:
+def top_text(scene: Resolved) -> str:
     """What the upper end may do."""
     top = scene.top
     ways = {"platform": "follows the platform", "held": "held", "free": "free"}
@@ -112,7 +112,7 @@ def top_text(scene: Scene) -> str:
     return "upper end: " + sentence([both, apart, away, rotation_text(top.rotation)])
 
 
-def bottom_text(scene: Scene) -> str:
+def bottom_text(scene: Resolved) -> str:
     """What the lower end may do."""
     bottom = scene.bottom
     if bottom.hold == "free":
@@ -121,7 +121,7 @@ def bottom_text(scene: Scene) -> str:
     return f"lower end: {held}" + (f", {rotation_text(bottom.rotation)}" if scene.lateral else "")
 
 
-def freedom_text(scene: Scene) -> str:
+def freedom_text(scene: Resolved) -> str:
     """Directions of motion that the scene needs, and its entry that needs them."""
     if scene.spatial:
         return f"moves in x, y and z, because the scene has {scene.spatial}"
@@ -184,7 +184,7 @@ def _size(name: str, value: float) -> str:
     return degrees(value) if name in TILTS else f"{value:.4g} m"
 
 
-def vessel_texts(scene: Scene) -> list[str]:
+def vessel_texts(scene: Resolved) -> list[str]:
     """What acts on a platform that is free to surge."""
     vessel = scene.vessel
     if vessel is None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from riserstudy.model.initial_shape import sagging
 from riserstudy.model.sea import levels
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 Point = tuple[float, float]
@@ -26,7 +26,7 @@ class Geometry:
     ``standing``: cylinders that have no arrangement stand on the platform and push the ring up.
     """
 
-    scene: Scene
+    scene: Resolved
     standing: bool = False
 
     @cached_property

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from pydantic import BaseModel
 
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 #: parts of a scene that are drawn, or told in the label of what is, by section
 DRAWN = {
@@ -40,12 +40,12 @@ SHOWN = _paths(DRAWN)
 NO_PART = _paths(NOTHING_TO_DRAW) | {"title", "paper", "note", "limits", "analysis", "gravity"}
 
 
-def parts_left_out(scene: Scene) -> list[str]:
+def parts_left_out(scene: Resolved) -> list[str]:
     """Parts of a scene, as its file names them, that no line of its schematic shows and no label names."""
     return [path for path in dict.fromkeys(_parts(scene)) if path not in SHOWN | NO_PART]
 
 
-def _parts(scene: Scene) -> Iterator[str]:
+def _parts(scene: Resolved) -> Iterator[str]:
     """What a scene has, to two levels: ``riser.drag`` for that of any section."""
     for name in type(scene).model_fields:
         value = getattr(scene, name)

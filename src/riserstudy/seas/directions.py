@@ -64,5 +64,5 @@ class Directions(NamedTuple):
         """
         files = [file.with_values(one, "--sectors") for one in heading_values(file, self.sectors)]
         for one in files:
-            one.scene()  # refuses what cannot be meant before anything runs
+            one.resolved()  # refuses what cannot be meant before anything runs
         return files

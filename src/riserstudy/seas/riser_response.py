@@ -59,7 +59,7 @@ class RiserResponse:
     @cached_property
     def limits(self) -> list[Limit]:
         """Limits of the scene."""
-        return self.file.scene().limits or []
+        return self.file.resolved().limits or []
 
     @cached_property
     def units(self) -> list[str]:
@@ -79,7 +79,7 @@ class RiserResponse:
     @cached_property
     def exposure(self) -> float:
         """Time of a run in which its sea is whole (s)."""
-        scene = self.file.scene()
+        scene = self.file.resolved()
         return float(scene.analysis.duration or 0.0) - scene.built_up
 
     def seconds(self, states: FloatArray) -> float:
@@ -126,7 +126,7 @@ class RiserResponse:
                 self.failures[tuple(states[point.index[0]].tolist())] = why
                 continue
             file = study.grid.file(point.index)
-            rows = checked(file, file.scene(), held["facts"])
+            rows = checked(file, file.resolved(), held["facts"])
             found[point.index] = [math.nan if one.demand is None else one.demand for one in rows]
         return found
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError, StepFailed
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.vessel import Coupling
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.solve.sums import HALVED, ITERATIONS, STEPS, Sums
@@ -83,7 +83,7 @@ def finite(arrays: dict[str, FloatArray]) -> None:
             )
 
 
-def tension(scene: Scene, arrays: dict[str, FloatArray], facts: RunFacts) -> None:
+def tension(scene: Resolved, arrays: dict[str, FloatArray], facts: RunFacts) -> None:
     """Enter the riser's smallest tension (N) into the facts, with a warning where it may go slack.
 
     ``arrays``: over the nodes, (n + 1,).

@@ -11,7 +11,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.build import build
 from riserstudy.model.mesh import Mesh, lowest_leaning
 from riserstudy.model.model import Model
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.statics import Equilibrium, NoEquilibrium, find_equilibrium
 
 SMALLEST_PART = 1e-3  # of the way aside, down to which parts are halved
@@ -64,7 +64,7 @@ def folded_at(model: Model) -> int | None:
     return int(against.argmax()) + 1 if against.any() else None
 
 
-def by_parts(scene: Scene, mesh: Mesh, elevation: float | None, lost: Lost) -> Settled:
+def by_parts(scene: Resolved, mesh: Mesh, elevation: float | None, lost: Lost) -> Settled:
     """The equilibrium of a riser whose top is aside: brought there in parts without current, which follows.
 
     Parameters
@@ -105,14 +105,14 @@ def by_parts(scene: Scene, mesh: Mesh, elevation: float | None, lost: Lost) -> S
     return Settled(model, equilibrium._replace(iterations=total + equilibrium.iterations))
 
 
-def _aside(scene: Scene, share: float) -> tuple[float, float]:
+def _aside(scene: Resolved, share: float) -> tuple[float, float]:
     """A share of how far a riser's top is brought aside, along x and y (m)."""
     position = scene.platform and scene.platform.position
     surge, sway = (position.surge, position.sway) if position else (None, None)
     return share * ((scene.top.offset or 0.0) + (surge or 0.0)), share * (sway or 0.0)
 
 
-def _moved(scene: Scene, share: float) -> Scene:
+def _moved(scene: Resolved, share: float) -> Resolved:
     """The scene with its top brought aside by a share of the way."""
     top, platform = scene.top, scene.platform
     changed: dict[str, Any] = {}
@@ -127,7 +127,7 @@ def _moved(scene: Scene, share: float) -> Scene:
 
 
 def _continue(
-    model: Model, last: Model, further: tuple[float, float], mesh: Mesh, scene: Scene
+    model: Model, last: Model, further: tuple[float, float], mesh: Mesh, scene: Resolved
 ) -> None:
     """Begin with the last shape, leaning further (m) above the lowest place that it leans from."""
     state = model.s
@@ -138,7 +138,7 @@ def _continue(
         state.r[axis, : len(mesh.s)] += way * lean
 
 
-def _failed(scene: Scene, mesh: Mesh, failure: NoEquilibrium, reached: float) -> SimulationError:
+def _failed(scene: Resolved, mesh: Mesh, failure: NoEquilibrium, reached: float) -> SimulationError:
     """What to say of a search that found nothing: where, under what, and what may help."""
     s = float(mesh.s[failure.node])
     where = f"node {failure.node} (s = {s:.4g} m)"

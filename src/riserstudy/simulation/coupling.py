@@ -22,7 +22,7 @@ from riserstudy.effects.exchange import ForceTable, MotionTable
 from riserstudy.errors import SimulationError
 from riserstudy.model.model import Effect, Model, Unknowns
 from riserstudy.model.vessel import floating, loose_nodes, unknowns
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.vessel import Coupling
 from riserstudy.simulation.time_stepping import steps_in
 from riserstudy.solve.evaluate import forces_and_tangent, move_to
@@ -46,7 +46,7 @@ class Sides(NamedTuple):
     reaction: list[int]  # probes of the riser's model: its force on the platform, by direction
 
 
-def sides_of(scene: Scene, model: Model, steps: int) -> Sides:
+def sides_of(scene: Resolved, model: Model, steps: int) -> Sides:
     """The two sides of a scene whose model is at rest, for turns of so many steps."""
     s, top = model.s, len(model.s.l0)
     d, m = len(s.dim), len(s.dof) - len(s.dim)

@@ -36,7 +36,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.fatigue import Detail, Fatigue, SNCurve
 from riserstudy.scene.limits import ENDS, place_of
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation import vibration
 from riserstudy.simulation.curve import between_nodes
 from riserstudy.simulation.sampling_error import standard_error
@@ -92,7 +92,7 @@ def damage(cycles: Cycles, curve: SNCurve, concentration: float, thickness: floa
     return float((cycles.counts[cycles.ranges > 0.0] * 10.0 ** -np.max(lines, axis=0)).sum())
 
 
-def since(scene: Scene) -> float:
+def since(scene: Resolved) -> float:
     """Time from which on cycles count (s): all ramps are over, and vibrations built up.
 
     Raises
@@ -123,7 +123,7 @@ class Part(NamedTuple):
     thickness: float  # m
 
 
-def enter(scene: Scene, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
+def enter(scene: Resolved, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
     """Enter damage a year along the riser, ``damage_rate``, and each detail's largest into a run.
 
     The array is (details, angles, nodes), 1/year, not a number where a detail is not.
@@ -226,7 +226,7 @@ def too_large() -> SimulationError:
 USED = ("time", "z", "x", "y", "effective_tension", "bending_moment", "mesh_moment")
 
 
-def parts(scene: Scene, mesh: Mesh, of: Fatigue) -> Iterator[Part]:
+def parts(scene: Resolved, mesh: Mesh, of: Fatigue) -> Iterator[Part]:
     """The parts of all details, section by section."""
     names = [section.name for section in scene.riser]
     for k, detail in enumerate(of.details):
@@ -250,7 +250,7 @@ def parts(scene: Scene, mesh: Mesh, of: Fatigue) -> Iterator[Part]:
 class _Sides:
     """Stresses round the wall at nodes, from histories of a run."""
 
-    def __init__(self, scene: Scene, mesh: Mesh, histories: Arrays, angles: int) -> None:
+    def __init__(self, scene: Resolved, mesh: Mesh, histories: Arrays, angles: int) -> None:
         self.tension = histories["effective_tension"]
         self.inside, self.outside = pressures(scene, mesh, histories["z"])
         self.angles = angles
@@ -290,7 +290,7 @@ def _components(histories: Arrays) -> tuple[Array, Array | None]:
     return my - b * along, mx - a * along
 
 
-def refuse_coarse(scene: Scene, facts: RunFacts) -> None:
+def refuse_coarse(scene: Resolved, facts: RunFacts) -> None:
     """See that outputs are close enough for the peaks of stress.
 
     Raises

@@ -11,7 +11,7 @@ from riserstudy.model.draining import draining, flow_of
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.release import fading, released, stack_contact
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation import outputs
 from riserstudy.solve.evaluate import energies, forces_and_tangent
 
@@ -22,7 +22,7 @@ STILL = 1e-6  # share of the tension above the connector that is rounding
 TOUCHING = 1e-6  # lift that is contact (m)
 
 
-def let_go(scene: Scene, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
+def let_go(scene: Resolved, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
     """The model without what holds its lower end; the facts gain the energy (J) of the joint there.
 
     Raises
@@ -60,7 +60,7 @@ def _overpull(model: Model) -> float:
     return float(model.s.force[-1, 0])
 
 
-def enter_lift(scene: Scene, arrays: outputs.Arrays, facts: RunFacts) -> None:
+def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None:
     """Enter lift, clearance and re-contact into the facts, with a warning where the riser comes down.
 
     ``arrays`` hold time (s), lift (m) and its rate (m/s), (times,).
@@ -94,7 +94,7 @@ def enter_lift(scene: Scene, arrays: outputs.Arrays, facts: RunFacts) -> None:
         facts["contents_top_min"] = float(column.top.min())
 
 
-def rows_of_limits(scene: Scene, facts: RunFacts) -> list[dict[str, Any]]:
+def rows_of_limits(scene: Resolved, facts: RunFacts) -> list[dict[str, Any]]:
     """Overpull (N) and clearance (m) as rows of extremes, as far as a run has them."""
     release = scene.disconnect
     if release is None:

@@ -11,7 +11,7 @@ from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.model import Model
 from riserstudy.model.tensioner_law import tension_at_mid_stroke
 from riserstudy.scene.ends import Top
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.continuation import Lost, by_parts, search
 from riserstudy.solve.statics import (
     Equilibrium,
@@ -22,7 +22,7 @@ from riserstudy.solve.statics import (
 BUCKLING = 20  # segments, at least, on which buckling is looked for
 
 
-def settle(scene: Scene, mesh: Mesh, d: int | None = None) -> tuple[Model, Equilibrium]:
+def settle(scene: Resolved, mesh: Mesh, d: int | None = None) -> tuple[Model, Equilibrium]:
     """Model at static equilibrium, in ``d`` directions if more than the scene needs.
 
     Raises
@@ -49,14 +49,14 @@ def settle(scene: Scene, mesh: Mesh, d: int | None = None) -> tuple[Model, Equil
     return _equilibrium(scene, mesh, elevation, d)
 
 
-def _turns_about_a_rising_end(scene: Scene) -> bool:
+def _turns_about_a_rising_end(scene: Resolved) -> bool:
     """Whether a tilt of the platform moves the top by an arm whose end only statics tell."""
     turning = scene.platform is not None and scene.platform.centre_of_rotation is not None
     return turning and scene.top.x in ("platform", "vessel") and scene.top.z == "free"
 
 
 def _equilibrium(
-    scene: Scene, mesh: Mesh, elevation: float | None, d: int | None
+    scene: Resolved, mesh: Mesh, elevation: float | None, d: int | None
 ) -> tuple[Model, Equilibrium]:
     model = build(scene, mesh, elevation, d)
     try:
@@ -78,7 +78,7 @@ def _equilibrium(
     return model, equilibrium
 
 
-def _stands_sideways(scene: Scene, mesh: Mesh, model: Model, elevation: float | None) -> bool:
+def _stands_sideways(scene: Resolved, mesh: Mesh, model: Model, elevation: float | None) -> bool:
     """Whether an axial model in compression would also stand if it could move sideways."""
     s = model.s
     tension = np.einsum("ke,ke->e", s.segment, s.tangent)
@@ -93,6 +93,6 @@ def _stands_sideways(scene: Scene, mesh: Mesh, model: Model, elevation: float | 
     return unstable_directions(planar.programs, planar.state, planar.fixed) == 0
 
 
-def rounding(scene: Scene) -> float:
+def rounding(scene: Resolved) -> float:
     """Compression that a weightless riser may show by rounding (N)."""
     return 1e-9 * max(stiffness(section).axial for section in scene.riser)

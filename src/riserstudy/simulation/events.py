@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from riserstudy.model.failing import without_bottles, without_cylinders, without_tension
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.disconnect import let_go
 from riserstudy.simulation.time_stepping import march_on
 from riserstudy.solve.evaluate import energies
@@ -27,7 +27,7 @@ class Event(NamedTuple):
     change: Callable[[Model], Model]  # into a model in the same state
 
 
-def events_of(scene: Scene, mesh: Mesh, facts: RunFacts) -> Iterator[Event]:
+def events_of(scene: Resolved, mesh: Mesh, facts: RunFacts) -> Iterator[Event]:
     """The events of a scene; what is to be told of them goes into the facts."""
     release, loss, rig = scene.disconnect, scene.top.tension_loss, scene.top.tensioners
     if release:
@@ -41,7 +41,7 @@ def events_of(scene: Scene, mesh: Mesh, facts: RunFacts) -> Iterator[Event]:
 
 
 def march_through(
-    scene: Scene,
+    scene: Resolved,
     model: Model,
     mesh: Mesh,
     step: float,

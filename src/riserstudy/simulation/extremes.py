@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.limits import ALONG, UNITS
-from riserstudy.scene.models import Scene
 from riserstudy.scene.outputs import wall_lacks
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.step_peaks import Peak
 from riserstudy.simulation.wall_stress import nodes_of
@@ -22,7 +22,7 @@ OVER_TIME = tuple(name for name in UNITS if name not in ALONG)
 
 
 def extremes(
-    scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays, peaks: Mapping[str, Peak]
+    scene: Resolved, mesh: Mesh, arrays: Arrays, histories: Arrays, peaks: Mapping[str, Peak]
 ) -> list[dict[str, Any]]:
     """A row for each output and place: its largest and smallest value with arclength (m) and time (s).
 
@@ -49,7 +49,7 @@ def extremes(
 
 
 def _seen_by_steps(
-    scene: Scene, mesh: Mesh, name: str, arrays: Arrays, peaks: Mapping[str, Peak]
+    scene: Resolved, mesh: Mesh, name: str, arrays: Arrays, peaks: Mapping[str, Peak]
 ) -> dict[str, float]:
     """Largest and smallest value of an output over time by all steps; empty where only outputs are known."""
     if name in peaks:
@@ -63,7 +63,7 @@ def _seen_by_steps(
     return {}
 
 
-def places(scene: Scene, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]]:
+def places(scene: Resolved, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]]:
     """Places along the riser that an output has, by what limits call them, with their nodes."""
     for k, section in enumerate(scene.riser):
         if name == "von_mises_stress" and wall_lacks(scene, section):

@@ -12,7 +12,7 @@ from riserstudy.dataset.limits import SIGNED, sections_of
 from riserstudy.dataset.place_of_crossing import place_of_crossing
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.limits import ALONG, Limit
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.extremes import places
 
 FloatArray = NDArray[np.float64]
@@ -20,7 +20,9 @@ Arrays = dict[str, FloatArray]
 NEVER, UNKNOWN = "never", "unknown"
 
 
-def first_reached(scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays) -> list[float | str]:
+def first_reached(
+    scene: Resolved, mesh: Mesh, arrays: Arrays, histories: Arrays
+) -> list[float | str]:
     """Time (s) at which each limit is first reached, NEVER, or UNKNOWN where there is no history of it.
 
     Straight between the outputs. A mean is reached at no time: UNKNOWN.
@@ -44,7 +46,7 @@ def first_reached(scene: Scene, mesh: Mesh, arrays: Arrays, histories: Arrays) -
 
 
 def _demand(
-    scene: Scene, mesh: Mesh, limit: Limit, arrays: Arrays, histories: Arrays
+    scene: Resolved, mesh: Mesh, limit: Limit, arrays: Arrays, histories: Arrays
 ) -> FloatArray | None:
     """What a limit looks at over time, the worst of its places; None without a history at all of these."""
     name = limit.output

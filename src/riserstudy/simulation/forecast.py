@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.model.mesh import prescribed
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.long_record import is_long
 from riserstudy.simulation.piece import longest_ramp, piece_of
 from riserstudy.simulation.refine import Refinement
@@ -32,7 +32,7 @@ class Forecast(NamedTuple):
     error: dict[str, float]  # estimated for that
 
 
-def forecast(scene: Scene, watch: Watch | None = None) -> Forecast | None:
+def forecast(scene: Resolved, watch: Watch | None = None) -> Forecast | None:
     """Time that a scene will take, from a piece of it; None where it is short, or lets go of the wellhead.
 
     Parameters
@@ -67,7 +67,7 @@ def forecast(scene: Scene, watch: Watch | None = None) -> Forecast | None:
     )
 
 
-def _facts(scene: Scene, watch: Watch) -> RunFacts:
+def _facts(scene: Resolved, watch: Watch) -> RunFacts:
     """Facts of a run of which the first attempt, which loads kernels, does not count."""
     a = scene.analysis
     if a.mesh is not None:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.vortices import shedding_period
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 FloatArray = NDArray[np.float64]
 MOST = (
@@ -22,7 +22,7 @@ MOST = (
 )
 
 
-def half_wave(scene: Scene, mesh: Mesh, tension: FloatArray) -> dict[int, float]:
+def half_wave(scene: Resolved, mesh: Mesh, tension: FloatArray) -> dict[int, float]:
     """Length (m) of half a wave of the fastest vortices, by section; the shortest in each.
 
     Parameters

@@ -25,7 +25,7 @@ from riserstudy.model.sea import current_velocity
 from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
 from riserstudy.scene.forcing import Translation
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
 from riserstudy.solve.hermite import dynamics, in_still_water, statics
@@ -57,7 +57,7 @@ LARGE_ANGLES = {"foreshortening"}
 AVERAGE_ACCELERATION = Newmark(beta=0.25, gamma=0.5)
 
 
-def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
+def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result:
     """One run of a scene as a tensioned beam, by a step (s; None: at rest).
 
     It has histories at all nodes, and envelopes over the outputs.
@@ -117,7 +117,7 @@ def solve_small_angle(scene: Scene, mesh: Mesh, step: float | None) -> Result:
     return Result(arrays, facts)
 
 
-def _stiffening(scene: Scene, mesh: Mesh, rest: FloatArray, moving: FloatArray) -> float:
+def _stiffening(scene: Resolved, mesh: Mesh, rest: FloatArray, moving: FloatArray) -> float:
     """Largest change of tension (N) by which a held top answers the length that bending takes."""
     if scene.top.z == "free":
         return 0.0
@@ -129,7 +129,7 @@ def _stiffening(scene: Scene, mesh: Mesh, rest: FloatArray, moving: FloatArray) 
     return float(np.abs(longer).max() / flexibility)
 
 
-def beam_of(scene: Scene, mesh: Mesh) -> Beam:
+def beam_of(scene: Resolved, mesh: Mesh) -> Beam:
     """The beam of a scene on a mesh.
 
     Raises
@@ -176,7 +176,7 @@ def beam_of(scene: Scene, mesh: Mesh) -> Beam:
     return _wet(scene, dry, strain, inertia)
 
 
-def _wet_share(scene: Scene, mesh: Mesh) -> FloatArray:
+def _wet_share(scene: Resolved, mesh: Mesh) -> FloatArray:
     """Share of each segment that is below the surface with the riser upright, (n,); all without one."""
     if scene.water is None or scene.water.surface is None:
         return np.ones(len(mesh.l0))
@@ -184,7 +184,7 @@ def _wet_share(scene: Scene, mesh: Mesh) -> FloatArray:
     return np.clip(below / mesh.l0, 0.0, 1.0)
 
 
-def _wet(scene: Scene, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Beam:
+def _wet(scene: Resolved, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Beam:
     """The beam in its water, which it meets at the heights of its rest."""
     elevation = (scene.bottom.elevation or 0.0) + np.append(
         0.0, np.cumsum((1.0 + strain) * np.diff(dry.s))
@@ -219,7 +219,7 @@ def _sign(heading: float | None) -> float:
     return math.copysign(1.0, math.cos(heading or 0.0))
 
 
-def effects_of(scene: Scene) -> dict[str, str]:
+def effects_of(scene: Resolved) -> dict[str, str]:
     """Effects of the beam, with the reason for each.
 
     Raises
@@ -238,7 +238,7 @@ def effects_of(scene: Scene) -> dict[str, str]:
     return {name: because for name, because in called.items() if name in SUPPORTED}
 
 
-def _refuse(scene: Scene) -> None:
+def _refuse(scene: Resolved) -> None:
     """Refuse what the beam has not."""
     effects_of(scene)
     top, platform = scene.top, scene.platform
@@ -293,7 +293,7 @@ def _spring(rotation: Rotation | None) -> float:
     return 1.0 / soft if soft > 0.0 else math.inf
 
 
-def _top(scene: Scene) -> End:
+def _top(scene: Resolved) -> End:
     top, platform = scene.top, scene.platform
     spring = _spring(top.rotation)
     if top.x == "free":
@@ -302,7 +302,7 @@ def _top(scene: Scene) -> End:
     return End(rotation_stiffness=spring, motion=_motion(_away(scene), surge))
 
 
-def _away(scene: Scene) -> float:
+def _away(scene: Resolved) -> float:
     """Where the top is held at rest (m)."""
     top, platform = scene.top, scene.platform
     away = top.offset or 0.0
@@ -330,7 +330,7 @@ def _motion(away: float, surge: Any) -> Motion:
     return motion
 
 
-def _moving(scene: Scene, beam: Beam, step: float) -> Response:
+def _moving(scene: Resolved, beam: Beam, step: float) -> Response:
     """Newmark's method; Newton's iteration finds what the paper's repetition with the last drag does."""
     a = scene.analysis
     if a.duration is None or a.output is None:

@@ -13,7 +13,7 @@ import math
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm
 from riserstudy.simulation.error_estimate import CONTROLLED, difference
 from riserstudy.simulation.piece import longest_ramp, piece_of
@@ -29,12 +29,12 @@ PERIODS = 48.0  # the shortest of a scene, after its ramps, that are a piece: tw
 LONG = 10.0  # pieces, from which on they pay
 
 
-def piece_length(scene: Scene) -> float:
+def piece_length(scene: Resolved) -> float:
     """Time of the piece that a record is refined on (s)."""
     return longest_ramp(scene) + PERIODS * period(scene)
 
 
-def is_long(scene: Scene) -> bool:
+def is_long(scene: Resolved) -> bool:
     """Whether a scene is a long record of an irregular sea, in which nothing happens but waves."""
     a = scene.analysis
     response = scene.platform and scene.platform.response
@@ -46,7 +46,7 @@ def is_long(scene: Scene) -> bool:
     return a.duration >= LONG * piece_length(scene)
 
 
-def refinement_of(scene: Scene, watch: Watch) -> Refinement:
+def refinement_of(scene: Resolved, watch: Watch) -> Refinement:
     """What refines a scene; with a patience by runs of the whole, of which the last that is done counts."""
     if any(section.viv for section in scene.riser):
         return VibrationRefinement(scene, watch)
@@ -96,7 +96,7 @@ class LongRecord(Refinement):
         self.seen = {way: one.scaled(more) for way, one in part.seen.items()}
         return whole
 
-    def _run(self, scene: Scene, mesh: Mesh, step: float, coarse: bool) -> Result:
+    def _run(self, scene: Resolved, mesh: Mesh, step: float, coarse: bool) -> Result:
         """A run of the whole or of a piece; a coarse one has what a comparison needs."""
         self.watch.begin(f"{scene.analysis.duration:.4g} s on {size(len(mesh.l0), step)}")
         shortened = thinned(scene, step)[0] if coarse else scene

@@ -13,7 +13,7 @@ from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES, directions, stiffness
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.scene.load import SceneFile, read_scene
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.starting_mesh import massless
 from riserstudy.solve.modes import natural_modes
@@ -54,12 +54,12 @@ def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
     if count < 1:
         raise InputError("modes", "count", str(count), "allowed is 1 or more")
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
-    dataset = modes_of(file.scene(), count)
+    dataset = modes_of(file.resolved(), count)
     dataset.attrs = {"title": file.tree.get("title", ""), "source": file.source}
     return dataset
 
 
-def modes_of(scene: Scene, count: int) -> xr.Dataset:
+def modes_of(scene: Resolved, count: int) -> xr.Dataset:
     """Frequencies, periods and shapes of the lowest modes, as ``modes`` has them.
 
     A riser with bending stiffness or tension vibrates sideways too, whatever the scene moves; only a
@@ -112,7 +112,7 @@ def modes_of(scene: Scene, count: int) -> xr.Dataset:
     )
 
 
-def mesh_of_modes(scene: Scene) -> tuple[Mesh, int]:
+def mesh_of_modes(scene: Resolved) -> tuple[Mesh, int]:
     """The mesh and the number of directions that modes are computed with."""
     most = len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS
     mesh = prescribed(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
@@ -129,7 +129,7 @@ def _upright(shape: NDArray[np.float64]) -> NDArray[np.float64]:
     return shape * np.where(sign == 0.0, 1.0, sign)[:, None, None]
 
 
-def _without_lag(scene: Scene) -> Scene:
+def _without_lag(scene: Resolved) -> Resolved:
     """The scene with thrusters that answer at once: modes know no delays."""
     vessel = scene.vessel
     if vessel is None or vessel.thrusters is None or vessel.thrusters.lag is None:

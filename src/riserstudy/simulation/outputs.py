@@ -19,7 +19,7 @@ from riserstudy.model.tensioner_law import leaves_table
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.limits import ANGLES
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.simulation.curve import at_stations, curve_of, largest_moment
 from riserstudy.solve.program import Frozen
@@ -49,7 +49,7 @@ def quantities(model: Model) -> list[str]:
     return [*places, "effective_tension", *(["bending_moment"] if len(model.s.dof) > d else [])]
 
 
-def at_rest(scene: Scene, model: Model, mesh: Mesh) -> Arrays:
+def at_rest(scene: Resolved, model: Model, mesh: Mesh) -> Arrays:
     """The mesh, and the state at rest at all nodes, ``_static``."""
     record = _tabulated(model)
     static, probe = record.values, record.probe[0]
@@ -180,7 +180,7 @@ def keep_stations(result: Result, stations: list[float] | None) -> None:
     arrays.pop("mesh_moment", None)
 
 
-def over_time(scene: Scene, model: Model, mesh: Mesh, record: Record, rest: AtRest) -> Arrays:
+def over_time(scene: Resolved, model: Model, mesh: Mesh, record: Record, rest: AtRest) -> Arrays:
     """Angles, strokes, forces and motions over time."""
     series = angles(scene, model, mesh, record)
     if scene.top.tensioners:
@@ -200,7 +200,7 @@ def over_time(scene: Scene, model: Model, mesh: Mesh, record: Record, rest: AtRe
     return series
 
 
-def angles(scene: Scene, model: Model, mesh: Mesh, record: Record) -> Arrays:
+def angles(scene: Resolved, model: Model, mesh: Mesh, record: Record) -> Arrays:
     """Angles of flex joints (rad): of the tangents against the lower stack and the platform's vertical."""
     d = len(model.s.dim)
     arrays: Arrays = {}
@@ -222,7 +222,7 @@ def angles(scene: Scene, model: Model, mesh: Mesh, record: Record) -> Arrays:
     return arrays | {name: record.probe[:, k] for name, k in of_joints.items()}
 
 
-def _of_vessel(scene: Scene, turns_aside: bool, record: Record, reported: Arrays) -> Arrays:
+def _of_vessel(scene: Resolved, turns_aside: bool, record: Record, reported: Arrays) -> Arrays:
     """Surge of a vessel, and sway and yaw that it may have: low-frequency and first-order motion together."""
     still = np.zeros(len(record.time))
     series: Arrays = {"platform_surge": record.top[:, 0] - (scene.top.offset or 0.0)}
@@ -280,7 +280,9 @@ def _reaches(arrays: Arrays) -> FloatArray:
     return np.concatenate([arrays[name].ravel() for name in names if name in arrays])
 
 
-def _end_direction(scene: Scene, model: Model, mesh: Mesh, record: Record, end: int) -> FloatArray:
+def _end_direction(
+    scene: Resolved, model: Model, mesh: Mesh, record: Record, end: int
+) -> FloatArray:
     """Direction of the riser at an end, (time, 3): the end segment's, turned by its own bending."""
     d = len(model.s.dim)
     m = len(model.s.dof) - d

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 
-def piece_of(scene: Scene, piece: float) -> Scene:
+def piece_of(scene: Resolved, piece: float) -> Resolved:
     """The first piece of a run (s)."""
     a = scene.analysis
     if a.output is None:
@@ -17,7 +17,7 @@ def piece_of(scene: Scene, piece: float) -> Scene:
     return scene.model_copy(update={"analysis": first})
 
 
-def longest_ramp(scene: Scene) -> float:
+def longest_ramp(scene: Resolved) -> float:
     """Time over which the motions and waves of a scene grow (s)."""
     platform = scene.platform
     growing: list[Any] = [

@@ -7,7 +7,7 @@ from itertools import pairwise
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, TakesTooLong
 from riserstudy.model.mesh import prescribed
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.run import march, single
@@ -18,7 +18,7 @@ from riserstudy.simulation.watch import Watch, size
 COARSER = ("step", "mesh", "step", "mesh")  # what is doubled from run to run, in turn
 
 
-def run_prescribed(scene: Scene, estimated: bool, watch: Watch) -> Result:
+def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
     """A run with the scene's own mesh and step; its error from coarser runs.
 
     These go first, so that the time of the run itself is not that of loading kernels. Mesh and step are
@@ -59,7 +59,7 @@ def run_prescribed(scene: Scene, estimated: bool, watch: Watch) -> Result:
 
 
 def _coarser(
-    scene: Scene, elements: int, ways: list[str], watch: Watch
+    scene: Resolved, elements: int, ways: list[str], watch: Watch
 ) -> list[tuple[str, Result]]:
     """Runs with mesh or step doubled, and which of them, each to be compared with the one before."""
     step, runs = scene.analysis.step, []

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import COARSEST
 from riserstudy.scene.analysis import Layers, Mesh
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm
 from riserstudy.simulation.error_estimate import controlled
 from riserstudy.simulation.forecast import forecast
@@ -46,7 +46,7 @@ class Recipe(NamedTuple):
         return f"--set analysis.mesh='{{{mesh}}}' --set analysis.step='{self.step:.4g} s'"
 
 
-def recipe(scene: Scene) -> Recipe | None:
+def recipe(scene: Resolved) -> Recipe | None:
     """The recipe for a long record; None for what is short, regular, has a mesh, or asks for no more.
 
     Raises
@@ -76,7 +76,7 @@ def recipe(scene: Scene) -> Recipe | None:
 
 
 def _coarser(
-    scene: Scene, elements: int, layers: Layers | None, step: float, piece: float
+    scene: Resolved, elements: int, layers: Layers | None, step: float, piece: float
 ) -> tuple[int, float, dict[str, float]] | None:
     """A longer step (s) or else a coarser mesh that serves a piece (s), with its error; None: neither."""
     for fewer, longer in ((elements, 2.0 * step), (elements // 2, step)):
@@ -91,19 +91,19 @@ def _coarser(
     return None
 
 
-def _error(scene: Scene, piece: float) -> dict[str, float]:
+def _error(scene: Resolved, piece: float) -> dict[str, float]:
     error: dict[str, float] = run(piece_of(scene, piece)).facts["error_estimate"]
     return error
 
 
-def _with(scene: Scene, elements: int, layers: Layers | None, step: float) -> Scene:
+def _with(scene: Resolved, elements: int, layers: Layers | None, step: float) -> Resolved:
     """The scene with a mesh and a step (s) of its own."""
     mesh = Mesh.model_construct(elements=elements, layers=layers)
     own = {"accuracy": None, "mesh": mesh, "step": step}
     return scene.model_copy(update={"analysis": scene.analysis.model_copy(update=own)})
 
 
-def _long(scene: Scene) -> bool:
+def _long(scene: Resolved) -> bool:
     response = scene.platform and scene.platform.response
     irregular = isinstance(scene.wave, Storm) or (response and isinstance(response.wave, Storm))
     return bool(irregular) and (scene.analysis.duration or 0.0) > LONG_RECORD

@@ -12,7 +12,7 @@ from typing import Any
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sudden import sudden_starts
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter, error_of
@@ -45,7 +45,10 @@ FIRST_ORDER = 2.0  # by which each halving reduces an error
 
 
 def run(
-    scene: Scene, patience: float = math.inf, estimated: bool = True, notify: Notify | None = None
+    scene: Resolved,
+    patience: float = math.inf,
+    estimated: bool = True,
+    notify: Notify | None = None,
 ) -> Result:
     """Simulate a scene.
 
@@ -98,7 +101,7 @@ class Refinement:
     round; so an error that was seen long before the end is looked at again, by runs coarser in it alone.
     """
 
-    def __init__(self, scene: Scene, watch: Watch | None = None) -> None:
+    def __init__(self, scene: Resolved, watch: Watch | None = None) -> None:
         a = scene.analysis
         self.scene, self.watch = scene, watch or Watch()
         self.target = allowed_of(scene)
@@ -395,7 +398,7 @@ class Refinement:
         return max(error.get(name, 0.0) / limit for name, limit in self.target.items())
 
 
-def _longest_step(scene: Scene) -> float:
+def _longest_step(scene: Resolved) -> float:
     """The step that a refinement starts from (s): in turns of platform and riser, a whole part of one."""
     step = period(scene) / STEPS_A_PERIOD
     coupling = scene.vessel and scene.vessel.coupling

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation import outputs
 from riserstudy.simulation.equilibrium import settle
 
@@ -30,7 +30,7 @@ class Rest:
         When there is no equilibrium to be found.
     """
 
-    def __init__(self, scene: Scene, mesh: Mesh) -> None:
+    def __init__(self, scene: Resolved, mesh: Mesh) -> None:
         self.model, equilibrium = settle(scene, mesh)
         self.iterations = equilibrium.iterations
         self.arrays = outputs.at_rest(scene, self.model, mesh)

@@ -16,7 +16,7 @@ from riserstudy.model.model import Model
 from riserstudy.model.space_out import joint_of
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.limits import ANGLES
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sudden import sudden_wave
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
@@ -47,7 +47,7 @@ EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
 
 
 def single(
-    scene: Scene,
+    scene: Resolved,
     mesh: Mesh,
     step: float | None,
     everywhere: bool = False,
@@ -78,7 +78,7 @@ def single(
 
 
 def march(
-    scene: Scene,
+    scene: Resolved,
     mesh: Mesh,
     step: float | None,
     everywhere: bool = True,
@@ -132,7 +132,7 @@ def march(
     return Result(arrays, facts)
 
 
-def _facts_at_rest(scene: Scene, mesh: Mesh, rest: Rest) -> RunFacts:
+def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
     """What is known of a run before its first step."""
     facts: RunFacts = {
         "effects": {e.name: e.because for e in rest.model.effects},
@@ -151,7 +151,7 @@ def _facts_at_rest(scene: Scene, mesh: Mesh, rest: Rest) -> RunFacts:
     return facts
 
 
-def finish(scene: Scene, mesh: Mesh, result: Result) -> Result:
+def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
     """Enter forces, stresses, extremes and what there is to tell of strokes into a run of `march`."""
     started = clock.perf_counter()
     arrays, facts = result.arrays, result.facts
@@ -184,7 +184,7 @@ def fits(output: Output, duration: float, mesh: Mesh) -> bool:
 
 
 def in_motion(
-    scene: Scene,
+    scene: Resolved,
     model: Model,
     mesh: Mesh,
     step: float,
@@ -246,7 +246,7 @@ def in_motion(
 
 
 def _by_method(
-    scene: Scene,
+    scene: Resolved,
     model: Model,
     sides: Sides | None,
     mesh: Mesh,
@@ -280,7 +280,7 @@ def _by_method(
 
 
 def _peaks(
-    scene: Scene,
+    scene: Resolved,
     model: Model,
     mesh: Mesh,
     record: Frozen,
@@ -305,7 +305,7 @@ def _peaks(
     return within(histories, facts["peaks"], ANGLES if len(model.s.dim) == 3 else ())
 
 
-def begin(scene: Scene, model: Model, mesh: Mesh) -> None:
+def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:
     """Put the model where the scene wants it to start from, at time zero."""
     state, top = model.s, len(mesh.l0)
     if scene.analysis.start == "unstretched":

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.models import Scene
 from riserstudy.scene.outputs import wall_lacks
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.curve import curve_of
 from riserstudy.simulation.wall_stress import along_the_riser, nodes_of, wall_of
 from riserstudy.solve.record import NO_SECTION, Record, Section
@@ -18,12 +18,12 @@ FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
 
 
-def riser_foot(scene: Scene, mesh: Mesh) -> int:
+def riser_foot(scene: Resolved, mesh: Mesh) -> int:
     """The riser's lowest node: that of its inner flex joint, or its lower end."""
     return mesh.foot(scene.lowest_riser_section)
 
 
-def section_of(scene: Scene, mesh: Mesh, arrays: Arrays) -> Section:
+def section_of(scene: Resolved, mesh: Mesh, arrays: Arrays) -> Section:
     """What a record needs for shear and stress of the wall at every step; empty where there is neither.
 
     Parameters
@@ -113,7 +113,7 @@ def shear(arrays: Arrays, moment: FloatArray, spatial: bool) -> FloatArray:
 
 
 def derived(
-    scene: Scene, mesh: Mesh, arrays: Arrays, bent: FloatArray | None
+    scene: Resolved, mesh: Mesh, arrays: Arrays, bent: FloatArray | None
 ) -> tuple[Arrays, Arrays]:
     """Shear, stress of the wall and lower-end tension: at rest, and over time where all nodes have one.
 
@@ -149,7 +149,7 @@ def derived(
     return forces, histories
 
 
-def _stress(scene: Scene, mesh: Mesh, arrays: Arrays, ending: str) -> FloatArray:
+def _stress(scene: Resolved, mesh: Mesh, arrays: Arrays, ending: str) -> FloatArray:
     """Of the riser's nodes; a telescopic joint has none."""
     names = ("z", "effective_tension", "bending_moment")
     still = np.zeros_like(arrays["z" + ending])

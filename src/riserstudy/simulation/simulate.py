@@ -61,7 +61,7 @@ def simulate(
     if accuracy is not None:
         file = at_accuracy(file, f"{100 * accuracy!r} %")
     limit = seconds(patience)
-    checked = file.scene()
+    checked = file.resolved()
     with progress_line(progress) as notify:
         result = run(checked, limit, notify=notify)
     return to_dataset(result, file, absent(set(result.facts["effects"])))

@@ -7,14 +7,14 @@ import math
 import numpy as np
 
 from riserstudy.model.model import Model
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.modes import stable_step
 
 INSTANTS = 16  # of the longest period at which the platform's positions are looked at
 
 
-def explicit_limit(scene: Scene, model: Model) -> float:
+def explicit_limit(scene: Resolved, model: Model) -> float:
     """Stable explicit step (s): the shortest about the riser at rest under all positions of the platform.
 
     Springs that stiffen when they are pressed, gas and end stops, are stiffest where the platform is

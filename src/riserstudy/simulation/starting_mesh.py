@@ -14,7 +14,7 @@ from riserstudy.model.model import Model
 from riserstudy.model.sea import depth_of_action
 from riserstudy.model.soil import pile_length
 from riserstudy.model.vortices import shedding_period
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.half_waves import half_wave
 
@@ -24,7 +24,7 @@ OF_HALF_A_WAVE = 3  # segments of the coarsest mesh in half a wave of vortices
 QUIET = 20.0  # step is chosen as for this period where nothing in the scene has one (s)
 
 
-def coarsest_mesh(scene: Scene) -> Mesh:
+def coarsest_mesh(scene: Resolved) -> Mesh:
     """Coarse mesh, graded where held ends confine bending to a layer sqrt(EI/T), and under waves.
 
     Where vortices are shed, it resolves the waves that they send along the riser.
@@ -54,7 +54,7 @@ def coarsest_mesh(scene: Scene) -> Mesh:
     return graded(scene, fine, longest=longest) if confined else probe
 
 
-def _below_mudline(scene: Scene, k: int) -> bool:
+def _below_mudline(scene: Resolved, k: int) -> bool:
     """Whether the lower end of a section is in the soil."""
     if scene.soil is None or scene.bottom.elevation is None:
         return False
@@ -62,7 +62,7 @@ def _below_mudline(scene: Scene, k: int) -> bool:
     return scene.bottom.elevation + below < scene.soil.mudline
 
 
-def end_layers(scene: Scene) -> tuple[float, float]:
+def end_layers(scene: Resolved) -> tuple[float, float]:
     """Layers of bending at the lower and the upper end (m), infinite where an even mesh will do.
 
     Raises
@@ -76,11 +76,11 @@ def end_layers(scene: Scene) -> tuple[float, float]:
     return low, high
 
 
-def _end_layers(scene: Scene, model: Model, probe: Mesh) -> list[float]:
+def _end_layers(scene: Resolved, model: Model, probe: Mesh) -> list[float]:
     return [_end_layer(scene, model, probe, end) for end in (0, probe.ring - 1)]
 
 
-def _at_rest(scene: Scene) -> tuple[Model, Mesh]:
+def _at_rest(scene: Resolved) -> tuple[Model, Mesh]:
     """The scene in equilibrium on few even segments.
 
     So coarse a mesh may have none, or one that is unstable where the riser stands.
@@ -94,7 +94,7 @@ def _at_rest(scene: Scene) -> tuple[Model, Mesh]:
     return settle(scene, probe)[0], probe
 
 
-def _end_layer(scene: Scene, model: Model, probe: Mesh, end: int) -> float:
+def _end_layer(scene: Resolved, model: Model, probe: Mesh, end: int) -> float:
     """Layer of bending at an end, in the segment there; infinite where an even mesh will do."""
     rotation = (scene.bottom if end == 0 else scene.top).rotation
     held = rotation not in (None, "free") or (end > 0 and probe.joint)
@@ -120,13 +120,13 @@ def _layer(bending: float, tension: float) -> float:
     return math.sqrt(bending / tension) if bending > 0.0 and tension > 0.0 else math.inf
 
 
-def massless(scene: Scene) -> bool:
+def massless(scene: Resolved) -> bool:
     """Whether the string is a mere spring, which one segment represents exactly."""
     bare = all(s.mass is None and s.submerged_weight is None for s in scene.riser)
     return bare and not scene.lateral
 
 
-def period(scene: Scene) -> float:
+def period(scene: Resolved) -> float:
     """What a step must resolve (s): the shortest period of the scene, a fraction of the run without one."""
     shortest = scene.shortest_period or min(QUIET, 0.25 * (scene.analysis.duration or math.inf))
     return min(shortest, VORTEX * shedding_period(scene))

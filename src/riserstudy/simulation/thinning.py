@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.starting_mesh import period
 from riserstudy.simulation.vibration import since
 
@@ -14,7 +14,7 @@ STEPS = (
 )
 
 
-def thinned(scene: Scene, step: float | None) -> tuple[Scene, bool]:
+def thinned(scene: Resolved, step: float | None) -> tuple[Resolved, bool]:
     """The scene with every second, fourth, ... output left out, and whether any was.
 
     Powers of two, so that what is left of one run is among the outputs of any finer one. ``step`` is in s.

@@ -11,7 +11,7 @@ from typing import Any
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march
 from riserstudy.solve.program import Frozen
@@ -33,7 +33,7 @@ def steps_in(time: float, step: float) -> int:
 
 
 def march_on(
-    scene: Scene,
+    scene: Resolved,
     model: Model,
     mesh: Mesh,
     step: float,
@@ -71,7 +71,7 @@ def march_on(
 
 
 def method_of(
-    scene: Scene, mesh: Mesh, step: float, count: int, graded: int = 0
+    scene: Resolved, mesh: Mesh, step: float, count: int, graded: int = 0
 ) -> tuple[Any, Callable[..., int]]:
     """What describes a march of so many steps (s) by the scene's implicit method, and what marches."""
     a = scene.analysis

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import controlled
 from riserstudy.simulation.watch import size
@@ -19,7 +19,7 @@ def allowed(accuracy: float | None) -> dict[str, float]:
     return {"displacement": accuracy or DISPLACEMENT, "moment": moment, "tension": moment}
 
 
-def allowed_of(scene: Scene) -> dict[str, float]:
+def allowed_of(scene: Resolved) -> dict[str, float]:
     """Relative error that a scene requests, by quantity; of damage where it has details of fatigue."""
     accuracy = scene.analysis.accuracy
     return allowed(accuracy) | ({"damage": accuracy or DAMAGE} if scene.fatigue else {})
@@ -32,7 +32,7 @@ def add_error_of_outputs(result: Result) -> None:
         error["damage"] += max(row["error_of_outputs"] for row in result.facts["fatigue"])
 
 
-def check_error(result: Result, scene: Scene) -> None:
+def check_error(result: Result, scene: Resolved) -> None:
     """An error above the largest value itself means that nothing is known of it.
 
     A mesh and a step of the scene's own are kept, with a warning, and no limit is then met by the run.
@@ -55,7 +55,7 @@ def check_error(result: Result, scene: Scene) -> None:
     result.facts["warnings"].append(doubt)
 
 
-def raise_if_buckling(scene: Scene, finer: Result, excess: list[float]) -> None:
+def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> None:
     """A string without bending stiffness buckles at any wavelength: each finer mesh finds a shorter one.
 
     Parameters

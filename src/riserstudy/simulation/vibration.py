@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import ramp_of, shedding, shedding_period, slowest
 from riserstudy.scene.limits import ANGLES
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.vibration_statistics import (
     FIELDS,
     along,
@@ -29,7 +29,7 @@ FEWEST = 16  # outputs from which statistics are made
 STEPS, OUTPUTS = 20, 4  # a period of the vortices, at least
 
 
-def since(scene: Scene) -> float | None:
+def since(scene: Resolved) -> float | None:
     """Time from which on a run's vibration is judged (s); None where none is called for.
 
     Raises
@@ -50,7 +50,7 @@ def since(scene: Scene) -> float | None:
     return start
 
 
-def enter(scene: Scene, step: float, arrays: dict[str, Array], facts: RunFacts) -> None:
+def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFacts) -> None:
     """Enter a run's vibration into its facts: since when, root mean square, where it is largest, frequency.
 
     Steps (s) or outputs too long for its vortices are warned of; of the latter no frequency is taken.

@@ -9,7 +9,7 @@ estimated error, and where it alone exceeds the request, the run warns of it.
 from __future__ import annotations
 
 from riserstudy.dataset.result import Result
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.tolerance import in_words
 from riserstudy.simulation.watch import Watch
@@ -22,7 +22,7 @@ HALVINGS = (
 class VibrationRefinement(Refinement):
     """Halve mesh or step until their errors, chance aside, are below what is asked for."""
 
-    def __init__(self, scene: Scene, watch: Watch | None = None) -> None:
+    def __init__(self, scene: Resolved, watch: Watch | None = None) -> None:
         super().__init__(scene, watch)
         self.halvings = dict.fromkeys(self.ways, 0)
 

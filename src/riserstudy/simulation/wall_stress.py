@@ -24,9 +24,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.models import Scene
 from riserstudy.scene.outputs import wall_lacks
 from riserstudy.scene.pressures import pressures as columns_at_rest
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
@@ -94,7 +94,7 @@ def lame(
 
 
 def along_the_riser(
-    scene: Scene, mesh: Mesh, elevation: FloatArray, tension: FloatArray, moment: FloatArray
+    scene: Resolved, mesh: Mesh, elevation: FloatArray, tension: FloatArray, moment: FloatArray
 ) -> FloatArray:
     """Von Mises stress (Pa) at the nodes, (..., n + 1), not a number where a section does not tell it.
 
@@ -124,7 +124,7 @@ def nodes_of(mesh: Mesh, section: int) -> slice:
     return slice(first, first + int((mesh.section == section).sum()) + 1)
 
 
-def pressures(scene: Scene, mesh: Mesh, elevation: FloatArray) -> tuple[FloatArray, FloatArray]:
+def pressures(scene: Resolved, mesh: Mesh, elevation: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Gauge pressures (Pa) inside and outside at the nodes, both of the shape of the elevations (m)."""
     places = [nodes_of(mesh, k) for k in range(len(scene.riser))]
     return columns_at_rest(scene, places, elevation)

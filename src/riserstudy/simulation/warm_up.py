@@ -12,7 +12,7 @@ from riserstudy.effects.catalogue import catalogue
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.model.layout import directions
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.kernel_groups import GROUPS
 from riserstudy.simulation.refine import run
 
@@ -25,19 +25,19 @@ DATA_FILES = (
 )
 
 
-def scenes() -> dict[str, list[Scene]]:
+def scenes() -> dict[str, list[Resolved]]:
     """Small scenes that together have every effect, by group of kernels."""
     return {group: scenes_of(group) for group in GROUPS}
 
 
-def scenes_of(group: str) -> list[Scene]:
+def scenes_of(group: str) -> list[Resolved]:
     """Small scenes of one group of kernels."""
     path = Path(__file__).with_name("warm_up_scenes") / f"{group}.yaml"
     files: dict[str, SceneFile] = {}
     scenes = []
     for name, about in read_yaml(path).items():
         files[name] = file = _file(about, files, f"{path}: {name}")
-        scenes.append((_with_examples(file) if about.get("examples") else file).scene())
+        scenes.append((_with_examples(file) if about.get("examples") else file).resolved())
     return scenes
 
 
@@ -50,11 +50,11 @@ def _file(about: dict[str, Any], files: dict[str, SceneFile], where: str) -> Sce
 
 def _with_examples(file: SceneFile) -> SceneFile:
     """A scene with what effects name as an example of what calls for them, in the directions that it has."""
-    needed = directions(file.scene())
+    needed = directions(file.resolved())
     for effect in catalogue().values():
         if effect.example:
             more = file.with_values(dict(effect.example), "examples of effects")
-            file = more if directions(more.scene()) == needed else file
+            file = more if directions(more.resolved()) == needed else file
     return file
 
 

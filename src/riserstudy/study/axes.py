@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 
 MOST_VALUES = 1_000_000  # of an axis, and points of a study
@@ -56,9 +57,9 @@ class Numbers(Strict):
     def _fits(self) -> Self:
         numbers = self.numbers("standard")
         if not numbers or len(set(numbers)) != len(numbers):
-            raise ValueError("values: must be there, each once")
+            raise Misfit("values", "does not fit together", "must be there, each once")
         if self.preview and not set(self.preview) <= set(numbers):
-            raise ValueError("preview: must be some of the values")
+            raise Misfit("preview", "does not fit together", "must be some of the values")
         return self
 
     def numbers(self, tier: Tier) -> list[float]:
@@ -93,7 +94,7 @@ class Samples(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if missing := [tier for tier in TIERS if tier not in self.count]:
-            raise ValueError(f"count: no number for {missing[0]}")
+            raise Misfit("count", "does not fit together", f"no number for {missing[0]}")
         return self
 
 

@@ -6,6 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.study.axes import Tier
 from riserstudy.study.models import Name
@@ -42,9 +43,9 @@ class Config(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.tier not in self.tiers:
-            raise ValueError(f"tiers: needs {self.tier!r}, the tier to run")
+            raise Misfit("tiers", "does not fit together", f"needs {self.tier!r}, the tier to run")
         if len(set(self.papers)) != len(self.papers):
-            raise ValueError("papers: name each once")
+            raise Misfit("papers", "does not fit together", "name each once")
         if taken := RULES.intersection(self.papers):
-            raise ValueError(f"papers: {taken.pop()!r} is the name of a rule; take another")
+            raise Misfit("papers", f"{taken.pop()!r} is the name of a rule", "take another")
         return self

@@ -6,6 +6,7 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 
 Plot = Literal["lines", "heat map", "utilisation", "envelope", "time series", "workable hours"]
@@ -44,13 +45,17 @@ class FigureModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.plot and len(self.reads) != 1:
-            raise ValueError("plot: reads one dataset")
+            raise Misfit("plot", "does not fit together", "reads one dataset")
         if self.of and not self.plot:
-            raise ValueError("of: needs a plot to show them in")
+            raise Misfit("of", "does not fit together", "needs a plot to show them in")
         if self.of and self.plot == "utilisation":
-            raise ValueError("of: utilisation is that of all limits of the study")
+            raise Misfit(
+                "of", "does not fit together", "utilisation is that of all limits of the study"
+            )
         if self.of and self.plot in OF_SEAS:
-            raise ValueError(f"of: {self.plot} are those of all modes")
+            raise Misfit("of", "does not fit together", f"{self.plot} are those of all modes")
         if self.settings and self.plot:
-            raise ValueError("with: a plot that fits any grid takes no arguments")
+            raise Misfit(
+                "with", "does not fit together", "a plot that fits any grid takes no arguments"
+            )
         return self

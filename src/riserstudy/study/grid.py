@@ -19,7 +19,9 @@ from pydantic import create_model
 from riserstudy.errors import InputError
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.load import SceneFile, first_step
-from riserstudy.scene.models import Scene
+from riserstudy.scene.parts import Parts
+from riserstudy.scene.resolve import resolve
+from riserstudy.scene.rules import check_rules
 from riserstudy.scene.tables import fill_in_tables
 from riserstudy.study.store import COUNTS, key_of, key_of_texts, text_of
 
@@ -29,12 +31,12 @@ Sets = dict[str, Any]
 
 REMEMBERED = 10_000  # parts, about 5 kB each
 
-_FIELDS = Scene.model_fields
+_FIELDS = Parts.model_fields
 # for each part of a scene a model that has this part alone
 _FIELD: dict[str, Any] = {name: (about.annotation, about) for name, about in _FIELDS.items()}
 _ALONE = {name: create_model(name, __base__=Strict, **{name: _FIELD[name]}) for name in _FIELD}
 _NOTHING: dict[str, Any] = dict.fromkeys(_FIELDS)
-_EMPTY = Scene.model_construct(None, **_NOTHING)
+_EMPTY = Parts.model_construct(None, **_NOTHING)
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +100,7 @@ class Grid:
                 }
                 key = _key(parts)
             except (ValueError, KeyError, InputError):  # the whole scene tells best what is wrong
-                key = key_of(self.file(index).scene())
+                key = key_of(self.file(index).resolved())
             yield Point(index, key)
 
     @cached_property
@@ -132,7 +134,8 @@ class Grid:
 def _key(parts: dict[str, Part]) -> str:
     """Key of a scene of checked parts; ValueError when they do not fit together."""
     scene = _EMPTY.model_copy(update={name: part.value for name, part in parts.items()})
-    loaded = scene.fitted()  # which may replace parts by what they stand for
-    replaced = [name for name in COUNTS if getattr(loaded, name) is not parts[name].value]
+    check_rules(scene)
+    resolved = resolve(scene)  # which may replace parts by what they stand for
+    replaced = [name for name in COUNTS if getattr(resolved, name) is not parts[name].value]
     texts = {name: parts[name].text for name in COUNTS}
-    return key_of_texts(texts | {name: text_of(getattr(loaded, name)) for name in replaced})
+    return key_of_texts(texts | {name: text_of(getattr(resolved, name)) for name in replaced})

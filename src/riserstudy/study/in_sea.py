@@ -102,7 +102,7 @@ def _seas(file: SceneFile) -> dict[str, Storm]:
     InputError
         When there are none, or the scene has no time.
     """
-    scene = file.scene()
+    scene = file.resolved()
     response = scene.platform and scene.platform.response
     there = {"platform.response.wave": response and response.wave, "wave": scene.wave}
     seas = {path: sea for path, sea in there.items() if isinstance(sea, Storm)}

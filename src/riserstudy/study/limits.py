@@ -39,7 +39,7 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
     if "limits" not in study.base.tree:
         return
     rows = [
-        checked(file, file.scene(), result.facts)
+        checked(file, file.resolved(), result.facts)
         for file, result in zip(map(study.grid.file, _places(study)), results, strict=True)
     ]
     labels = [label(one) for one in rows[0]]
@@ -60,7 +60,7 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
 
 def uses(file: SceneFile, result: Result) -> dict[str, NDArray[Any]]:
     """What one run uses of each limit of its scene, by the name that ``add_limits`` gives it; (n,) each."""
-    rows = checked(file, file.scene(), result.facts)
+    rows = checked(file, file.resolved(), result.facts)
     return {
         name: np.array([getattr(one, of) for one in rows], kind)
         for name, (of, kind) in OVER_LIMITS.items()

@@ -18,6 +18,7 @@ from riserstudy.dataset.variables import (
     of_points,
     of_runs,
 )
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import unwrap
@@ -44,7 +45,7 @@ class Derived(Strict):
     @model_validator(mode="after")
     def _origins_are_whole(self) -> Self:
         for path, fault, allowed in unwrap(self.settings)[2]:
-            raise ValueError(f"with.{path}: {fault}; {allowed}")
+            raise Misfit(f"with.{path}", f"{fault}", allowed)
         return self
 
 
@@ -115,34 +116,36 @@ class StudyModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if PureWindowsPath(self.scene).anchor or ".." in PureWindowsPath(self.scene).parts:
-            raise ValueError("scene: must lie below the folder of the configuration")
+            raise Misfit(
+                "scene", "does not fit together", "must lie below the folder of the configuration"
+            )
         if "\\" in self.scene:
-            raise ValueError(
-                "scene: has a backslash; allowed is / between folders, on every system"
+            raise Misfit(
+                "scene", "has a backslash", "allowed is / between folders, on every system"
             )
         for name in self.keep or []:
             if not of_runs(name):
                 allowed = "allowed are " + ", ".join(sorted(OF_RUNS)) + ", each with endings"
-                raise ValueError(f"keep: runs return no {name!r}; {allowed}")
+                raise Misfit("keep", f"runs return no {name!r}", allowed)
         if self.settings and self.tuned:
-            raise ValueError(
-                "settings: tuned in the file, too; allowed is one of settings and tuned"
+            raise Misfit(
+                "settings", "tuned in the file, too", "allowed is one of settings and tuned"
             )
         if self.limits and "limits" in self.set:
-            raise ValueError("limits: stand in set, too; allowed is one of both")
+            raise Misfit("limits", "stand in set, too", "allowed is one of both")
         for name in self.axes:
             ours = name in DIMENSIONS or name in about_points()
             if ours or of_runs(name) or name.endswith(("_of_limit", "_of_statistic")):
-                raise ValueError(f"axes.{name}: the name of a variable of runs; take another")
+                raise Misfit(f"axes.{name}", "the name of a variable of runs", "take another")
             if self.modes and name in OF_MODES:
-                raise ValueError(f"axes.{name}: the name of a variable of modes; take another")
+                raise Misfit(f"axes.{name}", "the name of a variable of modes", "take another")
             if name.startswith("assumed_"):
-                raise ValueError(f"axes.{name}: samples have variables of such names; take another")
+                raise Misfit(f"axes.{name}", "samples have variables of such names", "take another")
         for (one, first), (other, second) in combinations(self._numbers.items(), 2):
             for path in first:
                 if any(meets(path, own) for own in second):
                     found = f"sets {path!r}, and so does axis {one!r}"
-                    raise ValueError(f"axes.{other}: {found}; allowed is a path of its own")
+                    raise Misfit(f"axes.{other}", found, "allowed is a path of its own")
         self._keep_apart()
         return self
 
@@ -165,7 +168,7 @@ class StudyModel(Strict):
                     if own == path or own.startswith((f"{path}.", f"{path}[")):
                         found = f"sets {path!r}, where {there}"
                         allowed = f"put axis {name!r} first, or leave the path to one of them"
-                        raise ValueError(f"axes.{name}.{label}: {found}; {allowed}")
+                        raise Misfit(f"axes.{name}.{label}", found, allowed)
             before |= {path: f"axis {name!r} has its own" for _, path in put}
 
 
@@ -236,11 +239,11 @@ class StudyFile(Strict):
     @model_validator(mode="after")
     def _names_are_known(self) -> Self:
         for fault in self._unknown_names():
-            raise ValueError(fault)
+            raise fault
         return self
 
-    def _unknown_names(self) -> Iterator[str]:
-        """What names something that the file does not have, as ``field: fault; allowed``."""
+    def _unknown_names(self) -> Iterator[Misfit]:
+        """What names something that the file does not have."""
         every: dict[str, StudyModel | SeasModel] = {
             f"studies.{n}": m for n, m in self.studies.items()
         }
@@ -251,38 +254,44 @@ class StudyFile(Strict):
                 for reading in [axis_name] if axis == "readings" else wanted:
                     if reading not in self.readings:
                         where = f"{name}.axes.{axis_name}"
-                        yield f"{where}: no readings {reading!r}; {_among(self.readings)}"
+                        yield Misfit(where, f"no readings {reading!r}", _among(self.readings))
         if self.in_motion and self.in_motion.study not in self.studies:
             found = f"no study {self.in_motion.study!r}"
-            yield f"in_motion.study: {found}; {_among(self.studies)}"
+            yield Misfit("in_motion.study", found, _among(self.studies))
         for name in sorted(set(self.schematics) & set(self.figures)):
-            yield f"schematics.{name}: a figure of that name; name it anew"
+            yield Misfit(f"schematics.{name}", "a figure of that name", "name it anew")
         for name in sorted(n for n in set(self.datasets) if self.datasets.count(n) > 1):
-            yield f"{name}: the name of two datasets; name one of them anew"
+            yield Misfit(name, "the name of two datasets", "name one of them anew")
         known = [*self.studies, *self.seas, *self.derived]
         for name, derived in self.derived.items():
             for source in sorted(set(derived.reads).difference(known)):
-                yield f"derived.{name}: no study or derived dataset {source!r}; {_among(known)}"
+                yield Misfit(
+                    f"derived.{name}", f"no study or derived dataset {source!r}", _among(known)
+                )
         try:
             [*TopologicalSorter({n: d.reads for n, d in self.derived.items()}).static_order()]
         except CycleError as error:
             ring = " reads ".join(reversed(error.args[1]))
-            yield f"derived: {ring}; allowed are datasets that are made before"
+            yield Misfit("derived", ring, "allowed are datasets that are made before")
         for name, figure in self.figures.items():
             for dataset in set(figure.reads).difference(self.datasets):
-                yield f"figures.{name}.reads: no dataset {dataset!r}; {_among(self.datasets)}"
+                yield Misfit(
+                    f"figures.{name}.reads", f"no dataset {dataset!r}", _among(self.datasets)
+                )
             if figure.plot and (figure.plot in OF_SEAS) != (figure.reads[0] in self.seas):
                 plots = OF_SEAS if figure.reads[0] in self.seas else set(NEEDS) - OF_SEAS
                 found = f"{figure.plot!r} does not fit {figure.reads[0]!r}"
-                yield f"figures.{name}.plot: {found}; {_among(plots)}"
+                yield Misfit(f"figures.{name}.plot", found, _among(plots))
             for quantity in figure.of or [] if set(figure.reads) <= set(self.studies) else []:
                 if not (of_runs(quantity) or of_points(quantity)):
-                    yield f"figures.{name}.of: studies have no {quantity!r}; {_among(OF_RUNS)}"
+                    yield Misfit(
+                        f"figures.{name}.of", f"studies have no {quantity!r}", _among(OF_RUNS)
+                    )
             for study in set(figure.reads).intersection(self.studies):
                 count, least = len(self.studies[study].axes), NEEDS.get(figure.plot or "lines", 0)
                 if figure.plot and count < least:
                     found = f"{study!r} has {count} axes"
-                    yield f"figures.{name}.plot: {found}; allowed are {least} or more"
+                    yield Misfit(f"figures.{name}.plot", found, f"allowed are {least} or more")
 
 
 def _among(names: Iterable[str]) -> str:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.variables import ENDINGS, of_points
 from riserstudy.errors import InputError
-from riserstudy.scene.models import Scene
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.scene.resolve import Resolved
 from riserstudy.study.axes import Samples
 from riserstudy.study.figures import FigureModel, Plot
 from riserstudy.study.study import Study
@@ -41,17 +43,28 @@ _AHEAD = ("platform_speed", "riser_reaction", "environment_force")
 _MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift", "stroke")
 
 
-def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[str]:
-    """Why a figure's plot cannot show what it names, a line each; nothing where only runs can say."""
+ANOTHER = "name another quantity or plot"
+
+
+class Unshown(NamedTuple):
+    """Why a plot does not show a quantity, and what it may show."""
+
+    why: str
+    allowed: str = ANOTHER
+
+
+def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[Misfit]:
+    """Why a figure's plot cannot show what it names; nothing where only runs can say."""
     (name, *_) = figure.reads
     if figure.plot is None or name not in studies:
         return
     wanted = figure.of or []
     for quantity in wanted:
-        if why := unshown(figure.plot, quantity, studies[name]):
-            yield f"{quantity!r} {why}"
+        if fault := unshown(figure.plot, quantity, studies[name]):
+            yield Misfit("of", f"{quantity!r} {fault.why}", fault.allowed)
     if not wanted and not shows(figure.plot, studies[name]):
-        yield f"the runs of {name!r} return nothing that {_a(figure.plot)} shows"
+        found = f"the runs of {name!r} return nothing that {_a(figure.plot)} shows"
+        yield Misfit("of", found, ANOTHER)
 
 
 def shows(plot: Plot, study: Study) -> bool:
@@ -61,20 +74,22 @@ def shows(plot: Plot, study: Study) -> bool:
     return any(not unshown(plot, quantity, study) for quantity in USUAL[plot])
 
 
-def unshown(plot: Plot, quantity: str, study: Study) -> str:
-    """Why a plot cannot show a quantity of a study; "" where it can, or where only runs can say."""
+def unshown(plot: Plot, quantity: str, study: Study) -> Unshown | None:
+    """Why a plot cannot show a quantity of a study; None where it can, or where only runs can say."""
     stem = next((quantity.removesuffix(e) for e in ENDINGS if quantity.endswith(e)), quantity)
     over_grid = plot in ("lines", "heat map")
     if of_points(quantity):
-        return "" if over_grid else f"is one number a point, which {_a(plot)} does not show"
+        return (
+            None if over_grid else Unshown(f"is one number a point, which {_a(plot)} does not show")
+        )
     if plot == "envelope" and stem not in ALONG:
-        return f"has no values along the riser; allowed are {', '.join(ALONG)}"
+        return Unshown("has no values along the riser", f"allowed are {', '.join(ALONG)}")
     if plot == "time series" and (quantity != stem or stem in ALONG[-2:]):
-        return "has no history; lines and envelopes show extremes"
+        return Unshown("has no history", "lines and envelopes show extremes")
     if quantity.endswith("_static") and stem.startswith(_MOVING):
-        return "has no value at rest"
+        return Unshown("has no value at rest")
     if plot == "envelope" and quantity.endswith("_absmax") and stem not in SIGNED:
-        return "has no largest size along the riser: its sign means something"
+        return Unshown("has no largest size along the riser: its sign means something")
     if not _is_kept(plot, quantity, stem, study):
         kept = study.model.keep
         has = (
@@ -82,7 +97,7 @@ def unshown(plot: Plot, quantity: str, study: Study) -> str:
             if kept
             else "at rest it has no extremes"
         )
-        return f"is not kept; {has}"
+        return Unshown("is not kept", has)
     return _uncalled(plot, quantity, stem, study)
 
 
@@ -108,18 +123,19 @@ def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
     return there(quantity, stem)
 
 
-def _uncalled(plot: Plot, quantity: str, stem: str, study: Study) -> str:
-    """What no run of a study has, for it to return a quantity; "" where one may have it."""
+def _uncalled(plot: Plot, quantity: str, stem: str, study: Study) -> Unshown | None:
+    """What no run of a study has, for it to return a quantity; None where one may have it."""
     scenes = [*_scenes(study)]
     if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):
-        return f"has no history: the runs of {study.name!r} are at rest"
+        return Unshown(f"has no history: the runs of {study.name!r} are at rest")
     of = QUANTITIES.get(stem)
     if of and scenes and not any(map(of.is_in, scenes)):
-        return f"is not returned by runs of {study.name!r}, whose scene has no {of.needs}"
-    return ""
+        why = f"is not returned by runs of {study.name!r}, whose scene has no {of.needs}"
+        return Unshown(why)
+    return None
 
 
-def _scenes(study: Study) -> Iterator[Scene]:
+def _scenes(study: Study) -> Iterator[Resolved]:
     """Scenes of a study that differ in what they have; none where one of them cannot be meant.
 
     Numbers on an axis change no more than the first of them; samples may take parts in and out.
@@ -133,7 +149,7 @@ def _scenes(study: Study) -> Iterator[Scene]:
         labels = len(study.axes[name]) if not hasattr(axes[name], "path") else 1
         places += [[*first[:number], k, *first[number + 1 :]] for k in range(1, labels)]
     try:
-        scenes = [study.grid.file(tuple(place)).scene() for place in places]
+        scenes = [study.grid.file(tuple(place)).resolved() for place in places]
     except InputError:  # planning says what is wrong
         return
     yield from scenes

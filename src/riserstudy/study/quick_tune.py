@@ -47,7 +47,7 @@ class QuickTuner(Tuner):
         """
         self.notify(f"a request and a finer run at index {index}")
         file = self.study.grid.file(index).with_values(FREE, "tune")
-        scene = file.with_values(self.request, "--accuracy").scene()
+        scene = file.with_values(self.request, "--accuracy").resolved()
         refinement = Refinement(scene)
         requested = refinement.result()
         mesh = refinement.finest_mesh if massless(scene) else refinement.finest_mesh.halved()
@@ -65,7 +65,7 @@ class QuickTuner(Tuner):
         SimulationError
             When none takes less than requests.
         """
-        scenes = [place.file.scene() for place in places]
+        scenes = [place.file.resolved() for place in places]
         best, least = None, sum(place.work_of_request for place in places)
         finest = max(place.best.facts["elements"] for place in places) // 2
         counts = [_halvable(count) for count in meshes(scenes, finest)[::-2][::-1]]
@@ -83,7 +83,7 @@ class QuickTuner(Tuner):
         """Largest error that a point estimates with a setting, over the accuracy (1); infinite: it fails."""
         file = self.study.grid.file(index).with_values(FREE, "tune")
         try:
-            result = run(file.with_values(setting.values, "tune").scene())
+            result = run(file.with_values(setting.values, "tune").resolved())
         except SimulationError:
             return math.inf
         error = result.facts["error_estimate"]

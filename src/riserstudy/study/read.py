@@ -45,10 +45,7 @@ def read_studies(config: Path, paper: str) -> StudyFile:
         return file.model_copy(update={"figures": figures})
     for name, figure in file.figures.items():
         for fault in faults(figure, studies):
-            found, _, allowed = fault.partition("; ")
-            raise InputError(
-                path, f"figures.{name}.of", found, allowed or "name another quantity or plot"
-            )
+            raise InputError(path, f"figures.{name}.{fault.path}", fault.found, fault.allowed)
     return file
 
 

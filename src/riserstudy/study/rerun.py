@@ -72,7 +72,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
         point.get("error_estimated", np.isfinite(point.get("error_displacement", 0.0)))
     )
     file = scene_file_of(dataset, index)
-    result = run(file.scene(), estimated=estimated)
+    result = run(file.resolved(), estimated=estimated)
     limits = uses(file, result) if "limit" in point.dims else {}
     modes = _modes(file, point)
     whole = to_dataset(result, file, absent(set(result.facts["effects"])))

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.units import to_si
 from riserstudy.study.axes import Axis, AxisName
@@ -74,11 +75,15 @@ class SeasModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.headings and HEADING in self.axes:
-            raise ValueError(f"axes.{HEADING}: headings give it; allowed is one of both")
+            raise Misfit(f"axes.{HEADING}", "headings give it", "allowed is one of both")
         if isinstance(self.record, str):
             path = PureWindowsPath(self.record)
             if path.anchor or ".." in path.parts:
-                raise ValueError("record: must lie below the folder of the configuration")
+                raise Misfit(
+                    "record",
+                    "does not fit together",
+                    "must lie below the folder of the configuration",
+                )
         for text in self.windows:
             to_si(text, "s")
         return self

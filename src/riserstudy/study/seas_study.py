@@ -91,7 +91,7 @@ class SeasStudy:
         for point in self.parts.plan:
             file = self.parts.grid.file(point.index)
             phases_of(file, 1)  # refuses a scene without a sea or a time
-            if not file.scene().limits:
+            if not file.resolved().limits:
                 raise InputError(
                     self.settings.where, "limits", "none", "give what the riser may do"
                 )

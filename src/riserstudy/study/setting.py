@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from riserstudy.scene.analysis import GeneralisedAlpha
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.starting_mesh import end_layers, massless, period
 from riserstudy.simulation.time_stepping import RHO_INF, STIFF
 
@@ -55,7 +55,7 @@ class Setting:
         return self.elements * METHODS[self.method][1] / self.step
 
 
-def own_setting(scene: Scene) -> Setting | None:
+def own_setting(scene: Resolved) -> Setting | None:
     """The setting that a scene has; None where it has none, or one of a method that is not tried."""
     a = scene.analysis
     method: Any = a.method or (STIFF if scene.events else "generalised-alpha")
@@ -68,7 +68,7 @@ def own_setting(scene: Scene) -> Setting | None:
     return Setting(a.mesh.elements, tuple(lengths), a.step, method)
 
 
-def layers_of(scenes: list[Scene], own: Setting | None) -> list[Layers]:
+def layers_of(scenes: list[Resolved], own: Setting | None) -> list[Layers]:
     """Ways to grade a mesh: evenly, by the thinnest layers of some scenes, by those of a setting."""
     ends = zip(*map(end_layers, scenes), strict=True)
     thinnest = zip(ENDS, map(min, ends), strict=True)
@@ -76,7 +76,7 @@ def layers_of(scenes: list[Scene], own: Setting | None) -> list[Layers]:
     return list(dict.fromkeys([(), graded, own.layers if own else ()]))
 
 
-def meshes(scenes: list[Scene], finest: int) -> list[int]:
+def meshes(scenes: list[Resolved], finest: int) -> list[int]:
     """Numbers of segments to try, up to about the finest."""
     if massless(scenes[0]):
         return [len(scenes[0].riser)]
@@ -84,7 +84,7 @@ def meshes(scenes: list[Scene], finest: int) -> list[int]:
     return sorted({round(COARSE * FINER**k) for k in range(count)})
 
 
-def steps(scenes: list[Scene]) -> list[float]:
+def steps(scenes: list[Resolved]) -> list[float]:
     """Steps to try (s), the longest first, to two digits."""
     shortest = min(map(period, scenes))
     count = math.ceil(math.log(SHORT / LONG) / math.log(SHORTER)) + 1

@@ -191,7 +191,7 @@ def _by_nearest(study: Study, points: list[Point], serves: dict[int, bool]) -> l
 
 def exceeds(study: Study, facts: dict[str, Any]) -> bool:
     """Whether a run estimates an error above what a study requests; not where it estimates none."""
-    target = allowed_of(study.base.scene())
+    target = allowed_of(study.base.resolved())
     error = facts.get("error_estimate", {})
     return any(error.get(name, 0.0) > limit for name, limit in target.items())
 

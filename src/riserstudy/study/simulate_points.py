@@ -120,7 +120,7 @@ def _simulate(study: Study, point: Point) -> SimulationError | None:
     file, keep = study.grid.file(point.index), study.model.keep
     try:
         if study.model.modes is None or _lacks_run(study, point, store.get(point.key, keep)):
-            result = run(file.scene(), estimated=has_error_estimate(study, point))
+            result = run(file.resolved(), estimated=has_error_estimate(study, point))
             store.put(point.key, result, file, keep)
         if lacks_modes(study, point):
             make_modes(study, point, file)

@@ -26,7 +26,7 @@ from pydantic import BaseModel
 from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
 from riserstudy.folders import cache_folder, write_whole
-from riserstudy.scene.models import Scene
+from riserstudy.scene.parts import Parts
 from riserstudy.study.needed import needed
 from riserstudy.study.packs import Packs, write_pack
 
@@ -62,7 +62,7 @@ def canonical(value: Any) -> Any:
 _to_json = json.JSONEncoder(sort_keys=True).encode
 
 #: parts of a scene that a simulation depends on, as keys order them
-COUNTS = tuple(sorted(set(Scene.model_fields) - {"title", "note", "paper", "limits"}))
+COUNTS = tuple(sorted(set(Parts.model_fields) - {"title", "note", "paper", "limits"}))
 
 
 def text_of(part: Any) -> str:
@@ -77,7 +77,7 @@ def key_of_texts(texts: dict[str, str]) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 
-def key_of(scene: Scene) -> str:
+def key_of(scene: Parts) -> str:
     """Hash of a checked scene and the engine; titles and notes do not count."""
     return key_of_texts({name: text_of(getattr(scene, name)) for name in COUNTS})
 

@@ -150,7 +150,7 @@ class Study:
             ends = [{0, *(range(n) if n <= ALL_OF else (n - 1,))} for n in lengths]
             first = (0,) * len(lengths)
             places = {(*first[:a], k, *first[a + 1 :]) for a, end in enumerate(ends) for k in end}
-            scenes = [self.grid.file(place).scene() for place in places or {first}]
+            scenes = [self.grid.file(place).resolved() for place in places or {first}]
             kinds = [group_of, *([group_of_modes] if self.model.modes else [])]
             return sorted({group(scene) for group in kinds for scene in scenes})
 

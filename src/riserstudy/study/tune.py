@@ -18,7 +18,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.refine import Refinement, run
 from riserstudy.simulation.run import single
@@ -154,7 +154,7 @@ class Tuner:
         own = (self.study.base.tree.get("analysis") or {}).get("accuracy")
         wanted = self.accuracy or own
         self.request = {"analysis.accuracy": wanted} if wanted else {}
-        self.target = allowed_of(free.with_values(self.request, "--accuracy").scene())
+        self.target = allowed_of(free.with_values(self.request, "--accuracy").resolved())
 
     def place(self, index: Index) -> Place:
         """A point with a run to compare others with.
@@ -168,7 +168,7 @@ class Tuner:
         where = f"{self.study.where}: at index {at}"
         self.notify(f"a request and a finer run at index {at}")
         file = self.study.grid.file(index).with_values(FREE, "tune")
-        scene = file.with_values(self.request, "--accuracy").scene()
+        scene = file.with_values(self.request, "--accuracy").resolved()
         try:
             refinement = Refinement(scene)
             requested = refinement.result()
@@ -208,7 +208,7 @@ class Tuner:
         if key not in self.known:
             try:
                 result = run(
-                    place.file.with_values(setting.values, "tune").scene(), estimated=False
+                    place.file.with_values(setting.values, "tune").resolved(), estimated=False
                 )
             except SimulationError:
                 self.known[key] = (math.inf, math.inf)
@@ -238,7 +238,7 @@ class Tuner:
         SimulationError
             When none does.
         """
-        scenes = [place.file.scene() for place in places]
+        scenes = [place.file.resolved() for place in places]
         own = self.own
         best: Setting | None = None
         least = sum(
@@ -267,7 +267,7 @@ class Tuner:
     @property
     def own(self) -> Setting | None:
         """The setting that the study has."""
-        return own_setting(self.study.base.scene())
+        return own_setting(self.study.base.resolved())
 
     def _along_border(
         self, every: list[list[Setting]], places: list[Place], least: float
@@ -277,7 +277,7 @@ class Tuner:
         None where none needs less work than the least that is known.
         """
         best, n, k = None, len(every) - 1, 0
-        seconds = sum(place.file.scene().analysis.duration or 0.0 for place in places)
+        seconds = sum(place.file.resolved().analysis.duration or 0.0 for place in places)
         while n >= 0 and k < len(every[n]):
             setting, work = every[n][k], math.inf
             if setting.least_work * seconds < least:
@@ -311,7 +311,7 @@ class Tuner:
         )
 
 
-def _finer(scene: Scene, mesh: Mesh, requested: Result) -> Result:
+def _finer(scene: Resolved, mesh: Mesh, requested: Result) -> Result:
     """A run on segments a quarter as long as a request's, by half its step with the fourth-order method.
 
     With events the request is by that method already; the step is a quarter then.

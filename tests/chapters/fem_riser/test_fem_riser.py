@@ -38,7 +38,7 @@ def base(request):
     [("R1", 0.3, 0.3), ("R2", 0.7, 0.7), ("R3", 0.7, 1.0)],
 )
 def test_a_buoyant_factor_gives_weight_and_tension_in_each_reading(base, reading, left, held):
-    scene = base.with_values({"buoyancy.reading": reading}, "test").scene()
+    scene = base.with_values({"buoyancy.reading": reading}, "test").resolved()
     outer, inner = 0.25 * np.pi * 0.5334**2, 0.25 * np.pi * 0.4826**2
     inside = 1200.0 * inner * 9.81
     dry = 7850.0 * (outer - inner) * 9.81 + inside
@@ -49,7 +49,7 @@ def test_a_buoyant_factor_gives_weight_and_tension_in_each_reading(base, reading
 
 def test_the_drift_carries_water_across_the_wind_and_none_along_it(base):
     """Ekman's transport tau / (rho f), by depth integrals; at the surface both parts are alike."""
-    drift = base.scene().current.profile.sum[1]
+    drift = base.resolved().current.profile.sum[1]
     strength = drift.wind_speed / np.sqrt(np.sin(drift.latitude))
     surface, depth = drift.surface_factor * strength, drift.depth_factor * strength
     z = np.linspace(-12.0 * depth, 0.0, 400_001)
@@ -69,7 +69,7 @@ def test_the_drift_carries_water_across_the_wind_and_none_along_it(base):
 
 
 def test_the_current_is_tide_and_drift(base):
-    scene = base.scene()
+    scene = base.resolved()
     z, speed = current_table(scene.current, scene.water)
     drift = profile(scene.current.profile.sum[1], (0.0, 2000.0), z)
     np.testing.assert_allclose(speed, 0.75 * (z / 2000.0) ** 0.142857 + drift, atol=1e-12)
@@ -132,7 +132,7 @@ def test_stress_follows_the_diameters_of_each_sample(base):
 
 def test_both_sizes_of_pipe_meet_the_water_with_their_own_diameter(base):
     for label, sets in read_studies(CONFIG, "fem_riser").readings["outer_diameter"].items():
-        section = base.with_values(sets, "test").scene().riser[0]
+        section = base.with_values(sets, "test").resolved().riser[0]
         found = {section.outer_diameter, section.drag.diameter, section.added_mass.diameter}
         assert found == {to_si(label, "m")}
 
@@ -249,7 +249,7 @@ def test_a_sample_is_one_sea_and_riser_in_all_studies_and_drifts_by_one_share_of
     for name, model in studies.studies.items():
         if "sample" in model.axes:
             study = Study("fem_riser", name, model, CONFIG, "standard", None, studies.readings)
-            length = study.base.scene().riser[0].length
+            length = study.base.resolved().riser[0].length
             drawn[name] = study.assumed(model.axes["sample"])[:16], length
     assert len(drawn) == 9
     shares, others = [], []

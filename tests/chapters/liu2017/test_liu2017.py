@@ -110,14 +110,14 @@ def test_strokes_and_stresses_are_of_the_size_and_sign_of_a_drive_off():
 @pytest.mark.parametrize("depth, by_hand", [(1.0, 20.081e3), (5.0, 82.486e3), (60.0, 765.35e3)])
 def test_ultimate_resistance_is_matlocks_in_closed_numbers(depth, by_hand):
     """min(3 s_u + g z + J s_u z / D, 9 s_u) D with s_u of 4.5, 10.5 and 93 kPa; the last flows around."""
-    clay = load_scene(REF).scene().soil.resistance
+    clay = load_scene(REF).resolved().soil.resistance
     found = ultimate_resistance(clay, np.array([depth]), 0.9144)
     assert found[0] == pytest.approx(by_hand, rel=1e-4)
 
 
 def test_springs_of_the_scene_yield_as_the_clay_and_at_its_y50():
     """y50 = 2.5 e50 D is 45.7 mm; half of p_u acts there, all of it at eight times that."""
-    scene = load_scene(REF).scene()
+    scene = load_scene(REF).resolved()
     soil = springs(scene.soil, scene.riser, even(scene, 1000), scene.bottom.elevation)
     assert soil.y50 == pytest.approx(np.full(len(soil.y50), 45.72e-3))
     z = np.linspace(0.0, 70.0, 7001)
@@ -136,7 +136,7 @@ STEEL, WATER = 7850.0, 1025.0  # kg/m3
 def test_weight_and_length_go_with_the_mass_that_is_sampled(reading, section):
     """Steel weighs 1 - 1025/7850 of its mass in water, and the upper flex joint stays L above the BOP."""
     for sets in FILE.readings[reading].values():
-        scene = read_scene(REF).with_values(sets, "test").scene()
+        scene = read_scene(REF).with_values(sets, "test").resolved()
         part = scene.riser[section]
         assert part.submerged_weight == pytest.approx(
             part.mass * 9.81 * (1 - WATER / STEEL), rel=1e-3
@@ -151,7 +151,7 @@ def test_the_joint_goes_no_further_than_its_printed_limit():
     """At the stop the riser's own stiffness, a tenth of the stop's, takes the rest."""
     sets = {"analysis.mesh.elements": 60, "analysis.step": "0.1 s", "analysis.duration": "90 s"}
     run_to_stop = simulate(
-        read_scene(REF).with_values(sets, "test").scene(), estimated=False
+        read_scene(REF).with_values(sets, "test").resolved(), estimated=False
     ).arrays
     assert 9.9 < run_to_stop["stroke"].max() < 10.0
     assert run_to_stop["effective_tension"][:, -1].max() > 1.2 * TENSION

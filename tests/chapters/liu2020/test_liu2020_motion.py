@@ -103,7 +103,7 @@ def test_the_stress_of_a_sample_is_that_of_the_last_wave_below_its_own_ring(monk
         },
         {"sample": [0, 1], "motion": list(sizes), "wave_period": periods, "time": time, "s": s},
     )
-    scene = load_scene(SYSTEM).scene()
+    scene = load_scene(SYSTEM).resolved()
     monkeypatch.setattr(liu2020_motion, "scenes_of", lambda _: iter([({}, scene)]))
     found = rao_readings(runs)
     modulus = section(scene)[1]
@@ -246,7 +246,7 @@ def test_every_sample_pulls_the_printed_tension(name):
     samples = read_study(CONFIG, "liu2020", name, "standard", None)
     others = (0,) * (len(samples.axes) - 1)
     for k in range(0, len(samples.axes["sample"]), 16):
-        scene = samples.grid.file((k, *others)).scene()
+        scene = samples.grid.file((k, *others)).resolved()
         rig = scene.top.tensioners
         gas, where = rig.two_chamber_gas, rig.arrangement
         assert gas.high.pressure - gas.low.pressure == pytest.approx(1.93e6)
@@ -269,7 +269,8 @@ def test_what_is_left_open_keeps_the_riser_in_the_plane(name):
     others = (0,) * (len(samples.axes) - 1)
     assert len(samples.axes["sample"]) >= 128
     spatial = {
-        samples.grid.file((k, *others)).scene().spatial for k in range(len(samples.axes["sample"]))
+        samples.grid.file((k, *others)).resolved().spatial
+        for k in range(len(samples.axes["sample"]))
     }
     assert spatial == {""}
 

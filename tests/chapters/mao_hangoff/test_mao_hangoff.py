@@ -223,7 +223,7 @@ def test_cylinders_that_work_share_the_weight():
 def hung_off(length, mass, more=None):
     sets = {"riser[0].length": f"{length} m", "bottom.body.mass": f"{mass} t"}
     scene = read_scene(CONFIG / "scenes" / PAPER / "hang_off.yaml")
-    return scene.with_values(sets | (more or {}), "test").scene()
+    return scene.with_values(sets | (more or {}), "test").resolved()
 
 
 def test_heave_that_loses_tension_lies_where_the_straight_line_from_rest_does():

@@ -54,7 +54,7 @@ def test_a_string_bends_at_its_guide_alone(tmp_path):
 def test_a_guide_is_there_where_something_moves_aside(tmp_path, offset, there):
     file = tmp_path / "scene.yaml"
     file.write_text(SCENE.replace(", offset: 0.5 m", offset))
-    scene = load_scene(file).scene()
+    scene = load_scene(file).resolved()
     assert ("guide" in [effect.name for effect in build(scene, even(scene, 10)).effects]) == there
 
 
@@ -64,4 +64,4 @@ def test_a_guide_at_a_held_end_is_refused(tmp_path):
         SCENE.replace("length: 60 m,", "length: 60 m, guide_below: {stiffness: 2 kN/m},")
     )
     with pytest.raises(InputError, match="guide a section above"):
-        load_scene(file).scene()
+        load_scene(file).resolved()

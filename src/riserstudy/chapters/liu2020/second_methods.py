@@ -15,7 +15,7 @@ from scipy.integrate import solve_bvp
 
 from riserstudy.model.sea import current_table
 from riserstudy.scene.ends import FlexJoint
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 FloatArray = NDArray[np.float64]
 ELEMENTS = 400
@@ -42,7 +42,7 @@ class Beamlike(NamedTuple):
         return self.tension - self.weight * (self.length - s)
 
 
-def beamlike(scene: Scene) -> Beamlike:
+def beamlike(scene: Resolved) -> Beamlike:
     """Numbers of a scene."""
     pipe = scene.riser[0]
     if not (scene.top.tension and scene.current and scene.water and pipe.drag):

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.describe import scenes_of
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 
 def largest_rise(heave: xr.Dataset) -> xr.DataArray:
@@ -25,7 +25,7 @@ def hanging(heave: xr.Dataset) -> xr.DataArray:
     return xr.DataArray(elevations.reshape(points.shape), points.coords, points.dims)
 
 
-def _elevation(scene: Scene) -> float:
+def _elevation(scene: Resolved) -> float:
     """Of a uniform riser of one section: the stretch is (W + w L / 2) L / (E A)."""
     (pipe,), body = scene.riser, scene.bottom.body
     if body is None or scene.water is None or pipe.outer_diameter is None:

@@ -37,7 +37,8 @@ def recomputed(config: Path, study: str, wanted: Sequence[Wanted]) -> xr.Dataset
 
     chosen = tenth(wanted)
     off = [
-        deviation(read(config, study, one.case, one.file.scene()), one.compute()) for one in chosen
+        deviation(read(config, study, one.case, one.file.resolved()), one.compute())
+        for one in chosen
     ]
     words = "difference from the kept solution over the estimated errors of both"
     deviations = ("recomputed", off, {"units": "1", "long_name": words})

@@ -42,7 +42,7 @@ LEAST, MOST = 2, 8  # refinements
 
 def none(case: str, file: SceneFile, why: str) -> Kept:
     """A case that has no reference, and why."""
-    return Kept(case, scene_digest(file.scene()), PHYSICS, engine_digest(), "", missing=why)
+    return Kept(case, scene_digest(file.resolved()), PHYSICS, engine_digest(), "", missing=why)
 
 
 def converged(
@@ -54,7 +54,7 @@ def converged(
     ----------
     mesh : that of the run; None: as its segments say, which a graded mesh follows less smoothly.
     """
-    scene = whole(file.scene())
+    scene = whole(file.resolved())
     mesh, step = mesh or mesh_of(scene, first), first.facts.get("step")
     change: dict[str, float] = {}
     best, runs = first, 0
@@ -70,7 +70,7 @@ def converged(
         return none(case, file, tried.message)
     return Kept(
         case,
-        scene_digest(file.scene()),
+        scene_digest(file.resolved()),
         PHYSICS,
         engine_digest(),
         method_of(recipe, best),

@@ -6,7 +6,7 @@ import hashlib
 import json
 from typing import Any
 
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.study.store import COUNTS, canonical
 
 #: Version of the physics. Raise it when the exact solution of a scene changes (a law, a load, a meaning of a
@@ -17,7 +17,7 @@ PHYSICS = 1
 HOW = frozenset({"mesh", "step", "method", "solver", "accuracy"})
 
 
-def scene_digest(scene: Scene) -> str:
+def scene_digest(scene: Resolved) -> str:
     """Hash of a scene without mesh, step, method and requested accuracy, 32 hexadecimal digits.
 
     Fields that are absent do not count: a field that scenes may have from now on changes nothing.

@@ -12,7 +12,7 @@ from riserstudy.numerics.reference.folder import path_of
 from riserstudy.numerics.reference.identity import PHYSICS, scene_digest
 from riserstudy.numerics.reference.kept import Damaged, Kept, packed, unpacked
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 REMEDY = "Run `make references`."
 
@@ -29,7 +29,7 @@ class Wanted(NamedTuple):
     compute: Callable[[], Kept]
 
 
-def read(config: Path, study: str, case: str, scene: Scene) -> Kept:
+def read(config: Path, study: str, case: str, scene: Resolved) -> Kept:
     """The reference solution of a case, as it is kept.
 
     Parameters

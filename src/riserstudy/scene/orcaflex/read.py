@@ -75,7 +75,7 @@ def read_deck(path: Path) -> Imported:
         for part in deck.parts(key):
             if not part.apart and not part.taken - {"Name"} and not part.below:
                 part.apart = "nothing of the riser refers to it"
-    SceneFile(str(path), unwrap(tree)[0]).scene()
+    SceneFile(str(path), unwrap(tree)[0]).resolved()
     return Imported(tree, left_out(deck))
 
 

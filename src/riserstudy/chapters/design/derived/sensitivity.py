@@ -10,7 +10,7 @@ import xarray as xr
 from riserstudy.chapters.design.derived.operability import allowed
 from riserstudy.chapters.design.derived.tension import window_of
 from riserstudy.dataset.describe import described, scenes_of
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.units import to_si
 
 PAPER = "design"
@@ -48,11 +48,11 @@ def sensitivity(
     return described(made, PAPER, "what the assumed inputs do")
 
 
-def _gap(scene: Scene, settings: dict[str, Any]) -> float:
+def _gap(scene: Resolved, settings: dict[str, Any]) -> float:
     return window_of(scene, settings, settings["failed"]).gap
 
 
-def _room(scene: Scene, settings: dict[str, Any]) -> float:
+def _room(scene: Resolved, settings: dict[str, Any]) -> float:
     from riserstudy.design.operability import AtRest, offsets_at  # which loads kernels
 
     limits = [limit for limit in scene.limits or [] if limit.mode == MODE]

@@ -12,7 +12,7 @@ from riserstudy.design import tension
 from riserstudy.design.tension import Rig, Tolerances
 from riserstudy.design.window import WEIGHED, Ceiling, Window, lift_off, window
 from riserstudy.design.window import window_of as window_of_scene
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.units import to_si
 
 PAPER = "design"
@@ -90,7 +90,7 @@ def tension_window(muds: xr.Dataset, failed: list[int], **settings: Any) -> xr.D
     return described(made, PAPER, "window of the tension setting")
 
 
-def window_of(scene: Scene, settings: dict[str, Any], failed: int) -> Window:
+def window_of(scene: Resolved, settings: dict[str, Any], failed: int) -> Window:
     """The window of a scene's setting with so many units out.
 
     Parameters
@@ -105,7 +105,7 @@ def window_of(scene: Scene, settings: dict[str, Any], failed: int) -> Window:
 
 
 def _window(
-    scene: Scene, settings: dict[str, Any], failed: int, needed: float, weighed: float
+    scene: Resolved, settings: dict[str, Any], failed: int, needed: float, weighed: float
 ) -> Window:
     """The window by the vertical tensions (N) of weights with tolerances, and of weights as told."""
     off = lift_off(scene, to_si(settings["overpull"], "N"), weighed)

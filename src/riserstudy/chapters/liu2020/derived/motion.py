@@ -13,7 +13,7 @@ from riserstudy.chapters.liu2020.below_ring import RING, at_depths, first_at, on
 from riserstudy.chapters.liu2020.periods import beats, first_harmonic, half_swing, settling
 from riserstudy.dataset.describe import described, sampled, scenes_of
 from riserstudy.model.rao import operator
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 PAPER = "liu2020"
 SURGE_PERIOD = 15.0  # s
@@ -253,7 +253,7 @@ def fibre_stress(runs: xr.Dataset, ring: xr.DataArray | None = None) -> xr.DataA
     return on_riser(runs["effective_tension"], up_to) / area + side * bending
 
 
-def section(scene: Scene) -> tuple[float, float]:
+def section(scene: Resolved) -> tuple[float, float]:
     """Area (m2) and section modulus (m3) of the riser's pipe."""
     pipe = scene.riser[0]
     outer, inner = pipe.outer_diameter or 0.0, pipe.inner_diameter or 0.0

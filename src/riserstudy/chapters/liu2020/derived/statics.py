@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from riserstudy.chapters.liu2020.below_ring import on_riser, ring_of
 from riserstudy.dataset.describe import described, sampled, scenes_of
-from riserstudy.scene.models import Scene
+from riserstudy.scene.resolve import Resolved
 
 PAPER = "liu2020"
 #: of which cylinders each calibration makes the printed force
@@ -98,7 +98,7 @@ def _force(runs: xr.Dataset) -> xr.DataArray:
 
 
 def pushed_back(
-    scene: Scene, pull: NDArray[np.float64], x: NDArray[np.float64], z: NDArray[np.float64]
+    scene: Resolved, pull: NDArray[np.float64], x: NDArray[np.float64], z: NDArray[np.float64]
 ) -> float:
     """Horizontal force of all cylinders against +x (N).
 

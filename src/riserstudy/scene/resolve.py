@@ -1,0 +1,119 @@
+"""The scene as the model needs it: what its parts stand for put in their place.
+
+Each step takes a scene and returns one; what follows from several parts is done here, once.
+"""
+
+from __future__ import annotations
+
+from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.ends import TensionLoss
+from riserstudy.scene.forcing import Translation
+from riserstudy.scene.parts import Parts
+from riserstudy.scene.waterline import cut
+from riserstudy.scene.weight import dressed, weighed
+
+
+class Resolved(Parts):
+    """A scene in which nothing is left to work out: sections have weights, releases have times."""
+
+
+def resolve(scene: Parts) -> Resolved:
+    """What the parts of a scene that fit together stand for.
+
+    Raises
+    ------
+    Misfit
+        Where what follows from them cannot be.
+    """
+    resolved = Resolved.model_construct(scene.model_fields_set, **dict(scene))
+    for step in (_loaded, _sections, _carried, _timed, _valved, _with_rigid_body):
+        resolved = step(resolved)
+    return resolved
+
+
+def _loaded(scene: Resolved) -> Resolved:
+    """The scene with the weights and the top tension that a buoyant factor stands for."""
+    if scene.buoyancy is None:
+        return scene
+    path, sections = "buoyancy", scene.riser
+    if scene.gravity is None or not all(s.mass for s in sections):
+        found, also = "needs gravity, and the mass of every section", ("gravity", "riser")
+        raise Misfit(path, found, "add them, or leave buoyancy out", also)
+    if any(s.modules or s.lines for s in sections):
+        found, remedy = "stands beside modules or lines of sections", "give one of them"
+        raise Misfit(path, found, remedy, ("riser",))
+    if any(s.submerged_weight is not None for s in sections) or scene.top.tension is not None:
+        found = "stands beside submerged_weight or top.tension, which it gives"
+        raise Misfit(path, found, "give one of them", ("riser", "top.tension"))
+    if scene.top.z != "free" or scene.top.tensioners:
+        found, remedy = "gives the top tension", "needs 'top.z: free' without tensioners"
+        raise Misfit(path, found, remedy, ("top.z", "top.tensioners"))
+    riser, tension = scene.buoyancy.loads(sections, scene.gravity)
+    top = scene.top.model_copy(update={"tension": tension})
+    return scene.model_copy(update={"riser": riser, "top": top})
+
+
+def _sections(scene: Resolved) -> Resolved:
+    """The scene with sections cut where they leave the water, weighed, and with modules and lines on them."""
+    for sections in (cut, weighed, dressed):
+        riser = sections(scene)
+        scene = scene if riser is scene.riser else scene.model_copy(update={"riser": riser})
+    return scene
+
+
+def _carried(scene: Resolved) -> Resolved:
+    """The scene with the straight lines of tensioners that are set to the weight on them."""
+    rig, path = scene.top.tensioners, "top.tensioners.carried"
+    if rig is None or rig.carried is None:
+        return scene
+    if scene.bottom.hold != "free":
+        found, remedy = "needs a riser that hangs", "write 'bottom.hold: free'"
+        raise Misfit(path, found, remedy, ("bottom.hold",))
+    if scene.gravity is None:
+        raise Misfit(path, "needs gravity", "add gravity", ("gravity",))
+    weight, mass = scene.hanging
+    if weight <= 0.0:
+        raise Misfit(path, f"{weight:g} N hangs on them", "must be above 0 N", ("riser",))
+    top = scene.top.model_copy(update={"tensioners": rig.carrying(weight, mass)})
+    return scene.model_copy(update={"top": top})
+
+
+def _timed(scene: Resolved) -> Resolved:
+    """The scene with the time of the release that a phase of heave stands for."""
+    release, path = scene.disconnect, "disconnect.phase"
+    if release is None or release.phase is None:
+        return scene
+    heave = scene.platform.heave if scene.platform else None
+    if not isinstance(heave, Translation):
+        found, also = "needs platform.heave, one harmonic", ("platform.heave",)
+        raise Misfit(path, found, "give it, or the time in its place", also)
+    timed = release.timed(heave.period, heave.phase or 0.0)
+    if not timed.at < (scene.analysis.duration or 0.0):
+        found, remedy = f"comes at {timed.at:g} s", "must be before the end of analysis.duration"
+        raise Misfit(path, found, remedy, ("analysis.duration", "platform.heave"))
+    return scene.model_copy(update={"disconnect": timed})
+
+
+def _valved(scene: Resolved) -> Resolved:
+    """The scene with the tension that valves leave after the release."""
+    release = scene.disconnect
+    if release is None or release.valve is None or not scene.top.tension:
+        return scene
+    left = 1.0 - release.valve.hold * scene.hanging[0] / scene.top.tension
+    if not left > 0.0:
+        hanging = f"{release.valve.hold:g} of the {scene.hanging[0]:.4g} N that hang"
+        found = f"{hanging} is no less than top.tension"
+        allowed = f"allowed is less than {scene.top.tension:.4g} N"
+        raise Misfit("disconnect.valve.hold", found, allowed, ("top.tension",))
+    share = (1.0 - (release.valve.failed or 0.0)) * left
+    loss = TensionLoss.model_construct(share=share, at=release.at, over=release.valve.over)
+    return scene.model_copy(update={"top": scene.top.model_copy(update={"tension_loss": loss})})
+
+
+def _with_rigid_body(scene: Resolved) -> Resolved:
+    """The scene with a section below the riser for the body that turns with its end."""
+    body = scene.bottom.body
+    if body is None or not body.reach:
+        return scene
+    rigid = scene.riser[0].rigid(body.name, body.reach)
+    return scene.model_copy(update={"riser": [rigid, *scene.riser]})

@@ -1,0 +1,81 @@
+"""Whether a run can be made of the scene: how long it is, how it starts, where it is looked at."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.analysis import MOST_PERIODS
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from riserstudy.scene.parts import Parts
+
+
+def stations(scene: Parts) -> Iterator[Misfit]:
+    """Histories are kept of places on the riser."""
+    joint = scene.top.telescopic_joint
+    length = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)
+    places = (scene.analysis.output and scene.analysis.output.stations) or []
+    for s in places:
+        if not 0.0 <= s <= length * (1.0 + 1e-9):
+            remedy = f"allowed is from 0 to {length:g} m"
+            yield Misfit(
+                "analysis.output.stations", f"{s:g} m is not on the riser", remedy, ("riser",)
+            )
+
+
+def gauge(scene: Parts) -> Iterator[Misfit]:
+    """Stress needs a section with a wall."""
+    section = scene.analysis.output and scene.analysis.output.stress_in
+    walls = [s.name for s in scene.riser if s.young_modulus]
+    if section and section not in walls:
+        found = f"no section {section!r} with young_modulus and diameters"
+        remedy = "leave it out: no section has them"
+        allowed = f"allowed are {', '.join(map(repr, walls))}" if walls else remedy
+        yield Misfit("analysis.output.stress_in", found, allowed, ("riser",))
+
+
+def ends(scene: Parts) -> Iterator[Misfit]:
+    """A step that is chosen is a share of the shortest period: more of these than any run could end with."""
+    duration, shortest = scene.analysis.duration, scene.shortest_period
+    if duration is None or shortest is None or scene.analysis.step is not None:
+        return
+    if duration / MOST_PERIODS > shortest:
+        found = (
+            f"{duration:g} s holds more than {MOST_PERIODS} periods of {shortest:g} s, the shortest of "
+            "platform and waves"
+        )
+        remedy = "take a shorter duration or a longer period"
+        yield Misfit("analysis.duration", found, remedy, ("platform", "wave"))
+
+
+def starts_gently(scene: Parts) -> Iterator[Misfit]:
+    """Accuracy is not requested where an end starts with a speed.
+
+    It sends waves of all lengths along the riser: what is not damped is nothing to refine to.
+    """
+    a = scene.analysis
+    if a.duration is None or a.mesh is not None or not any(s.mass for s in scene.riser):
+        return
+    damped = all(s.structural_damping for s in scene.riser)
+    release, later = scene.disconnect, a.output and a.output.start
+    if release and release.over is None and not damped:
+        yield Misfit(
+            "disconnect",
+            "lets go at once: tensions of an undamped riser then have no peak that a finer mesh and step "
+            "would settle",
+            "give disconnect.over, structural_damping, or analysis.mesh and step",
+        )
+    if scene.platform is None or (damped and later):
+        return
+    for line, motion in scene.platform.sudden:
+        if (scene.top.z if motion == "heave" else scene.top.x) in ("platform", "vessel"):
+            yield Misfit(
+                f"platform.{line}",
+                "starts from rest with a speed: moments and tensions then have no peaks that a finer mesh "
+                "and step would settle",
+                "give it a ramp, or structural_damping and a later analysis.output.start, or analysis.mesh "
+                "and step",
+            )

@@ -1,0 +1,93 @@
+"""Whether a current is given where the riser is, and acts on something."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.forcing import Shape
+from riserstudy.scene.geometry import ROUNDED, span
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from riserstudy.scene.forcing import Current
+    from riserstudy.scene.parts import Parts
+
+
+def acts(scene: Parts) -> Iterator[Misfit]:
+    """A current acts by drag alone."""
+    in_water = any(s.drag for s in scene.riser) or (scene.vessel and scene.vessel.hull_drag)
+    if scene.current and not in_water:
+        found = "needs a riser section with drag, or a vessel with hull_drag"
+        yield Misfit("current", found, "add one, or leave current out", ("riser", "vessel"))
+
+
+def levels(scene: Parts) -> Iterator[Misfit]:
+    """Depths and shapes count from levels of the sea."""
+    water, flow = scene.water, scene.current
+    if flow is None or water is None:
+        return
+    if flow.by_depth and water.surface is None:
+        found = "depths need water.surface"
+        yield Misfit("current.profile", found, "add it, or give elevations", ("water.surface",))
+    if None not in (water.surface, water.seabed):
+        return
+    for part in flow.parts:
+        if not (isinstance(part, Shape) and None not in (part.seabed, part.surface)):
+            found, also = "needs water.surface and water.seabed", ("water.surface", "water.seabed")
+            yield Misfit("current.profile", found, "add both", also)
+            return
+
+
+def covers(scene: Parts) -> Iterator[Misfit]:
+    """A current says what it is all along the riser in the water."""
+    flow, ends = scene.current, span(scene)
+    if flow is None:
+        return
+    yield from _in_water(scene, flow)
+    given = _levels(scene, flow)
+    if flow.beyond is not None or given is None or ends is None:
+        return  # end values hold, or the sea's levels bound it, or a hanging riser is anywhere
+    low, high = given
+    seabed, surface = (scene.water.seabed, scene.water.surface) if scene.water else (None, None)
+    needs_low = ends.bottom if seabed is None else max(ends.bottom, seabed)
+    needs_high = ends.top if surface is None else min(ends.top, surface)
+    slip = min(ROUNDED, 0.01 * (ends.top - ends.bottom))
+    if low > needs_low + slip or high < needs_high - slip:
+        yield Misfit(
+            "current.profile",
+            f"reaches from {low:g} m to {high:g} m of elevation, the riser in water from {needs_low:g} m to "
+            f"{needs_high:g} m",
+            "give the rest of the profile, or say what holds there, as 'current.beyond: hold' (its end "
+            "values) or 'zero' (still water)",
+            ("water", "riser", "bottom.elevation", "top.elevation"),
+        )
+
+
+def _in_water(scene: Parts, flow: Current) -> Iterator[Misfit]:
+    """Points by elevation lie in the water, wherever end values hold: depths typed there would not."""
+    surface = scene.water.surface if scene.water else None
+    points = flow.profile if isinstance(flow.profile, list) else []
+    elevations = [point.elevation for point in points if point.elevation is not None]
+    if surface is not None and elevations and min(elevations) >= surface:
+        yield Misfit(
+            "current.profile",
+            f"says nothing of the water: its elevations are from {min(elevations):g} m to "
+            f"{max(elevations):g} m, the surface is at {surface:g} m",
+            "allowed are points below it, or 'depth'",
+            ("water.surface",),
+        )
+
+
+def _levels(scene: Parts, flow: Current) -> tuple[float, float] | None:
+    """Elevations between which a current is given (m); None where the sea's own levels bound it."""
+    if isinstance(flow.profile, list):
+        z, _ = flow.table(scene.water)
+        return z[0], z[-1]
+    lows = [low for part in flow.parts if (low := getattr(part, "seabed", None)) is not None]
+    highs = [high for part in flow.parts if (high := getattr(part, "surface", None)) is not None]
+    if not lows and not highs:
+        return None
+    return max(lows, default=-math.inf), min(highs, default=math.inf)

@@ -1,0 +1,34 @@
+"""How the riser's ends are held."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.inputs.misfit import Misfit
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from riserstudy.scene.parts import Parts
+
+
+def held(scene: Parts) -> Iterator[Misfit]:
+    """A riser is held at one end at least, where its file says."""
+    bottom, top = scene.bottom, scene.top
+    if bottom.hold == "free" and top.z == "free" and not top.tensioners:
+        remedy = "hold one, or hang the top on tensioners"
+        yield Misfit("bottom.hold", "both ends are free", remedy, ("top.z", "top.tensioners"))
+    if scene.lateral and top.x is None:
+        yield Misfit("top.x", f"is needed, because of {scene.lateral}", "add it", (scene.lateral,))
+    if top.z != "free" and bottom.hold == "free" and top.elevation is None:
+        remedy = "add it"
+        yield Misfit(
+            "top.elevation", "a riser that hangs needs top.elevation", remedy, ("bottom.hold",)
+        )
+    for name in ("x", "z"):
+        if scene.platform is None and getattr(top, name) == "platform":
+            found, remedy = "top is on the platform: needs platform", "add platform"
+            yield Misfit(f"top.{name}", found, remedy, ("platform",))
+    if top.telescopic_joint and top.telescopic_joint.mid_stroke and bottom.hold == "free":
+        found, remedy = "needs a lower end that is held", "give the joint's length alone"
+        yield Misfit("top.telescopic_joint.mid_stroke", found, remedy, ("bottom.hold",))

@@ -1,0 +1,158 @@
+"""Whether lengths and elevations close: a slip of a unit or a sign must not become a riser.
+
+What is refused cannot be built: a riser that does not reach from end to end, or a top or a foot far from
+the sea's levels. Where a scene gives no levels nothing is compared with them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.alike import alike
+from riserstudy.scene.geometry import ROUNDED, length_of, span
+from riserstudy.scene.soil import TabulatedSoil
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from riserstudy.scene.parts import Parts
+    from riserstudy.scene.riser import Section
+
+STRETCH = 0.01  # share of its length that a held riser is off, at most: steel yields at 0.003
+SLIDES = 0.003  # the same below a telescopic joint, whose length is given
+FAR = 0.5  # share of its length by which no riser is held aside, and cables that hang slack are
+STACK = 50.0  # m, the tallest wellhead, BOP and LMRP below a riser's lower end
+DECK = 100.0  # m, the highest deck above the sea
+KEEL = 30.0  # m, the deepest keel below it, from which a riser may hang
+ENDS = ("bottom.elevation", "top.elevation")
+
+
+def names(scene: Parts) -> Iterator[Misfit]:
+    """Sections are told apart by their names."""
+    for name, count in Counter(section.name for section in scene.riser).items():
+        if count > 1:
+            found = f"{count} sections are named {name!r}"
+            yield Misfit("riser", found, "give each section a name of its own")
+
+
+def reaches(scene: Parts) -> Iterator[Misfit]:
+    """A riser held at both ends is as long as they are apart; what is no riser may hang slack.
+
+    That is a string without bending, or a cable whose ends are far aside of each other.
+    """
+    top, bottom = scene.top.elevation, scene.bottom.elevation
+    if top is None or bottom is None:
+        return
+    upright, length = abs(top - bottom), length_of(scene)
+    platform = scene.platform and scene.platform.position
+    aside = math.hypot(
+        (scene.top.offset or 0.0) + ((platform and platform.surge) or 0.0),
+        (platform and platform.sway) or 0.0,
+    )
+    apart, joint = math.hypot(upright, aside), scene.top.telescopic_joint
+    spare = (SLIDES if joint else STRETCH) * length + ROUNDED
+    stiff = all(s.young_modulus or s.bending_stiffness for s in scene.riser)
+    fault, allowed = "", ""
+    if length < upright - spare or (joint is None and length < apart - spare):
+        fault, allowed = "short", f"from {upright - spare:.6g} m"
+    elif stiff and aside < FAR * length and length > apart + spare:
+        fault, allowed = "long", f"up to {apart + spare:.6g} m"
+    if fault:
+        yield Misfit(
+            "riser",
+            f"{length:.6g} m{', with top.telescopic_joint,' if joint else ''} is too {fault} between "
+            f"bottom.elevation {bottom:g} m and top.elevation {top:g} m, {apart:.6g} m apart",
+            f"allowed is {allowed}: check lengths, elevations and their units",
+            (*ENDS, "top.telescopic_joint", "top.offset", "platform.position"),
+        )
+
+
+def filled(scene: Parts) -> Iterator[Misfit]:
+    """Contents are one column, full from end to end, that stands up to one level."""
+    levels = {k: s.contents.level for k, s in enumerate(scene.riser) if s.contents}
+    highest = max(levels, default=-1)
+    path = f"riser[{highest}].contents.level"
+    for k, level in levels.items():
+        if level is not None and not alike([level, levels[highest]]):
+            found = (
+                f"{level:g} m is another than that of the highest section with contents, "
+                f"{scene.riser[highest].name!r}"
+            )
+            remedy = "allowed is that one's: it counts alone"
+            yield Misfit(f"riser[{k}].contents.level", found, remedy, (path,))
+    bottom, level = scene.bottom.elevation, levels.get(highest)
+    if level is None or bottom is None:
+        return
+    upper = bottom + sum(section.total_length for section in scene.riser[: highest + 1])
+    if level < upper - ROUNDED - SLIDES * (upper - bottom):
+        found = f"{level:g} m is below the section's upper end at {upper:g} m"
+        remedy = "allowed is from there: contents fill a section from end to end"
+        yield Misfit(path, found, remedy, ("bottom.elevation",))
+
+
+def levels(scene: Parts) -> Iterator[Misfit]:
+    """The upper end is between keel and deck of a platform afloat, the lower end at or above the seabed."""
+    ends = span(scene)
+    if scene.water is None or ends is None:
+        return
+    surface, seabed = scene.water.surface, scene.water.seabed
+    drawn = min(ROUNDED, 0.01 * (ends.top - ends.bottom))
+    if surface is not None and not surface - KEEL <= ends.top <= surface + DECK:
+        yield Misfit(
+            "water.surface",
+            f"{surface:g} m, but the riser's upper end is at {ends.top:g} m",
+            f"allowed is from {KEEL:g} m below the surface to {DECK:g} m above it: check water.surface, "
+            "elevations and lengths",
+            (*ENDS, "riser"),
+        )
+    if seabed is None:
+        return
+    if scene.bottom.hold != "foot" and ends.bottom < seabed - drawn:
+        yield Misfit(
+            "water.seabed",
+            f"{seabed:g} m, but the riser's lower end is at {ends.bottom:g} m, below it",
+            "allowed below the seabed is the foot of a conductor alone ('bottom.hold: foot')",
+            (*ENDS, "riser"),
+        )
+    if scene.bottom.hold == "wellhead" and ends.bottom > seabed + STACK:
+        yield Misfit(
+            "water.seabed",
+            f"{seabed:g} m, but the riser's lower end is held at {ends.bottom:g} m",
+            f"allowed is up to {STACK:g} m above the seabed: check water.seabed and bottom.elevation",
+            (*ENDS, "riser"),
+        )
+
+
+def foot(scene: Parts) -> Iterator[Misfit]:
+    """The mudline lies on the sections below the flex joint, and not above the sea's bed."""
+    ends, soil = span(scene), scene.soil
+    if soil is None or ends is None:
+        return
+    low: dict[int, Section] = {}
+    head, mudline = ends.bottom, soil.mudline
+    for k, section in enumerate(scene.riser[: max(scene.lowest_riser_section, 1)]):
+        if head < mudline:
+            low[k] = section
+        head += section.total_length
+    if not ends.bottom < mudline <= head + ROUNDED:
+        found = f"{mudline:g} m is not on the sections below the flex joint, or the lowest one"
+        remedy = f"allowed is above {ends.bottom:g} m and up to {head:g} m"
+        yield Misfit("soil.mudline", found, remedy, (*ENDS, "riser"))
+    for k, section in low.items():
+        if section.outer_diameter is None:
+            found = f"soil needs the outer_diameter of section {section.name!r}"
+            yield Misfit(f"riser[{k}].outer_diameter", found, "add it", ("soil",))
+    deepest = mudline - ends.bottom
+    if isinstance(soil.resistance, TabulatedSoil):
+        depths = [*soil.resistance.curves]
+        if depths[0] > 0.0 or depths[-1] < deepest - ROUNDED:
+            found = f"reaches from {depths[0]:g} m to {depths[-1]:g} m below the mudline"
+            remedy = f"allowed is from 0 m to the foot, {deepest:g} m"
+            yield Misfit("soil.resistance.table", found, remedy, ("soil.mudline", *ENDS))
+    seabed = scene.water.seabed if scene.water else None
+    if seabed is not None and mudline > seabed + ROUNDED:
+        found = f"{mudline:g} m lies above water.seabed {seabed:g} m"
+        yield Misfit("soil.mudline", found, "allowed is up to the seabed", ("water.seabed",))

@@ -1,0 +1,74 @@
+"""Whether limits and fatigue have places on the riser, and what their outputs need."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.fatigue import A_PERIOD
+from riserstudy.scene.outputs import wall_lacks
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from riserstudy.scene.fatigue import Detail
+    from riserstudy.scene.parts import Parts
+
+
+def limits(scene: Parts) -> Iterator[Misfit]:
+    """Limits hold at sections that there are, for outputs that count from where they say."""
+    names = [section.name for section in scene.riser]
+    for k, limit in enumerate(scene.limits or []):
+        try:
+            limit.sections(names)
+        except Misfit as fault:
+            yield fault.below(f"limits[{k}].at")
+        if limit.output == "stroke" and scene.top.telescopic_joint:
+            found = "'stroke' counts from the static state"
+            remedy = "write 'joint_stroke', which counts from the joint's length"
+            yield Misfit(f"limits[{k}].output", found, remedy, ("top.telescopic_joint",))
+
+
+def fatigue(scene: Parts) -> Iterator[Misfit]:
+    """Stress of each detail recurs, and outputs show its peaks."""
+    a = scene.analysis
+    if scene.fatigue is None:
+        return
+    if a.duration is None or a.output is None:
+        found, also = "needs analysis.duration", ("analysis.duration",)
+        yield Misfit("fatigue", found, "add it: statics have no cycles", also)
+        return
+    if a.solver:
+        yield Misfit(
+            "fatigue", "not with analysis.solver", "leave out the solver", ("analysis.solver",)
+        )
+    if scene.events or scene.top.tension_loss:
+        found, remedy = "not with events such as a disconnect", "leave them out: they do not recur"
+        yield Misfit("fatigue", found, remedy, ("disconnect", "top"))
+    shortest = scene.shortest_period
+    if shortest and a.output.interval > shortest / A_PERIOD:
+        found = f"{a.output.interval:g} s cuts off peaks of stress, whose fatigue is computed"
+        remedy = (
+            f"allowed are {A_PERIOD} outputs in the shortest period, {shortest / A_PERIOD:.3g} s"
+        )
+        yield Misfit("analysis.output.interval", found, remedy, ("fatigue", "wave", "platform"))
+    known: set[str] = set()
+    for k, detail in enumerate(scene.fatigue.details):
+        if detail.name in known:
+            yield Misfit(
+                f"fatigue.details[{k}].name", f"{detail.name!r} is there before", "give another"
+            )
+        known.add(detail.name)
+        yield from (fault.below(f"fatigue.details[{k}]") for fault in _detail(scene, detail))
+
+
+def _detail(scene: Parts, detail: Detail) -> Iterator[Misfit]:
+    """A detail stands where the stress of the wall is known."""
+    try:
+        names = detail.sections([section.name for section in scene.riser])
+    except Misfit as fault:
+        yield fault.below("at")
+        return
+    lacking = [lack for s in scene.riser if s.name in names for lack in wall_lacks(scene, s)]
+    if detail.face is not None and lacking:
+        yield Misfit("face", f"stress of the wall lacks {lacking[0]}", "give it")

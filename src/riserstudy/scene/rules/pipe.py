@@ -1,0 +1,89 @@
+"""What sections of the riser and bodies on it need."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.alike import alike
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from riserstudy.scene.parts import Parts
+
+
+def bends(scene: Parts) -> list[bool]:
+    """Whether each section has bending stiffness."""
+    return [bool(s.young_modulus or s.bending_stiffness) for s in scene.riser]
+
+
+def water(scene: Parts) -> Iterator[Misfit]:
+    """Drag, added mass and a current are those of water."""
+    if scene.water is not None:
+        return
+    for k, section in enumerate(scene.riser):
+        for name in ("drag", "tangential_drag", "added_mass"):
+            if getattr(section, name):
+                yield Misfit(
+                    f"riser[{k}].{name}", "needs water", "add water, or leave it out", ("water",)
+                )
+    if scene.current:
+        yield Misfit("current", "needs water", "add water, or leave current out", ("water",))
+
+
+def gravity(scene: Parts) -> Iterator[Misfit]:
+    """What weighs needs gravity."""
+    if scene.gravity is None:
+        filled = [f"riser[{k}].contents" for k, s in enumerate(scene.riser) if s.contents]
+        rig = scene.top.tensioners
+        heavy = [*filled, *(["top.tensioners.piston_mass"] if rig and rig.piston_mass else [])]
+        for path in heavy:
+            yield Misfit(path, "needs gravity", "add gravity, or leave it out", ("gravity",))
+    if scene.gravity is not None and scene.water is not None:
+        return
+    for end, body in (("bottom", scene.bottom.body), ("top", scene.top.body)):
+        if body and (body.displaced_volume is not None or body.density):
+            found = "displaced_volume or density needs gravity and water"
+            yield Misfit(f"{end}.body", found, "add both, or leave it out", ("gravity", "water"))
+
+
+def mass(scene: Parts) -> Iterator[Misfit]:
+    """What moves has mass, and what is lost over time needs time."""
+    if scene.analysis.duration and not (
+        all(s.mass for s in scene.riser) or scene.top.body or scene.bottom.body
+    ):
+        remedy = "give every section its mass, or an end a body"
+        yield Misfit("riser", "dynamics need mass", remedy, ("analysis.duration",))
+    if scene.top.tension_loss and scene.analysis.duration is None:
+        found = "needs analysis.duration"
+        yield Misfit("top.tension_loss", found, "statics are before it", ("analysis.duration",))
+
+
+def bending(scene: Parts) -> Iterator[Misfit]:
+    """Moments and damping are passed on through all sections."""
+    stiff = bends(scene)
+    if any(stiff) and not all(stiff):
+        found = f"{scene.riser[stiff.index(False)].name!r} has no bending stiffness, others have"
+        yield Misfit("riser", found, "give bending stiffness to all sections or to none")
+    damping = [s.structural_damping for s in scene.riser]
+    if not alike(d.time if d else None for d in damping):
+        found = "structural_damping differs"
+        yield Misfit("riser", found, "structural_damping must be the same in all sections")
+    if scene.top.telescopic_joint and not all(stiff):
+        found, remedy = "needs bending stiffness in the riser", "give it to all sections"
+        yield Misfit("top.telescopic_joint", found, remedy, ("riser",))
+
+
+def joint(scene: Parts) -> Iterator[Misfit]:
+    """A flex joint and a guide stand between two sections."""
+    joints = [k for k, s in enumerate(scene.riser) if s.flex_joint_below]
+    if joints and (not all(bends(scene)) or len(joints) > 1 or joints[0] == 0):
+        found = (
+            f"{len(joints)} in the riser" if len(joints) > 1 else "not between sections that bend"
+        )
+        remedy = "allowed is one, between sections that bend; the lower end has bottom.rotation"
+        yield Misfit(f"riser[{joints[-1]}].flex_joint_below", found, remedy)
+    if scene.riser[0].guide_below and scene.bottom.hold != "free":
+        found, remedy = "the bottom is held there", "guide a section above"
+        yield Misfit("riser[0].guide_below", found, remedy, ("bottom.hold",))

@@ -1,0 +1,106 @@
+"""What happens at a time of the run: a disconnect, its valves, and losses of tension at once."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.alike import alike
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from riserstudy.scene.disconnect import RecoilValve
+    from riserstudy.scene.parts import Parts
+
+
+def disconnect(scene: Parts) -> Iterator[Misfit]:
+    """A riser is let go at its wellhead, and its valves act on tensioners that there are."""
+    release = scene.disconnect
+    if release is None:
+        return
+    if scene.bottom.hold != "wellhead":
+        found, remedy = "needs 'bottom.hold: wellhead', which lets go", "hold the lower end so"
+        yield Misfit("disconnect", found, remedy, ("bottom.hold",))
+    if scene.bottom.body and scene.bottom.body.reach:
+        found, remedy = "needs a body at a point", "leave out bottom.body's reach"
+        yield Misfit("disconnect", found, remedy, ("bottom.body.reach",))
+    if release.valve and (scene.top.tension is None or scene.top.tension_loss):
+        found, remedy = "valve needs top.tension", "give it, without a tension_loss of its own"
+        yield Misfit("disconnect.valve", found, remedy, ("top.tension", "top.tension_loss"))
+    if release.recoil_valve:
+        yield from _throttled(scene, release.recoil_valve)
+    if release.drain:
+        yield from _drains(scene)
+
+
+def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:
+    """A recoil valve has gas behind it, and bottles that are part of it."""
+    rig, path, also = scene.top.tensioners, "disconnect.recoil_valve", ("top.tensioners",)
+    gas = rig.pulling if rig else None
+    if rig is None or gas is None or rig.linearised:
+        found = "needs tensioners with gas or two_chamber_gas, not linearised"
+        yield Misfit(path, found, "give the tensioners their gas, or leave it out", also)
+        return
+    if valve.failed and max(valve.failed) >= rig.count:
+        found = f"{valve.failed} of {rig.count} cylinders"
+        yield Misfit(f"{path}.failed", found, "they count from 0", also)
+    if valve.isolation and not valve.isolation.volume < gas.volume:
+        found = f"{valve.isolation.volume:g} m^3 leaves none of a cylinder's gas"
+        yield Misfit(
+            f"{path}.isolation.volume", found, f"allowed is less than {gas.volume:g} m^3", also
+        )
+
+
+def _drains(scene: Parts) -> Iterator[Misfit]:
+    """Contents that run out are one column from the lower end upwards, under a sea of known level."""
+    path, filled = "disconnect.drain", [s for s in scene.riser if s.contents]
+    if not filled or any(s.contents for s in scene.riser[len(filled) :]):
+        found, remedy = (
+            "needs contents",
+            "allowed are those in sections from the lowest one upwards",
+        )
+        yield Misfit(path, found, remedy, ("riser",))
+        return
+    inside = [s.contents for s in filled if s.contents]
+    same = alike(c.density for c in inside) and alike(c.level for c in inside)
+    if not (same and alike(s.inner_diameter for s in filled)):
+        found = "contents or bore differ"
+        remedy = "needs the same contents and bore in all sections with contents"
+        yield Misfit(path, found, remedy, ("riser",))
+    if scene.water is None or scene.water.surface is None:
+        found, remedy = "needs water.surface", "add it: the sea stands against the contents"
+        yield Misfit(path, found, remedy, ("water.surface",))
+
+
+def events(scene: Parts) -> Iterator[Misfit]:
+    """What happens at a time does so before the end, in a march that can stop for it."""
+    a, rig = scene.analysis, scene.top.tensioners
+    if rig and rig.failing and a.duration is None:
+        found, remedy = "needs analysis.duration", "add it: statics are before it"
+        yield Misfit("top.tensioners.failing", found, remedy, ("analysis.duration",))
+    if not scene.events:
+        return
+    path = next(path for path, there in _sudden(scene).items() if there)
+    if a.duration is None or not scene.events[-1] < a.duration:
+        found, remedy = f"at {scene.events[-1]:g} s", "must be before the end of analysis.duration"
+        yield Misfit(path, found, remedy, ("analysis.duration",))
+    if a.method == "explicit" or a.solver:
+        found, also = (
+            "needs an implicit method of lumped masses",
+            ("analysis.method", "analysis.solver"),
+        )
+        yield Misfit(path, found, "leave out analysis.method and solver", also)
+    if scene.vessel and scene.vessel.coupling:
+        found = "does not go with vessel.coupling"
+        yield Misfit(path, found, "leave coupling out", ("vessel.coupling",))
+
+
+def _sudden(scene: Parts) -> dict[str, object]:
+    """What may happen at a time, by its path."""
+    loss, rig = scene.top.tension_loss, scene.top.tensioners
+    return {
+        "disconnect": scene.disconnect,
+        "top.tension_loss": loss and loss.over is None,
+        "top.tensioners.failing": rig and rig.failing,
+    }

@@ -1,0 +1,94 @@
+"""What a vessel that floats freely goes with, and the soil around a foot."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.inputs.misfit import Misfit
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from riserstudy.scene.forcing import Platform
+    from riserstudy.scene.parts import Parts
+    from riserstudy.scene.vessel import Vessel
+
+
+def moored(scene: Parts) -> Iterator[Misfit]:
+    """A vessel moves the riser's top, by forces that are known."""
+    vessel, top = scene.vessel, scene.top
+    if (vessel is None) != (top.x != "vessel"):
+        remedy = "give both or neither"
+        yield Misfit("vessel", "vessel and 'top.x: vessel' go together", remedy, ("top.x",))
+    if vessel is None:
+        return
+    if scene.platform:
+        yield from _first_order(scene, vessel, scene.platform)
+    if vessel.yaw and scene.spatial and scene.analysis.method == "explicit":
+        found = "explicit stepping does not know the forces of a turning hull"
+        yield Misfit("vessel.yaw", found, "take an implicit method", ("analysis.method",))
+    for name in ("yaw", "coupling") if top.tensioners and top.tensioners.arrangement else ():
+        if getattr(vessel, name, None):
+            found = (
+                "not simulated with top.tensioners.arrangement, whose cylinders pull at the vessel"
+            )
+            remedy = f"leave out vessel.{name} or the arrangement"
+            yield Misfit(f"vessel.{name}", found, remedy, ("top.tensioners.arrangement",))
+    if vessel.hull_drag and scene.water is None:
+        yield Misfit("vessel.hull_drag", "needs water", "add water", ("water",))
+
+
+def coupled(scene: Parts) -> Iterator[Misfit]:
+    """What is exchanged in turns is the force of the string's end: nothing else may act there across."""
+    if scene.vessel is None or scene.vessel.coupling is None:
+        return
+    yield from (
+        fault.below("vessel.coupling") for fault in scene.vessel.coupling.misfits(scene.analysis)
+    )
+    if scene.top.telescopic_joint:
+        return
+    for name in ("body", "lateral_force", "tensioners"):
+        if getattr(scene.top, name) is not None:
+            found = f"top.{name} acts on the platform beside the riser"
+            remedy = "put a telescopic_joint between, or leave coupling out"
+            yield Misfit("vessel.coupling", found, remedy, (f"top.{name}",))
+
+
+def soil(scene: Parts) -> Iterator[Misfit]:
+    """Soil holds a foot."""
+    if (scene.bottom.hold == "foot") != (scene.soil is not None):
+        remedy = "give both or neither"
+        yield Misfit("soil", "soil and 'bottom.hold: foot' go together", remedy, ("bottom.hold",))
+
+
+def _first_order(scene: Parts, vessel: Vessel, platform: Platform) -> Iterator[Misfit]:
+    """Beside a vessel, which keeps its heading, a platform has first-order motion alone."""
+    explicit = scene.analysis.method == "explicit"
+    position = platform.position
+    remedies: dict[str, tuple[object, str]] = {
+        "platform.cruise": (platform.cruise, "the vessel finds its own way; leave the cruise out"),
+        "vessel.yaw": (
+            vessel.yaw,
+            "first-order motions are those of the heading at rest; leave out vessel.yaw or the platform",
+        ),
+        "vessel.coupling": (
+            vessel.coupling,
+            "first-order motions are not exchanged in turns; leave out vessel.coupling or the platform",
+        ),
+        "analysis.method": (
+            explicit,
+            "explicit steps have no first-order motions; take an implicit method",
+        ),
+        "platform.position.surge": (
+            position and position.surge,
+            "the vessel rests at top.offset; give top.offset",
+        ),
+        "platform.position.sway": (
+            position and position.sway,
+            "the vessel rests at top.offset; leave it out",
+        ),
+    }
+    for path, (there, remedy) in remedies.items():
+        if there:
+            found, also = "does not go with a vessel and a platform", ("vessel", "platform")
+            yield Misfit(path, found, remedy, also)

@@ -1,0 +1,63 @@
+"""What waves and vortices need."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.alike import alike
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from riserstudy.scene.parts import Parts
+
+
+def sea(scene: Parts) -> Iterator[Misfit]:
+    """A wave is one of a sea of known depth, and acts on something."""
+    response = scene.platform and scene.platform.response
+    if response and response.wave is None and scene.wave is None:
+        found, remedy = "needs a wave, of its own or of the scene", "add one"
+        yield Misfit("platform.response", found, remedy, ("wave",))
+    if scene.wave is None:
+        return
+    if scene.water is None or None in (scene.water.surface, scene.water.seabed):
+        found, also = "needs water.surface and water.seabed", ("water.surface", "water.seabed")
+        yield Misfit("wave", found, "add both", also)
+    if scene.gravity is None:
+        yield Misfit("wave", "needs gravity", "add gravity", ("gravity",))
+    if not any(s.drag or s.added_mass for s in scene.riser):
+        found = "needs a riser section with drag or added mass"
+        yield Misfit("wave", found, "add one, or leave wave out", ("riser",))
+    for k, section in enumerate(scene.riser):
+        if section.added_mass and section.added_mass.direction:
+            found, remedy = "a wave needs added_mass across the pipe", "leave out its direction"
+            yield Misfit(f"riser[{k}].added_mass.direction", found, remedy, ("wave",))
+
+
+def viv(scene: Parts) -> Iterator[Misfit]:
+    """Vortices are shed by water that flows past, for a time, and drag limits what they do."""
+    shedding = {f"riser[{k}].viv": s for k, s in enumerate(scene.riser) if s.viv}
+    if not shedding:
+        return
+    for path, section in shedding.items():
+        if section.drag is None or section.drag.direction:
+            found, remedy = "needs drag across the pipe", "add it: it limits the amplitude"
+            yield Misfit(path, found, remedy, (path.replace("viv", "drag"),))
+    first = next(iter(shedding))
+    if not scene.current and not scene.wave:
+        found, also = "needs water that flows past", ("current", "wave")
+        yield Misfit(first, found, "add a current or a wave", also)
+    if scene.analysis.duration is None:
+        found, remedy = "needs analysis.duration", "add it: statics know no vortices"
+        yield Misfit(first, found, remedy, ("analysis.duration",))
+    if scene.analysis.method == "explicit":
+        found, remedy = "explicit stepping has no phases", "take an implicit method"
+        yield Misfit(first, found, remedy, ("analysis.method",))
+    if not scene.current and any(s.viv.ramp is None for s in shedding.values() if s.viv):
+        remedy = "it has no default where there is no current to take it from"
+        yield Misfit(f"{first}.ramp", "missing", remedy, ("current",))
+    for name in ("ramp", "seed"):
+        if not alike(getattr(s.viv, name) for s in shedding.values()):
+            remedy = f"{name} must be the same in all sections"
+            yield Misfit(f"{first}.{name}", "differs between sections", remedy, tuple(shedding))
