@@ -103,6 +103,23 @@ def test_the_page_shows_the_sealed_years_of_the_hindcast():
     ]
 
 
+def test_the_page_tells_what_came_of_the_hindcast():
+    with (FOLDER / "hindcast_years.csv").open(encoding="utf-8") as file:
+        sealed = list(csv.reader(file))[1:]
+    with (FOLDER / "hindcast_years_opened.csv").open(encoding="utf-8") as file:
+        came = list(csv.DictReader(file))
+    assert [[*one.values()][:6] for one in came] == sealed
+    for one in came:
+        inside = float(one["low"]) <= float(one["came"]) <= float(one["high"])
+        assert (one["inside"] == "yes") == inside
+    held = sum(one["inside"] == "yes" for one in came)
+    assert f"{held} of {len(came)} shares lie inside bands" in PAGE
+    outside = [one for one in came if one["inside"] == "no"]
+    assert {one["known"] for one in outside} == {"3"}
+    assert all(float(one["came"]) > float(one["high"]) for one in outside)
+    assert sum(one["years"] == "5" for one in outside) == 4
+
+
 @pytest.mark.parametrize("k", [1, 4])
 def test_the_engine_still_predicts_it(k):
     """With another seed, within 10 % of what was sealed with an error of 5 %."""
