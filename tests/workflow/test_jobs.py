@@ -11,6 +11,8 @@ from pathlib import Path
 import psutil
 import pytest
 
+from riserstudy.jobs import CORES, SHARED, processes
+
 JOBS = (sys.executable, "-m", "riserstudy.jobs")
 JOIN = (*JOBS, "join_tables")
 
@@ -152,3 +154,16 @@ def test_a_job_that_no_server_took_runs_by_itself(tmp_path):
         assert asker.stderr.read() == ""
     assert asker.returncode == 0
     assert (tmp_path / "joined").exists()
+
+
+@pytest.mark.parametrize("cores", range(1, 70))
+def test_jobs_side_by_side_leave_no_core_idle_and_use_no_more_than_there_are(cores, monkeypatch):
+    """Each claims half of what it uses: two of the largest fill the cores, one alone uses all it can."""
+    monkeypatch.setenv(CORES, str(cores))
+    for worth in range(1, 9):
+        claimed = min(max(1, worth // SHARED), cores)  # as the rules have it
+        used = processes(claimed, worth)
+        assert claimed <= used <= min(worth, cores)
+        assert used == min(worth, cores) or worth % SHARED
+    monkeypatch.delenv(CORES)
+    assert processes(3, 8) == 3  # on a node of a cluster, which counts what it gave

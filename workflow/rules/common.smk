@@ -7,7 +7,7 @@ from pathlib import Path
 from riserstudy.crate.metadata import write_crate
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_files
-from riserstudy.jobs import start_server, use_this_python
+from riserstudy.jobs import SHARED, start_server, use_this_python
 from riserstudy.jobs.begin import begin
 from riserstudy.jobs.workplan import Workplan
 
@@ -46,6 +46,15 @@ def records(question):
     return lambda wildcards: [ancient(file) for file in asked(wildcards)]
 
 
+def half(question):
+    """Threads that a job claims: on this machine half of what it uses. While one job plans its points or
+    writes its dataset, on one core, another then uses the rest."""
+    asked = of(question)
+    return lambda wildcards: (
+        max(1, asked(wildcards) // SHARED) if workflow.local_exec else asked(wildcards)
+    )
+
+
 begun = []
 
 
@@ -70,7 +79,7 @@ use_this_python()
 
 onstart:
     if workflow.local_exec:
-        start_server(PLAN.compiled)
+        start_server(PLAN.compiled, workflow.cores)
         # A limit of jobs per second makes Snakemake look again after a second, forever, and once more for
         # every job that has ended: hundreds of times a second in the end, a sixth of a core.
         workflow.scheduler.job_rate_limiter = None

@@ -60,7 +60,7 @@ rule shard:
         shard=r"\d+",
         shards=r"\d+",
     priority: PLAN.simulate_priority
-    threads: of(PLAN.shard_threads)
+    threads: half(PLAN.shard_threads)
     params:
         digest=of(PLAN.shard_digest),
         tier=PLAN.tier,
@@ -85,7 +85,7 @@ rule simulate:
     wildcard_constraints:
         study=PLAN.study_pattern,
     priority: PLAN.simulate_priority
-    threads: of(PLAN.threads)
+    threads: half(PLAN.threads)
     params:
         digest=of(PLAN.study_digest),
         tier=PLAN.tier,
@@ -111,7 +111,7 @@ rule sea_states:
         part=r"\d+",
         parts=r"\d+",
     priority: PLAN.simulate_priority
-    threads: of(PLAN.seas_threads)
+    threads: half(PLAN.seas_threads)
     params:
         digest=of(PLAN.seas_digest),
         tier=PLAN.tier,

@@ -15,6 +15,20 @@ from pathlib import Path
 from riserstudy.study.processes import forks
 
 TAKEN = b"+"  # what a job is told by the process that will do it
+CORES = "RISERSTUDY_CORES"  # variable with the number of cores that jobs share
+SHARED = 2  # processes of a job for each thread that it claims there
+
+
+def processes(claimed: int, worth: int) -> int:
+    """Processes of a job: more than it claims where another, at its beginning or end, leaves cores idle.
+
+    Parameters
+    ----------
+    claimed : threads that Snakemake counts for it.
+    worth : those that it can use.
+    """
+    cores = int(os.environ.get(CORES, 0))  # of the run, on the machine that jobs share
+    return min(worth, SHARED * claimed, cores) if cores else claimed
 
 
 def use_this_python() -> None:
@@ -23,12 +37,13 @@ def use_this_python() -> None:
     os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), others])
 
 
-def start_server(compiled: str) -> None:
-    """Start the process that jobs are forks of; it ends when this one does.
+def start_server(compiled: str, cores: int) -> None:
+    """Start the process that jobs are forks of, on so many cores; it ends when this one does.
 
     Where processes are no forks each job begins by itself. ``compiled`` is the file that tells that kernels
     are compiled.
     """
+    os.environ[CORES] = str(cores)
     if not (forks() and hasattr(socket, "AF_UNIX")):
         return
     address, log_file = Path(".snakemake/jobs"), Path("logs/server.log")

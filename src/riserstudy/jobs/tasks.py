@@ -17,6 +17,7 @@ import typer
 
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError, SimulationError, printable
+from riserstudy.jobs import processes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -135,13 +136,14 @@ def shard(
     points = plan.shard(paper, study, shard, shards)
     planned = plan.study(paper, study)
     setting = read_settings(settings).setting if settings else None
+    workers = processes(threads, plan.shard_threads(paper, study, shard, shards))
     if setting:
         tuned = with_setting(planned, setting)
         pairs = zip(points, tuned.shard(int(shard), int(shards)), strict=True)
-        again = sum(fill_tuned(planned, tuned, pairs, threads, PointsDone()).by_request)
+        again = sum(fill_tuned(planned, tuned, pairs, workers, PointsDone()).by_request)
         summary = f"{len(points)} points, {again} of them by request"
     else:
-        made = fill(planned, points, threads, PointsDone())
+        made = fill(planned, points, workers, PointsDone())
         summary = f"{made} points simulated, {len(points) - made} from the store"
     print(f"{paper}/{study}, part {shard} of {shards}: {summary}")
     write_whole(target, f"{len(points)} points\n".encode())
@@ -171,7 +173,8 @@ def simulate(
     plan = _plan(tier, [paper], only=[(paper, study)])
     _check_unchanged(plan.study_digest(paper, study), expect)
     tuned = read_settings(settings) if settings else None
-    write_study(plan.study(paper, study), target, threads, print, PointsDone(), tuned)
+    workers = processes(threads, plan.threads(paper, study))
+    write_study(plan.study(paper, study), target, workers, print, PointsDone(), tuned)
     _seal(target)
 
 
@@ -199,7 +202,8 @@ def sea_states(
 
     plan = _plan(tier, [paper], only=[])
     _check_unchanged(plan.seas_digest(paper, study), expect)
-    count = simulate_part(plan.seas(paper, study), part, threads, _notify)
+    workers = processes(threads, plan.seas_threads(paper, study))
+    count = simulate_part(plan.seas(paper, study), part, workers, _notify)
     write_whole(target, f"{count} sea states\n".encode())
 
 
