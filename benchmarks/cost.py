@@ -17,9 +17,9 @@ import numpy as np
 
 from riserstudy import load_scene, modes, simulate
 from riserstudy.grading import grade_claims, read_claims
+from riserstudy.importers.orcaflex import read_deck
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.scene.load import read_scene
-from riserstudy.scene.orcaflex import read_deck
 
 ROOT = Path(__file__).parents[1]
 KEPT = Path(__file__).with_suffix("")
@@ -109,7 +109,7 @@ def time_modes():
 
 def time_deck():
     """Read a deck of another program."""
-    read_deck(ROOT / "tests/scene/decks/riser.yml")
+    read_deck(ROOT / "tests/importers/decks/riser.yml")
 
 
 def time_grade_claims():

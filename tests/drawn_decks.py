@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from riserstudy.export.orcaflex import write_deck
+from riserstudy.importers.orcaflex import read_deck
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.orcaflex import read_deck
 from riserstudy.scene.origin import unwrap
 
 

@@ -18,7 +18,7 @@ from riserstudy.cli.targets import ENDINGS, Writes
 from riserstudy.database.build import schema
 from riserstudy.scene.tables import PLACES, is_table
 
-DECKS = Path(__file__).parents[1] / "scene/decks"
+DECKS = Path(__file__).parents[1] / "importers/decks"
 SCENE = """\
 title: one section in a current
 gravity: 9.81 m/s^2

@@ -11,7 +11,7 @@ from riserstudy import load_scene, simulate
 from riserstudy.cli import main
 from riserstudy.errors import InputError
 from riserstudy.export.orcaflex import write_deck
-from riserstudy.scene.orcaflex import read_deck
+from riserstudy.importers.orcaflex import read_deck
 
 MESH = {"analysis": {"mesh": {"elements": 40}}}
 

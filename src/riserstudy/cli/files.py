@@ -60,7 +60,7 @@ def import_deck(
     if deck.suffix in (".4", ".nc"):
         _import_operators(deck, output, length, force)
         return
-    from riserstudy.scene.orcaflex import as_text, read_deck
+    from riserstudy.importers.orcaflex import as_text, read_deck
 
     deck_scene = read_deck(deck)
     check_output(output, ("scene",), [deck], force)
@@ -102,7 +102,7 @@ def export_deck(
 
 def _import_operators(source: Path, output: Path, length: str | None, force: bool) -> None:
     """The table of operators that a file of WAMIT or Capytaine holds."""
-    from riserstudy.scene import rao_files
+    from riserstudy.importers import rao_files
     from riserstudy.scene.units import to_si
 
     if not source.is_file():

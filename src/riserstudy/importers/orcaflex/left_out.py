@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any, NamedTuple
 
-from riserstudy.scene.orcaflex.deck import EMPTY, Part
+from riserstudy.importers.orcaflex.deck import EMPTY, Part
 
 MOST_LISTED = 40  # characters of a value
 #: what an entry says that switches something off

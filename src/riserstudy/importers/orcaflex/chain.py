@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from riserstudy.scene.orcaflex.deck import Part
-from riserstudy.scene.orcaflex.ends import GROUND, End, Line, line_of
-from riserstudy.scene.orcaflex.pipe import greatest_diameter, lengths_of
+from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.ends import GROUND, End, Line, line_of
+from riserstudy.importers.orcaflex.pipe import greatest_diameter, lengths_of
 
 BETWEEN = 0.01  # t, the heaviest point between two lines that is left out
 

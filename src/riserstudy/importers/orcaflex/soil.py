@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from riserstudy.scene.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import Part
 
 MODELS, CURVES = "P-yModels", "PyCurves"
 SOFT_CLAY = "API RP 2A soft clay"

@@ -9,13 +9,13 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from riserstudy.scene.orcaflex.chain import Roles, depth
-from riserstudy.scene.orcaflex.constraints import guided_by, slides_in
-from riserstudy.scene.orcaflex.deck import Part
-from riserstudy.scene.orcaflex.ends import GROUND, PLACE, Line, rotation, upright
-from riserstudy.scene.orcaflex.pipe import axial, disc, flexural, kind_of, lengths_of, mass_of
-from riserstudy.scene.orcaflex.sea import Sea
-from riserstudy.scene.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
+from riserstudy.importers.orcaflex.chain import Roles, depth
+from riserstudy.importers.orcaflex.constraints import guided_by, slides_in
+from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.ends import GROUND, PLACE, Line, rotation, upright
+from riserstudy.importers.orcaflex.pipe import axial, disc, flexural, kind_of, lengths_of, mass_of
+from riserstudy.importers.orcaflex.sea import Sea
+from riserstudy.importers.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
 
 SAME = 1e-6  # m, to which elevations of a deck are one
 SOFT = 10.0  # kN/m, stiffness along a joint that takes no tension worth counting

@@ -156,14 +156,14 @@ def test_motions_that_a_file_does_not_have_are_not_in_the_table(tmp_path):
 def test_a_file_that_contradicts_itself_is_refused(tmp_path, change, why):
     with pytest.raises(SystemExit):
         imported(wamit(tmp_path / "semi.4", change=change), "--length", "1 m")
-    from riserstudy.scene.rao_files import from_wamit
+    from riserstudy.importers.rao_files import from_wamit
 
     with pytest.raises(InputError, match=why):
         from_wamit(tmp_path / "semi.4", 1.0)
 
 
 def test_a_file_without_all_modes_everywhere_is_refused(tmp_path):
-    from riserstudy.scene.rao_files import from_wamit
+    from riserstudy.importers.rao_files import from_wamit
 
     source = wamit(tmp_path / "semi.4")
     source.write_text(
@@ -180,7 +180,7 @@ def test_rotations_of_wamit_need_its_length(tmp_path, capsys):
 
 
 def test_a_dataset_without_operators_or_of_two_bodies_is_refused(tmp_path):
-    from riserstudy.scene.rao_files import from_capytaine
+    from riserstudy.importers.rao_files import from_capytaine
 
     xr.Dataset({"added_mass": 1.0}).to_netcdf(tmp_path / "bare.nc")
     with pytest.raises(InputError, match=r"post_pro\.rao"):

@@ -12,12 +12,12 @@ from ruamel.yaml import YAML
 from riserstudy import load_scene, simulate
 from riserstudy.cli import main
 from riserstudy.errors import InputError
+from riserstudy.importers.orcaflex import read_deck
+from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.sea import Sea
+from riserstudy.importers.orcaflex.top import ring_of
 from riserstudy.model.rao import operator
 from riserstudy.model.sea import components
-from riserstudy.scene.orcaflex import read_deck
-from riserstudy.scene.orcaflex.deck import Part
-from riserstudy.scene.orcaflex.sea import Sea
-from riserstudy.scene.orcaflex.top import ring_of
 
 DECK = Path(__file__).parent / "decks/riser.yml"
 GRAVITY = 9.80665

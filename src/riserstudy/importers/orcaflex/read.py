@@ -14,19 +14,19 @@ from typing import Any, NamedTuple
 from ruamel.yaml.error import MantissaNoDotYAML1_1Warning
 
 from riserstudy.errors import InputError, InputErrors
+from riserstudy.importers.orcaflex.chain import Bearings, Roles, roles, write_point_counts
+from riserstudy.importers.orcaflex.constraints import turns_in
+from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.ends import GROUND, PLACE, rotation, upright
+from riserstudy.importers.orcaflex.left_out import left_out
+from riserstudy.importers.orcaflex.sea import Sea, current_of, sea_of, wave_of
+from riserstudy.importers.orcaflex.soil import soil_of
+from riserstudy.importers.orcaflex.string import sections
+from riserstudy.importers.orcaflex.tensioners import fastened
+from riserstudy.importers.orcaflex.top import top_of
+from riserstudy.importers.orcaflex.vessel import platform_of
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.orcaflex.chain import Bearings, Roles, roles, write_point_counts
-from riserstudy.scene.orcaflex.constraints import turns_in
-from riserstudy.scene.orcaflex.deck import Part
-from riserstudy.scene.orcaflex.ends import GROUND, PLACE, rotation, upright
-from riserstudy.scene.orcaflex.left_out import left_out
-from riserstudy.scene.orcaflex.sea import Sea, current_of, sea_of, wave_of
-from riserstudy.scene.orcaflex.soil import soil_of
-from riserstudy.scene.orcaflex.string import sections
-from riserstudy.scene.orcaflex.tensioners import fastened
-from riserstudy.scene.orcaflex.top import top_of
-from riserstudy.scene.orcaflex.vessel import platform_of
 from riserstudy.scene.origin import unwrap
 
 GRAVITY = 9.80665  # m/s2, of OrcaFlex's SI

@@ -8,8 +8,8 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from riserstudy.scene.orcaflex.deck import Part
-from riserstudy.scene.orcaflex.ends import PLACE
+from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.ends import PLACE
 
 ALONG = "ConnectionzRelativeTo"
 

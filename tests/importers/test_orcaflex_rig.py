@@ -11,8 +11,8 @@ from ruamel.yaml import YAML
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError
+from riserstudy.importers.orcaflex import as_text, read_deck
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.orcaflex import as_text, read_deck
 from riserstudy.scene.origin import unwrap
 
 FOLDER = Path(__file__).parent / "decks"
@@ -269,7 +269,7 @@ def test_a_spoiled_deck_is_read_or_refused(monkeypatch, name):
     for _ in range(300):
         deck = deepcopy(plain)
         spoiled(deck, chance)
-        monkeypatch.setattr("riserstudy.scene.orcaflex.read.read_yaml", lambda path: deck)  # noqa: B023
+        monkeypatch.setattr("riserstudy.importers.orcaflex.read.read_yaml", lambda path: deck)  # noqa: B023
         try:
             read_deck(Path("deck.yml"))
         except InputError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from riserstudy.scene.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import Part
 
 SPECTRA = ("JONSWAP", "ISSC")  # of Pierson and Moskowitz, with any height, is the latter
 AIRY = ("Airy", "Single Airy")

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from riserstudy.scene.orcaflex.chain import Roles, depth
-from riserstudy.scene.orcaflex.deck import Part
-from riserstudy.scene.orcaflex.ends import Line, in_series
-from riserstudy.scene.orcaflex.pipe import (
+from riserstudy.importers.orcaflex.chain import Roles, depth
+from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.ends import Line, in_series
+from riserstudy.importers.orcaflex.pipe import (
     across,
     along,
     disc,
@@ -19,7 +19,7 @@ from riserstudy.scene.orcaflex.pipe import (
     submerged,
     wall,
 )
-from riserstudy.scene.orcaflex.sea import Sea
+from riserstudy.importers.orcaflex.sea import Sea
 
 SLACK = (
     1e-3  # share of its length by which a line along the riser may be longer or shorter than that

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from riserstudy.scene.orcaflex.deck import Part
-from riserstudy.scene.orcaflex.ends import rotation
+from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.ends import rotation
 
 
 def slides_in(constraint: Part, ring: str) -> None:

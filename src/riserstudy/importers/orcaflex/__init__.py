@@ -1,5 +1,5 @@
 """OrcaFlex text models: decks become scenes, and scenes become decks."""
 
-from riserstudy.scene.orcaflex.read import Imported, as_text, read_deck
+from riserstudy.importers.orcaflex.read import Imported, as_text, read_deck
 
 __all__ = ["Imported", "as_text", "read_deck"]

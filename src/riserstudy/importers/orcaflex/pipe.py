@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.scene.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import Part
 
 if TYPE_CHECKING:
-    from riserstudy.scene.orcaflex.ends import Line
+    from riserstudy.importers.orcaflex.ends import Line
 
 SAME = 1e-6  # m
 

@@ -1,0 +1,1 @@
+"""Files of other programs become scenes, or tables that scenes read."""
