@@ -6,7 +6,7 @@ import pytest
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.limits import Limit
 from riserstudy.seas.cover import cover
-from riserstudy.seas.riser_hours import by_rows, met, riser_hours
+from riserstudy.seas.riser_hours import by_rows, met, response_of, riser_hours
 from riserstudy.seas.sea_states import SeaStates, sea_states
 from riserstudy.seas.surface import Surface
 from riserstudy.seas.synthetic import synthetic
@@ -56,12 +56,19 @@ def test_a_smaller_error_takes_more_sea_states(record):
     assert counts == sorted(set(counts))
 
 
+def counted(record, of, found):
+    """Limits that are met by row, and hours, without what is not known of seeds."""
+    response = response_of(of, found, *2 * [np.zeros_like(found.responses)], LIMITS)
+    every = np.ones(record.sizes["time"], bool)
+    known, rows = by_rows([(of, every.astype(float), response)])
+    which = met(rows, LIMITS)
+    return which, riser_hours(record, known, which, LIMITS, found.error, every)
+
+
 def test_hours_are_those_of_the_response_itself_within_their_band(record):
     of, run = sea_states(record), resonant()
     found = cover(of, run, ALLOWED, 0.02, 500)
-    which = met(of, found, *2 * [np.zeros_like(found.responses)], LIMITS)
-    every = np.ones(record.sizes["time"], bool)
-    hours = riser_hours(record, *by_rows([(of, which)]), LIMITS, found.error, every)
+    which, hours = counted(record, of, found)
     true = run(sea_states(record).states)[of.state_of_row]
     drilling = ((true[:, 0] <= 4.0) & (true[:, 1] >= 0.0)).mean()
     connected = (true[:, 1] >= 0.0).mean()
@@ -84,11 +91,9 @@ def test_beside_runs_that_fail_nothing_is_workable(record):
         return found
 
     found = cover(of, run, ALLOWED, 0.1, 500)
-    which = met(of, found, *2 * [np.zeros_like(found.responses)], LIMITS)
-    every = np.ones(record.sizes["time"], bool)
-    hours = riser_hours(record, *by_rows([(of, which)]), LIMITS, found.error, every)
+    which, hours = counted(record, of, found)
     high = record["significant_wave_height"].values > 6.0
-    assert not which.found[of.state_of_row[high]].any()
+    assert not which.found[high].any()
     assert hours.unknown >= high.mean()
 
 

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+import xarray as xr
 from test_riser_downtime import RISER, SEA, demands
 
 from riserstudy import load_scene, simulate
@@ -34,29 +35,71 @@ def file():
         (0.0, 90.0, 90.0),  # x to the north, waves from the east go west, which is y
         (0.0, 270.0, 270.0),
         (45.0, 225.0, 0.0),
-        (350.0, 180.0, 0.0),  # to the nearest of eight
+        (350.0, 180.0, 350.0),
     ],
 )
 def test_headings_turn_the_other_way_than_bearings(record, x_towards, wave_from, heading):
     one = record.assign({FROM: ("time", np.full(record.sizes["time"], wave_from))})
-    of = Directions(8, math.radians(x_towards))
-    sector = of.sector_of(one)
-    assert np.degrees(np.array(of.headings)[sector]) == pytest.approx(heading)
+    between = Directions(72, math.radians(x_towards)).between(one)
+    assert (between.lower * 5.0 + between.share * 5.0) % 360.0 == pytest.approx(heading)
 
 
-def test_a_turn_of_the_rig_with_all_directions_changes_nothing(record):
-    for turn in (-200.0, 33.0, 360.0):
-        turned = record.assign({FROM: (record[FROM] + turn) % 360.0})
-        plain = Directions(12, 0.3).sector_of(record)
-        again = Directions(12, 0.3 + math.radians(turn)).sector_of(turned)
-        assert (plain == again).mean() > 0.99  # but for those between two sectors
+def weights(of, record):
+    """What each heading counts in each row, (sectors, rows)."""
+    between = of.between(record)
+    return np.array([between.weight(k, of.sectors) for k in range(of.sectors)])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_turn_of_the_rig_with_all_directions_changes_nothing(record, seed):
+    draw = np.random.default_rng(seed)
+    sectors, turn = int(draw.integers(4, 37)), draw.uniform(-720.0, 720.0)
+    turned = record.assign({FROM: (record[FROM] + turn) % 360.0})
+    plain = weights(Directions(sectors, 0.3), record)
+    again = weights(Directions(sectors, 0.3 + math.radians(turn)), turned)
+    np.testing.assert_allclose(again, plain, atol=1e-8)
+    # turned by some headings, the rig has the same seas so many headings on
+    steps = int(draw.integers(-40, 40))
+    on = weights(Directions(sectors, 0.3 + steps * 2.0 * math.pi / sectors), record)
+    np.testing.assert_allclose(np.roll(plain, steps, axis=0), on, atol=1e-8)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_between_headings_a_response_is_straight_round_the_whole_turn(record, seed):
+    """Against a wave round the turn: within the error of straight lines, without a step at the first."""
+    draw = np.random.default_rng(seed)
+    sectors, lobes, phase = (
+        int(draw.integers(4, 37)),
+        int(draw.integers(1, 3)),
+        draw.uniform(0.0, 7.0),
+    )
+    of = Directions(sectors, draw.uniform(0.0, 7.0))
+
+    def wave(heading):
+        return np.cos(lobes * heading - phase)
+
+    bearings = np.linspace(0.0, 360.0, 2001)
+    one = xr.Dataset({FROM: ("time", bearings)})
+    found = wave(np.array(of.headings)) @ weights(of, one)
+    true = wave(of.x_towards - np.radians(bearings) - math.pi)
+    width = 2.0 * math.pi / sectors
+    assert np.abs(found - true).max() <= (lobes * width) ** 2 / 8.0 + 1e-9
+    assert np.abs(np.diff(found)).max() <= lobes * math.radians(0.18) + 1e-9
+    assert found[0] == pytest.approx(found[-1])
+    np.testing.assert_allclose(weights(of, one).sum(axis=0), 1.0)
+
+
+def test_of_three_headings_rows_have_the_nearest(record):
+    plain = weights(Directions(3, 0.3), record)
+    assert set(np.unique(plain)) == {0.0, 1.0}
+    assert (plain.sum(axis=0) == 1.0).all()
 
 
 def test_each_row_has_the_response_to_its_own_heading(file, record):
     """Against runs of every row in waves of its heading."""
     of = Directions(2, math.radians(70.0))
     found = riser_downtime(file, record, directions=of, seeds=1, error=0.1)
-    scenes, sector = of.scenes(file), of.sector_of(record)
+    scenes, sector = of.scenes(file), of.between(record).lower
     rows = np.column_stack([record[n].values for n in ("significant_wave_height", "peak_period")])
     runs = [
         demands(simulate(in_sea(scenes[k], Sea(*row), 1), progress=False))
@@ -70,6 +113,51 @@ def test_each_row_has_the_response_to_its_own_heading(file, record):
         assert abs(one.hours.share - true.mean()) <= 2 / len(rows)
     assert set(np.unique(found.responses["heading"])) == {0.0, 180.0}
     assert "2 headings" in found.lines[0]
+
+
+ALL_ROUND = [
+    {
+        "heading": f"{heading} deg",
+        "period": f"{period} s",
+        "surge": f"{0.4 * abs(math.cos(math.radians(heading))):.6f} m/m",
+        "surge_phase": "90 deg",
+        "sway": f"{0.4 * abs(math.sin(math.radians(heading))):.6f} m/m",
+        "sway_phase": "90 deg",
+        "heave": f"{0.3 + 0.1 * abs(math.sin(math.radians(heading))):.6f} m/m",
+        "heave_phase": "0 deg",
+    }
+    for heading in (0, 45, 90)
+    for period in (1, 6, 12, 60)
+]
+
+
+def test_rows_between_headings_have_the_response_to_their_own_direction(file, record):
+    """Against a run of every row in waves from its direction, of a platform that heaves more in beam seas."""
+    response = "platform.response"
+    change = {f"{response}.operators": ALL_ROUND, f"{response}.headings": "towards"}
+    one = file.with_values(change | {f"{response}.symmetry": "sides and ends"}, "test")
+    of = Directions(8, math.radians(70.0))
+    found = riser_downtime(one, record, directions=of, seeds=1, error=0.1)
+    runs = []
+    for height, period, bearing in zip(
+        *(record[n].values for n in ("significant_wave_height", "peak_period", FROM)), strict=True
+    ):
+        heading = {f"{response}.heading": f"{(70.0 - bearing - 180.0) % 360.0} deg"}
+        sea = in_sea(one.with_values(heading, "test"), Sea(float(height), float(period)), 1)
+        runs.append(demands(simulate(sea, progress=False)))
+    angle, mean, tension = np.array(runs).T
+    connected = tension >= 2285e3
+    drilling = connected & (np.degrees(angle) <= 0.6) & (np.degrees(mean) <= 9.0)
+    for mode, true in zip(found.hours.modes, (drilling, connected), strict=True):
+        assert mode.low <= true.mean() <= mode.high
+    off = np.abs(found.demands.rows.demand - np.array(runs))
+    assert (off <= found.demands.rows.off + 1e-9).mean() > 0.95
+    assert any("half-way between headings" in line for line in found.lines)
+    turned = record.assign({FROM: (record[FROM] + 211.0) % 360.0})
+    again = riser_downtime(
+        one, turned, directions=Directions(8, math.radians(281.0)), seeds=1, error=0.1
+    )
+    np.testing.assert_allclose(again.demands.rows.demand, found.demands.rows.demand, rtol=1e-6)
 
 
 def test_a_row_without_a_direction_counts_as_neither(file, record):

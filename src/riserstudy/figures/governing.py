@@ -73,9 +73,10 @@ def _worst_heading(responses: xr.Dataset) -> tuple[xr.Dataset, str]:
     headings = responses["heading"].values
     if np.isnan(headings).all():
         return responses, ""
+    covered = np.unique(headings[responses["held_out"].values == 0])  # not half-way between two
     excess = _excess(responses, responses["demand_of_limit"].values)
     beyond = np.nan_to_num(excess).max(axis=1) > 0.0
-    shares = {float(h): float(beyond[headings == h].mean()) for h in np.unique(headings)}
+    shares = {float(h): float(beyond[headings == h].mean()) for h in covered}
     worst = max(shares, key=lambda one: shares[one])
     at = np.flatnonzero(headings == worst)
     return responses.isel(sea_state=at), f"of {len(shares)} headings the hardest, {worst:g} deg"

@@ -106,7 +106,7 @@ def refuse_seas(seas: SeasStudy) -> None:
         check_limits(record, [sea_limit(one) for one in seas.model.sea_limits])
         check_windows(record, seas.model.windows)
         if directions := directions_of(seas):
-            directions.sector_of(record)
+            directions.between(record)
         return True
 
     code = digest(dependencies("riserstudy.seas.seas_hours"))

@@ -78,7 +78,7 @@ def cover(
             held = _drawn(of, surface, allowed, scale, known, draw)
             notify(f"{len(held)} sea states to compare with the surface of {len(known)}")
             came = run(of.states[held]) if held else responses[:0]
-            off = _off(surface.at(of.states[held]), came, scale)
+            off = off_by(surface.at(of.states[held]), came, scale)
             failed = np.isnan(came).any() and not np.isnan(off).all()
             if not failed and np.nanmax(off, initial=0.0) <= error:
                 return _whole(of, known, responses, held, came, off)
@@ -106,15 +106,8 @@ def first(of: SeaStates) -> list[int]:
     InputError
         When the record's sea states lie on a line.
     """
-    from scipy.spatial import ConvexHull, QhullError
-
-    states = of.states
-    places = (states - states.min(axis=0)) / np.maximum(np.ptp(states, axis=0), 1e-12)
-    try:
-        chosen = [int(k) for k in ConvexHull(places).vertices]
-    except QhullError:
-        allowed = "allowed are rows that differ in height and in period"
-        raise InputError("RECORD", "sea states", "all on a line", allowed) from None
+    chosen = corners(of.states)
+    places = _places(of.states)
     apart = np.min([np.hypot(*(places - places[k]).T) for k in chosen], axis=0)
     apart[of.rows == 0] = 0.0
     for _ in range(FIRST):
@@ -125,6 +118,31 @@ def first(of: SeaStates) -> list[int]:
     return chosen
 
 
+def corners(states: FloatArray) -> list[int]:
+    """Numbers of the sea states, (n, 2), between which all others lie.
+
+    Raises
+    ------
+    InputError
+        When they lie on a line.
+    """
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        if len(states) < 3:
+            raise QhullError
+        return [int(k) for k in ConvexHull(_places(states)).vertices]
+    except QhullError:
+        allowed = "allowed are rows that differ in height and in period"
+        raise InputError("RECORD", "sea states", "all on a line", allowed) from None
+
+
+def _places(states: FloatArray) -> FloatArray:
+    """Sea states with both ranges from 0 to 1."""
+    low, wide = states.min(axis=0), np.maximum(np.ptp(states, axis=0), 1e-12)
+    return np.asarray((states - low) / wide)
+
+
 def scale_of(allowed: FloatArray, responses: FloatArray) -> FloatArray:
     """What errors of each response count against, (k,)."""
     usual = np.nanmedian(np.abs(responses), axis=0)
@@ -132,8 +150,8 @@ def scale_of(allowed: FloatArray, responses: FloatArray) -> FloatArray:
     return np.where(scale > 0.0, scale, 1.0)
 
 
-def _off(predicted: FloatArray, came: FloatArray, scale: FloatArray) -> FloatArray:
-    """Errors (m, k), over what is allowed or over the response if that is more."""
+def off_by(predicted: FloatArray, came: FloatArray, scale: FloatArray) -> FloatArray:
+    """Errors (m, k) of what was predicted, over what is allowed or over the response if that is more."""
     return np.asarray(np.abs(predicted - came) / np.maximum(scale, np.abs(came)))
 
 

@@ -50,15 +50,23 @@ class RiserHours(NamedTuple):
     unknown: float  # share of rows beside sea states whose run failed: not workable
 
 
+class Response(NamedTuple):
+    """What limits ask for, (n, limits), in sea states or in rows, in the unit of each limit's output."""
+
+    demand: FloatArray  # that nine intervals in ten do not exceed
+    off: FloatArray  # what is not known of it: by the surface, and 1.645 standard errors of seeds
+    scale: FloatArray  # of its Gumbel distribution from interval to interval
+
+
 class Met(NamedTuple):
-    """Which limits are met, (n, limits): as found, at worst and at best, of sea states or of rows."""
+    """Which limits are met in rows, (n, limits): as found, at worst and at best, and the response."""
 
     found: Flags
     worst: Flags
     best: Flags
-    demand: FloatArray  # that nine intervals in ten do not exceed
-    off: FloatArray  # what is not known of it: by the surface, and 1.645 standard errors of seeds
-    scale: FloatArray  # of its Gumbel distribution from interval to interval
+    demand: FloatArray
+    off: FloatArray
+    scale: FloatArray
 
 
 def excess_of(demand: FloatArray, allowed: FloatArray, sides: Sequence[str]) -> FloatArray:
@@ -67,22 +75,22 @@ def excess_of(demand: FloatArray, allowed: FloatArray, sides: Sequence[str]) -> 
     return excess
 
 
-def met(
+def response_of(
     of: SeaStates,
     cover: Cover,
     deviation: FloatArray,
     scale_of_extremes: FloatArray,
     limits: Sequence[Limit],
-) -> Met:
-    """Limits that are met in the sea states of a record.
-
-    At worst and at best the demand is off by the error of the surface and by 1.645 standard errors of seeds.
+    mesh_error: FloatArray | float = 0.0,
+) -> Response:
+    """The response to the sea states of a record.
 
     Parameters
     ----------
     deviation : (n, limits) standard errors at the cover's sea states, in the unit of each limit's output; not
         a number where not known.
     scale_of_extremes : (n, limits) of the Gumbel distribution of extremes there.
+    mesh_error : (limits,) what mesh and step change, over what is allowed or over the demand.
     """
     allowed = np.array([limit.allowable for limit in limits])
     demand = cover.surface.at(of.states)
@@ -91,27 +99,34 @@ def met(
     both = np.nan_to_num(np.hstack([deviation[kept], scale_of_extremes[kept]]))
     seeds, extremes = np.hsplit(Surface(cover.states[kept], both).at(of.states), 2)
     scale = np.maximum(scale_of(allowed, cover.responses[kept]), np.abs(demand))
-    off = cover.error * scale + NINE_IN_TEN * np.abs(seeds)
-    excess = excess_of(demand, allowed, [limit.side for limit in limits])  # not a number is not met
-    extremes = np.maximum(extremes, 0.0)
-    return Met(excess <= 0.0, excess + off <= 0.0, excess - off <= 0.0, demand, off, extremes)
+    off = (cover.error + mesh_error) * scale + NINE_IN_TEN * np.abs(seeds)
+    return Response(demand, off, np.maximum(extremes, 0.0))
 
 
-def by_rows(parts: Sequence[tuple[SeaStates, Met]]) -> tuple[Flags, Met]:
-    """Rows of the record that are known, (rows,), and what is met in those, (known, limits).
+def by_rows(parts: Sequence[tuple[SeaStates, FloatArray, Response]]) -> tuple[Flags, Response]:
+    """Rows of the record that are known, (rows,), and the response in those, (known, limits).
 
     Parameters
     ----------
-    parts : each with the rows that it tells of; no row is in two.
+    parts : sea states, what the response to them counts in each row, (rows,), and the response; in a row
+        these add up to one.
     """
-    known = np.any([of.state_of_row >= 0 for of, _ in parts], axis=0)
-    first = parts[0][1]
-    whole = [np.zeros((len(known), *values.shape[1:]), values.dtype) for values in first]
-    for of, one in parts:
-        at = of.state_of_row >= 0
+    rows = len(parts[0][1])
+    known = np.any([weight > 0.0 for _, weight, _ in parts], axis=0)
+    whole = Response(*(np.zeros((rows, values.shape[1])) for values in parts[0][2]))
+    for of, weight, one in parts:
+        at = weight > 0.0
         for target, values in zip(whole, one, strict=True):
-            target[at] = values[of.state_of_row[at]]
-    return np.asarray(known), Met(*(values[known] for values in whole))
+            target[at] += weight[at, None] * values[of.state_of_row[at]]
+    return np.asarray(known), Response(*(values[known] for values in whole))
+
+
+def met(rows: Response, limits: Sequence[Limit]) -> Met:
+    """Limits that are met in rows: as found, and where the demand is off by what is not known of it."""
+    allowed = np.array([limit.allowable for limit in limits])
+    excess = excess_of(rows.demand, allowed, [limit.side for limit in limits])
+    # not a number is not met
+    return Met(excess <= 0.0, excess + rows.off <= 0.0, excess - rows.off <= 0.0, *rows)
 
 
 def riser_hours(
@@ -126,7 +141,8 @@ def riser_hours(
 
     Parameters
     ----------
-    known, rows : of `by_rows`.
+    known : (rows,) of `by_rows`.
+    rows : of `met`.
     error : (limits,) largest difference of the response, as part of what is allowed.
     also : (rows,) where limits on the sea itself are met.
     """

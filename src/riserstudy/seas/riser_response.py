@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -114,6 +115,12 @@ class RiserResponse:
             self.scale[tuple(state)] = np.array([one.scale for one in each])
         return found
 
+    def facts(self, states: FloatArray) -> list[dict[str, Any]]:
+        """What runs of the first seed at sea states (m, 2) say of themselves; empty where one failed."""
+        study = self._study(states)
+        held = [store.about(point.key) for point in study.plan if point.index[1] == 0]
+        return [one["facts"] if one else {} for one in held]
+
     def _demands(self, states: FloatArray) -> dict[tuple[int, ...], list[float]]:
         """Demands of the limits by number of sea state and of seed, of runs that are completed."""
         study = self._study(states)
@@ -134,4 +141,5 @@ class RiserResponse:
         """Sea states by seeds as a study."""
         seas = {f"{h!r} m, {t!r} s": values_of(self.file, Sea(h, t)) for h, t in states.tolist()}
         seeds = {str(k + 1): phases_of(self.file, k + 1) for k in range(self.seeds)}
-        return as_study(self.file, {"sea": seas, "seed": seeds}, [])
+        # errors of demands are measured by other runs, not estimated by each
+        return replace(as_study(self.file, {"sea": seas, "seed": seeds}, []), estimates=False)

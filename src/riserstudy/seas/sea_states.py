@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -22,13 +23,18 @@ class SeaStates(NamedTuple):
 
     states: FloatArray  # (n, 2): significant height (m), peak period (s)
     rows: NDArray[np.int64]  # (n,) rows of the record that have it; 0: none of those that count
-    state_of_row: NDArray[np.int64]  # (rows,) -1 where a row lacks height or period
+    state_of_row: NDArray[
+        np.int64
+    ]  # (rows,) -1 where a row lacks height or period, or does not count
 
-    def among(self, rows: NDArray[np.bool_]) -> SeaStates:
-        """The same states with some rows of the record alone, (rows,)."""
+    def among(self, rows: NDArray[np.bool_], besides: Sequence[int] = ()) -> SeaStates:
+        """The states of some rows of the record alone, (rows,), and others by their numbers, without rows."""
         of = np.where(rows, self.state_of_row, -1)
         counts = np.bincount(of[of >= 0], minlength=len(self.states))
-        return SeaStates(self.states, counts, of)
+        there = counts > 0
+        there[list(besides)] = True
+        number = np.where(there, np.cumsum(there) - 1, -1)
+        return SeaStates(self.states[there], counts[there], np.where(of >= 0, number[of], -1))
 
 
 def sea_states(record: xr.Dataset) -> SeaStates:

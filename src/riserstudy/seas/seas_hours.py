@@ -16,16 +16,10 @@ from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.digests import engine_digest
 from riserstudy.scene.units import to_si
 from riserstudy.seas.directions import Directions
+from riserstudy.seas.heading_parts import Effort, headings, riser_half_way, simulate
 from riserstudy.seas.hours import MONTHS, sea_limit
 from riserstudy.seas.record import read_record
-from riserstudy.seas.riser_downtime import (
-    Downtime,
-    Effort,
-    Notify,
-    headings,
-    riser_downtime,
-    simulate,
-)
+from riserstudy.seas.riser_downtime import Downtime, Notify, riser_downtime
 from riserstudy.seas.riser_hours import MODES, OfMode
 from riserstudy.seas.riser_returns import returned
 from riserstudy.seas.synthetic import synthetic
@@ -57,7 +51,7 @@ def effort_of(study: SeasStudy, cores: int) -> Effort:
 
 
 def simulate_part(study: SeasStudy, number: int, cores: int, notify: Notify) -> int:
-    """Store the runs of one setting in one heading; the number of sea states.
+    """Store the runs of one setting in one heading, and half-way to the next; the number of sea states.
 
     Raises
     ------
@@ -72,7 +66,12 @@ def simulate_part(study: SeasStudy, number: int, cores: int, notify: Notify) -> 
     if not heading.of.rows.any():
         notify("no row of the record has this heading")
         return 0
-    return len(simulate(heading, record, effort_of(study, cores), notify).cover.states)
+    effort = effort_of(study, cores)
+    part = simulate(heading, record, effort, notify)
+    if heading.half is None:
+        return len(part.cover.states)
+    riser_half_way(heading.half, part)(heading.half.states)
+    return len(part.cover.states) + len(heading.half.states)
 
 
 def seas_hours(study: SeasStudy, cores: int, notify: Notify) -> xr.Dataset:

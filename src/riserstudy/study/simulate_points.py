@@ -28,6 +28,8 @@ def has_error_estimate(study: Study, point: Point) -> bool:
     grid always do: keys are as good as drawn, and might leave a study of some twenty points with none.
     """
     grid = study.grid
+    if not study.estimates:
+        return False
     return len(grid) <= FEW or point.index in grid.ends or int(point.key[:4], 16) % ONE_IN == 0
 
 

@@ -55,6 +55,7 @@ class Study:
     tier: Tier
     accuracy: str | None = None
     readings: dict[str, Labels] = field(default_factory=dict)
+    estimates: bool = True  # whether runs on a prescribed mesh estimate their errors
 
     @cached_property
     def base(self) -> SceneFile:

@@ -1,0 +1,88 @@
+"""How far off the response between two headings is, by runs in waves half-way between them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.scene.load import SceneFile
+from riserstudy.seas.cover import Cover, off_by, scale_of
+from riserstudy.seas.riser_hours import Response
+from riserstudy.seas.sea_states import SeaStates
+
+if TYPE_CHECKING:
+    from riserstudy.seas.riser_response import RiserResponse
+
+FloatArray = NDArray[np.float64]
+COMPARED = (
+    4  # sea states half-way between two headings: the highest, and others drawn by their rows
+)
+
+
+class Half(NamedTuple):
+    """Waves half-way between a heading and the next."""
+
+    angle: float  # deg
+    file: SceneFile
+    states: FloatArray  # (n, 2) that are compared
+    rows: NDArray[np.bool_]  # (rows,) of the record between the two
+    following: int  # number of the next heading
+
+
+class Middle(NamedTuple):
+    """Responses half-way between two headings, and by how much the mean of the two is off."""
+
+    heading: float  # deg
+    riser: RiserResponse
+    states: FloatArray  # (n, 2) significant height (m), peak period (s)
+    responses: FloatArray  # (n, limits)
+    deviation: FloatArray  # (n, limits) their standard errors by seeds
+    rows: NDArray[np.bool_]  # (rows,) of the record between the two
+    scale: FloatArray  # (limits,) what errors count against, or the response where that is more
+    error: FloatArray  # (limits,) largest, over that
+
+
+def states_between(of: SeaStates, inside: NDArray[np.bool_]) -> FloatArray:
+    """Sea states that are compared half-way between two headings, (n, 2).
+
+    Parameters
+    ----------
+    inside : (rows,) rows of the record between the two headings.
+    """
+    there = of.among(inside)
+    highest = int(there.states[:, 0].argmax())
+    others = np.delete(np.arange(len(there.states)), highest)
+    count = min(COMPARED - 1, len(others))
+    if not count:
+        return there.states[[highest]]
+    weights = there.rows[others] / there.rows[others].sum()
+    drawn = np.random.default_rng(0).choice(others, count, replace=False, p=weights)
+    return there.states[[highest, *drawn]]
+
+
+def compared(half: Half, riser: RiserResponse, neighbours: Sequence[Cover]) -> Middle:
+    """Compare the mean of two headings with runs half-way between them.
+
+    Parameters
+    ----------
+    riser : in waves half-way between.
+    neighbours : what was simulated of the two.
+    """
+    came = riser(half.states)
+    expected = np.mean([one.surface.at(half.states) for one in neighbours], axis=0)
+    scale = scale_of(riser.allowed, np.concatenate([one.responses for one in neighbours]))
+    error = np.nanmax(off_by(expected, came, scale), axis=0, initial=0.0)
+    none = np.full(len(riser.limits), math.nan)
+    deviation = np.array([riser.deviation.get((h, t), none) for h, t in half.states.tolist()])
+    return Middle(half.angle, riser, half.states, came, deviation, half.rows, scale, error)
+
+
+def widened(rows: Response, inside: NDArray[np.bool_], middle: Middle) -> Response:
+    """The response in rows, with what those between two headings, (n,), are off by."""
+    off = rows.off.copy()
+    off[inside] += middle.error * np.maximum(middle.scale, np.abs(rows.demand[inside]))
+    return rows._replace(off=off)

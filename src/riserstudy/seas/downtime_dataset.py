@@ -1,0 +1,124 @@
+"""What was simulated for the hours of a record, as a dataset and in words."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.digests import engine_digest
+from riserstudy.scene.load import SceneFile
+from riserstudy.seas.between_headings import Middle
+from riserstudy.seas.directions import FROM
+from riserstudy.seas.heading_parts import Part
+from riserstudy.seas.riser_hours import RiserHours
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def largest_errors(parts: Sequence[Part], middles: Sequence[Middle]) -> NDArray[np.float64]:
+    """Largest difference of the response where it was compared, (limits,), of any heading."""
+    errors = [*(part.cover.error for part in parts), *(middle.error for middle in middles)]
+    return np.asarray(np.max(errors, axis=0))
+
+
+def said(
+    parts: Sequence[Part], middles: Sequence[Middle], hours: RiserHours, record: xr.Dataset
+) -> list[str]:
+    """What was simulated, in words."""
+    riser = parts[0].riser
+    count = sum(len(part.cover.states) for part in parts)
+    compared = sum(int(part.cover.held_out.sum()) for part in parts)
+    off = max(float(part.cover.error.max()) for part in parts)
+    directed = not math.isnan(parts[0].heading.angle)
+    many = f" in {len(parts)} headings" if directed else ""
+    lines = [
+        f"{count} sea states{many} of {riser.exposure:g} s, {riser.seeds} seeds each; "
+        f"at {compared} that were compared the response is off by up to {off:.1%}"
+    ]
+    if meshes := [part.mesh for part in parts if part.mesh]:
+        words = sorted({one.words for one in meshes})
+        off = max(float(one.error.max()) for one in meshes)
+        lines.append(
+            f"runs on {' or '.join(words)}; where compared with runs by the scene's accuracy, demands differ "
+            f"by up to {off:.1%}"
+        )
+    if riser.seeds == 1:
+        lines.append("what other seeds would bring is not known, and in no band")
+    if FROM in record and not directed:
+        lines.append(
+            "directions of the record are not used: all seas come from the scene's heading"
+        )
+    if middles:
+        count = sum(len(one.states) for one in middles)
+        off = max(float(one.error.max()) for one in middles)
+        lines.append(f"at {count} half-way between headings it is off by up to {off:.1%}")
+    elif directed:
+        lines.append("each row has the nearest heading; what lies between headings is in no band")
+    risers = [*(part.riser for part in parts), *(middle.riser for middle in middles)]
+    failures = [one for of in risers for one in of.failures.items()]
+    for (height, period), why in failures[:3]:
+        lines.append(f"no result in {height:g} m, {period:g} s: {why}")
+    if hours.unknown:
+        lines.append(
+            f"{hours.unknown:.2%} of the rows lie beside such seas, and count as not workable"
+        )
+    return lines
+
+
+def dataset_of(file: SceneFile, parts: Sequence[Part], middles: Sequence[Middle]) -> xr.Dataset:
+    """Responses over sea states and limits."""
+    import xarray as xr
+
+    riser = parts[0].riser
+    each = [
+        *((p.heading.angle, p.cover.states, p.cover.responses, p.deviation) for p in parts),
+        *((m.heading, m.states, m.responses, m.deviation) for m in middles),
+    ]
+    states, demand, deviation = (np.concatenate([one[k] for one in each]) for k in (1, 2, 3))
+    headings = np.repeat([one[0] for one in each], [len(one[1]) for one in each])
+    compared = np.ones(sum(len(one.states) for one in middles), bool)
+    held = np.concatenate([*(p.cover.held_out for p in parts), compared]).astype(np.int8)
+    worst = largest_errors(parts, middles)
+    sides, units, labels = (
+        np.array(values, object)
+        for values in ([one.side for one in riser.limits], riser.units, riser.labels)
+    )
+    both, state, limit = ("sea_state", "limit"), "sea_state", "limit"
+    own = "in the unit of the limit"
+    return xr.Dataset(
+        {
+            "demand_of_limit": (both, demand, {"long_name": f"demand, {own}"}),
+            "standard_error": (both, deviation, {"long_name": f"of the demand by seeds, {own}"}),
+            "held_out": (state, held, {"long_name": "1: simulated to compare"}),
+            "allowed": (limit, riser.allowed, {"long_name": f"what is allowed, {own}"}),
+            "response_error": (
+                limit, worst, {"units": "1", "long_name": "largest difference where compared"}
+            ),
+            "unit": (limit, units, {"long_name": "unit of the limit"}),
+            "side": (limit, sides, {"long_name": "which side is limited"}),
+        },
+        {
+            "limit": (limit, labels, {"long_name": "limit"}),
+            "significant_wave_height": (
+                state, states[:, 0], {"units": "m", "long_name": "significant wave height"}
+            ),
+            "peak_period": (state, states[:, 1], {"units": "s", "long_name": "peak period"}),
+            "heading": (
+                state, headings, {"units": "degree", "long_name": "heading, none: the scene's"}
+            ),
+        },
+        {
+            "Conventions": "CF-1.11",
+            "title": f"{file.tree.get('title') or 'a riser'}: limits over sea states",
+            "scene": json.dumps(file.tree),
+            "engine": engine_digest(),
+            "seeds": riser.seeds,
+            "interval_hours": riser.interval / 3600.0,
+        },
+    )  # fmt: skip
