@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 from riserstudy.report.audit import UNSAID, missed, relevant_errors
+from riserstudy.report.wording import counted, spaced
 
 TABLES = """
 create table parameters (point, path, value);
@@ -94,7 +95,10 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
     assert (of.points, of.off, of.requested, of.missed_by_request, of.estimated) == (4, 1, 1, 0, 2)
     assert of.verdicts == [("paper", "N1")]
     assert of.reasons == [("a stop is met", 1, ["paper/blow"])]
-    assert "3 others have a prescribed mesh and step; the error of 2 is estimated" in of.sentences
+    assert (
+        "The other 3 use a fixed mesh and time step; their error was estimated for 2"
+        in of.sentences
+    )
 
 
 def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
@@ -108,3 +112,11 @@ def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
 def test_where_nothing_misses_that_is_all_that_is_said():
     db = database([("fine", True, None, 0.001, 0.002, None)])
     assert missed(db, kept(fine=(None, None))).sentences.startswith("All 1 points")
+
+
+@pytest.mark.parametrize(
+    "count, text", [(1, "1"), (9999, "9999"), (10_000, "10 000"), (1_234_567, "1 234 567")]
+)
+def test_thousands_stand_apart_from_five_digits_on(count, text):
+    assert spaced(count).replace("\u00a0", " ") == text
+    assert counted(count, "point").replace("\u00a0", " ").startswith(f"{text} point")

@@ -43,7 +43,7 @@ def test_a_verdict_that_a_point_alone_made_turns_without_it(db):
     for point in (12, 13):  # at either speed
         found = without_points(db, [CLAIM], {STUDY: [point]})
         assert found.turned == [(CLAIM, "holds")]
-        said = "Without these points 1 of the 1 verdicts that can be graded anew turns"
+        said = "If these points are left out, 1 of 1 verdicts changes"
         assert (found.turning, found.left) == (said, "")
 
 
@@ -51,7 +51,7 @@ def test_other_points_leave_a_verdict_as_it_is(db):
     for off in ({STUDY: [14]}, {STUDY: []}, {}):
         found = without_points(db, [CLAIM], off)
         assert (found.stand, found.turned, found.bound) == ([CLAIM], [], [])
-        assert found.turning.startswith("Without these points none of the 1 verdicts")
+        assert found.turning.startswith("If these points are left out, none of 1 verdicts")
 
 
 def test_what_rests_on_such_points_in_its_base_or_in_every_case_cannot_be_graded(db):

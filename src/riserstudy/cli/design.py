@@ -227,7 +227,7 @@ def viv(
     """Screen a riser in a current for vortex-induced vibration: modes, places, amplitudes, drag.
 
     By the modes about the static equilibrium and reduced velocities alone: nothing is simulated over time.
-    The amplitude of a mode is that at which drag takes what lift gives, each mode by itself.
+    The amplitude of each mode is where the power of drag equals the power of lift, as if it vibrated alone.
     """
     from riserstudy.dataset.table import Cell, Table
 

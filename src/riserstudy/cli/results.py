@@ -50,9 +50,10 @@ def results(
     folder: ResultsOption = IN_RESULTS,
     force: ForceOption = False,
 ) -> None:
-    """List studies; the points of one, with what they found; or points by words.
+    """List studies, or the points of one study with their results.
 
-    By words: key, study, place on its axes, scene, engine, time and effects of every point that has them all.
+    Words list the points that contain all of them: key, study, place on its axes, scene, engine, time and
+    effects.
     """
     from riserstudy.database import listing
     from riserstudy.database.ask import NAME, opened
@@ -81,7 +82,7 @@ def sql(
     folder: ResultsOption = IN_RESULTS,
     force: ForceOption = False,
 ) -> None:
-    """Ask the results database; nothing can be changed by it."""
+    """Query the results database (read-only)."""
     from riserstudy.database.ask import NAME, ask, opened
 
     with opened(folder / NAME) as db:
@@ -152,8 +153,8 @@ def prune(
 ) -> None:
     """Remove stored points that nothing needs, after showing their size and asking for agreement.
 
-    Those of other engines, of former formats, or damaged. Where studies of several folders share a store,
-    ``--all`` takes what only the others need.
+    Unneeded are points of other engine versions, of former file formats, and damaged ones. Where studies of
+    several folders share a store, ``--all`` takes what only the others need.
     """
     from riserstudy.database.ask import NAME
     from riserstudy.database.prune import unneeded

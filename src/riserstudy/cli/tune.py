@@ -36,7 +36,7 @@ def tune(
 ) -> None:
     """Find the cheapest mesh, step and method that a study's points meet an accuracy with.
 
-    Tuned at a few points, and held against others: corners and middle of the axes, ends of what is sampled.
+    It tunes at a few points and checks at others: corners and middle of the axes, and ends of sampled ranges.
     """
     from riserstudy.study.write_tuned import write_tuned
 

@@ -11,7 +11,7 @@ from collections import Counter
 from typing import Any, NamedTuple
 
 from riserstudy.report.without_points import WithoutPoints, without_points
-from riserstudy.report.wording import grouped, listed, share
+from riserstudy.report.wording import grouped, listed, share, spaced
 from riserstudy.study.models import StudyFile, StudyModel
 
 TOLERANCE = 0.01  # estimated error above which a point counts as off, where none is asked for
@@ -82,21 +82,21 @@ class Missed(NamedTuple):
     def sentences(self) -> str:
         """In words."""
         if not self.off:
-            return f"All {self.points} points have estimated errors within their tolerance."
+            return f"All {spaced(self.points)} points have estimated errors within their tolerance."
         requested = (
-            f"{self.missed_by_request} of the {self.requested} points that request an accuracy miss it"
+            f"{spaced(self.missed_by_request)} of {spaced(self.requested)} points with a tolerance miss it"
             if self.missed_by_request
-            else f"All {self.requested} points that request an accuracy are estimated to reach it"
+            else f"All {spaced(self.requested)} points with a tolerance meet it, by their estimated error"
         )
         fixed, prescribed = self.off - self.missed_by_request, self.points - self.requested
         sentence = (
-            f"{prescribed} others have a prescribed mesh and step; "
-            f"the error of {self.estimated} is estimated"
+            f"The other {spaced(prescribed)} use a fixed mesh and time step; "
+            f"their error was estimated for {self.estimated}"
         )
         if not fixed:
-            return f"{requested}. {sentence}, to {share(TOLERANCE)} at most."
+            return f"{requested}. {sentence} and is at most {share(TOLERANCE)}."
         return (
-            f"{requested}. {sentence}, in {fixed} to more than {share(TOLERANCE)}. "
+            f"{requested}. {sentence} and exceeds {share(TOLERANCE)} for {fixed}. "
             f"The largest is {share(self.worst)}, in {self.where}."
         )
 

@@ -15,12 +15,12 @@ from riserstudy.report.wording import number, sentence, share, unit
 VERDICTS = {
     "reproduced": "within the printed rounding or 1 %, with nothing fitted",
     "calibrated": "met with an input that was fitted to a printed number",
-    "holds": "true in the base case and in at least 95 % of samples of the unspecified inputs, 59 or more, "
-    "with every interpretation",
+    "holds": "true in the base case and in at least 95 % of the samples (59 or more) of the unspecified "
+    "inputs, with every interpretation",
     "depends": "decided by an input that the paper does not give, or by how a sentence is interpreted",
-    "fails": "a number that no sample meets, a claim true in at most 5 %",
+    "fails": "no sample meets the number, or at most 5 % of the samples support the claim",
     "not comparable": "what is published is defined otherwise than what is computed",
-    "not reproducible": "the paper does not say enough",
+    "not reproducible": "the paper gives too little information",
 }
 #: columns of the database that a claim has under the same name
 AS_IT_IS = (*(field.name for field in fields(ItemResult)), "decided_by", "met", "samples")
@@ -73,7 +73,7 @@ class Claim(ItemResult):
         if self.verdict == "not comparable":
             return sentence(self.grounds.not_comparable)
         if self.verdict == "not reproducible":
-            return sentence(self.grounds.impossible or "the paper does not say enough")
+            return sentence(self.grounds.impossible or "the paper gives too little information")
         if self.grounds.readings:
             return sentence(self._by_reading)
         if self.verdict == "depends":

@@ -163,9 +163,9 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     if work.sizes["drawn"]:
         middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
         lines.append(
-            f"All refinements together work {middle:.2g} times as much as the cheapest even mesh and step "
-            f"that errs no more, in the median, and at most {most:.2g} times in 95 %; in {none} scenes none "
-            "was found that works less than the request."
+            f"All refinements together cost {middle:.2g} times the work of the cheapest uniform mesh and "
+            f"time step of equal error (median; in 95 % of the scenes at most {most:.2g} times). "
+            f"In {none} scenes no cheaper setting was found."
         )
     return lines
 
@@ -175,19 +175,19 @@ def long_runs(long: xr.Dataset) -> list[str]:
     lines = []
     for case in dict.fromkeys(long["case"].values.tolist()):
         of = long.isel(run=long["case"].values == case)
+        parts, published = [], ""
         for error, label in (("error_peak", "the largest moment"), ("error_moment", "all moments")):
             good = of.isel(run=((of[error] <= WANTED) & of["cpu_seconds"].notnull()).values)
             if not good.sizes["run"]:
-                lines.append(
-                    f"Long simulation, {case}: no setting gives {label} to {100 * WANTED:g} %."
-                )
+                parts.append(f"no setting gives {label} to {100 * WANTED:g} %")
                 continue
             best = good.isel(run=int(good["cpu_seconds"].values.argmin()))
             spent, named = float(best["cpu_seconds"]), float(best["published_seconds"])
-            paper = f"; the paper names {seconds(named)}" if named == named else ""
-            lines.append(
-                f"Long simulation, {case}: {seconds(spent)} of a processor give {label} to "
-                f"{100 * float(best[error]):.2g} % ({best['candidate'].item()}, {int(best['elements'])} "
-                f"segments, step {float(best['asked_step']):g} s){paper}."
+            published = f"; published run time: {seconds(named)}" if named == named else ""
+            parts.append(
+                f"{seconds(spent)} of CPU time give {label} to {100 * float(best[error]):.2g} % "
+                f"({best['candidate'].item()}, {int(best['elements'])} segments, "
+                f"step {float(best['asked_step']):g} s)"
             )
+        lines.append(f"Long simulation, {case}: {', '.join(parts)}{published}.")
     return lines

@@ -60,7 +60,7 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         return None
     answer = (
         f"the run time for {found.coarse / found.fine:.0f} times the accuracy "
-        f"({100 * found.coarse:g} % to {100 * found.fine:g} %)."
+        f"({100 * found.coarse:g}\u00a0% to {100 * found.fine:g}\u00a0%)."
     )
     scene = accuracy["request_scene"].values
     requested, seconds = accuracy["requested"].values, accuracy["request_seconds"].values

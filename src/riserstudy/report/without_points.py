@@ -26,14 +26,14 @@ class WithoutPoints(NamedTuple):
         """How many turn, in words."""
         many, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
         graded = len(self.turned) + len(self.stand)
-        return f"Without these points {many} of the {graded} verdicts that can be graded anew turn{ends}"
+        return f"If these points are left out, {many} of {graded} verdicts change{ends}"
 
     @property
     def left(self) -> str:
         """How many cannot be graded anew, in words; "" where all can."""
         if not self.bound:
             return ""
-        return f"{len(self.bound)} cannot, as the base case or every case rests on such a point"
+        return f"{len(self.bound)} cannot be checked, as the base case or every case needs such a point"
 
 
 def without_points(

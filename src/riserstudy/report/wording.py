@@ -43,7 +43,12 @@ def seconds(value: float) -> str:
 
 def counted(count: int, thing: str) -> str:
     """``1 figure``, ``9 figures``."""
-    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+    return f"{count} {thing}" if count == 1 else f"{spaced(count)} {thing}s"
+
+
+def spaced(count: int) -> str:
+    """``9999``, ``11 793``: thousands stand apart from five digits on."""
+    return f"{count:,}".replace(",", "\u00a0") if abs(count) >= 10_000 else str(count)
 
 
 def listed(words: Iterable[str]) -> str:

@@ -146,7 +146,7 @@ class Arrangement(Strict):
 
 
 class Failing(Strict):
-    """Cylinders, counted from 0, that pull nothing from a time of the run on: lines that part."""
+    """Cylinders (the first is 0) that exert no force from a time of the run on: lines that break."""
 
     at: Annotated[u.Time, POSITIVE]
     cylinders: Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=1)]
@@ -158,8 +158,8 @@ class Tensioners(Strict):
     ``table``: any other law, pull over reach of one cylinder, joined smoothly and monotonically, or by
     straight lines with ``interpolation: linear``; beyond its ends it goes on straight, with a warning.
 
-    Absent arrangement: they stay upright. ``failed`` cylinders, counted from 0, pull nothing. Absent
-    failing: none fails during the run.
+    Absent arrangement: the cylinders are upright. Cylinders listed in ``failed`` (the first is 0) exert no
+    force. Absent failing: none fails during the run.
     """
 
     count: Annotated[int, Field(ge=1, le=1000), WHOLE]
