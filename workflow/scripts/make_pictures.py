@@ -13,6 +13,7 @@ from matplotlib import rcParams
 from matplotlib.figure import Figure
 from PIL import Image
 
+import peer_ratios
 from riserstudy import load_scene
 from riserstudy.figures.style import COLOURS, GREY
 from riserstudy.report.hero import hero
@@ -35,6 +36,11 @@ def main() -> None:
     for name, figure in drawings().items():
         figure.savefig(IMAGES / f"{name}.svg", metadata={"Date": None}, transparent=False)
     (IMAGES / "drive_off.svg").write_text(drive_off(), "utf-8")
+    save(
+        peer_ratios.drawing(peer_ratios.ratios(peer_ratios.PAGE.read_text("utf-8"))),
+        peer_ratios.PICTURE,
+        dpi=110,
+    )
     for name in gallery():
         shrunk(name, THUMBNAIL, IMAGES / "gallery" / f"{name.replace('/', '_')}.png")
     for name, width in PAGES.items():
