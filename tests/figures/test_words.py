@@ -21,3 +21,10 @@ def test_panels_have_the_names_of_the_axes_that_they_share():
     assert "(b) 3 m: heave (m) over time (s): gas law." in said
     first = table(figure).splitlines()[1]
     assert first.startswith("(a),time (s),heave (m),gas law,0,0")
+
+
+def test_a_name_on_two_rows_is_one_name():
+    figure = Figure()
+    ax = figure.subplots()
+    ax.plot([0.0, 1.0], [0.0, 2.0], label="secant,\nright axis")
+    assert table(figure).splitlines()[1].split(",", 3)[3].startswith('"secant, right axis",0,0')

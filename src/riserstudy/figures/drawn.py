@@ -96,13 +96,13 @@ def _plain(text: str) -> str:
 
 def _series(ax: Axes) -> Iterator[Drawn]:
     for artist in ax.get_children():
-        label = str(artist.get_label() or "")
+        label = " ".join(str(artist.get_label() or "").split())
         name = "" if label.startswith("_") else label
         values = _values(artist)
         if values is not None and len(values):
             yield Drawn(type(artist).__name__, name, values)
     for bars in ax.containers:
-        label = str(bars.get_label() or "")
+        label = " ".join(str(bars.get_label() or "").split())
         boxes = [patch.get_bbox() for patch in getattr(bars, "patches", [])]
         if boxes:
             tops = np.array([(0.5 * (b.x0 + b.x1), b.y1, np.nan) for b in boxes])

@@ -93,7 +93,7 @@ def field(
     figure, ax : where it is drawn.
     values : over both coordinates.
     across, up : names of the coordinates.
-    label : of the bar.
+    label : of the bar; empty: no bar, where another panel has it.
     signed : largest size, by which colours leave white to either side; absent: from least to most.
     """
     displayed = values.transpose(up, across)
@@ -101,5 +101,6 @@ def field(
     colours = ax.pcolormesh(
         displayed[across], displayed[up], displayed, shading="gouraud", rasterized=True, **scale
     )
-    figure.colorbar(colours, ax=ax, label=label)
+    if label:
+        figure.colorbar(colours, ax=ax, label=label)
     ax.grid(False)
