@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from scipy.interpolate import CubicSpline
 
 from riserstudy.chapters.chang2020.figures.shared import MODELS
+from riserstudy.figures.direct import label_line
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -42,19 +43,20 @@ def fig06(quasi_static: xr.Dataset) -> Figure:
     curve = CubicSpline(law["X"].values, law.values)
     at = np.linspace(*FITTED, 401)
     at = at[np.abs(at) > 1e-6]
-    ax.plot(at, np.abs(curve(at, 1)) / 1e6, color=GREY, label="tangent |dF/dX|")
+    (tangent,) = ax.plot(at, np.abs(curve(at, 1)) / 1e6, color=GREY, label="tangent |dF/dX|")
     secant = np.abs((curve(at) - curve(0.0)) / at)
-    ax.plot(
+    (chord,) = ax.plot(
         at,
         secant / 1e6,
         color=COLOURS[0],
-        label="secant |F(X) − F(0)| / |X|; Eq. 5, of one cylinder: right axis",
+        label="secant |F(X) − F(0)| / |X|,\nas Eq. 5 (right axis)",
     )
     ax.set_xlabel(PISTON)
     ax.set_ylabel("stiffness of four cylinders (MN/m)")
-    ax.legend(fontsize="small")
+    label_line(ax, tangent, 0.15, (8.0, 4.0))
+    label_line(ax, chord, 0.62, (4.0, 8.0))
     _per_cylinder(ax, "stiffness of one cylinder (MN/m)")
-    headline(figure, "Stiffness falls with the displacement; what Eq. 5 prints is the secant")
+    headline(figure, "Stiffness falls with the displacement; Eq. 5 prints the secant")
     return figure
 
 
@@ -64,10 +66,11 @@ def fig09(quasi_static: xr.Dataset) -> Figure:
     for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
         law = _law(quasi_static, model).interp(X=np.linspace(*FITTED, 161), method="cubic")
         label = {"gas law": "gas law", "linear": "least-squares line"}[model]
-        ax.plot(law["X"], law / 1e6, line, color=colour, label=label)
+        (drawn,) = ax.plot(law["X"], law / 1e6, line, color=colour, label=label)
+        above = model == "linear"
+        label_line(ax, drawn, 0.45, (6.0, 5.0) if above else (-6.0, -5.0))
     ax.set_xlabel(PISTON)
     ax.set_ylabel("force of four cylinders (MN)")
-    ax.legend(fontsize="small")
     _per_cylinder(ax, "force of one cylinder (MN)")
     headline(figure, "The least-squares line deviates most from the gas law at its ends")
     return figure

@@ -7,8 +7,10 @@ import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from riserstudy.chapters.chang2020.figures.shared import MODELS, TIME
+from riserstudy.figures.direct import label_line
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -64,7 +66,7 @@ def fig08(
                 f"{name[16:]} {100.0 * (1.0 - part / bare):.0f} %" for name, part in swing.items()
             ]
             ax.annotate(
-                f"swing less by: {', '.join(reductions)}; printed about {100.0 * reduced[quantity]:.0f} %",
+                f"range smaller by: {', '.join(reductions)}; printed about {100.0 * reduced[quantity]:.0f} %",
                 (0.5, 0.97),
                 xycoords="axes fraction",
                 ha="center",
@@ -95,7 +97,7 @@ def _printed_swing(ax: Axes, bare: xr.DataArray, reduction: float) -> None:
         color="black",
         capsize=3,
         clip_on=False,
-        label="swing that the printed reduction leaves",
+        label="range that the printed reduction leaves",
     )
 
 
@@ -151,15 +153,14 @@ def settled_response(steady: xr.Dataset) -> Figure:
     """Figs 10 to 12 without start-up ringing, over one period."""
     figure, axes = panels(3, 2, 2.7, sharex=True)
     _models_compared(axes, steady)
-    axes[0].legend(fontsize="small", loc="upper right")
+    for line, up in zip(axes[0].lines, (-9.0, 3.0), strict=True):
+        label_line(axes[0], line, 0.25, (0.0, up))
+    axes[0].margins(y=0.12)
     for ax, quantity, label in zip(axes[4:], ("heave", "tension"), (HEAVE, TENSION), strict=True):
         _amplitudes(ax, steady, quantity)
         panel_title(ax, "gas law, by amplitude")
         ax.set_ylabel(label)
         ax.set_xlabel("time in the settled period (s)")
-    axes[4].legend(
-        fontsize="x-small", loc="upper right", title="amplitude", title_fontsize="x-small"
-    )
     axes[0].set_xlim(0, 20)
     headline(
         figure,
@@ -195,7 +196,7 @@ def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Fi
         ax.plot(settled["time"], settled[quantity], color=COLOURS[1], lw=2.0, label="settled")
         status = "named in the text" if amplitude in NAMED else "assumed"
         panel_title(ax, f"platform {amplitude:g} m, {status}")
-        ax.locator_params(axis="y", nbins=5)
+        ax.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
     figure.supylabel(label, fontsize="medium")
     axes[-1].set_xlabel(TIME)
     axes[-1].set_xlim(0, SHOWN)
@@ -203,7 +204,7 @@ def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Fi
     low, high = (float(index.sel(heave_amplitude=a)) for a in (FOUR[0], FOUR[-1]))
     headline(
         figure,
-        f"Settled {quantity}: upper over lower displacement grows from {low:.2f} to {high:.2f}",
+        f"Settled {quantity}: the asymmetry index grows with amplitude from {low:.2f} to {high:.2f}",
     )
     key_below(figure, axes[0], 3)
     return figure
@@ -220,7 +221,11 @@ def _amplitudes(ax: Axes, runs: xr.Dataset, quantity: str) -> None:
     for colour, amplitude in zip(viridis(np.linspace(0.0, 0.85, len(FOUR))), FOUR, strict=True):
         run = _gas(runs).sel(heave_amplitude=amplitude)
         start = float(run["time"][0])
-        ax.plot(run["time"] - start, run[quantity], color=colour, label=f"{amplitude:g} m")
+        (line,) = ax.plot(
+            run["time"] - start, run[quantity], color=colour, label=f"{amplitude:g} m"
+        )
+        label_line(ax, line, 0.25, (0.0, 2.0))
+    ax.margins(y=0.1)
 
 
 def _histories(runs: xr.Dataset, when: str = "") -> xr.Dataset:

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.chapters.chang2020.figures.shared import AMPLITUDE, MODELS, TIME
+from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import (
     COLOURS,
     PRINTED,
@@ -66,17 +67,17 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
                 marker=mark,
                 markersize=5,
                 color=colour,
-                label=f"{label}, {model}",
+                label=f"{label},\n{model}" if "from rest" in label else f"{label}, {model}",
             )
     ax.set_xlabel(AMPLITUDE)
     ax.set_ylabel("asymmetry index $S = x_p / x_n$")
-    ax.legend(fontsize="small")
     far = index.sel(reading="steady").isel(heave_amplitude=-1)
     curved, straight = (float(far.sel(tensioner_model=model)) for model in MODELS)
     headline(
         figure,
         f"The asymmetry index reaches {curved:.2f} with the gas law, {straight:.2f} with a line",
     )
+    label_ends(ax)
     return figure
 
 
@@ -118,7 +119,7 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
     table = 100.0 * reductions["reduction"].sel(quantity="heave")
     places: list[float] = []
     names: list[str] = []
-    words = {"swing": "swing", "deviation": "standard\ndeviation", "peak": "peak"}
+    words = {"swing": "range", "deviation": "standard\ndeviation", "peak": "peak"}
     for j, height in enumerate(("amplitude", "height")):
         for k, measure in enumerate(words):
             at = j * 3.6 + k
@@ -174,7 +175,7 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
     top = period_sweep.isel(s_node=-1)
     up, down = top["z_max"] - top["z_static"], top["z_static"] - top["z_min"]
     curves = {
-        "half range / heave amplitude": 0.5 * (up + down) / top["heave_amplitude"],
+        "half range / amplitude": 0.5 * (up + down) / top["heave_amplitude"],
         "asymmetry index $S$": up / down,
     }
     for k, amplitude in enumerate(amplitudes):
