@@ -7,6 +7,7 @@ import xarray as xr
 from matplotlib import colormaps
 from matplotlib.figure import Figure
 
+from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -68,15 +69,14 @@ def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
     below.set_xlabel(TIME)
     ax.set_ylabel(TENSION)
     below.set_ylabel("difference (kN)")
-    for panel in (ax, below):
-        panel.legend(fontsize="small", ncols=4, loc="upper right")
-        panel.margins(y=0.25)
     swing = 0.5 * (law.max("time") - law.min("time"))
     share = 100.0 * float(swing.isel(depth=0) / law.isel(depth=0).mean())
     headline(
         figure,
         f"Heave gives a tension amplitude of up to {float(swing.max()):.0f} kN, {share:.0f} % of the tension",
     )
+    for panel in (ax, below):
+        label_ends(panel)
     return figure
 
 
@@ -116,7 +116,6 @@ def fig15(heave: xr.Dataset) -> Figure:
                 )
     axes[0].set_xlabel(AMPLITUDE)
     axes[0].set_ylabel("amplitude of the axial force (kN)")
-    axes[0].legend(fontsize="small")
     axes[1].set_xlabel(PERIOD)
     axes[1].margins(x=0.16)
     panel_title(axes[1], "by heave amplitude; grey: linear")
@@ -127,6 +126,7 @@ def fig15(heave: xr.Dataset) -> Figure:
         "Heave amplitude sets the axial force; the period adds at most "
         f"{100.0 * float(spread):.1f} %",
     )
+    label_ends(axes[0])
     return figure
 
 
@@ -163,8 +163,10 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
         "negative below", (0.02, 0.0), xycoords=("axes fraction", "data"), xytext=(0, -4),
         textcoords="offset points", fontsize="small", va="top",
     )  # fmt: skip
-    axes[0].set_ylabel("stroke of a cylinder, extremes (m)")
-    axes[1].set_ylabel("tension at the bottom, extremes (MN)")
+    axes[0].set_ylabel("stroke of a cylinder (m)")
+    axes[1].set_ylabel("tension at the bottom (MN)")
+    panel_title(axes[0], "largest and smallest stroke")
+    panel_title(axes[1], "largest and smallest tension")
     for ax in axes:
         ax.set_xlabel(AMPLITUDE)
     negative = _from(-tension.min(("time", "stop_stiffness")), 0.0)

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.chapters.liu2020.figures.motion_shared import DEPTH, RING, TIME, by_depth
+from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import (
     COLOURS,
     PRINTED,
@@ -37,12 +38,12 @@ WAVE_SPEED = 31.9  # m/s, of lateral waves: root of tension over mass with added
 
 def fig16(surge_case: xr.Dataset) -> Figure:
     """Displacement over depth and time, the riser's top on the platform."""
-    return _surged(surge_case, WITHOUT, "without tensioners, its top on the platform")
+    return _surged(surge_case, WITHOUT, "whose top is on the platform")
 
 
 def fig17(surge_case: xr.Dataset) -> Figure:
     """Displacement over depth and time, on the tensioners."""
-    return _surged(surge_case, "gas law", "on the tensioners")
+    return _surged(surge_case, "gas law", "on tensioners")
 
 
 def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
@@ -56,15 +57,16 @@ def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
     for ax, times, name in zip(
         axes, (slice(0.0, 60.0), slice(end - 60.0, None)), ("as it begins", "settled"), strict=True
     ):
-        field(figure, ax, x.sel(time=times), "time", "depth", DISPLACEMENT, signed=size)
+        label = DISPLACEMENT if ax is axes[-1] else ""
+        field(figure, ax, x.sel(time=times), "time", "depth", label, signed=size)
         ax.set_xlabel(TIME)
         panel_title(ax, name)
     begun = np.array([5.0, 5.0 + RING / WAVE_SPEED])
-    axes[0].plot(begun, [0.0, RING], color="black", linestyle=":", label=f"{WAVE_SPEED} m/s")
-    axes[0].legend(fontsize="small", loc="lower right")
+    (speed,) = axes[0].plot(begun, [0.0, RING], "k:", label=f"{WAVE_SPEED} m/s")
+    label_line(axes[0], speed, 1.0, (-6.0, 6.0))
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
-    headline(figure, f"Surge runs down the riser {title}")
+    headline(figure, f"Surge travels at {WAVE_SPEED} m/s down a riser {title}")
     return figure
 
 
@@ -138,7 +140,7 @@ def baselines(
         "surge, least of 4 depths",
     )
     over, less = "displacement ratio", (1.0 - smaller, 1.0 / (1.0 - smaller))
-    labels = (over, over, "lag on tensioners (deg)")
+    labels = (over, over, "lag on tensioners (°)")
     turn = float(np.rad2deg(later))
     same = (less, less, (-turn, turn))
     for ax, values, title, x, even in zip(axes, compared, titles, labels, same, strict=True):
@@ -167,7 +169,7 @@ def _samples(ax: Axes, values: xr.DataArray, even: tuple[float, float]) -> None:
     for row, model in enumerate(values["tensioner_model"].values):
         of = values.sel(tensioner_model=model).values
         low, middle, high = np.quantile(of, (0.05, 0.5, 0.95))
-        words = ("a sample", "90 % of them", "median") if not row else (None, None, None)
+        words = ("one sample", "90 % of them", "median") if not row else (None, None, None)
         ax.plot(of, np.full(of.size, row), "o", color=COLOURS[0], ms=4, alpha=0.3, label=words[0])
         ax.plot([low, high], [row, row], color=COLOURS[0], lw=2.0, label=words[1])
         ax.plot(middle, row, "|", color="black", ms=11, mew=2.0, label=words[2])
@@ -191,15 +193,19 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
     for ax, times, name in zip(
         axes, (slice(0.0, 40.0), slice(end - 40.0, None)), ("as it begins", "settled"), strict=False
     ):
-        label = "bending moment (kN m)"
+        label = "bending moment (kN m)" if name == "settled" else ""
         field(figure, ax, moment.sel(time=times), "time", "depth", label, signed=size)
         ax.set_xlabel(TIME)
         panel_title(ax, name)
     settled = abs(moment.sel(time=slice(end - 20.0, None))).max("time")
     axes[2].plot(settled, settled["depth"], color=COLOURS[0])
     axes[2].axvline(largest, **PRINTED)
+    axes[2].annotate(
+        f"printed: {largest:g}", (largest, 0.99), xycoords=("data", "axes fraction"), xytext=(-3, 0),
+        textcoords="offset points", ha="right", va="top", fontsize="small",
+    )  # fmt: skip
     axes[2].set_xlabel("largest moment (kN m)")
-    panel_title(axes[2], "settled; dashed: printed")
+    panel_title(axes[2], "settled")
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     headline(
@@ -217,16 +223,20 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     shades = viridis(np.linspace(0.0, 0.85, len(amplitudes)))
     for colour, amplitude in zip(shades, amplitudes, strict=True):
         curve = roll["largest_bending_moment"].sel(roll_amplitude=amplitude) / 1e3
-        ax.plot(curve["roll_period"], curve, color=colour, label=f"roll of {amplitude:g}°")
-    ax.plot([10.0], [largest], "kx", markersize=8, label="printed (4°), calibrated to")
+        ax.plot(curve["roll_period"], curve, color=colour, label=f"{amplitude:g}° roll")
+    ax.plot([10.0], [largest], "kx", markersize=8)
+    ax.annotate(
+        f"printed for 4°, calibrated: {largest:g}", (10.0, largest), xytext=(30, 60), fontsize="small",
+        textcoords="offset points", arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 5.0},
+    )  # fmt: skip
     of_paper = roll["largest_bending_moment"].sel(roll_amplitude=4.0) / 1e3
     ax.set_xlabel("roll period of the platform (s)")
     ax.set_ylabel("largest bending moment (kN m)")
     ax.set_ylim(bottom=0.0)
-    ax.legend(fontsize="small")
     headline(
         figure,
         f"Resonances interrupt the fall: {float(of_paper.max()):.0f} kN m at "
         f"{float(of_paper.idxmax('roll_period')):g} s",
     )
+    label_ends(ax)
     return figure

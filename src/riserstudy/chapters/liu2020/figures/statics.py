@@ -7,12 +7,14 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.figures.direct import label_line
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
     PRINTED,
     headline,
     key_below,
+    legend_below,
     panel_title,
     panels,
 )
@@ -50,18 +52,17 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
     tuned = f"calibrated: {ALL}"
     for line, speed in zip(("-", "--", ":"), SPEEDS, strict=True):
         curve = speed * share.sel(current_profile=tuned)
-        axes[0].plot(
-            curve, curve["depth"], line, color="black", label=f"{speed:g} m/s at the surface"
-        )
+        (drawn,) = axes[0].plot(curve, curve["depth"], line, color="black", label=f"{speed:g} m/s")
+        label_line(axes[0], drawn, 0.0, (0.0, 4.0))
     for colour, shape in zip(COLOURS, share["current_profile"].values, strict=False):
         curve = share.sel(current_profile=shape)
         line = "--" if str(shape).startswith("calibrated") else "-"
         axes[1].plot(curve, curve["depth"], line, color=colour, label=shape)
-    titles = ("fitted to 8765 N; surface speeds printed", "1 m/s at the surface; solid: assumed")
+    titles = ("fitted to 8765 N, by printed surface speed", "1 m/s at the surface; solid: assumed")
     for ax, title in zip(axes, titles, strict=True):
         ax.set_xlabel("current speed (m/s)")
         panel_title(ax, title)
-    axes[0].legend(fontsize="small", loc="lower right")
+    axes[0].margins(x=0.08, y=0.12)
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     headline(
@@ -79,11 +80,13 @@ def fig10(codes: xr.Dataset) -> Figure:
     titles = {"water": "filled with water", "air": "filled with air"}
     for ax, contents in zip(axes, titles, strict=True):
         moved = codes["displacement"].sel(contents=contents)
+        ours_only = abs(moved.sel(code="lumped masses"))
+        least = float(ours_only.max("depth").min())
         for colour, shape in zip(COLOURS, codes["current_profile"].values, strict=False):
             for (code, line), width in zip(lines.items(), (3.0, 1.6, 1.6), strict=True):
                 curve = moved.sel(code=code, current_profile=shape)
                 ours = code == "lumped masses"
-                ax.plot(
+                (drawn,) = ax.plot(
                     curve,
                     curve["depth"],
                     line,
@@ -95,10 +98,15 @@ def fig10(codes: xr.Dataset) -> Figure:
                     markerfacecolor="none",
                     label=shape if ours else None,
                 )
-        panel_title(ax, f"{titles[contents]}; colours: this engine")
+                if ours:
+                    side = -5.0 if float(abs(curve).max()) == least else 5.0
+                    label_line(ax, drawn, _middle(curve), (side, 0.0), name=_on_two_rows(shape))
+        panel_title(ax, titles[contents])
+        ax.margins(x=0.16)
         ax.set_xlabel("lateral displacement (m)")
+    key = axes[0].plot([], [], color=GREY, alpha=0.45, linewidth=3.0, label="this engine")
     for code in ("Hermite elements", "collocation"):
-        axes[0].plot(
+        key += axes[0].plot(
             [], [], lines[code], color="black", linewidth=1.6, markersize=4, markerfacecolor="none",
             label=code,
         )  # fmt: skip
@@ -109,8 +117,18 @@ def fig10(codes: xr.Dataset) -> Figure:
         figure,
         f"Three methods agree to {apart:.1f} % of the displacement",
     )
-    key_below(figure, axes[0], 3)
+    legend_below(figure, key, [str(line.get_label()) for line in key], 3)
     return figure
+
+
+def _middle(curve: xr.DataArray) -> float:
+    """Share of the points of a curve before its largest value."""
+    return float(np.argmax(np.abs(curve.values))) / max(1, curve.size - 1)
+
+
+def _on_two_rows(shape: object) -> str:
+    """Name of a current's profile, narrow enough to stand between two curves."""
+    return str(shape).replace("exponential", "exp.").replace(" ", "\n", 1)
 
 
 # statics of the system
@@ -226,7 +244,7 @@ def _at_rest(
             bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
         )
         panel_title(row[0], CALIBRATIONS[calibration])
-        panel_title(row[1], "1 m/s, every reading of the riser alone")
+        panel_title(row[1], "1 m/s, every interpretation of the riser alone")
         row[0].set_ylabel(DEPTH)
     for ax in axes[2:]:
         ax.set_xlabel(label)
@@ -265,11 +283,14 @@ def dat_force(
             over["surface_speed"], 100.0 * (over - 1.0), mark, color=colour, ms=7 if mark == "o" else 4,
             markerfacecolor="none" if mark == "o" else colour, label=f"calibrated: {calibration}",
         )  # fmt: skip
-    close.axhline(0.0, label=f"printed: {slow:g}, {middle:g}, {fast:g} N", **PRINTED)
-    close.set_xticks(SPEEDS)
-    close.set_xlabel("surface speed of the current (m/s)")
-    close.set_ylabel("calibrated force over the printed, less 1 (%)")
+    close.axhline(0.0, label="printed", **PRINTED)
+    forces = (slow, middle, fast)
+    names = [f"{speed:g}\n({force:g} N)" for speed, force in zip(SPEEDS, forces, strict=True)]
+    close.set_xticks(SPEEDS, names)
+    close.set_xlabel("surface speed (m/s), printed force (N)")
+    close.set_ylabel("force / printed force − 1 (%)")
     close.margins(0.15)
+    panel_title(close, "by surface speed; current calibrated at 1 m/s")
     close.legend(fontsize="small", loc="upper right")
     slowest = dat_force_calibrated["horizontal_force"].sel(surface_speed=0.2).isel(calibration=0)
     headline(
@@ -296,7 +317,7 @@ def _profiles(ax: Axes, over: xr.DataArray) -> None:
     ax.set_xscale("log")
     ax.xaxis.set_major_formatter("{x:g}")
     ax.set_yticks(range(len(profiles)), profiles)
-    ax.set_ylim(len(profiles) + 0.8, -0.5)  # with room for the key below the rows
-    ax.set_xlabel("force / printed force, least to most of three speeds")
+    ax.set_ylim(len(profiles) + 0.4, -0.5)  # with room for the key below the rows
+    ax.set_xlabel("force / printed force, at three speeds")
     panel_title(ax, "by current profile, assumed")
     ax.legend(fontsize="small", loc="lower right")

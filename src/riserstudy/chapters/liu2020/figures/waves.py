@@ -6,14 +6,17 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 from riserstudy.chapters.liu2020.figures.motion_shared import TIME
 from riserstudy.dataset.statistics import peaks
+from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
     headline,
-    key_below,
+    legend_below,
     panel_title,
     panels,
 )
@@ -26,6 +29,7 @@ RESPONSES = {
     "effective_tension": ("tension at the ring", "kN", 1e-3),
     "stroke": ("stroke", "m", 1.0),
 }
+CALM = 14.0  # s, wave periods above which waves on the riser lower its stress
 SHOWN = 300.0  # s, of a sea
 HIGHEST = 0.5  # Hz, of spectra
 ALONE, STRETCHED = "on the platform alone", "stretched to the surface"
@@ -38,10 +42,18 @@ def fig21(rao_table: xr.Dataset) -> Figure:
         for unit, line in UNITS.items():
             curve = rao_table[f"rao_{name}"].sel(platform_unit=unit)
             label = f"{name}, {unit} {GENERIC}"
-            ax.plot(curve["wave_period"], curve, line, color=colour, label=label)
+            (drawn,) = ax.plot(curve["wave_period"], curve, line, color=colour, label=label)
+            if unit == "large":
+                offset = (-8.0, 0.0) if name == "heave" else (0.0, 5.0)
+                share = 0.71 if name == "heave" else 0.9
+                label_line(ax, drawn, share, offset, name=name, size="medium")
     ax.set_xlabel(WAVE)
     ax.set_ylabel("motion / wave amplitude (m/m)")
-    ax.legend(fontsize="small")
+    key = [
+        Line2D([], [], ls=line, color=GREY, label=f"{unit} {GENERIC}")
+        for unit, line in UNITS.items()
+    ]
+    ax.legend(handles=key, fontsize="small", loc="upper left")
     still, most = (float(x) for x in (_stillest(rao_table), _heaviest(rao_table)))
     headline(
         figure,
@@ -57,7 +69,7 @@ def fig22(rao_table: xr.Dataset) -> Figure:
         curve = np.rad2deg(rao_table["rao_pitch"].sel(platform_unit=unit))
         ax.plot(curve["wave_period"], curve, line, color=COLOURS[0], label=f"{unit} {GENERIC}")
     ax.set_xlabel(WAVE)
-    ax.set_ylabel("pitch over wave amplitude (deg/m)")
+    ax.set_ylabel("pitch / wave amplitude (°/m)")
     ax.legend(fontsize="small")
     pitch = rao_table["rao_pitch"].sel(platform_unit="medium")
     headline(
@@ -115,14 +127,14 @@ def _by_motion(values: xr.DataArray, label: str) -> Figure:
             low, high = curve.min("platform_unit"), curve.max("platform_unit")
             ax.fill_between(low["wave_period"], low, high, color=colour, alpha=0.25, linewidth=0.0)
             ax.plot(curve["wave_period"], curve.sel(platform_unit="medium"), ".-", ms=4, lw=1.2,
-                    color=colour, label=f"{motion}, medium {GENERIC}")  # fmt: skip
-        ax.fill_between(
-            [], [], [], color=GREY, alpha=0.25, linewidth=0.0, label=f"three {GENERIC}s"
-        )
+                    color=colour, label=str(motion))  # fmt: skip
         ax.set_xlabel(WAVE)
         panel_title(ax, f"centre of motion {reference}")
     axes[0].set_ylabel(label)
-    key_below(figure, axes[0], 4)
+    medium = Line2D([], [], color=GREY, marker=".", ms=4, lw=1.2)
+    band = Patch(color=GREY, alpha=0.25, linewidth=0.0)
+    legend_below(figure, [medium, band], [f"medium {GENERIC}", f"range of three {GENERIC}s"], 2)
+    label_ends(axes[1])
     return figure
 
 
@@ -131,7 +143,7 @@ def waves(waves: xr.Dataset) -> Figure:
     figure, (ax,) = panels(height=3.8)
     stress = waves["stress_amplitude"] / 1e6
     alone = stress.sel(waves=ALONE)
-    ax.plot(alone["wave_period"], alone, ".-", color=COLOURS[0], label=ALONE)
+    (without,) = ax.plot(alone["wave_period"], alone, ".-", color=COLOURS[0], label=ALONE)
     on_it = stress.drop_sel(waves=ALONE)
     low, high = on_it.min("waves"), on_it.max("waves")
     names = "none, constant or stretched above the mean level"
@@ -139,13 +151,17 @@ def waves(waves: xr.Dataset) -> Figure:
         low["wave_period"], low, high, color=COLOURS[1], alpha=0.6, label=f"range: {names}"
     )
     stretched = stress.sel(waves=STRETCHED)
-    ax.plot(
+    (on,) = ax.plot(
         stretched["wave_period"],
         stretched,
         ".-",
         color=COLOURS[1],
         label=f"on the riser, {STRETCHED}",
     )
+    calm = alone.where(alone["wave_period"] > CALM, 0.0)
+    crest = float(np.argmax(calm.values)) / max(1, alone.size - 1)
+    label_line(ax, without, crest, (6.0, 5.0), name="waves on the platform alone")
+    label_line(ax, on, 0.45, (10.0, 6.0), name="waves on the riser, too")
     ax.set_xlabel(WAVE)
     ax.set_ylabel("stress amplitude (MPa)")
     panel_title(ax, "surge, heave and pitch at once")
@@ -155,7 +171,6 @@ def waves(waves: xr.Dataset) -> Figure:
         f"Waves on the riser raise its stress up to {float(ratio.max()):.0f} times, at "
         f"{float(ratio.idxmax('wave_period')):g} s",
     )
-    key_below(figure, ax, 1)
     return figure
 
 
