@@ -137,7 +137,8 @@ def _around_print(
         ax.set_ylim(bottom, top)
         outside = _beyond(found, name, right, bottom, top)
         beyond = int(outside.sum())
-        panel_title(ax, f"{beyond} of {outside.size} outside the frame")
+        words = f"{beyond} of {outside.size} outside the frame" if beyond else f"all {outside.size}"
+        panel_title(ax, words)
 
 
 def _frames(

@@ -13,7 +13,8 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import GREY, headline, panel_title, panels
+from riserstudy.figures.direct import label_ends
+from riserstudy.figures.style import GREY, headline, legend_below, panel_title, panels
 
 PERIODS = (6.0, 8.0)  # s, of heave
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
@@ -35,15 +36,21 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         panel_title(ax, words)
         ax.set_xticks(at["riser_length"].values)
         ax.set_xlabel("riser length (m)")
-    axes[0].set_ylim(bottom=0.0)
     axes[0].set_ylabel("largest speed over ground (kn)")
-    axes[0].legend(title="LMRP mass", loc="lower left", fontsize="small", title_fontsize="small")
     marks = [
         Line2D([], [], ls="none", marker=MARKS[which], color=GREY, label=_governs(which, names))
         for which in governing
     ]
-    axes[-1].legend(handles=marks, loc="lower left", fontsize="small")
+    if len(marks) > 1:  # else the title says it
+        legend_below(figure, marks, [str(mark.get_label()) for mark in marks], 4)
     headline(figure, _slowest_and_fastest(speed_limits, names))
+    for ax in axes[:-1]:
+        ax.margins(x=0.0)
+    label_ends(axes[-1])
+    axes[-1].annotate(
+        "LMRP\nmass", (1.0, 1.0), xycoords="axes fraction", xytext=(4.0, 0.0), fontsize="small",
+        textcoords="offset points", va="top", annotation_clip=False,
+    )  # fmt: skip
     return figure
 
 
@@ -67,7 +74,7 @@ def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
     which = sorted(set(speed_limits["governing_limit"].values.astype(int).ravel().tolist()) - {-1})
     held = " or ".join(names[k] for k in which)
     low, high = float(speed.min()), float(speed.max())
-    return f"The {held or 'grid'} limits the speed to {low:.1f} to {high:.1f} kn"
+    return f"The {held or 'grid'} limits the speed to between {low:.1f} and {high:.1f} kn"
 
 
 def hang_off(tension_limits: xr.Dataset) -> Figure:

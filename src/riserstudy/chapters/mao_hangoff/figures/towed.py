@@ -21,6 +21,7 @@ from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
 )
 from riserstudy.chapters.mao_hangoff.runs import STATED
 from riserstudy.chapters.mao_hangoff.towed import displacement
+from riserstudy.figures.direct import label_line
 from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import (
     COLOURS,
@@ -42,20 +43,25 @@ viridis = colormaps["viridis"]
 
 def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
     """Shape and moment in the first 12 s of the case without open inputs, by both integrators."""
-    figure, axes = panels(1, 2, 3.8)
+    figure, axes = panels(1, 2, 3.8, sharey=True)
     runs = hangoff_ref_start
     shapes, moments = -displacement(runs), runs["bending_moment"] / 1e3
     depth = float(runs["s"][-1]) - runs["s"]
     for ax, curves in zip(axes, (shapes, moments), strict=True):
         for colour, time in zip(viridis(np.linspace(0.0, 0.8, len(START))), START, strict=True):
             at = curves.sel(time=time)
-            ax.plot(at.sel(integrator="implicit"), depth, color=colour, label=f"{time:g} s")
+            (line,) = ax.plot(
+                at.sel(integrator="implicit"), depth, color=colour, lw=1.2, label=f"{time:g} s"
+            )
             ax.plot(at.sel(integrator="explicit"), depth, ".", color=colour, ms=4)
-    axes[1].plot([], [], color=GREY, label="implicit")
-    axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit")
+            if ax is axes[0]:
+                label_line(ax, line, 0.1)
+    implicit = axes[1].plot([], [], color=GREY, label="implicit")
+    explicit = axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit")
     down(axes[0], ASTERN)
-    down(axes[1], "bending moment (kN m)")
-    axes[1].legend(fontsize="small", loc="lower right")
+    axes[0].margins(x=0.14)  # room for the last time
+    axes[1].set_xlabel("bending moment (kN m)")
+    axes[1].legend(handles=[*implicit, *explicit], fontsize="small", loc="lower right")
     shares = []
     for curves in (shapes, moments):
         at = curves.sel(time=list(START))
@@ -77,13 +83,17 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
         for line, filling in (("-", "flooded"), (":", "closed")):
             shape = pe_pipe["x"].sel(current_speed=speed, filling=filling)
             label = f"{speed:g} m/s" if filling == "flooded" else None
-            ax.plot(1e3 * shape, 1e3 * below, line, color=colour, label=label)
-    ax.plot([], [], "-", color=GREY, label="flooded")
-    ax.plot([], [], ":", color=GREY, label="closed")
+            (drawn,) = ax.plot(1e3 * shape, 1e3 * below, line, color=colour, label=label)
+            if label:
+                label_line(ax, drawn, 0.0, (0.0, -3.0))
+    keys = [
+        *ax.plot([], [], "-", color=GREY, label="flooded"),
+        *ax.plot([], [], ":", color=GREY, label="closed"),
+    ]
     ax.set_xlabel("deflection (mm)")
     ax.set_ylabel("distance from the clamp (mm)")
-    ax.invert_yaxis()
-    ax.legend(fontsize="small")
+    ax.set_ylim(1.09e3 * float(below.max()), -0.04e3 * float(below.max()))
+    ax.legend(handles=keys, fontsize="small")
     tip = pe_pipe["x"].isel(s=0).sel(filling="flooded")
     power = np.log(float(tip[-1] / tip[0])) / np.log(float(speeds[-1] / speeds[0]))
     headline(figure, f"The tip deflects with the power {power:.1f} of the speed (speeds assumed)")
@@ -105,7 +115,9 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
         panel_title(ax, title)
     axes[0].set_ylabel("depth below the surface (m)")
     axes[0].invert_yaxis()
-    axes[0].legend(fontsize="small")
+    axes[0].legend(
+        fontsize="small", loc="lower center", title="at the surface", title_fontsize="small"
+    )
     key_below(figure, axes[1], 4)
     headline(figure, "Current over depth: surface speeds as printed, shapes assumed")
     return figure
@@ -131,11 +143,11 @@ def fig09(
     cycle = turn * base_runs["bending_moment"].sel(time=slice(STATED - HEAVE, STATED)) / 1e3
     least, most = cycle.min("time"), cycle.max("time")
     axes[1].fill_betweenx(
-        depth, least, most, color="0.8", linewidth=0.0, label=f"last {HEAVE:g} s, a heave cycle"
+        depth, least, most, color="0.8", linewidth=0.0, label=f"last {HEAVE:g} s:\na heave cycle"
     )
     minus = f"{at_joint:.1f}".replace("-", "−")
-    axes[1].plot(at_joint, 0.0, "o", label=f"at the joint: {minus} kN m", **style)
-    axes[1].axvline(moment, label=f"printed: {moment:g} kN m", **PRINTED)
+    axes[1].plot(at_joint, 0.0, "o", label=f"at the joint:\n{minus} kN m", **style)
+    axes[1].axvline(moment, label=f"printed:\n{moment:g} kN m", **PRINTED)
     own = variants.sel(variant="mesh and step of the paper")
     shape = -displacement(own).sel(time=STATED).dropna("s")
     theirs = own["bending_moment"].sel(time=STATED).dropna("s") / 1e3
@@ -148,10 +160,13 @@ def fig09(
             color=COLOURS[1],
             label="mesh and step of the paper" if ax is axes[0] else None,
         )
-    panel_title(axes[0], "130 s")
+    titles = ("shape at 130 s", "moment at 130 s", "shapes in time", "axial motion, by depth")
+    for ax, title in zip(axes, titles, strict=True):
+        panel_title(ax, title)
     for colour, time in zip(viridis(np.linspace(0.0, 0.85, len(TIMES))), TIMES, strict=True):
         shape = -base["displacement_along"].sel(time=time)
-        axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
+        (drawn,) = axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
+        label_line(axes[2], drawn, 0.0, (0.0, -3.0))
     z = base_runs["z"]
     for colour, line, below in zip(COLOURS, ("-", "-", "-", "--"), DEPTHS, strict=False):
         at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
@@ -160,9 +175,11 @@ def fig09(
         down(ax, label)
     axes[3].set_xlabel(TIME)
     axes[3].set_ylabel("axial motion (m)")
-    for ax in axes:
+    axes[2].set_ylim(bottom=1.09 * float(depth.max()))  # room for the times
+    axes[2].margins(x=0.09)
+    for ax in (axes[0], axes[3]):
         ax.legend(fontsize="small")
-    axes[1].legend(fontsize="x-small", loc=(0.36, 0.3))  # clear of the curves
+    axes[1].legend(fontsize="small", loc="center left")  # clear of the curves
     away = float(-base["displacement_along"].sel(time=STATED).isel(s=0))
     headline(
         figure,

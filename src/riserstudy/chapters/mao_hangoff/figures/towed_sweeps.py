@@ -18,6 +18,7 @@ from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
 )
 from riserstudy.chapters.mao_hangoff.runs import STATED, as_drawn
 from riserstudy.chapters.mao_hangoff.towed import displacement
+from riserstudy.figures.direct import label_line
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -82,6 +83,11 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     axes[0].plot([], [], color=GREY, label="both speeds in one profile")
     axes[0].plot([], [], "--", color=GREY, lw=0.8, label="water and platform apart")
     axes[0].axvline(0.0, color=GREY, lw=0.6)
+    for side, word, to in ((-0.03, "ahead ←", "right"), (0.03, "→ astern", "left")):
+        axes[0].annotate(
+            word, (0.0, 1.0), xycoords=("data", "axes fraction"), xytext=(100.0 * side, -3.0),
+            textcoords="offset points", ha=to, va="top", fontsize="x-small",
+        )  # fmt: skip
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
@@ -102,7 +108,10 @@ def _trails(astern: float) -> str:
 
 def fig14(riser_length: xr.Dataset) -> Figure:
     """The same for three lengths of riser."""
-    figure = three_panels(riser_length, "riser_length", (1200.0, 1500.0, 1800.0), "riser {:g} m")
+    lengths = (1200.0, 1500.0, 1800.0)
+    figure = three_panels(riser_length, "riser_length", lengths, "riser {:g} m", key=False)
+    for line in figure.axes[0].lines:
+        label_line(figure.axes[0], line, 0.0, (-5.0, 0.0))
     change = changes(riser_length, "riser_length", 1200.0, 1800.0)
     least = min(change, key=lambda name: change[name])
     verb = "lowers" if change[least] < 0.0 else "raises"
@@ -118,10 +127,11 @@ def _by_profile(quantity: str, runs: xr.Dataset, axis: str, first: float, last: 
     profiles = [runs.isel(current_profile=k, drop=True) for k in (0, -1)]
     low, high = sorted(round(changes(run, axis, first, last)["displacement"]) for run in profiles)
     if low < 0 < high:
-        return f"By profile, a faster {quantity} changes the displacement by {low} or {high:+} %"
+        return f"A faster {quantity} changes the displacement by {low} or {high:+} %, depending on profile"
     verb = "increases" if high > 0 else "decreases"
     least, most = sorted((abs(low), abs(high)))
-    return f"By profile, a faster {quantity} {verb} the displacement by {least} or {most} %"
+    between = f"{least} to {most}" if least < most else f"{most}"
+    return f"A faster {quantity} {verb} the displacement by {between} %, depending on profile"
 
 
 def trends(
@@ -163,10 +173,14 @@ def trends(
         (at["lmrp_displacement_cross"], "--", "across"),
     ):
         axes[3].plot(angle, values, style, color=COLOURS[4], label=label)
-    axes[3].set_xlabel("track angle (deg)")
+    axes[3].set_xlabel("track angle (°)")
     axes[3].set_ylabel("place of the LMRP (m)")
-    panel_title(axes[3], "in 3 m/s")
-    axes[3].legend(fontsize="small")
+    axes[3].set_xticks([0, 90, 180])
+    panel_title(axes[3], "in 3 m/s, by track")
+    for line, share, offset in zip(
+        axes[3].lines, (0.95, 0.88), ((-6.0, 0.0), (-4.0, -2.0)), strict=True
+    ):
+        label_line(axes[3], line, share, offset)
     most = max(ends, key=lambda name: float(abs(ends[name]).max()))
     least = min(ends, key=lambda name: float(abs(ends[name]).max()))
     headline(
