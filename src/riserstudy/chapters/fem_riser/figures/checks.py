@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
@@ -19,6 +20,7 @@ from riserstudy.chapters.fem_riser.claims import (
     grid_error,
 )
 from riserstudy.chapters.fem_riser.figures.shared import BLACK, HEIGHT, TIME
+from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import (
     COLOURS,
     PRINTED,
@@ -28,6 +30,7 @@ from riserstudy.figures.style import (
     panels,
 )
 
+viridis = colormaps["viridis"]
 GRID_TIME = 80.0  # s, of the runs of the grid test
 #: what the buoyant factor may mean
 READINGS = {
@@ -42,7 +45,7 @@ def readings(reading_trends: xr.Dataset) -> Figure:
     """Deflection, stress and angle over the buoyant factor in its four readings."""
     figure, axes = panels(1, 3, 3.4)
     fields = (("deflection", 1.0, "largest deflection (m)"), ("stress", 1e-6, "largest stress (MPa)"),
-              ("angle", np.rad2deg(1.0), "largest angle (deg)"))  # fmt: skip
+              ("angle", np.rad2deg(1.0), "largest angle (°)"))  # fmt: skip
     for ax, (name, scale, label) in zip(axes, fields, strict=True):
         for colour, reading in zip(COLOURS, READINGS, strict=False):
             curve = scale * reading_trends[f"{name}_by_factor"].sel(reading=reading)
@@ -74,6 +77,8 @@ def readings(reading_trends: xr.Dataset) -> Figure:
         figure,
         f"Only in interpretation {', '.join(raised) or 'none'} the factor raises all three, as claimed",
     )
+    for ax in axes:
+        label_ends(ax, names=list(READINGS))
     return figure
 
 
@@ -132,8 +137,10 @@ def solvers(small_deflection: xr.Dataset) -> Figure:
     ax.set_xticks(largest.values, [f"{value:.2g}" for value in largest.values])
     ax.minorticks_off()
     ax.set_xlabel("largest deflection (m)")
-    ax.set_ylabel("largest difference over largest value (%)")
-    ax.legend(fontsize="small")
+    ax.set_ylabel("difference / largest value (%)")
+    ax.yaxis.set_major_formatter("{x:g}")
+    for line, side in zip(ax.lines, (5.0, 5.0, -5.0), strict=True):
+        label_line(ax, line, 0.5, (-side, side))
     far = {name: 100.0 * float(apart[name].max()) for name in ("x", "bending_moment")}
     headline(
         figure,
@@ -148,7 +155,9 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     figure, (left, right) = panels(1, 2, 3.6)
     error, elements = 100.0 * grid_error(grid_test), [str(e) for e in grid_test["element"].values]
     lengths = [float(element.split()[0]) for element in elements]
-    for colour, mark, step in zip(COLOURS, "os^Dv<>", grid_test["time_step"].values, strict=False):
+    steps = grid_test["time_step"].values
+    shades = viridis(np.linspace(0.0, 0.85, len(steps)))
+    for colour, mark, step in zip(shades, "os^Dv<>", steps, strict=False):
         curve = error.sel(time_step=step)
         left.loglog(
             lengths, curve.where(curve > 0.0), mark + "-", color=colour, ms=6, mfc="none", lw=1.0,
@@ -177,7 +186,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     right.xaxis.set_major_formatter("{x:g}")
     right.set_xlabel(f"run time of {GRID_TIME:g} simulated seconds (s)")
     panel_title(right, "by element; star: scaled from 300 s")
-    key_below(figure, left, 5)
+    key_below(figure, left, 3)
     most = float(error.sel(element="5 m").max())
     headline(figure, f"Elements of 5 m have an error of up to {most:.1f} % at any tested step")
     return figure
@@ -213,9 +222,9 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
     ):
         axes[2].plot(apart["time"], 100.0 * apart[name] / largest[name], color=colour, label=label)
     axes[2].set_xlabel(TIME)
-    axes[2].set_ylabel("difference over largest value (%)")
-    axes[2].set_ylim(0.0, 1.3 * axes[2].get_ylim()[1])
-    axes[2].legend(fontsize="x-small", loc="upper right")
+    axes[2].set_ylabel("difference / largest value (%)")
+    axes[2].set_ylim(bottom=0.0)
+    panel_title(axes[2], "difference of the solvers")
     key_below(figure, axes[0], 3)
     headline(
         figure,
@@ -223,4 +232,5 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
         f"{float((apart['bending_moment'] / largest['bending_moment']).max()):.2%} of the moment, "
         f"{float((apart['x'] / largest['x']).max()):.2%} of the displacement".replace("%", " %"),
     )
+    label_ends(axes[2], names=["displace-\nment", "moment"])
     return figure

@@ -26,10 +26,12 @@ from riserstudy.chapters.fem_riser.claims import (
 )
 from riserstudy.chapters.fem_riser.figures.shared import BLUE, DEFLECTION, HEIGHT, TIME
 from riserstudy.chapters.fem_riser.figures.trends import envelopes
+from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import (
     COLOURS,
     PRINTED,
     headline,
+    key_below,
     legend_below,
     panel_title,
     panels,
@@ -62,11 +64,12 @@ def fig03(water: xr.Dataset) -> Figure:
         figure.colorbar(drawn, ax=ax, label=label, location="top", shrink=0.9)
         ax.invert_yaxis()
         ax.set_xlabel(TIME)
-    for ax in axes[:2]:
-        ax.set_ylabel("depth (m), upper 60 m")
+        panel_title(ax, "upper 60 m")
     axes[2].plot(water["water_speed"], water["below_surface"], color=COLOURS[0])
-    axes[2].set_xlabel("current (m/s), assumed")
-    axes[2].set_ylabel("depth (m), whole riser")
+    axes[2].set_xlabel("speed of the current (m/s)")
+    panel_title(axes[2], "whole riser; current assumed")
+    for ax in axes:
+        ax.set_ylabel("depth (m)")
     axes[2].set_ylim(float(water["below_surface"][-1]), 0.0)
     axes[2].set_xlim(left=0.0)
     headline(
@@ -97,13 +100,13 @@ def fig04(motion: xr.Dataset) -> Figure:
         panel_title(history, "histories, by height")
     axes[0].set_ylabel(HEIGHT)
     dashed = Line2D([], [], label="lumped masses, last profile", **PRINTED)
-    handles, labels = axes[3].get_legend_handles_labels()
-    legend_below(figure, [*handles, dashed], [*labels, str(dashed.get_label())], 5)
+    legend_below(figure, [dashed], [str(dashed.get_label())], 1)
     settled = float(settling_time(motion, SETTLED))
     headline(
         figure,
         f"The riser is steady within {100 * SETTLED:g} % after {settled:.0f} s (tide calibrated)",
     )
+    label_ends(axes[4])
     return figure
 
 
@@ -147,20 +150,25 @@ def tides(tides: xr.Dataset) -> Figure:
         curve = slow.sel(tide=tide)
         axes[0].plot(curve["time"], curve / curve[-1], label=f"{tide:g} m/s",
                      color=PHASE(k / max(1, len(values) - 1)))  # fmt: skip
-    axes[0].axvline(PHASES["second"][1], **PRINTED)
+    printed = PHASES["second"][1]
+    axes[0].axvline(printed, **PRINTED)
+    axes[0].annotate(
+        f"printed: {printed:g} s", (printed, 0.01), xycoords=("data", "axes fraction"), rotation=90,
+        xytext=(-3, 3), textcoords="offset points", ha="right", va="bottom", fontsize="small",
+    )  # fmt: skip
     axes[0].axhspan(1.0 - SETTLED, 1.0 + SETTLED, color="0.85", zorder=0)
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("mid-length / its last mean")
-    axes[0].legend(
-        title="tide at the surface", fontsize="x-small", title_fontsize="x-small", ncols=2
-    )
     time, back = settling_time(tides, SETTLED), 100.0 * reciprocates(tides, 0.0).value
     axes[1].plot(values, back, "o-", color=BLUE)
     axes[1].set_ylabel("swing back, of the last mean (%)")
     axes[2].plot(values, time, "o-", color=BLUE)
-    axes[2].axhline(PHASES["second"][1], label="printed: 260 s", **PRINTED)
+    axes[2].axhline(printed, **PRINTED)
+    axes[2].annotate(
+        f"printed: {printed:g} s", (0.02, printed), xycoords=("axes fraction", "data"),
+        xytext=(0, 3), textcoords="offset points", fontsize="small",
+    )  # fmt: skip
     axes[2].set_ylabel("settling time (s)")
-    axes[2].legend(loc="lower right", fontsize="x-small")
     for ax in axes[1:]:
         ax.set_xlabel("surface speed of the tide (m/s)")
         ax.set_ylim(bottom=0.0)
@@ -169,4 +177,6 @@ def tides(tides: xr.Dataset) -> Figure:
         figure,
         f"The tide sets the settling time: {float(time.sel(tide=nearest)):.0f} s at {nearest:g} m/s",
     )
+    panel_title(axes[0], "by surface speed of the tide")
+    key_below(figure, axes[0], 7)
     return figure

@@ -7,5 +7,5 @@ from riserstudy.figures.style import (
 )
 
 HEIGHT, TIME = "s from the bottom (m)", "time (s)"
-DEFLECTION, STRESS, ANGLE = "deflection x (m)", "bending stress (MPa)", "angle (deg)"
+DEFLECTION, STRESS, ANGLE = "deflection x (m)", "bending stress (MPa)", "angle (°)"
 BLUE, RED, BLACK = COLOURS[0], COLOURS[1], COLOURS[6]

@@ -32,10 +32,12 @@ from riserstudy.chapters.fem_riser.figures.shared import (
     RED,
     STRESS,
 )
+from riserstudy.figures.direct import label_line, named
 from riserstudy.figures.style import (
     GREY,
     headline,
-    key_below,
+    legend_below,
+    panel_title,
     panels,
 )
 
@@ -46,7 +48,7 @@ SEEN = 1e-3  # m, of vibration and drift: below it lines show what the mesh leav
 def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Dataset) -> Figure:
     """Three lengths; colours as the text has them, where it says."""
     cases = {"500 m": length_500, "1000 m": length_1000, "1500 m": length_1500}
-    figure = envelopes(cases, (BLUE, BLACK, RED))
+    figure = envelopes(cases, (BLUE, BLACK, RED), "by length")
     changed = _ratios(length_500, length_1500)
     headline(
         figure,
@@ -59,7 +61,7 @@ def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Datas
 def fig07(tension_ratio: xr.Dataset) -> Figure:
     """Three top tension ratios; colours as the text has them, where it says."""
     cases = _each(tension_ratio, "tension_ratio", "ratio")
-    figure = envelopes(cases, (BLUE, BLACK, RED))
+    figure = envelopes(cases, (BLUE, BLACK, RED), "by top tension ratio")
     headline(
         figure,
         f"More top tension lowers deflection, stress, angle and vibration{_still_drifting(cases)}",
@@ -70,7 +72,7 @@ def fig07(tension_ratio: xr.Dataset) -> Figure:
 def fig08(buoyant_factor: xr.Dataset) -> Figure:
     """Three buoyant factors; colours as the text has them, where it says."""
     cases = _each(buoyant_factor, "buoyant_factor", "factor")
-    figure = envelopes(cases, (RED, BLUE, BLACK))
+    figure = envelopes(cases, (RED, BLUE, BLACK), "by buoyant factor")
     headline(
         figure,
         f"A higher buoyant factor raises deflection, stress and angle{_still_drifting(cases)}",
@@ -100,8 +102,11 @@ def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
     return {f"{word} {value:g}": runs.sel({axis: value}) for value in runs[axis].values}
 
 
-def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figure:
-    """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and drift, which (a) is freed of."""
+def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...], by: str = "") -> Figure:
+    """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and drift, which (a) is freed of.
+
+    ``by``: what cases differ in; where there is one case, its name is in the key.
+    """
     figure, axes = panels(1, 4, 4.2, sharey=True)
     for colour, (name, runs) in zip(colours, cases.items(), strict=True):
         factor = stress_factor(runs) / 1e6
@@ -143,10 +148,28 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
         color=GREY,
         linewidth=1.2,
         linestyle=":",
-        label="drift in 261 to 300 s, taken off (a)",
+        label="drift in 261 to 300 s, removed from (a)",
     )
-    key_below(figure, axes[0], 5)
+    if by:
+        panel_title(axes[0], by)
+        _name_cases(axes[0], cases)
+    key = [
+        (handle, label)
+        for handle, label in zip(*axes[0].get_legend_handles_labels(), strict=True)
+        if not by or label not in cases
+    ]
+    legend_below(figure, [handle for handle, _ in key], [label for _, label in key], 3)
     return figure
+
+
+def _name_cases(ax: Axes, cases: Mapping[str, xr.Dataset]) -> None:
+    """Write the value of each case inside its curve, where that is farthest out."""
+    for line in named(ax):
+        if line.get_label() in cases:
+            out = np.abs(np.asarray(line.get_xdata(), dtype=float))
+            value = str(line.get_label()).removeprefix("ratio ").removeprefix("factor ")
+            share = int(np.nanargmax(out)) / max(1, out.size - 1)
+            label_line(ax, line, share, (-4.0, 0.0), name=value)
 
 
 def _envelope(
