@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from riserstudy.chapters.liu2017.figures.shared import SHOWN, TIME, UFJ_LIMIT, set_title
+from riserstudy.figures.direct import legible
 from riserstudy.figures.style import COLOURS, PRINTED, key_below, panel_title, panels
 
 DEGREES = 180.0 / np.pi
@@ -23,29 +24,40 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     passed its largest value, 12 degrees are reached before or never, and no line is drawn.
     """
     figure, (ax,) = panels(height=3.8)
-    handles = []
+    top = 0.0
     for colour, weight in zip(COLOURS, calibration["riser_weight"].values, strict=False):
         run = calibration.sel(riser_weight=weight).transpose("hull_drag", "gain") * DEGREES
         largest = run["ufj_angle_absmax"]
         style: dict[str, Any] = {"levels": [UFJ_LIMIT], "colors": [colour]}
         still_rising = largest - run["ufj_angle"].values < PASSED
-        ax.contour(run["gain"], run["hull_drag"], largest.where(still_rising), **style)
-        handles += ax.plot([], [], color=colour, label=f"riser's weight in water: {weight}")
+        met = ax.contour(run["gain"], run["hull_drag"], largest.where(still_rising), **style)
+        gain, drag = max(
+            (tuple(end) for line in met.allsegs[0] for end in line), default=(0.0, 0.0)
+        )
+        ax.annotate(
+            str(weight), (gain, drag), xytext=(5, 0), textcoords="offset points", va="center",
+            color=legible(colour), fontsize="small",
+        )  # fmt: skip
+        top = max(top, drag)
     fit = [calibration.attrs["gain"]], [calibration.attrs["hull_drag"]]
-    handles += ax.plot(*fit, "o", color="black", label="fit that is used, with the wave")
+    (used,) = ax.plot(*fit, "o", color="black", label="fit that is used, with the wave")
+    ax.legend(handles=[used], loc="lower right", fontsize="small")
     ax.annotate(
-        "beyond the lines' upper ends\n12° are reached earlier, or never", (0.98, 0.96),
-        xycoords="axes fraction", ha="right", va="top", fontsize="small",
+        "beyond the lines' upper ends\n12° are reached earlier, or never", (0.02, 0.97),
+        xycoords="axes fraction", va="top", fontsize="small",
+    )  # fmt: skip
+    ax.annotate(
+        "by the riser's weight\nin water", (0.99, 0.97), xycoords="axes fraction", ha="right", va="top",
+        fontsize="small",
     )  # fmt: skip
     ax.set_xlabel("thrusters' gain (kN/m)")
     ax.set_ylabel("hull drag (kN s²/m²)")
-    ax.set_xlim(float(calibration["gain"].min()), 90.0)
-    ax.set_ylim(float(calibration["hull_drag"].min()), 600.0)
+    ax.set_xlim(float(calibration["gain"].min()), 85.0)
+    ax.set_ylim(float(calibration["hull_drag"].min()), 1.2 * top if top else None)
     set_title(
         figure,
         f"Many pairs of gain and hull drag give the printed 12° at {deadline:g} s",
     )
-    ax.legend(handles=handles, fontsize="small", loc="upper left")
     return figure
 
 
@@ -61,7 +73,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
         label = f"{way} (surge: at most {_millimetres(most)})"
         axes[0].plot(here["time"], here["platform_surge"], color=colour, label=label)
         axes[1].plot(here["time"], here["ufj_angle"] * DEGREES, color=colour)
-    for ax, title in zip(axes, ("surge (m)", "upper flex joint (deg)"), strict=False):
+    for ax, title in zip(axes, ("surge (m)", "UFJ angle (°)"), strict=False):
         ax.set_ylim(bottom=-0.03 * ax.get_ylim()[1])  # so that what is zero is seen
         ax.set_xlabel(TIME)
         ax.set_ylabel(f"difference in {title}")
@@ -70,7 +82,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
     axes[2].plot(cost["solve_seconds"], ways, "o", color="black")
     axes[2].axvline(1.0, **PRINTED)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("cost in turns / cost as one")
+    axes[2].set_xlabel("cost / cost as one")
     panel_title(axes[2], "bars: iterations, dots: time")
     apart = off["platform_surge"].max("time")
     ends = [
@@ -90,19 +102,22 @@ def _millimetres(length: float) -> str:
 def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     """Upper flex joint over what is open, and when the first limits are reached."""
     figure, axes = panels(1, 2, 3.6)
+    parts: list[str] = []
     angle = abs(open_drive_off["ufj_angle"]).sel(time=slice(0.0, SHOWN)) * DEGREES
-    bins = list(range(20, 151, 5))
+    limits = open_drive_off["limit_time"].sel(limit="upper flex joint")
+    latest = float(limits.where(np.isfinite(limits)).max().fillna(deadline))
+    bins = np.arange(20.0, max(latest, deadline) + 5.0, 5.0).tolist()
     for colour, (heading, label) in zip(
         COLOURS, (("along", "0°"), ("against", "180°")), strict=False
     ):
         run = angle.sel(heading=heading)
         low, middle, high = (run.quantile(q, "sample") for q in (0.05, 0.5, 0.95))
         axes[0].fill_between(run["time"], low, high, color=colour, alpha=0.2, linewidth=0.0)
-        axes[0].plot(run["time"], middle, color=colour, label=f"{label}, median and 90 %")
+        axes[0].plot(run["time"], middle, color=colour, label=f"{label}: median, 90 % of samples")
         times = open_drive_off["limit_time"].sel(heading=heading, limit="upper flex joint")
         reached = times.values[np.isfinite(times.values)]
-        text = f"{label}, reached in {100 * len(reached) / times.size:.0f} %"
-        axes[1].hist(reached, bins, color=colour, histtype="step", linewidth=1.8, label=text)
+        parts.append(f"{100 * len(reached) / times.size:.0f} % ({label})")
+        axes[1].hist(reached, bins, color=colour, histtype="step", linewidth=1.8, label=label)
     axes[0].plot([deadline], [UFJ_LIMIT], "o", color="black", label="printed, at 0°")
     axes[1].axvline(deadline, label="printed, at 0°", **PRINTED)
     then = angle.sel(heading="along").interp(time=deadline)
@@ -112,9 +127,9 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
         f"At the published time samples have UFJ angles of {least:.0f}° to {most:.0f}°",
     )
     axes[0].set_xlabel(TIME)
-    axes[0].set_ylabel("upper flex joint (deg)")
-    axes[1].set_xlabel("upper flex joint at 12° after (s)")
+    axes[0].set_ylabel("upper flex joint angle (°)")
+    axes[1].set_xlabel("time to an angle of 12° (s)")
     axes[1].set_ylabel("number of samples")
-    for ax in axes:
-        ax.legend(fontsize="small")
+    panel_title(axes[1], f"12° reached in {', '.join(parts)}")
+    key_below(figure, axes[0], 3)
     return figure

@@ -13,16 +13,26 @@ from riserstudy.chapters.liu2017.figures.shared import (
     TIME,
     UFJ_LIMIT,
     draw_limits,
+    name_limits,
     set_title,
     viridis,
 )
 from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
 from riserstudy.dataset.crossing import first_crossing, first_limit
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panel_title, panels
+from riserstudy.figures.direct import label_ends, label_line, named
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    PRINTED,
+    legend_below,
+    panel_title,
+    panels,
+)
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
 HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
 TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
+PIPE = "riser, 386 MPa\n(assumed)"
 LOW = 218.0  # m above the conductor's foot, a tenth up the riser
 FORCE_AT_LIMIT = -3.02 * np.sin(np.deg2rad(UFJ_LIMIT))  # MN, which Fig 6 implies
 
@@ -40,7 +50,11 @@ def fig04(driveoff: xr.Dataset) -> Figure:
                     run["time"], run["platform_surge"], line, color=colour, label=text
                 )
                 axes[2 + column].plot(run["time"], run["platform_speed_x"], line, color=colour)
-        axes[column].axhline(100.0, color=GREY, linewidth=0.9, label="printed: false position")
+        axes[column].axhline(100.0, color=GREY, linewidth=0.9)
+        axes[column].annotate(
+            "printed: 100 m", (0.0, 100.0), xytext=(0, 3), fontsize="small",
+            textcoords="offset points", color="0.3",
+        )  # fmt: skip
         panel_title(axes[column], title)
         axes[2 + column].set_xlabel(TIME)
     later = [
@@ -51,7 +65,8 @@ def fig04(driveoff: xr.Dataset) -> Figure:
     set_title(figure, f"Against the environment the platform arrives {_range(later)} s later")
     axes[0].set_ylabel(SURGE)
     axes[2].set_ylabel("speed of the platform (m/s)")
-    key_below(figure, axes[0], 4)
+    names = [f"{way}°, {riser} riser" for way in HEADINGS for riser in ("with", "no")]
+    label_ends(axes[1], names=names)
     return figure
 
 
@@ -68,10 +83,14 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
         axes, (ref_0, ref_180), (1.0, -1.0), HEADINGS.values(), strict=True
     ):
         rest = run.isel(time=0)
-        ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="at rest")
+        (still,) = ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="rest")
+        label_line(ax, still, 1.0, (0.0, 3.0), ha="right" if sign > 0.0 else "left")
         for colour, time in zip(viridis(np.linspace(0.0, 0.9, len(TIMES))), TIMES, strict=True):
             shape = run.sel(time=time)
-            ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
+            (line,) = ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
+            label_line(ax, line, 1.0, (0.0, 3.0))
+        ax.margins(x=0.12)
+        ax.set_ylim(top=1.07 * float(rest["z"].max()))  # room for the times
         ax.set_xlabel("lateral displacement (m)")
         panel_title(ax, label)
     after = abs(ref_0["x"].sel(time=20.0) - ref_0["x"].isel(time=0))
@@ -81,7 +100,6 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
         f"Low on the riser motion is {low:.1f} m when the top has moved {float(after.isel(s=-1)):.0f} m",
     )
     axes[0].set_ylabel("elevation above the wellhead (m)")
-    axes[1].legend(fontsize="small", loc="lower left")
     return figure
 
 
@@ -94,8 +112,8 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
             run = beginning.sel(case=f"{kind}_{heading}")
             run = _until_the_stop(ax, run, "riser_force_x", 1e-6)
             printed, exact = run["riser_force_x"] / 1e6, run["riser_reaction_x"] / 1e6
-            ax.plot(run["time"], printed, color=colour, label=f"{label}, T sin θ as printed")
-            ax.plot(run["time"], exact, ":", color=colour, label=f"{label}, exact reaction")
+            ax.plot(run["time"], printed, color=colour, label=label)
+            ax.plot(run["time"], exact, ":", color=colour)
         ax.plot(
             [deadline],
             [FORCE_AT_LIMIT],
@@ -115,8 +133,13 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     set_title(
         figure, f"Along, the riser drives the platform for {until:.0f} s; against, it {inhibits}"
     )
-    axes[0].set_ylabel("force of the riser on the platform (MN)")
-    key_below(figure, axes[0], 3)
+    axes[0].set_ylabel("force on the platform (MN)")
+    axes[0].plot([], [], color=GREY, label="T sin θ as printed")
+    axes[0].plot([], [], ":", color=GREY, label="exact reaction")
+    rest = zip(*axes[0].get_legend_handles_labels(), strict=True)
+    key = [(handle, label) for handle, label in rest if label not in HEADINGS.values()]
+    legend_below(figure, [handle for handle, _ in key], [label for _, label in key], 4)
+    label_ends(axes[1], [line for line in axes[1].lines if line.get_label() in HEADINGS.values()])
     return figure
 
 
@@ -141,7 +164,7 @@ def _has_key(ax: Axes, label: str) -> bool:
 
 def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
     """Shares of the limits that are used, along the environment; ``deadline`` is the printed time (s)."""
-    figure, axes = panels(1, 2, 3.8, sharey=True)
+    figure, axes = panels(1, 2, 3.8, sharex=True, sharey=True)
     beginning = driveoff.sel(time=slice(0.0, SHOWN))
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
         run = beginning.sel(case=f"{kind}_0")
@@ -152,7 +175,7 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
         )
         used, stress = (part.sel(time=run["time"]) for part in (used, stress))
         draw_limits(ax, used)
-        ax.plot(stress["time"], stress, color=COLOURS[5], label="riser, 386 MPa too (assumed)")
+        ax.plot(stress["time"], stress, color=COLOURS[5], label=PIPE)
         ax.plot([deadline], [1.0], "o", color="black", label=f"printed: 12° at {deadline:g} s")
         panel_title(ax, title)
     run = driveoff.sel(case="ref_0")
@@ -164,7 +187,7 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
         f"the bottom lags by {float(late):.0f} s",
     )
     axes[0].set_ylabel("utilisation of the limit")
-    key_below(figure, axes[0], 3)
+    name_limits(figure, axes, PIPE)
     return figure
 
 
@@ -188,5 +211,10 @@ def envelope(envelope: xr.Dataset) -> Figure:
         figure,
         f"Stroke-out occurs at {end:.0f} m of static offset, the conductor limit at {then:.0f} m",
     )
-    key_below(figure, ax, 3)
+    lines = {str(line.get_label()): line for line in named(ax)}
+    legend_below(figure, [lines["limit (printed)"]], ["limit (printed)"], 1)
+    rises = lines["conductor"]
+    within = int((np.asarray(rises.get_ydata()) < 1.4).sum()) - 1  # it leaves the panel above
+    label_line(ax, rises, within / (len(used["offset"]) - 1), (8.0, 0.0))
+    label_ends(ax, [lines[name] for name in LIMITS if name != "conductor"])
     return figure

@@ -7,10 +7,11 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.chapters.liu2017.figures.shared import draw_limits, set_title, viridis
+from riserstudy.chapters.liu2017.figures.shared import draw_limits, name_limits, set_title, viridis
 from riserstudy.chapters.liu2017.limits import LIMITS
 from riserstudy.design.watch_circles import TOO_LATE
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, key_below, panel_title, panels
+from riserstudy.figures.direct import label_ends, label_line, named
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, legend_below, panel_title, panels
 
 
 def losses(losses: xr.Dataset) -> Figure:
@@ -30,7 +31,7 @@ def losses(losses: xr.Dataset) -> Figure:
     )
     axes[0].set_ylabel("utilisation of the limit")
     axes[0].set_ylim(bottom=0.0)
-    key_below(figure, axes[0], 3)
+    name_limits(figure, axes)
     return figure
 
 
@@ -48,23 +49,34 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
         _circles(circles, run)
         circles.axhline(station, label=f"station keeping within {station:g} m (assumed)", **PRINTED)
         panel_title(times, str(scenario))
-        circles.set_xlabel("environment to hull (deg)")
+        circles.set_xlabel("environment to hull (°)")
         circles.set_xticks(range(0, 181, 45))
     for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
         top = max(ax.get_ylim()[1] for ax in row)
         for ax in row:
-            ax.set_ylim(0.0, top)
+            ax.set_ylim(0.0, 1.13 * top)
             ax.tick_params(labelleft=ax is row[0])
         row[0].set_ylabel(label)
-    seen = {
-        label: line
-        for ax in above
-        for line, label in zip(*ax.get_legend_handles_labels(), strict=True)
-    }
-    above[0].legend(seen.values(), seen.keys(), loc="upper right", fontsize="small")
-    key_below(figure, below[-1], 3)
     set_title(figure, _slowest_in_time(disconnect, station))
+    line = below[0].lines[-1]
+    legend_below(figure, [line], [str(line.get_label())], 1)
+    _name_lines(above, below[-1])
     return figure
+
+
+def _name_lines(above: list[Axes], last: Axes) -> None:
+    """Names of limits where each is seen first; times of disconnects at the right of the last panel."""
+    places = {"upper flex joint": (0.0, -5.0, "left"), "conductor": (0.5, 4.0, "center")}
+    seen: set[str] = set()
+    for ax in above:
+        for line in named(ax):
+            share, up, across = places.get(str(line.get_label()), (0.0, 5.0, "left"))
+            if line.get_label() not in seen:
+                label_line(ax, line, share, (0.0, up), ha=across)
+            seen.add(str(line.get_label()))
+    lines = [line for line in named(last) if str(line.get_label()).startswith("disconnect")]
+    times = [str(line.get_label()).removeprefix("disconnect ") for line in lines]
+    label_ends(last, lines, names=[f"disconnect\n{times[0]}", *times[1:]])
 
 
 def _limit_times(ax: Axes, run: xr.Dataset) -> None:
@@ -81,7 +93,7 @@ def _circles(ax: Axes, run: xr.Dataset) -> None:
     for colour, eds in zip(viridis(np.linspace(0.0, 0.9, len(times))), times, strict=True):
         circle = run.sel(eds_time=eds)
         radius = circle["red_circle_radius"].where(circle["red_circle_outcome"] != TOO_LATE)
-        label = f"disconnect takes {eds:g} s"
+        label = f"disconnect in {eds:g} s"
         ax.plot(run["environment_heading"], radius, ".-", color=colour, label=label)
     late = (run["red_circle_outcome"] == TOO_LATE).all("environment_heading")
     if bool(late.any()):

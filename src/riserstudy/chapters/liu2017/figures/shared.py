@@ -8,7 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.chapters.liu2017.limits import LIMITS
-from riserstudy.figures.style import COLOURS, PRINTED
+from riserstudy.figures.direct import label_ends
+from riserstudy.figures.style import COLOURS, PRINTED, legend_below
 
 TIME, SURGE = "time (s)", "surge of the platform (m)"
 SHOWN = 100.0  # s
@@ -19,6 +20,18 @@ viridis = colormaps["viridis"]
 def set_title(figure: Figure, title: str) -> None:
     """What a figure shows, above it."""
     figure.suptitle(title, fontsize="medium")
+
+
+def name_limits(figure: Figure, axes: list[Axes], *others: str) -> None:
+    """Names of limits, and of other lines, at the right ends of the last panel; a key of the rest below."""
+    written = {*LIMITS, *others}
+    rest = {
+        label: handle
+        for handle, label in zip(*axes[0].get_legend_handles_labels(), strict=True)
+        if label not in written
+    }
+    legend_below(figure, [*rest.values()], [*rest], 4)
+    label_ends(axes[-1], [line for line in axes[-1].lines if line.get_label() in written])
 
 
 def draw_limits(ax: Axes, used: xr.DataArray) -> None:
