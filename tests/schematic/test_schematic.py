@@ -86,6 +86,15 @@ def test_labels_neither_touch_nor_leave_the_figure(paper, name):
         assert box.y1 <= height, text
 
 
+@pytest.mark.parametrize("paper, name", SHOWN)
+def test_text_is_not_below_6_points_on_a_page_of_180_mm(paper, name):
+    figure = drawn(paper, name)
+    shrunk = min(1.0, 180.0 / (25.4 * figure.get_size_inches()[0]))
+    for text in figure.findobj(Text):
+        if text.get_visible() and text.get_text().strip():
+            assert shrunk * text.get_fontsize() >= 6.0, text.get_text()
+
+
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_arrows_of_loads_are_in_their_panels(path):
     assert_forces_are_shown(schematic(load_scene(path).resolved()))

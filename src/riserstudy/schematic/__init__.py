@@ -24,10 +24,10 @@ from riserstudy.schematic.sea import sea
 from riserstudy.schematic.topside import topside
 from riserstudy.schematic.view import View
 
-WIDTH, HEIGHT = 10.4, 7.6  # of the figure (inches)
-COLUMNS = (0.75, 5.85)  # left ends of the panels (inches)
+WIDTH, HEIGHT = 9.6, 7.6  # of the figure (inches)
+COLUMNS = (0.7, 5.5)  # left ends of the panels (inches)
 FLOOR, CEILING = 0.75, 6.75  # of the panels (inches)
-WHOLE, END = 2.3, 2.2  # widths of panels (inches)
+WHOLE, END = 2.0, 1.85  # widths of panels (inches)
 BETWEEN = 0.6  # panels that stand one above the other (inches)
 SHARES = {2: (0.5, 0.5), 3: (0.48, 0.28, 0.24)}  # of the right column, by the number of panels
 MARGIN = 0.16  # of the view of everything, above and below what has a place
@@ -35,8 +35,8 @@ NEAR = 0.12  # of the riser's length, shown at its ends
 MOST = 40.0  # at most so much (m), where nothing longer is there
 HANGING = 0.8  # a body and the arrow of its weight, and some room (inches)
 NOTE = (
-    "Each panel has one scale in both directions; lines are no thinner than a point, whatever the scale. "
-    "Dashed: symbols of what the scene gives no size. Riser unstretched, before current and waves act on it."
+    "Each panel has one scale in both directions; lines have a least width. Dashed: symbols of parts without "
+    "a size in the scene. The riser is unstretched, before current and waves act on it."
 )
 
 
@@ -157,10 +157,10 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
 
 def _texts(figure: Figure, scene: Resolved) -> None:
     """Title, directions of motion, what colours mean, and what is to scale."""
-    title = "\n".join(textwrap.wrap(scene.title, 110))
+    title = "\n".join(textwrap.wrap(scene.title, 100))
     figure.suptitle(title, x=0.03, y=0.985, ha="left", va="top", fontsize=10)
     figure.text(
-        0.03, 0.945, freedom_text(scene), fontsize=8, va="top", color=KEY["freedoms and motions"]
+        0.03, 0.945, freedom_text(scene), fontsize=8.5, va="top", color=KEY["freedoms and motions"]
     )
     handles = [Line2D([], [], color=colour, label=name) for name, colour in KEY.items()]
     figure.legend(
@@ -169,5 +169,5 @@ def _texts(figure: Figure, scene: Resolved) -> None:
     )  # fmt: skip
     left = parts_left_out(scene)
     missing = f" Not shown: {', '.join(left)}." if left else ""
-    note = "\n".join(textwrap.wrap(NOTE + missing, 170))
+    note = "\n".join(textwrap.wrap(NOTE + missing, 150))
     figure.text(0.03, 0.012, note, fontsize=SIZE, va="bottom", color="0.35")

@@ -124,10 +124,10 @@ def bottom_text(scene: Resolved) -> str:
 def freedom_text(scene: Resolved) -> str:
     """Directions of motion that the scene needs, and its entry that needs them."""
     if scene.spatial:
-        return f"moves in x, y and z, because the scene has {scene.spatial}"
+        return f"motion in three dimensions, because of {scene.spatial}"
     if scene.lateral:
-        return f"moves in the plane of x and z, because the scene has {scene.lateral}"
-    return "moves along its axis only"
+        return f"motion in the x–z plane, because of {scene.lateral}"
+    return "motion along the axis only"
 
 
 def tensioner_text(rig: Tensioners) -> str:
@@ -143,7 +143,8 @@ def tensioner_text(rig: Tensioners) -> str:
             each = "each" if both.pistons.counted == "each" else "in all"
             law += f", less pistons of {mass(both.pistons.mass)} {each}"
     elif line:
-        law = f"{amount(line.tension, 'N')} and {amount(line.stiffness, 'N/m')} each"
+        law = f"{amount(line.tension, 'N')} and {amount(line.stiffness, 'N/m')}"
+        law += " each" if rig.count > 1 else ""
     failed = f"{len(rig.failed)} failed" if rig.failed else ""
     made_linear = "made linear" if rig.linearised else ""
     damped = f"damper {amount(rig.damper, 'N s/m')}" if rig.damper else ""

@@ -14,10 +14,10 @@ from riserstudy.figures.style import COLOURS
 PART, WATER, LOAD, FREEDOM = "black", COLOURS[0], COLOURS[1], "#007a58"
 #: what the colours of labels mean
 KEY = {"parts": PART, "water": WATER, "loads": LOAD, "freedoms and motions": FREEDOM}
-SIZE = 7.0  # of the letters (points)
+SIZE = 8.2  # of the letters (points): at 180 mm, the width of a journal's page, above 6
 LINE = 1.3 * SIZE / 72.0  # height of a line (inches)
 GAP = 0.4 * LINE  # between labels
-CHARACTERS = 36  # in a line
+CHARACTERS = 31  # in a line
 UNBROKEN = "\u00a0"  # space at which no line ends
 REACH = 0.16  # from the drawing to its labels (inches)
 

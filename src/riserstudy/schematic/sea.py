@@ -85,12 +85,12 @@ def current(view: View, geometry: Geometry) -> None:
     ]
     for tip in drawn:
         view.arrow((foot, tip[1]), tip, WATER)
-    text = f"current: up to {largest:.3g} m/s; arrows to a scale of their own"
+    text = f"current: up to {largest:.3g} m/s; arrows have a separate scale"
     if scene.current.turns:
-        text += "; its direction changes with depth, here its part along x"
+        text += "; its direction changes with depth (drawn: part along x)"
     elif scene.current.towards:
         text += (
-            f"; towards {degrees(scene.current.towards % (2.0 * math.pi))}, here its part along x"
+            f"; towards {degrees(scene.current.towards % (2.0 * math.pi))} (drawn: part along x)"
         )
     # named at the second arrow from above: labels of the surface stand at the first
     view.name(text, ([(foot, levels[-1]), *drawn])[-2], WATER, whole=True)
