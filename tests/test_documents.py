@@ -128,9 +128,10 @@ def test_the_site_builds_and_needs_no_network(docs, tmp_path):
     for style in site.rglob("*.css"):
         assert not within.findall(style.read_text("utf-8")), style
     assert (site / "theory.html").read_text("utf-8").count("<math") > 80
-    notebook = json.loads((site / "sweep.ipynb").read_text("utf-8"))
-    assert {cell["cell_type"] for cell in notebook["cells"]} == {"markdown", "code"}
-    assert 'href="sweep.ipynb"' in (site / "sweep.html").read_text("utf-8")
+    for page in ("sweep", "client_table"):
+        notebook = json.loads((site / f"{page}.ipynb").read_text("utf-8"))
+        assert {cell["cell_type"] for cell in notebook["cells"]} == {"markdown", "code"}
+        assert f'href="{page}.ipynb"' in (site / f"{page}.html").read_text("utf-8")
     formulas = formulas_of(site)
     assert len(formulas) > 200
     for page, formula in formulas:
