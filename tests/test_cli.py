@@ -258,7 +258,7 @@ def test_a_long_run_is_priced_and_announced(command, tmp_path, monkeypatch):
     assert len(seconds) > 1
     assert min(seconds) > 0.0
     monkeypatch.setattr("riserstudy.cli.simulate.WORTH_TELLING", 0.0)
-    monkeypatch.setattr("riserstudy.simulation.show.LATE", 0.0)
+    monkeypatch.setattr("riserstudy.simulation.progress_line.LATE", 0.0)
     code, _, told = command("run", SURGE, "-o", tmp_path / "out.nc", *long, "--accuracy", "5%")
     assert code == 0
     assert "\nriserstudy: takes about " in told

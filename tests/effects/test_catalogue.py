@@ -5,9 +5,9 @@ import pytest
 from riserstudy.effects.catalogue import catalogue, changes
 from riserstudy.effects.registry import NAMES, ROLES, Called, call, register
 from riserstudy.model.build import build
+from riserstudy.model.disconnect import fading, stack_contact
 from riserstudy.model.draining import draining
 from riserstudy.model.mesh import even
-from riserstudy.model.release import fading, stack_contact
 from riserstudy.scene.models import Scene
 from riserstudy.simulation.warm_up import scenes
 

@@ -17,8 +17,8 @@ from riserstudy.simulation.long_record import (
 )
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import march
+from riserstudy.simulation.time_limit import Watch
 from riserstudy.simulation.tolerance import allowed
-from riserstudy.simulation.watch import Watch
 
 RISER = Path(__file__).parents[2] / "examples/drilling_riser/config/scenes/riser.yaml"
 DURATION = 3000  # s, more than ten pieces

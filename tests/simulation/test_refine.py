@@ -14,7 +14,7 @@ from riserstudy.simulation import refine as module
 from riserstudy.simulation.error_estimate import estimate
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
-from riserstudy.simulation.watch import Watch
+from riserstudy.simulation.time_limit import Watch
 
 SCENE = Path(__file__).parents[2] / "config/scenes/bench/s2.yaml"
 SETS = {"analysis.mesh": None, "analysis.step": None, "analysis.method": None}

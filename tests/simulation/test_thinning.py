@@ -12,7 +12,7 @@ from riserstudy.simulation.refine import Refinement, run
 from riserstudy.simulation.run import march, single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, period
 from riserstudy.simulation.thinning import A_PERIOD, STEPS, thinned
-from riserstudy.simulation.watch import Watch
+from riserstudy.simulation.time_limit import Watch
 
 SCENE = Path(__file__).parents[2] / "config/scenes/bench/s2c.yaml"
 SETS = {

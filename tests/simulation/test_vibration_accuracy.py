@@ -10,7 +10,7 @@ from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.long_record import refinement_of
 from riserstudy.simulation.run import single
-from riserstudy.simulation.watch import Watch
+from riserstudy.simulation.time_limit import Watch
 
 UNITS = {"axial_stiffness": "N", "speed": "m/s", "duration": "s", "interval": "s"}
 COVERED = (

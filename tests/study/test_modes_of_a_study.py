@@ -20,7 +20,7 @@ from riserstudy.study import simulate_points, store
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
 from riserstudy.study.models import StudyModel
 from riserstudy.study.new import new_study
-from riserstudy.study.rerun import rerun
+from riserstudy.study.repeat_point import rerun
 from riserstudy.study.study import Study
 
 ROOT = Path(__file__).parents[2]

@@ -11,7 +11,7 @@ from short_study import CURRENT, SCENE
 from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
 from riserstudy.study.models import StudyFile
-from riserstudy.study.rerun import rerun
+from riserstudy.study.repeat_point import rerun
 from riserstudy.study.study import Study
 
 AT_REST = {"platform": None, "top.x": "held", "analysis": {"mesh": {"elements": 12}}}

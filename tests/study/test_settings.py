@@ -19,7 +19,7 @@ from riserstudy.simulation.run import single
 from riserstudy.study import settings, store
 from riserstudy.study.corners import others
 from riserstudy.study.join import write_study
-from riserstudy.study.rerun import rerun
+from riserstudy.study.repeat_point import rerun
 from riserstudy.study.setting import Setting
 from riserstudy.study.settings import (
     Settings,

@@ -112,7 +112,7 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     from rich.table import Table
 
     from riserstudy.numerics.advice import advice
-    from riserstudy.simulation.show import progress_line
+    from riserstudy.simulation.progress_line import progress_line
 
     file = scene_of(scene, settings)
     compile_as_needed()

@@ -120,8 +120,8 @@ def announce(file: Any) -> None:
     """Say before a long run what it will take, and what makes it long."""
     from riserstudy.scene.sudden import sudden_wave
     from riserstudy.simulation.forecast import forecast
-    from riserstudy.simulation.show import progress_line
-    from riserstudy.simulation.watch import Watch
+    from riserstudy.simulation.progress_line import progress_line
+    from riserstudy.simulation.time_limit import Watch
 
     for warning in sudden_wave(file.resolved()):
         print(f"riserstudy: warning: {warning}", file=sys.stderr, flush=True)
@@ -221,7 +221,7 @@ def rerun(
         check_output(output, ("dataset",), [dataset], force)
     compile_as_needed()
     from riserstudy.study.collect import write_dataset
-    from riserstudy.study.rerun import rerun as run_anew
+    from riserstudy.study.repeat_point import rerun as run_anew
 
     outcome = run_anew(old, place)
     for name, change in sorted(outcome.changes.items(), key=lambda item: -item[1]):

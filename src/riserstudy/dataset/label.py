@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import json
-from functools import cache
-from importlib.metadata import version
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from riserstudy.dataset.limits import checked
+from riserstudy.dataset.provenance import package_version, provenance_of_run
 from riserstudy.dataset.variables import ENDINGS, attributes
 from riserstudy.digests import engine_digest
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.tables import texts_of_tables
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -37,7 +34,7 @@ def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> 
         "effects_off": json.dumps(effects_off),
         "history": history("simulated a scene"),
         **{key: _text(value) for key, value in result.facts.items()},
-        "provenance": json.dumps(provenance(file)),
+        "provenance": json.dumps(provenance_of_run(file)),
     }
     if "limits" in file.tree:
         rows = checked(file, file.resolved(), result.facts)
@@ -104,27 +101,9 @@ def dimensions(name: str, values: Any) -> tuple[str, ...]:
     return ("time", "s")[: values.ndim]
 
 
-def provenance(file: SceneFile) -> dict[str, Any]:
-    """Version, engine and scene behind a result, with the origin of each value that has one."""
-    return {
-        "riserstudy": _version(),
-        "engine": engine_digest(),
-        "scene": file.tree,
-        "tables": texts_of_tables(file.tree, Path(file.source).parent, file.held),
-        "origins": {path: o.status for path, o in file.origins.items()},
-        "plain_values": "published" if file.tree.get("paper") else "given",
-    }
-
-
-@cache
-def _version() -> str:
-    """That of this package, which takes a millisecond to look up."""
-    return version("riserstudy")
-
-
 def history(done: str) -> str:
     """A line for the attribute of that name; without a date, so that the same run gives the same file."""
-    return f"riserstudy {_version()}, engine {engine_digest()}: {done}"
+    return f"riserstudy {package_version()}, engine {engine_digest()}: {done}"
 
 
 def _text(value: Any) -> Any:

@@ -1,4 +1,4 @@
-"""The scene behind a dataset, from what the dataset says of itself alone.
+"""The scene behind a dataset: how runs and studies write it down, and how it is read again.
 
 A dataset may come from anybody. What it holds is checked as a scene file is, its tables stay in memory, and
 nothing that it names is read or written.
@@ -8,19 +8,56 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from riserstudy.digests import engine_digest
 from riserstudy.errors import InputError
 from riserstudy.inputs.plain_yaml import plain_fault
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import Origin
 from riserstudy.scene.resolve import Resolved
+from riserstudy.scene.tables import texts_of_tables
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-def provenance(dataset: xr.Dataset) -> dict[str, Any]:
+def provenance_of_run(file: SceneFile) -> dict[str, Any]:
+    """Version, engine and scene behind a result, with the origin of each value that has one."""
+    return {
+        "riserstudy": package_version(),
+        "engine": engine_digest(),
+        "scene": file.tree,
+        "tables": texts_of_tables(file.tree, Path(file.source).parent, file.held),
+        "origins": {path: o.status for path, o in file.origins.items()},
+        "plain_values": "published" if file.tree.get("paper") else "given",
+    }
+
+
+@cache
+def package_version() -> str:
+    """That of this package, which takes a millisecond to look up."""
+    return version("riserstudy")
+
+
+def provenance_of_study(study_file: SceneFile, tables: Mapping[str, str]) -> dict[str, str]:
+    """The same of a study, as attributes of their own, with the evidence of each origin."""
+    origins = study_file.origins
+    return {
+        "engine": engine_digest(),
+        "riserstudy": package_version(),
+        "scene": json.dumps(study_file.tree),
+        "scene_file": study_file.source,
+        "tables": json.dumps(dict(tables)),
+        "origins": json.dumps({path: origin.status for path, origin in origins.items()}),
+        "evidence": json.dumps({path: origin.why for path, origin in origins.items()}),
+    }
+
+
+def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
     """Scene, tables and engine behind a dataset of a study or of one run.
 
     Returns
@@ -71,7 +108,7 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     InputError
         When the dataset was not simulated, or holds no scene of the point.
     """
-    record = provenance(dataset)
+    record = read_provenance(dataset)
     sets: dict[str, Any] = {}
     for axis, k in index.items():
         of_axis, value = _mapping(dataset[axis], "sets"), str(dataset[axis][k].item())

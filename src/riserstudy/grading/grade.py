@@ -22,7 +22,7 @@ from riserstudy.grading.found import (
     consistent,
     judged,
 )
-from riserstudy.grading.grounds import MANY, explained, outcome_of, settled, share_of
+from riserstudy.grading.grounds import MANY, explained, outcome_of, settled, share_with_interval
 from riserstudy.grading.margin import below
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
 from riserstudy.grading.readings import axes_of_readings, base_share, readings_of
@@ -108,7 +108,11 @@ def graded(
         known = regrade(item.kind, [case for case in cases if case.met is not None])
         hit = bool((at_base > 0.0).all())
         readings = readings_of(item.kind, found, about, called)
-        whole = share_of(found) if not axes_of_readings(found) else base_share(found, item.base)
+        whole = (
+            share_with_interval(found)
+            if not axes_of_readings(found)
+            else base_share(found, item.base)
+        )
         grounds = replace(grounds, share=whole, readings=readings)
         grounds = explained(grounds, found, about, known or verdict, hit, called)
         if known != verdict:
@@ -164,7 +168,7 @@ def _grounds(task: Task, base: Found, every: Found, found: xr.DataArray) -> Grou
     known = found.values[found.notnull().values]
     many = found.dims == ("sample",) and known.size >= MANY
     left_out = found.size - known.size
-    alone = share_of(_met(item, granted.value)) if item.together else None
+    alone = share_with_interval(_met(item, granted.value)) if item.together else None
     return Grounds(
         within=item.within,
         words=[Meaning(*word) for word in item.words],

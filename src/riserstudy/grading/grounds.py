@@ -44,7 +44,7 @@ def explained(
     """
     if verdict != "depends":
         return grounds
-    shares = [reading.share for reading in grounds.readings] or [share_of(found)]
+    shares = [reading.share for reading in grounds.readings] or [share_with_interval(found)]
     if all(share.met / share.samples >= ALMOST_ALWAYS for share in shares):
         # whatever else is open, it decides nothing
         short = base and any(few(share.draws) for share in shares)
@@ -96,10 +96,10 @@ def outcome_of(
     if readings:
         return Outcome(name, low, high, every, readings=[*readings])
     names = [input_name(path, called) for path in deciding(found, about).names]
-    return Outcome(name, low, high, every, share_of(found), names)
+    return Outcome(name, low, high, every, share_with_interval(found), names)
 
 
-def share_of(found: xr.DataArray) -> Share:
+def share_with_interval(found: xr.DataArray) -> Share:
     """How many samples are hits of those in which something is found, with the 95 % interval of many.
 
     By Wilson; too wide for evenly spread ones. All cells of a sample count as one draw.

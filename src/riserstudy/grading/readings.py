@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.grading.cases import places_of
-from riserstudy.grading.grounds import share_of
+from riserstudy.grading.grounds import share_with_interval
 from riserstudy.grading.names import input_name
 from riserstudy.grading.sensitivity import deciding
 from riserstudy.grading.verdict import ALMOST_ALWAYS, ALMOST_NEVER
@@ -53,7 +53,7 @@ def _each(
         here = found.sel(place)
         if not bool(here.notnull().any()):
             continue
-        share = share_of(here)
+        share = share_with_interval(here)
         answer = answer_of(kind, share)
         names: list[str] = []
         if answer == "depends":
@@ -77,7 +77,7 @@ def base_share(found: xr.DataArray, base: Place) -> Share | None:
     axes = axes_of_readings(found)
     if "sample" not in found.dims or any(axis not in base for axis in axes):
         return None
-    return share_of(found.sel({axis: base[axis] for axis in axes}))
+    return share_with_interval(found.sel({axis: base[axis] for axis in axes}))
 
 
 def _deciding_axes(found: xr.DataArray, axes: Sequence[str]) -> list[str]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from riserstudy.effects.synchronisation import VARIABLES
 from riserstudy.effects.vortex_drag import VortexDrag
 from riserstudy.effects.vortex_lift import VortexLift
+from riserstudy.model.disconnect import lift_gauge
 from riserstudy.model.ends import ends
 from riserstudy.model.hydrodynamics import current, hydrodynamics, wave
 from riserstudy.model.initial_shape import above_ground, between_ends, under_a_joint
@@ -18,7 +19,6 @@ from riserstudy.model.layout import AXES, Layout, directions, layout_of
 from riserstudy.model.mesh import Mesh, blend_by_weight, lowest_leaning
 from riserstudy.model.model import Effect, Model, Report, Unknowns
 from riserstudy.model.platform_motion import motions
-from riserstudy.model.release import lift_gauge
 from riserstudy.model.riser import riser
 from riserstudy.model.soil import soil
 from riserstudy.model.supports import afloat, first_order, fixed, supports

@@ -58,8 +58,8 @@ def springs(
         ultimate = ultimate_resistance(of, depth, diameter)
         return SoftClay(held, ultimate * length, y50, of.straight_up_to)
     if isinstance(of, Sand):
-        return _tabulated(held, length, _of_sand(of, depth, diameter))
-    return _tabulated(held, length, _of_table(of, depth))
+        return _tabulated(held, length, _py_of_sand(of, depth, diameter))
+    return _tabulated(held, length, _py_of_table(of, depth))
 
 
 def ultimate_resistance(
@@ -108,7 +108,7 @@ def sand_resistance(sand: Sand, depth: FloatArray, diameter: FloatArray) -> Floa
     return np.asarray(np.maximum(3.0 - 0.8 * depth / diameter, CYCLIC) * ultimate)
 
 
-def _of_sand(sand: Sand, depth: FloatArray, diameter: FloatArray) -> list[PPoly]:
+def _py_of_sand(sand: Sand, depth: FloatArray, diameter: FloatArray) -> list[PPoly]:
     """Curves of sand, by its values and slopes."""
     from scipy.interpolate import CubicHermiteSpline, PPoly  # loaded where needed: it takes long
 
@@ -124,7 +124,7 @@ def _of_sand(sand: Sand, depth: FloatArray, diameter: FloatArray) -> list[PPoly]
     return found
 
 
-def _of_table(of: TabulatedSoil, depth: FloatArray) -> list[PPoly]:
+def _py_of_table(of: TabulatedSoil, depth: FloatArray) -> list[PPoly]:
     """Curves of a table at depths (m): the cubics of both neighbours, straight between them."""
     from scipy.interpolate import PchipInterpolator, PPoly  # loaded where needed: it takes long
 
@@ -178,6 +178,6 @@ def pile_length(soil: Soil, conductor: Section, bending: float) -> float:
     elif isinstance(of, Sand):
         k = 0.5 / math.atanh(0.5) * of.initial_modulus * diameter
     else:
-        curve = _of_table(of, deep)[0]
+        curve = _py_of_table(of, deep)[0]
         k = max(float(curve(curve.x[1]) / curve.x[1]), 1.0)
     return float((4.0 * bending / k) ** 0.25)

@@ -12,10 +12,10 @@ from riserstudy.numerics.attempt import deciding
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.forecast import forecast
+from riserstudy.simulation.progress_line import progress_line
 from riserstudy.simulation.refine import run
-from riserstudy.simulation.show import progress_line
 from riserstudy.simulation.simulate import at_accuracy
-from riserstudy.simulation.watch import Notify, Watch
+from riserstudy.simulation.time_limit import Notify, Watch
 
 #: relative errors, and None for what a scene without a request gets, from the cheapest on
 REQUESTS = (0.05, 0.01, None, 0.002, 0.0005)

@@ -11,7 +11,7 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.analysis import Analysis
 from riserstudy.scene.base import ALONG_X, POSITIVE
-from riserstudy.scene.buoyancy import Buoyancy
+from riserstudy.scene.buoyant_factor import Buoyancy
 from riserstudy.scene.disconnect import Disconnect
 from riserstudy.scene.ends import Body, Bottom, Top
 from riserstudy.scene.fatigue import Fatigue

@@ -10,7 +10,7 @@ from riserstudy.scene.ends import TensionLoss
 from riserstudy.scene.forcing import Translation
 from riserstudy.scene.parts import Parts
 from riserstudy.scene.waterline import cut
-from riserstudy.scene.weight import dressed, weighed
+from riserstudy.scene.weight import weighed, with_attachments
 
 
 class Resolved(Parts):
@@ -55,7 +55,7 @@ def _loaded(scene: Resolved) -> Resolved:
 
 def _sections(scene: Resolved) -> Resolved:
     """The scene with sections cut where they leave the water, weighed, and with modules and lines on them."""
-    for sections in (cut, weighed, dressed):
+    for sections in (cut, weighed, with_attachments):
         riser = sections(scene)
         scene = scene if riser is scene.riser else scene.model_copy(update={"riser": riser})
     return scene

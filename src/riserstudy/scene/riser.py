@@ -12,7 +12,7 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient
-from riserstudy.scene.dressed import Line, Modules
+from riserstudy.scene.modules_and_lines import Line, Modules
 
 RIGID = 1e3  # bending stiffness of what does not bend, over that of its neighbour
 

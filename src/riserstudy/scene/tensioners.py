@@ -12,7 +12,7 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.alike import ROUNDING
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
-from riserstudy.scene.carried import Carried, DampingRatio
+from riserstudy.scene.tensioners_by_weight import Carried, DampingRatio
 
 
 class Chamber(Strict):

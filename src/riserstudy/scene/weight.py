@@ -11,8 +11,8 @@ import math
 from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
-from riserstudy.scene.dressed import carried
 from riserstudy.scene.geometry import levels
+from riserstudy.scene.modules_and_lines import attached
 
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
@@ -49,7 +49,7 @@ def weighed(scene: Parts) -> list[Section]:
     return sections
 
 
-def dressed(scene: Parts) -> list[Section]:
+def with_attachments(scene: Parts) -> list[Section]:
     """The sections, each with mass and weight of its pipe, modules and lines together.
 
     Raises
@@ -72,7 +72,7 @@ def dressed(scene: Parts) -> list[Section]:
         bare = section.buoyancy_lift is None and modular
         more: dict[str, float] = {"buoyancy_lift": 0.0} if bare else {}
         if section.modules or section.lines:
-            adds = carried(section, scene.gravity, _water_around(scene, k))
+            adds = attached(section, scene.gravity, _water_around(scene, k))
             more |= {
                 "mass": (section.mass or 0.0) + adds.mass,
                 "submerged_weight": section.submerged_weight + adds.weight,

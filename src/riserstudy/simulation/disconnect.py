@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.errors import SimulationError
+from riserstudy.model.disconnect import fading, released, stack_contact
 from riserstudy.model.draining import draining, flow_of
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
-from riserstudy.model.release import fading, released, stack_contact
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation import outputs
 from riserstudy.solve.evaluate import energies, forces_and_tangent

@@ -11,7 +11,7 @@ from riserstudy.simulation.piece import longest_ramp, piece_of
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import period
-from riserstudy.simulation.watch import Watch, size
+from riserstudy.simulation.time_limit import Watch, size
 
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts

@@ -22,8 +22,8 @@ from riserstudy.simulation.run import march
 from riserstudy.simulation.run_cost import cost
 from riserstudy.simulation.starting_mesh import massless, period
 from riserstudy.simulation.thinning import thinned
+from riserstudy.simulation.time_limit import Watch, size
 from riserstudy.simulation.vibration_refinement import VibrationRefinement
-from riserstudy.simulation.watch import Watch, size
 
 PERIODS = 48.0  # the shortest of a scene, after its ramps, that are a piece: two dozen waves
 LONG = 10.0  # pieces, from which on they pay

@@ -13,7 +13,7 @@ from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.run import march, single
 from riserstudy.simulation.sampling_error import floor, of_two_runs
 from riserstudy.simulation.thinning import thinned
-from riserstudy.simulation.watch import Watch, size
+from riserstudy.simulation.time_limit import Watch, size
 
 COARSER = ("step", "mesh", "step", "mesh")  # what is doubled from run to run, in turn
 

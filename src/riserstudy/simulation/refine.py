@@ -24,6 +24,7 @@ from riserstudy.simulation.run_cost import cost, duration, total_seconds
 from riserstudy.simulation.sampling_error import floor, of_two_runs
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.thinning import thinned
+from riserstudy.simulation.time_limit import Notify, Watch, size
 from riserstudy.simulation.time_stepping import steps_in
 from riserstudy.simulation.tolerance import (
     add_error_of_outputs,
@@ -32,7 +33,6 @@ from riserstudy.simulation.tolerance import (
     in_words,
     raise_if_buckling,
 )
-from riserstudy.simulation.watch import Notify, Watch, size
 
 RUNS = 16  # halvings of mesh or step, at most
 SEGMENTS = 50_000  # of the finest mesh, at most

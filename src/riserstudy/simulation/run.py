@@ -31,8 +31,8 @@ from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.section_forces import derived, envelopes_of, section_of
 from riserstudy.simulation.step_peaks import peaks_of, room_for_steps, steps_of, within
+from riserstudy.simulation.time_limit import Watch, share
 from riserstudy.simulation.time_stepping import method_of, steps_in
-from riserstudy.simulation.watch import Watch, share
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.program import Frozen

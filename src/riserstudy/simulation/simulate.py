@@ -54,8 +54,8 @@ def simulate(
         When it cannot be completed, or no run ends within the patience.
     """
     from riserstudy.scene.load import read_scene
+    from riserstudy.simulation.progress_line import progress_line
     from riserstudy.simulation.refine import run
-    from riserstudy.simulation.show import progress_line
 
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     if accuracy is not None:

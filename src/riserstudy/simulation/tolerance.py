@@ -7,7 +7,7 @@ from riserstudy.errors import PhysicallyUnstable, SimulationError
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import controlled
-from riserstudy.simulation.watch import size
+from riserstudy.simulation.time_limit import size
 
 DISPLACEMENT, MOMENT, DAMAGE = 0.002, 0.01, 0.05  # default accuracy
 PATIENT = 6  # refinements that must halve the error, or a string under compression is given up

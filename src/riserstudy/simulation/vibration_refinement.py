@@ -11,8 +11,8 @@ from __future__ import annotations
 from riserstudy.dataset.result import Result
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import Refinement
+from riserstudy.simulation.time_limit import Watch
 from riserstudy.simulation.tolerance import in_words
-from riserstudy.simulation.watch import Watch
 
 HALVINGS = (
     4  # of mesh, and of step: then statistics that still change are those of another vibration

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Collection
-from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
@@ -22,9 +21,9 @@ from riserstudy.dataset.label import (
     with_details,
 )
 from riserstudy.dataset.netcdf import write_netcdf
+from riserstudy.dataset.provenance import provenance_of_study
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, cf_unit
-from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
 from riserstudy.records.facts import point_columns
 from riserstudy.scene.paths import as_name
@@ -299,20 +298,13 @@ def attributes_of_points(known: Known) -> dict[str, str]:
 
 
 def _about(study: Study, results: list[Result]) -> dict[str, Any]:
-    origins = study.base.origins
     return {
         "Conventions": "CF-1.11",
         "title": f"{study.paper} {study.name}: {study.model.caption}",
         "paper": study.paper,
         "tier": study.tier,
         "digest": study.digest,
-        "engine": engine_digest(),
-        "riserstudy": version("riserstudy"),
-        "scene": json.dumps(study.base.tree),
-        "scene_file": study.base.source,
-        "tables": json.dumps(study.tables),
-        "origins": json.dumps({p: o.status for p, o in origins.items()}),
-        "evidence": json.dumps({p: o.why for p, o in origins.items()}),
+        **provenance_of_study(study.base, study.tables),
         **attributes_of_points(known_of(results)),
         **({"error_because": because} if (because := study.model.error_because) else {}),
         "history": history(f"simulated study {study.name} of {study.paper}, tier {study.tier}"),

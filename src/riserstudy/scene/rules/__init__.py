@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 from riserstudy.scene.rules import (
     analysis,
     current,
+    disconnect,
     ends,
     geometry,
     limits,
     pipe,
-    releases,
     vessel,
     waves,
 )
@@ -53,8 +53,8 @@ RULES = (
     current.covers,
     limits.limits,
     limits.fatigue,
-    releases.disconnect,
-    releases.events,
+    disconnect.disconnect,
+    disconnect.events,
 )
 
 

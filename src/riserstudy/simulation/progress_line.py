@@ -7,7 +7,7 @@ import time as clock
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from riserstudy.simulation.watch import Notify
+from riserstudy.simulation.time_limit import Notify
 
 LATE = 5.0  # s, after which runs are told of where nobody looks on
 

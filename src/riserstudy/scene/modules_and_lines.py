@@ -90,7 +90,7 @@ class Line(Strict):
         return axial, modulus * self.number * second
 
 
-class Carried(NamedTuple):
+class Attached(NamedTuple):
     """Mass (kg/m), weight (N/m) and lift of modules beyond their own weight (N/m) of what a pipe carries."""
 
     mass: float
@@ -98,17 +98,17 @@ class Carried(NamedTuple):
     lift: float
 
 
-def carried(section: Section, gravity: float, water: float) -> Carried:
+def attached(section: Section, gravity: float, water: float) -> Attached:
     """What modules and lines of a section add, in gravity (m/s2) and water (kg/m3; 0 above it)."""
     lines = section.lines or []
     mass, outside = sum(line.all_mass for line in lines), sum(line.outside for line in lines)
     weight = gravity * (mass - water * outside)
     if section.modules is None:
-        return Carried(mass, weight, 0.0)
+        return Attached(mass, weight, 0.0)
     each = section.joints.length if section.joints else section.total_length
     own = section.modules.mass / each
     lift = section.modules.lift / each if water else 0.0
-    return Carried(mass + own, weight + (-lift if water else gravity * own), lift)
+    return Attached(mass + own, weight + (-lift if water else gravity * own), lift)
 
 
 def _disc(diameter: float) -> float:

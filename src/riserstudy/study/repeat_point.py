@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import labelled, to_dataset
 from riserstudy.dataset.place import place
-from riserstudy.dataset.provenance import provenance, scene_file_of
+from riserstudy.dataset.provenance import read_provenance, scene_file_of
 from riserstudy.digests import engine_digest
 from riserstudy.records.facts import point_columns
 from riserstudy.study.collect import NODE_DIGITS, laid_on, statistics
@@ -65,7 +65,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     from riserstudy.model.absent_effects import absent
     from riserstudy.simulation.refine import run
 
-    engine = provenance(dataset)["engine"]
+    engine = read_provenance(dataset)["engine"]
     index = place(dataset, at)
     point = dataset.isel(index)
     estimated = bool(

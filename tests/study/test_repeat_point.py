@@ -11,7 +11,7 @@ from riserstudy.errors import InputError
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation.simulate import simulate
 from riserstudy.study.collect import write_dataset
-from riserstudy.study.rerun import rerun
+from riserstudy.study.repeat_point import rerun
 
 
 @pytest.fixture(scope="module")
