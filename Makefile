@@ -82,7 +82,7 @@ figures: $(READY)  ## draw the figures, simulating only what they miss
 	@exec $(STUDY) figures
 
 references: $(READY)  ## compute reference solutions that are missing or solve another scene
-	@$(IN_ENVIRONMENT) python -m riserstudy.jobs references $(CASES)
+	@$(IN_ENVIRONMENT) python -m chapters.numerics.reference $(CASES)
 
 bench: .venv/.bench-$(ID)  ## time the engine and other simulators in turns
 	@$(IN_ENVIRONMENT) python benchmarks/run.py

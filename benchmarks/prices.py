@@ -20,9 +20,6 @@ from riserstudy import load_scene
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.numerics.attempt import mesh_of
-from riserstudy.numerics.fixed_step import stepped
-from riserstudy.numerics.references import by_run
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
@@ -32,7 +29,13 @@ from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 
-CONFIG = Path(__file__).resolve().parents[1] / "config"
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT))
+from chapters.numerics.attempt import mesh_of  # noqa: E402
+from chapters.numerics.fixed_step import stepped  # noqa: E402
+from chapters.numerics.references import by_run  # noqa: E402
+
+CONFIG = ROOT / "config"
 OWN = dict.fromkeys(("analysis.mesh", "analysis.step", "analysis.method", "analysis.accuracy"))
 #: scenes by paper and study, of which the point in the middle counts
 SCENES = {

@@ -102,7 +102,7 @@ def build(docs, target, builder):
 def docs(tmp_path):
     """The pages where they may be changed, with all that they are made from."""
     shutil.copytree(ROOT / "docs", tmp_path / "docs")
-    for part in ("src", "workflow", "config", "changelog.d", "pyproject.toml"):
+    for part in ("src", "chapters", "workflow", "config", "changelog.d", "pyproject.toml"):
         (tmp_path / part).symlink_to(ROOT / part)
     for page in (
         "CHANGELOG.md",

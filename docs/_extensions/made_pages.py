@@ -6,12 +6,12 @@ checkout are those of ``workflow/scripts/made_parts.py``; they are made anew her
 
 from __future__ import annotations
 
-import importlib
 import pkgutil
 import re
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import chdir
 from functools import cache
 from pathlib import Path
 
@@ -23,10 +23,9 @@ from sphinx.environment import BuildEnvironment
 import riserstudy
 from riserstudy import effects
 from riserstudy.chapters import function_of
-from riserstudy.folders import PACKAGE
+from riserstudy.chapters.measure import measure
 from riserstudy.inputs.plain_yaml import read_yaml
-from riserstudy.numerics.measure import measure
-from riserstudy.numerics.scenes import Setting
+from riserstudy.study.measured import Setting
 from riserstudy.study.read import read_studies
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -84,8 +83,9 @@ def _validated() -> xr.Dataset:
     file = ROOT / "results/numerics/validation.nc"
     if file.is_file():
         return xr.load_dataset(file)
-    study = read_studies(ROOT / "config", "numerics").measured.validation
-    return measure("numerics validation", study, Setting(ROOT / "config", "standard"))
+    with chdir(ROOT):  # chapters are those of the folder where one works
+        study = read_studies(ROOT / "config", "numerics").measured["validation"]
+        return measure("numerics", "validation", study, Setting(ROOT / "config", "standard"))
 
 
 def gallery(names: str) -> str:
@@ -97,8 +97,10 @@ def gallery(names: str) -> str:
 def _figure(paper: str, name: str) -> str:
     study = read_yaml(ROOT / f"config/studies/{paper}.yaml")
     caption = str(study["figures"][name]["caption"]).strip()
-    module = importlib.import_module(function_of(paper, "figures", name).__module__)
-    source = Path(str(module.__file__)).relative_to(PACKAGE.parent)
+    with chdir(ROOT):  # chapters are those of the folder where one works
+        module = function_of(paper, "figures", name).__module__
+    folder = "../src" if module.startswith("riserstudy.") else ".."
+    source = f"{folder}/{module.replace('.', '/')}.py"
     return f"""
 :::::{{container}} exhibit
 ![{caption}](images/gallery/{paper}_{name}.png)
@@ -113,7 +115,7 @@ def _figure(paper: str, name: str) -> str:
 snakemake {paper}_{name}
 ```
 
-```{{literalinclude}} ../src/{source}
+```{{literalinclude}} {source}
 :pyobject: {name}
 :language: python
 ```

@@ -5,12 +5,15 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import sys
 import tempfile
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from stat import S_IWGRP, S_IWOTH, S_IXGRP, S_IXOTH
+from types import ModuleType
 from typing import Any
 
 import platformdirs
@@ -107,7 +110,7 @@ def workflow_folder() -> Path:
 
 
 def chapter_modules(paper: str, part: str) -> list[str]:
-    """Modules of one part of a paper's chapter: ``figures``, ``derived`` or ``claims``.
+    """Modules of one part of a paper's chapter: ``figures``, ``derived``, ``claims`` and so on.
 
     A part is a file of that name or a folder of files. The folder ``chapters`` where one works comes
     before the package's.
@@ -120,6 +123,14 @@ def chapter_modules(paper: str, part: str) -> list[str]:
             names = sorted(path.stem for path in place.glob("*.py") if path.stem != "__init__")
             return [f"{package}.{paper}.{part}.{name}" for name in names]
     return []
+
+
+def import_of_chapter(module: str) -> ModuleType:
+    """A module of a chapter, imported; one of the folder where one works whatever Python was started with."""
+    here = str(Path.cwd())
+    if module.partition(".")[0] == "chapters" and not {here, ""} & {*sys.path}:
+        sys.path.append(here)
+    return import_module(module)
 
 
 def chapter_files(paper: str, files: Iterable[Path]) -> list[str]:

@@ -190,7 +190,7 @@ def inputs(tmp_path_factory):
 @pytest.fixture
 def here(inputs, tmp_path, monkeypatch):
     """In a copy of these inputs; what costs are asked for is one tolerance alone."""
-    monkeypatch.setattr("riserstudy.numerics.accuracy_cost.REQUESTS", (0.05,))
+    monkeypatch.setattr("riserstudy.advice.accuracy_cost.REQUESTS", (0.05,))
     folder = tmp_path / "here"
     shutil.copytree(inputs, folder)
     monkeypatch.chdir(folder)

@@ -4,11 +4,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-import xarray as xr
 
 from riserstudy.report.claims import VERDICTS
 from riserstudy.report.overview import findings, totals
-from riserstudy.report.tiles import tiles
 
 CLAIM = SimpleNamespace(paper="paper", id="C1")
 OTHER = SimpleNamespace(paper="paper", id="C2")
@@ -59,38 +57,3 @@ def test_the_totals_add_up_and_name_every_verdict_that_occurs(seed):
 
 def test_nothing_graded_has_no_totals():
     assert totals([]) == ""
-
-
-def test_a_tile_without_its_dataset_has_the_title_of_its_figure():
-    (one,) = tiles([figure("cost", "twice as good", paper="numerics")], {})
-    assert (one.number, one.answer, one.spark) == ("", "Twice as good.", "")
-
-
-def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
-    cases = {
-        "as_expected": [True] * 3 + [False],
-        "written_outcome": [
-            "accurate",
-            "refused",
-            "stable but inaccurate",
-            "stable but inaccurate",
-        ],
-    }
-    stability = xr.Dataset({name: ("case", values) for name, values in cases.items()})
-    (one,) = tiles([figure("stability", "", paper="numerics")], {"stability": stability})
-    assert one.number == "3 of 4"
-    assert one.answer == "hard cases end as expected; 1 is silently wrong."
-    assert one.spark.count("<rect") == 4
-
-
-def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
-    rows = {
-        "request_scene": ["a", "a", "b", "b"],
-        "requested": [0.01, 0.0005, 0.01, 0.0005],
-        "request_seconds": [1.0, 3.0, 2.0, 5.0],
-    }
-    accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
-    (one,) = tiles([figure("cost", "", paper="numerics")], {"accuracy": accuracy})
-    assert one.number == "2.5 to 3×"
-    assert "20 times the accuracy" in one.answer
-    assert one.spark.count("<polyline") == 2

@@ -32,7 +32,7 @@ def test_a_period_of_next_to_nothing_is_refused_in_a_line(commands, tmp_path, co
 
 
 def test_a_cost_that_takes_long_is_told_of_and_ends(commands, monkeypatch):
-    monkeypatch.setattr("riserstudy.numerics.accuracy_cost.PATIENCE", 2.0)
+    monkeypatch.setattr("riserstudy.advice.accuracy_cost.PATIENCE", 2.0)
     monkeypatch.setattr("riserstudy.simulation.progress_line.LATE", 0.5)
     code, out, error = commands("cost", SURGE, "--set", "platform.surge.period=1e-5 s")
     assert (code, out) == (3, "")

@@ -5,10 +5,10 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
+from chapters.numerics.closed_forms import taut_beam_frequency, taut_beam_under_load
 from riserstudy import simulate
 from riserstudy.dataset.tables import stack_up
 from riserstudy.errors import InputError
-from riserstudy.numerics.closed_forms import taut_beam_frequency, taut_beam_under_load
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.modes import modes_of
 

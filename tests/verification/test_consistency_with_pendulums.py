@@ -140,7 +140,7 @@ def test_a_swinging_body_keeps_its_energy(scene, method):
 
 
 def test_advice_knows_the_sections_of_the_file(scene, tmp_path):
-    from riserstudy.numerics.changes import fitting
+    from riserstudy.advice.changes import fitting
 
     heavier = {"riser[0].mass": "300 kg/m", "riser[0].submerged_weight": "2 kN/m"}
     labels = [change.label for change, _ in fitting(scene(**(STIFF | heavier)))]

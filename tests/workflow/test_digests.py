@@ -24,7 +24,9 @@ CHAPTERS = [
     for path in sorted((PACKAGE / "chapters").rglob("*.py"))
     if path.name != "__init__.py"
 ]
-PARTS = [ENGINE, COLLECT, DERIVE, GRADE, REPORT, DATABASE, "riserstudy.schematic", *CHAPTERS]
+OUTSIDE = ["chapters.numerics.measured.stability", "chapters.numerics.report.section"]
+PARTS = [ENGINE, COLLECT, DERIVE, GRADE, REPORT, DATABASE, "riserstudy.schematic"]
+PARTS += [*CHAPTERS, *OUTSIDE]
 
 
 def forget():

@@ -5,6 +5,7 @@ import os
 import re
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import jsonschema
 import pytest
@@ -12,14 +13,17 @@ import xarray as xr
 from planning import dry_run, jobs_in
 from ruamel.yaml import YAML
 
+from riserstudy import digests
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
+from riserstudy.chapters.measure import measure
 from riserstudy.cli import main
 from riserstudy.errors import InputError
 from riserstudy.grading.grade import grade
 from riserstudy.grading.published import read_published
 from riserstudy.jobs.workplan import Workplan
+from riserstudy.report.of_chapters import section_of, tiles_of
 from riserstudy.study.config import RULES
 from riserstudy.study.new import TEMPLATE, new_study
 from riserstudy.study.schemas import schema_files
@@ -34,7 +38,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path / "my study")
     monkeypatch.syspath_prepend(tmp_path / "my study")
     yield tmp_path / "my study"
-    for name in [name for name in sys.modules if name.split(".")[0] == "chapters"]:
+    for name in [name for name in sys.modules if name.startswith("chapters.example")]:
         del sys.modules[name]
 
 
@@ -195,3 +199,129 @@ def test_the_template_holds_nothing_but_what_git_has():
         *("Snakefile", "README.md", "chapters", "config", "profiles")
     }
     assert not (Path(TEMPLATE) / "config/schemas").exists()
+
+
+def page_code():
+    """What a page tells to write, by file; in study files, below what is there."""
+    text = (ROOT / "docs/own_study.md").read_text("utf-8")
+    text = text.partition("\n## Datasets and report parts by your code\n")[2].partition("\n## ")[0]
+    code = dict(re.findall(r"```python\n# (\S+)\n(.*?)```", text, re.DOTALL))
+    (study,) = re.findall(r"```yaml\n(.*?)```", text, re.DOTALL)
+    return code | {STUDY: study}
+
+
+FIGURE = """
+
+def mesh_study(mesh_study):
+    figure, (ax,) = panels()
+    ax.plot(mesh_study["elements"], mesh_study["period"])
+    ax.set_title("the period hardly depends on the mesh")
+    return figure
+"""
+
+
+@pytest.fixture
+def measuring(folder):
+    """The folder with a dataset that its chapter measures, as the page has it, and a figure of it."""
+    for name, text in page_code().items():
+        with (folder / name).open("a") as file:
+            file.write(f"\n{text}")
+    with (folder / "chapters/example/figures.py").open("a") as file:
+        file.write(FIGURE)
+    text = (folder / STUDY).read_text()
+    drawn = "figures:\n  mesh_study: {caption: c, reads: [mesh_study]}\n"
+    (folder / STUDY).write_text(text.replace("figures:\n", drawn))
+    return folder
+
+
+def test_a_chapter_measures_a_dataset_and_tells_of_it_in_the_report(measuring):
+    plan = Workplan.read(measuring / "config", {})
+    model, setting = plan.measured("example", "mesh_study"), plan.setting(1)
+    found = measure("example", "mesh_study", model, setting)
+    assert found.attrs["title"].endswith("first natural period over the number of segments")
+    assert (found["period"] > 0.0).all()
+    drawn = [
+        SimpleNamespace(
+            paper="example", name="mesh_study", anchor="example-mesh_study",
+            picture=picture_of_title(draw("example", "mesh_study", {"mesh_study": found})),
+        )
+    ]  # fmt: skip
+    (tile,) = tiles_of("example", {"mesh_study": found}, drawn)
+    assert int(tile.number) in (10, 20)
+    assert tile.figure == "example-mesh_study"
+    (table,) = section_of("example", {"mesh_study": found}).tables
+    assert [row[0].order for row in table.rows] == [10, 20, 40]
+
+
+def picture_of_title(figure):
+    return SimpleNamespace(title=figure.axes[0].get_title())
+
+
+def test_a_measured_dataset_is_planned_with_its_figure(measuring):
+    status, said, jobs = planned(measuring, "example_mesh_study")
+    assert status == 0, said
+    assert {job for job in jobs if "kernels" not in job} == {
+        "measure example/mesh_study",
+        "draw example/mesh_study",
+    }
+
+
+@pytest.mark.parametrize(
+    "file, old, new",
+    [
+        ("config/scenes/riser.yaml", "900 kg/m", "910 kg/m"),
+        (STUDY, "elements: [10, 20, 40]", "elements: [10, 20]"),
+        ("chapters/example/measured.py", '["natural_period"][0]', '["natural_period"][1]'),
+    ],
+)
+def test_an_edit_of_what_is_measured_measures_anew(measuring, file, old, new):
+    before = Workplan.read(measuring / "config", {}).measured_digest("example", "mesh_study")
+    text = (measuring / file).read_text()
+    assert text.count(old) == 1
+    (measuring / file).write_text(text.replace(old, new))
+    forget_sources()
+    again = Workplan.read(measuring / "config", {}).measured_digest("example", "mesh_study")
+    assert again != before
+
+
+def test_an_edit_of_what_a_chapter_tells_makes_the_report_anew(measuring):
+    before = Workplan.read(measuring / "config", {}, only=[]).report_digest
+    with (measuring / "chapters/example/report.py").open("a") as file:
+        file.write("more = 1\n")
+    forget_sources()
+    assert Workplan.read(measuring / "config", {}, only=[]).report_digest != before
+
+
+def forget_sources():
+    """What this process has found out about sources."""
+    for found in vars(digests).values():
+        if hasattr(found, "cache_clear"):
+            found.cache_clear()
+
+
+LISTED = "    elements: [10, 20, 40]\n"
+
+
+@pytest.mark.parametrize(
+    "said, old, new",
+    [
+        ("measured.mesh_study.elements", LISTED, "    elements: many\n"),
+        ("measured.mesh_study.colour: unknown key", LISTED, f"{LISTED}    colour: red\n"),
+        ("measured.mesh_study.elements: missing", LISTED, ""),
+        ("models.py has no 'mash'", "  mesh_study:\n    caption", "  mash:\n    caption"),
+    ],
+)
+def test_what_does_not_fit_the_model_of_a_chapter_stops_before_any_job(measuring, said, old, new):
+    text = (measuring / STUDY).read_text()
+    assert text.count(old) == 1
+    (measuring / STUDY).write_text(text.replace(old, new))
+    with pytest.raises(InputError, match=re.escape(said)):
+        Workplan.read(measuring / "config", {}, only=[])
+
+
+def test_a_model_without_a_function_that_measures_is_refused(measuring):
+    (measuring / "chapters/example/measured.py").unlink()
+    with pytest.raises(
+        InputError, match=r"chapters/example/measured\.py defines no function mesh_study"
+    ):
+        Workplan.read(measuring / "config", {}, only=[])

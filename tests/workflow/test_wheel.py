@@ -15,6 +15,7 @@ from pathlib import Path
 import psutil
 import pytest
 import xarray as xr
+from hatchling.builders.wheel import WheelBuilder
 from ruamel.yaml import YAML
 
 ROOT = Path(__file__).parents[2]
@@ -58,6 +59,16 @@ class User:
         self.times[step] = time.monotonic() - began, processors() - worked
         assert done.returncode == 0, done.stdout + done.stderr
         return done.stdout + done.stderr
+
+
+def test_what_measures_the_engine_is_not_installed():
+    """Read from what the build backend would pack, without packing it."""
+    packed = {file.distribution_path for file in WheelBuilder(str(ROOT)).recurse_included_files()}
+    assert "riserstudy/chapters/measure.py" in packed
+    assert "riserstudy/study/measured.py" in packed
+    names = {Path(path).parts[0] for path in packed}
+    assert names == {"riserstudy", "snakemake_logger_plugin_riserstudy"}
+    assert not [path for path in packed if "numerics" in path]
 
 
 @pytest.mark.slow

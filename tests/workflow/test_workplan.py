@@ -15,6 +15,7 @@ from riserstudy.folders import PACKAGE, chapter_files
 from riserstudy.jobs.workplan import Workplan
 
 CONFIG = Path(__file__).parents[2] / "config"
+FIGURES = sorted((CONFIG.parent / "chapters/numerics/figures").glob("[a-z]*.py"))
 PLAN = Workplan.read(CONFIG, {"tier": "preview"})
 
 
@@ -87,13 +88,17 @@ def test_an_edit_of_how_figures_look_redraws_figures_and_derives_nothing():
     "module",
     [
         *("riserstudy.simulation.refine", "riserstudy.report", "riserstudy.schematic"),
-        *("riserstudy.study.collect", "riserstudy.grading.grade", "riserstudy.numerics.stability"),
+        *(
+            "riserstudy.study.collect",
+            "riserstudy.grading.grade",
+            "chapters.numerics.measured.stability",
+        ),
         *("riserstudy.chapters.liu2020.derived.codes", "riserstudy.chapters.fem_riser.figures"),
     ],
 )
 def test_what_is_imported_is_behind_the_digest(module):
     names = f"import sys, {module}; print(*(m.__file__ for m in list(sys.modules.values())"
-    names += " if m.__name__.startswith('riserstudy')), sep='\\n')"
+    names += " if m.__name__.startswith(('riserstudy', 'chapters.'))), sep='\\n')"
     ran = subprocess.run([sys.executable, "-c", names], capture_output=True, text=True, check=True)
     imported = {Path(line) for line in ran.stdout.splitlines()}
     assert source_of(module) in imported
@@ -112,6 +117,22 @@ def test_no_chapter_loads_kernels():
         if path.name != "__init__.py"
     ]
     assert "numba" not in modules_loaded_by(*modules)
+
+
+def test_what_plans_draws_and_reports_the_engine_s_chapter_loads_no_kernels():
+    parts = [
+        "models",
+        "answers",
+        *(f"figures.{file.stem}" for file in FIGURES),
+        "report.tiles",
+        "report.section",
+    ]
+    assert "numba" not in modules_loaded_by(*(f"chapters.numerics.{part}" for part in parts))
+
+
+def test_planning_a_chapter_that_measures_loads_nothing_large():
+    loaded = modules_loaded_by("chapters.numerics.models")
+    assert not {"numba", "numpy", "xarray"} & {*loaded}
 
 
 def modules_loaded_by(*modules):
@@ -137,7 +158,7 @@ def test_bytecode_beside_the_sources_is_nothing_that_counts(tmp_path, monkeypatc
                 (folder / "__pycache__/module.cpython-313.pyc").write_bytes(b"\0")
         monkeypatch.setitem(digests.ROOTS, "riserstudy", package)
         made.append(
-            [digest(dependencies(f"riserstudy.{x}")) for x in ("numerics.measure", "report")]
+            [digest(dependencies(f"riserstudy.{x}")) for x in ("chapters.measure", "report")]
         )
     assert made[0] == made[1]
 

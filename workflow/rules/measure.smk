@@ -1,9 +1,10 @@
-# Datasets about the engine itself. No other job runs beside those that tell times.
+# Datasets that chapters measure by their own code. No other job runs beside those that tell times.
 
 
 rule measure:
     input:
-        PLAN.compiled,
+        compiled=PLAN.compiled,
+        code=code(PLAN.measured_code),
     output:
         "results/{paper}/{study}.nc",
     log:

@@ -6,6 +6,11 @@ rule report:
         studies=PLAN.study_files,
         compiled=PLAN.compiled,
         database="results/results.sqlite",
+        code=[
+            ancient(file)
+            for paper in PLAN.papers
+            for file in chapter_files(paper, PLAN.report_code(paper))
+        ],
     output:
         "results/report.html",
     log:

@@ -26,6 +26,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "src/riserstudy"
+CHAPTERS = ROOT / "chapters"  # outside of the package
 KERNELS = ("effects", "solve")
 COMMANDS = "cli"
 PHYSICS = (*KERNELS, "scene", "model", "simulation", "dataset", "study")
@@ -54,7 +55,8 @@ SHAPE = re.compile(
 def main() -> None:
     """Print every fault with its place; exit with 1 where there is one."""
     kinds = errors()
-    faults = [fault for path in sorted(PACKAGE.rglob("*.py")) for fault in faults_of(path, kinds)]
+    paths = sorted([*PACKAGE.rglob("*.py"), *CHAPTERS.rglob("*.py")])
+    faults = [fault for path in paths for fault in faults_of(path, kinds)]
     print("\n".join(faults))
     sys.exit(bool(faults))
 
@@ -74,7 +76,7 @@ def faults_of(path: Path, kinds: dict[str, set[str]]) -> Iterator[str]:
     text = path.read_text("utf-8")
     tree = ast.parse(text)
     place = path.relative_to(ROOT)
-    folder = path.relative_to(PACKAGE).parts[0]
+    folder = path.relative_to(PACKAGE).parts[0] if path.is_relative_to(PACKAGE) else "chapters"
     if registers(tree) and "References\n----------\n" not in (ast.get_docstring(tree) or ""):
         yield f"{place}:1: no References, which tell where the effect's equation is from"
     if folder in KERNELS:

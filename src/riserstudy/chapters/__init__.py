@@ -1,17 +1,22 @@
 """What papers need of their own: a folder a paper, with derived datasets, figures and claims.
 
 A part of a chapter is a file or a folder of files; what a study file names is a function in it. A folder
-of one's own study may hold such a folder ``chapters``, too.
+of one's own study may hold such a folder ``chapters``, too. Its parts:
+
+- ``derived``: datasets made from others;
+- ``figures``;
+- ``claims``: checks of what a paper prints;
+- ``measured``, with ``models``: datasets that code of the chapter makes without any grid;
+- ``report``: ``tiles`` and ``section``, what the chapter adds to the report.
 """
 
 from __future__ import annotations
 
 from functools import partial
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.digests import defining
-from riserstudy.folders import chapter_modules
+from riserstudy.folders import chapter_modules, import_of_chapter
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -28,7 +33,7 @@ def function_of(paper: str, part: str, name: str) -> Callable[..., Any]:
     module = defining(chapter_modules(paper, part), name)
     if module is None:
         raise LookupError(f"{paper}: its {part} define no function {name}")
-    function: Callable[..., Any] = getattr(import_module(module), name)
+    function: Callable[..., Any] = getattr(import_of_chapter(module), name)
     return function
 
 

@@ -35,7 +35,7 @@ def cost(
     if plot is not None:
         check_output(plot, ("figure",), file.files, force, "--plot")
     compile_kernels(file.resolved())
-    from riserstudy.numerics import accuracy_cost as requests
+    from riserstudy.advice import accuracy_cost as requests
 
     prices: list[requests.Price] = []
     for price in requests.prices(file, progress=True):
@@ -70,8 +70,8 @@ def effects(
     from rich.console import Console
     from rich.table import Table
 
+    from riserstudy.advice.effect_shares import could_have, priced, solved_for
     from riserstudy.model.active_effects import ledger
-    from riserstudy.numerics.effect_shares import could_have, priced, solved_for
 
     file = scene_of(scene, settings)
     rows, could = ledger(file.resolved()), could_have(file)
@@ -111,7 +111,7 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     from rich.console import Console
     from rich.table import Table
 
-    from riserstudy.numerics.advice import advice
+    from riserstudy.advice.recommendations import advice
     from riserstudy.simulation.progress_line import progress_line
 
     file = scene_of(scene, settings)

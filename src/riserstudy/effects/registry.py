@@ -1,6 +1,6 @@
 """What an effect says of itself: its name, what calls for it, what takes it out, which function does what.
 
-Texts here are for people and for `numerics.changes`: kernels never see them.
+Texts here are for people and for `advice.changes`: kernels never see them.
 """
 
 from __future__ import annotations

@@ -12,15 +12,20 @@ from riserstudy.inputs.misfit import Misfit, joined
 T = TypeVar("T", bound=BaseModel)
 
 
-def check(model: type[T], tree: Any, source: object) -> T:
-    """Validate data against a pydantic model; the first fault becomes an InputError."""
+def check(model: type[T], tree: Any, source: object, field: str = "") -> T:
+    """Validate data against a pydantic model; the first fault becomes an InputError.
+
+    Parameters
+    ----------
+    field : where in the source the data stand; empty: they are all of it.
+    """
     try:
         return model.model_validate(tree)
     except ValidationError as error:
-        raise _readable(error, source) from None
+        raise _readable(error, source, field) from None
 
 
-def _readable(error: ValidationError, source: object) -> InputError:
+def _readable(error: ValidationError, source: object, field: str) -> InputError:
     """The fault that says most; of a field with alternatives, those of the nearest alternative."""
     alternatives: dict[tuple[str, ...], list[Any]] = {}
     for fault in error.errors():
@@ -38,7 +43,7 @@ def _readable(error: ValidationError, source: object) -> InputError:
 
     faults = alternatives.get(()) or min(alternatives.values(), key=distance)
     first = max(faults, key=lambda fault: (fault["type"] == "extra_forbidden", len(fault["loc"])))
-    where = ""
+    where = field
     for step in first["loc"]:
         if isinstance(step, int):
             where += f"[{step}]"

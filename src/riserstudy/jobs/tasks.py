@@ -7,7 +7,6 @@ process that jobs are forks of has most of it, and a figure needs no solver.
 from __future__ import annotations
 
 import json
-import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -241,19 +240,19 @@ def measure(
     threads: Threads,
     expect: Expect,
 ) -> None:
-    """Measure the engine itself: a dataset about methods and effects instead of a grid.
+    """Measure a dataset by the code of its chapter, instead of simulating a grid.
 
     Raises
     ------
     SimulationError
         When scene, study or engine changed since the workflow was planned.
     """
-    from riserstudy.numerics.measure import measure
+    from riserstudy.chapters.measure import measure
     from riserstudy.study.collect import write_dataset
 
     plan = _plan(tier, papers, only=[])
     _check_unchanged(plan.measured_digest(paper, study), expect)
-    dataset = measure(f"{paper} {study}", plan.measured(paper, study), plan.setting(threads))
+    dataset = measure(paper, study, plan.measured(paper, study), plan.setting(threads))
     write_dataset(dataset, target)
     _seal(target)
 
@@ -437,17 +436,3 @@ def calibrate(
     from riserstudy.jobs.calibrate import fit_study
 
     fit_study(CONFIG, study, ids, tier, most)
-
-
-@job
-def references(
-    only: Annotated[list[str] | None, typer.Argument(help="a study, or study/case")] = None,
-    again: Annotated[
-        bool, typer.Option("--again", help="compute those that could be used, too")
-    ] = False,
-    processes: Annotated[int, typer.Option(help="at a time")] = os.cpu_count() or 1,
-) -> None:
-    """Compute the reference solutions that the studies of the engine compare with."""
-    from riserstudy.jobs.references import compute
-
-    compute(CONFIG, only or [], again, processes)

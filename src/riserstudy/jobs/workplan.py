@@ -23,17 +23,16 @@ from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import published_path
 from riserstudy.grading.words_file import words_path
 from riserstudy.jobs.configuration import Configuration
-from riserstudy.numerics.measure import module_of
-from riserstudy.numerics.reference.folder import references
-from riserstudy.numerics.scenes import MeasuredStudy, Setting, scenes_of
 from riserstudy.simulation.compile import marker
 from riserstudy.simulation.kernel_groups import GROUPS
 from riserstudy.study.grid import Point
+from riserstudy.study.measured import MeasuredModel, Setting
 from riserstudy.study.store import canonical, key_of
 from riserstudy.study.study import threads_worth
 
 #: what joins points, derives, grades and reports
 COLLECT, DERIVE = "riserstudy.study.join", "riserstudy.chapters.derive"
+MEASURE = "riserstudy.chapters.measure"
 SETTINGS = "riserstudy.study.settings"
 SEAS = "riserstudy.seas.seas_hours"
 GRADE = "riserstudy.grading.falsify"  # and by it what grades
@@ -141,22 +140,25 @@ class Workplan(Configuration):
         settings = self.derived_settings(paper, name)
         return f"{_hash(settings)}-{digest(self.derived_code(paper, name))}"
 
-    def measured(self, paper: str, name: str) -> MeasuredStudy:
-        """A dataset about the engine itself."""
-        model: MeasuredStudy = getattr(self.files[paper].measured, name)
-        return model
+    def measured(self, paper: str, name: str) -> MeasuredModel:
+        """A dataset that a chapter measures."""
+        return self.files[paper].measured[name]
 
     def setting(self, threads: int) -> Setting:
         """What such datasets are measured with."""
         return Setting(self.config, self.tier, threads, self.studies, Path(self.compiled))
 
+    def measured_code(self, paper: str, name: str) -> Set[Path]:
+        """Sources of the function that measures a dataset."""
+        return dependencies(MEASURE) | dependencies(_module(paper, "measured", name))
+
     def measured_digest(self, paper: str, name: str) -> str:
-        """Scenes, settings and references of a measured dataset, the engine, and the code that measures."""
-        model = self.measured(paper, name)
-        scenes = scenes_of(model, self.setting(1))
-        about = [self.tier, model.model_dump_json(), {n: key_of(f.resolved()) for n, f in scenes}]
-        about += [{p.name: _hash(p.read_bytes().hex()) for p in references(self.config, name)}]
-        return f"{_hash(json.dumps(about))}-{digest(dependencies(module_of(model)))}"
+        """What is measured, on which scenes and with which files, and the code that measures."""
+        model, setting = self.measured(paper, name), self.setting(1)
+        scenes = {label: key_of(file.resolved()) for label, file in model.scene_files(setting)}
+        files = [(p.name, _hash(p.read_bytes().hex())) for p in model.data_files(setting)]
+        about = [self.tier, model.model_dump_json(), scenes, files]
+        return f"{_hash(json.dumps(about))}-{digest(self.measured_code(paper, name))}"
 
     def measured_threads(self, paper: str, name: str) -> int:
         """All there are for a dataset that tells times: nothing may run beside it."""
@@ -213,8 +215,12 @@ class Workplan(Configuration):
 
     @property
     def report_digest(self) -> str:
-        """The code of the report."""
-        return digest(dependencies(REPORT))
+        """The code of the report, and of what chapters add to it."""
+        return digest(dependencies(REPORT).union(*map(self.report_code, self.papers)))
+
+    def report_code(self, paper: str) -> Set[Path]:
+        """Sources of what a chapter adds to the report."""
+        return frozenset().union(*map(dependencies, chapter_modules(paper, "report")))
 
     @property
     def database_digest(self) -> str:
@@ -319,9 +325,7 @@ class Workplan(Configuration):
     @property
     def measured_pattern(self) -> str:
         """Names of measured datasets, as a pattern."""
-        return _either(
-            n for file in self.files.values() if file.measured for n in file.measured.names
-        )
+        return _either(name for file in self.files.values() for name in file.measured)
 
     @property
     def figure_pattern(self) -> str:

@@ -22,7 +22,7 @@ DATA_FILES = (
     "overview.html",
     "verdicts.html",
     "chapter.html",
-    "engine.html",
+    "section.html",
     "audit.html",
 )
 

@@ -15,12 +15,12 @@ from riserstudy.report import audit
 from riserstudy.report.animation import animation
 from riserstudy.report.claims import VERDICTS, Claim, read_claims
 from riserstudy.report.curves import curves
-from riserstudy.report.engine import engine
 from riserstudy.report.false_claims import false_claims
 from riserstudy.report.hero import Hero, hero
 from riserstudy.report.limits import LimitTable, limit_tables
 from riserstudy.report.machine import made_on
 from riserstudy.report.motion import Motion, motion_of
+from riserstudy.report.of_chapters import section_of, tiles_of
 from riserstudy.report.overview import amounts, bars, findings, short_of, subject, title_of, totals
 from riserstudy.report.pictures import (
     Figure,
@@ -31,14 +31,11 @@ from riserstudy.report.pictures import (
     picture_of,
 )
 from riserstudy.report.scenes import SceneTable, scene_tables
-from riserstudy.report.tiles import tiles
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
 
 if TYPE_CHECKING:
     import xarray as xr
-
-ENGINE = "numerics"  # the chapter about the engine itself
 
 
 @dataclass(frozen=True)
@@ -110,8 +107,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         missed = audit.missed(db, files)
         facts = audit.run_facts(db)
     cold = json.loads(sources.compiled.read_text() or "{}").get("cold_seconds")
-    # tables show each cell of these: of a file, every cell would be a read of its own
-    measured = {name: ds.load() for (paper, name), ds in datasets.items() if paper == ENGINE}
+    of_paper = {p: {n: ds for (q, n), ds in datasets.items() if q == p} for p in sources.papers}
     points = sum(row.points for row in rows)
     motions = {
         paper: motion
@@ -124,7 +120,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         "subject": subject(files),
         "bars": bars(claims, files),
         "findings": findings(claims, files, figures),
-        "tiles": tiles(figures, measured),
+        "tiles": [t for p in sources.papers for t in tiles_of(p, of_paper[p], figures)],
         "facts": [amounts(claims, len(paths), len(figures), points), facts, made_on()],
         "total": sum(row.total for row in rows),
         "cold": cold,
@@ -140,8 +136,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         "short": {paper: short_of(files, paper) for paper in sources.papers},
         "figures_of": _figures_of(figures),
         "curves": drawn_runs,
-        "engine": engine(measured),
-        "engine_chapter": ENGINE,
+        "sections": {p: section_of(p, of_paper[p]) for p in sources.papers},
         "rows": rows,
         "warned": warned,
         "missed": missed,

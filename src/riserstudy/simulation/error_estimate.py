@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -49,6 +50,11 @@ def estimate(
 def controlled(error: dict[str, float]) -> dict[str, float]:
     """Relative errors (1) without that of angles, which is estimated and chooses nothing."""
     return {name: value for name, value in error.items() if name in CONTROLLED}
+
+
+def deciding(error: dict[str, float]) -> float:
+    """The relative error (1) that counts: of moment, or of tension and displacement where there is none."""
+    return error.get("moment", max(controlled(error).values(), default=math.nan))
 
 
 def difference(coarse: Result, fine: Result) -> dict[str, float]:

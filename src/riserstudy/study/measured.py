@@ -1,268 +1,82 @@
-"""What the studies of the engine itself run, as data."""
+"""Datasets that a chapter measures by code of its own, instead of simulating a grid.
+
+What stands below ``measured`` in a study file is a model of the chapter: its part ``models`` has a mapping
+``MODELS`` of models by the name of the dataset, its part ``measured`` a function of that name, which takes
+the model and a ``Setting`` and returns the dataset.
+"""
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar, Literal, Self
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
-from pydantic import Field, model_validator
+from pydantic import ConfigDict
 
+from riserstudy.digests import defining
+from riserstudy.errors import InputError
+from riserstudy.folders import chapter_modules, import_of_chapter
+from riserstudy.inputs.check import check
 from riserstudy.inputs.strict import Strict
-from riserstudy.scene.base import Positive
+from riserstudy.study.axes import Tier
 
-Tiers = Literal["preview", "standard", "reference"]
-Pair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
-Factors = Annotated[list[Positive], Field(min_length=1)]
+if TYPE_CHECKING:
+    from riserstudy.scene.load import SceneFile
+    from riserstudy.study.study import Study
 
 
-class EngineStudy(Strict):
-    """What is measured. ``timed``: no other job may run at the same time."""
+class Setting(NamedTuple):
+    """What a dataset is measured with; ``compiled`` is the marker that states what compiling took."""
 
-    timed: ClassVar[bool] = True
+    config: Path
+    tier: Tier
+    threads: int = 1
+    studies: Sequence[Study] = ()  # of all papers
+    compiled: Path = Path()
+
+
+class MeasuredModel(Strict):
+    """A dataset that a chapter measures: its caption, and whatever its model adds.
+
+    ``timed``: it measures times, and no other job may run beside it.
+    """
+
+    model_config = ConfigDict(json_schema_extra={"additionalProperties": True})
+    timed: ClassVar[bool] = False
+
     caption: str
 
+    def scene_files(self, setting: Setting) -> Iterable[tuple[str, SceneFile]]:
+        """Name and scene of each case: the dataset is made anew when one changes. None unless overridden."""
+        del setting
+        return ()
 
-class Case(Strict):
-    """A hard case: a scene, what is set on top of it, and what a sound engine makes of it.
+    def data_files(self, setting: Setting) -> Iterable[Path]:
+        """Files that are read besides: the dataset is made anew when one changes. None unless overridden."""
+        del setting
+        return ()
 
-    ``expect``: ``accurate`` to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
-    prescribe a bad step, mesh or scheme: refused, or with an estimate above 1 % where the error is.
-    Absent set: the scene as it is. Absent preview: not part of that tier. ``family``: what it is hard by.
+
+def measured_models(path: Path, paper: str, trees: dict[str, Any]) -> dict[str, MeasuredModel]:
+    """What stands below ``measured`` in the study file ``path``, checked by the models of its chapter.
+
+    Raises
+    ------
+    InputError
+        When the chapter has no such model, or no function that measures; when a model does not fit.
     """
-
-    scene: str
-    about: str
-    family: str
-    expect: Literal["accurate", "unstable", "told"]
-    because: str | None = None
-    set: dict[str, Any] = Field(default_factory=dict)
-    preview: bool | None = None
-
-
-class Method(Strict):
-    """A way to step through time: what it sets in a scene. Absent preview: not part of that tier.
-
-    ``only``: the one tier that it is part of. Absent: all, but preview where that is not set.
-    ``integrator``: one from outside the engine. Absent: the engine's own. ``tolerances``: those of an
-    integrator that chooses its steps, in place of the ladder's steps.
-    """
-
-    set: dict[str, Any]
-    integrator: Literal["Radau", "semi-implicit Euler"] | None = None
-    tolerances: list[Positive] | None = None
-    preview: bool | None = None
-    only: Literal["reference"] | None = None
-
-
-class StabilityStudy(EngineStudy):
-    """Every case by every method over a ladder of steps, as factors on what the default chooses.
-
-    ``explicit_ladder`` counts in predicted stable steps instead. ``budget``: node-steps that a run may
-    take; more count as refused, so that nothing hangs. Explicit methods get ``explicit_budget``.
-    """
-
-    timed = False
-    methods: dict[str, Method]
-    ladder: dict[Tiers, Factors]
-    explicit_ladder: Factors
-    budget: Positive
-    explicit_budget: Positive
-    cases: dict[str, Case]
-
-
-class LimitStudy(EngineStudy):
-    """Predicted against measured stable step of explicit stepping, over variants of scenes."""
-
-    timed = False
-    duration: str
-    variants: dict[str, LimitCase]
-
-
-class LimitCase(Strict):
-    """A scene varied for the stable step. Absent set: as it is; absent preview: not part of that tier."""
-
-    scene: str
-    elements: Annotated[list[int], Field(min_length=1)]
-    set: dict[str, Any] = Field(default_factory=dict)
-    preview: bool | None = None
-
-
-class EffectsStudy(EngineStudy):
-    """Every change of effects that fits, on every kind of scene of the other chapters.
-
-    ``repeats``: rounds of runs, of which the shortest time counts. ``budget``: node-steps that a scene may
-    take; longer ones are cut short.
-    """
-
-    repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
-    budget: dict[Tiers, Positive]
-
-
-class Ladder(Strict):
-    """A scene with its meshes and steps, from coarse to fine. Absent preview: not part of that tier.
-
-    ``stored``: history of another code to measure errors by. Absent: a fine run of our own.
-    """
-
-    scene: str
-    stored: str | None = None
-    set: dict[str, Any] = Field(default_factory=dict)
-    elements: Annotated[list[int], Field(min_length=1)]
-    steps: Factors
-    preview: bool | None = None
-
-
-class AccuracyStudy(EngineStudy):
-    """Error against time, every method on every rung of a scene's ladder, and requested accuracy.
-
-    ``budget``: node-steps that a run may take; more are left out. ``patience``: seconds that a request for an
-    accuracy may take; one beyond it is a row that says so. ``peers``: by scene and other simulator, errors of
-    displacement and its time over that of our cheapest run of that error, as `make bench` found them last.
-    Absent: none.
-    """
-
-    patience: Positive
-    peers: dict[str, dict[str, list[Pair]]] = Field(default_factory=dict)
-    repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
-    budget: Positive
-    requested: dict[Literal["preview", "standard", "reference"], list[float]]
-    methods: dict[str, Method]
-    scenes: dict[str, Ladder]
-
-
-class Family(Strict):
-    """Scenes of one kind: a scene, values set on it, and ranges to draw from in addition to its assumptions.
-
-    Absent preview: not part of that tier.
-    """
-
-    scene: str
-    set: dict[str, Any] = Field(default_factory=dict)
-    vary: dict[str, Annotated[list[str | float], Field(min_length=2, max_length=2)]] = Field(
-        default_factory=dict
-    )
-    preview: bool | None = None
-
-
-class RandomStudy(EngineStudy):
-    """Scenes drawn at random, so many a family, and the accuracy asked of each.
-
-    ``patience``: seconds a request may take; a scene beyond it is a row that says so.
-    """
-
-    timed = False
-    accuracy: str
-    seed: int
-    count: dict[Tiers, Annotated[int, Field(ge=2)]]
-    patience: dict[Tiers, Positive]
-    families: dict[str, Family]
-
-    @property
-    def share(self) -> float:
-        """The relative accuracy, 0.01 for 1 %."""
-        return float(self.accuracy.removesuffix("%")) / 100.0
-
-
-class OwnSetting(Strict):
-    """Mesh, step and method that a paper itself used."""
-
-    elements: Annotated[int, Field(ge=1)]
-    step: Positive
-    set: dict[str, Any]
-
-
-class LongCase(Strict):
-    """A long simulation and the candidates to do it by: meshes, steps, methods.
-
-    ``graded``: how many meshes of those that a refinement would try. ``own``: the paper's setting; absent:
-    none. ``published_seconds``, ``target_seconds``: absent: none named. ``preview``: set in that tier;
-    absent: not part of it.
-    """
-
-    scene: str
-    set: dict[str, Any] = Field(default_factory=dict)
-    preview: dict[str, Any] | None = None
-    published_seconds: Positive | None = None
-    target_seconds: Positive | None = None
-    own: OwnSetting | None = None
-    methods: dict[str, dict[str, Any]]
-    elements: Annotated[list[int], Field(min_length=1)]
-    graded: Annotated[int, Field(ge=0)]
-    steps: Factors
-
-
-class LongStudy(EngineStudy):
-    """Long simulations, each candidate timed so many times."""
-
-    repeats: Annotated[int, Field(ge=1)]
-    wanted: Positive
-    cases: dict[str, LongCase]
-
-
-class EnergyCase(Strict):
-    """A scene on even segments with one step. Absent set: as it is; absent preview: not in that tier."""
-
-    scene: str
-    set: dict[str, Any] = Field(default_factory=dict)
-    elements: Annotated[int, Field(ge=1)]
-    step: Positive
-    duration: Positive
-    preview: bool | None = None
-
-
-class EnergyStudy(EngineStudy):
-    """Where energy goes over time, at so many instants, by every method."""
-
-    timed = False
-    instants: dict[Tiers, Annotated[int, Field(ge=1)]]
-    methods: dict[str, Method]
-    cases: dict[str, EnergyCase]
-
-
-class TiersStudy(EngineStudy):
-    """Scenes behind published numbers at the accuracy of each tier; ``default`` is that of no accuracy.
-
-    ``patience``: seconds a run may take; one beyond it is a row that says so.
-    """
-
-    patience: dict[Tiers, Positive]
-    accuracies: dict[Tiers, str]
-    scenes: dict[str, Family]
-
-
-class ValidationStudy(EngineStudy):
-    """Closed forms, second methods and conservation laws against the engine, on these scenes and its own.
-
-    ``stored``: of some of the scenes, the file of a history that another program made.
-    """
-
-    timed = False
-    scenes: dict[str, Family]
-    stored: dict[str, str] = Field(default_factory=dict)
-
-
-class Measured(Strict):
-    """Datasets that are measured by running methods, not grids. Absent: not measured."""
-
-    stability: StabilityStudy | None = None
-    stable_step: LimitStudy | None = None
-    effects: EffectsStudy | None = None
-    accuracy: AccuracyStudy | None = None
-    random_scenes: RandomStudy | None = None
-    long_runs: LongStudy | None = None
-    tiers: TiersStudy | None = None
-    energy: EnergyStudy | None = None
-    validation: ValidationStudy | None = None
-
-    @property
-    def names(self) -> list[str]:
-        """Datasets that there are."""
-        return [name for name in type(self).model_fields if getattr(self, name) is not None]
-
-    @model_validator(mode="after")
-    def _fits(self) -> Self:
-        if not self.names:
-            raise ValueError("names nothing to measure")
-        return self
-
-
-LimitStudy.model_rebuild()
+    models: dict[str, type[MeasuredModel]] = {}
+    for module in chapter_modules(paper, "models"):
+        models |= import_of_chapter(module).MODELS
+    measured = {}
+    for name, tree in trees.items():
+        field = f"measured.{name}"
+        if name not in models:
+            found = f"MODELS in chapters/{paper}/models.py has no {name!r}"
+            allowed = f"allowed are {', '.join(models)}" if models else "leave it out, or add it"
+            raise InputError(path, field, found, allowed)
+        if defining(chapter_modules(paper, "measured"), name) is None:
+            found = f"chapters/{paper}/measured.py defines no function {name}"
+            raise InputError(path, field, found, "leave it out, or define it")
+        measured[name] = check(models[name], tree, path, field)
+    return measured

@@ -24,7 +24,7 @@ from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import unwrap
 from riserstudy.study.axes import Axis, AxisName, Labels, Numbers, Samples
 from riserstudy.study.figures import NEEDS, OF_SEAS, FigureModel
-from riserstudy.study.measured import Measured
+from riserstudy.study.measured import MeasuredModel
 from riserstudy.study.seas_model import SeasModel
 
 MOST_MODES = 1000
@@ -210,9 +210,9 @@ class StudyFile(Strict):
     report. ``finding``: the number or claim that the report names first. Absent: named by the file, no paper,
     nothing said, none named.
     ``readings``: named ways to read the paper, by what each sets; studies share them as axes or samples.
-    ``seas``: datasets of the hours of a record that the limits of a riser leave; ``measured``: about the
-    engine itself; ``in_motion``: the run that the report shows moving; ``left_out``: printed figures that are
-    not drawn, and what they show. Absent: none. Absent figures: every plot that fits.
+    ``seas``: datasets of the hours of a record that the limits of a riser leave; ``measured``: those that
+    code of the chapter makes; ``in_motion``: the run that the report shows moving; ``left_out``: printed
+    figures that are not drawn, and what they show. Absent: none. Absent figures: every plot that fits.
     """
 
     paper: str
@@ -224,7 +224,7 @@ class StudyFile(Strict):
     studies: dict[Name, StudyModel]
     derived: dict[Name, Reads] = Field(default_factory=dict)
     seas: dict[Name, SeasModel] = Field(default_factory=dict)
-    measured: Measured | None = None
+    measured: dict[Name, MeasuredModel] = Field(default_factory=dict)
     schematics: dict[Name, SchematicModel] = Field(default_factory=dict)
     figures: dict[Name, FigureModel] = Field(default_factory=dict)
     in_motion: RunInMotion | None = None
@@ -233,8 +233,7 @@ class StudyFile(Strict):
     @property
     def datasets(self) -> list[str]:
         """Names of all datasets: simulated, of seas, derived and measured."""
-        measured = self.measured.names if self.measured else []
-        return [*self.studies, *self.seas, *self.derived, *measured]
+        return [*self.studies, *self.seas, *self.derived, *self.measured]
 
     @model_validator(mode="after")
     def _names_are_known(self) -> Self:

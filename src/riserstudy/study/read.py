@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from riserstudy.digests import defining
 from riserstudy.errors import InputError
@@ -13,6 +14,7 @@ from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.study.arguments import refuse_arguments
 from riserstudy.study.axes import Tier
 from riserstudy.study.figures import NEEDS, FigureModel, Plot
+from riserstudy.study.measured import measured_models
 from riserstudy.study.models import StudyFile, StudyModel
 from riserstudy.study.plots import faults
 from riserstudy.study.study import Study, scene_file
@@ -27,7 +29,7 @@ def read_studies(config: Path, paper: str) -> StudyFile:
         When it cannot be meant, or needs code that there is not.
     """
     path = config / "studies" / f"{paper}.yaml"
-    file = check(StudyFile, read_yaml(path, keep=True), path)
+    file = check(StudyFile, _with_models(read_yaml(path, keep=True), path, paper), path)
     _refuse_calls(file, path, paper)
     studies = {
         name: Study(paper, name, model, config, "standard", None, file.readings)
@@ -47,6 +49,14 @@ def read_studies(config: Path, paper: str) -> StudyFile:
         for fault in faults(figure, studies):
             raise InputError(path, f"figures.{name}.{fault.path}", fault.found, fault.allowed)
     return file
+
+
+def _with_models(tree: Any, path: Path, paper: str) -> Any:
+    """What stands in a study file, with the models of its chapter in place of what it measures."""
+    trees = tree.get("measured") if isinstance(tree, dict) else None
+    if not isinstance(trees, dict):
+        return tree
+    return tree | {"measured": measured_models(path, paper, trees)}
 
 
 def _refuse_calls(file: StudyFile, path: Path, paper: str) -> None:

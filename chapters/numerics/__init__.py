@@ -1,0 +1,1 @@
+"""The engine measured: what accuracy costs, what stays stable, which effects matter, what is known."""

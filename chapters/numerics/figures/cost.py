@@ -1,0 +1,229 @@
+"""What accuracy costs, in one picture: codes compared, the price of an unknown mesh, honesty."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
+from numpy.typing import NDArray
+
+from chapters.numerics.answers import QUANTITIES, TOLERANCE, price
+from riserstudy.figures.style import COLOURS, GREY, headline
+
+COMPARED = 0.002  # error at which codes are compared
+TICKS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.0005)
+WIDEST, FINEST = 0.07, 0.0002  # errors that the axis reaches
+LEAST = 1e-5  # error that is drawn, at least
+APART = 1.35  # times, by which names stand apart
+OURS = "riserstudy"
+
+Array = NDArray[np.float64]
+
+
+def cost(accuracy: xr.Dataset, random_scenes: xr.Dataset) -> Figure:
+    """Single runs of codes, the ratio of a run with a tolerance to the cheapest, and honesty of estimates."""
+    figure = Figure((10.6, 4.4), dpi=150, layout="constrained")
+    runs, ratios, honest = figure.subplots(1, 3, width_ratios=[1.5, 1.0, 1.0])
+    _runs(runs, accuracy)
+    _ratios(ratios, accuracy)
+    _honesty(honest, random_scenes)
+    headline(figure, answer(accuracy))
+    return figure
+
+
+def answer(accuracy: xr.Dataset) -> str:
+    """What a finer tolerance costs, from the tolerances that all scenes met."""
+    found = price(accuracy)
+    if found is None:
+        return "What accuracy costs"
+    return f"{found.coarse / found.fine:.0f} times the accuracy takes {found.words} times the time"
+
+
+def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
+    """Cheapest single runs of one scene, ours and those of other codes, over the error of displacement."""
+    scenes = list(dict.fromkeys(map(str, accuracy.get("peer_scene", accuracy["scene"]).values)))
+    scene = scenes[0]
+    single = lowest_cost(accuracy.sel(scene=scene))
+    inside = single[(single[:, 0] < WIDEST) & (single[:, 0] > FINEST)]
+    names: list[tuple[float, float, str, str]] = []
+    if len(inside):
+        ax.plot(*inside.T, "o-", color=COLOURS[0], linewidth=3.0, markersize=5, zorder=3)
+        names.append((*inside[-1], OURS, COLOURS[0]))
+    for peer, error, ratio in _peers(accuracy, scene):
+        seconds = _at(single, error) * ratio
+        good = np.isfinite(seconds)
+        if good.any():
+            ax.plot(error[good], seconds[good], "o-", color=GREY, linewidth=1.4, markersize=3)
+            there = np.isclose(error, COMPARED)
+            times = f" {ratio[there][0]:g}×" if there.any() else ""
+            names.append((error[good][-1], seconds[good][-1], peer + times, "0.35"))
+    _label_ends(ax, names)
+    ax.axvline(COMPARED, color="0.7", linestyle=":", linewidth=1.0, zorder=0)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlim(WIDEST, FINEST / 9.0)
+    ticks = [tick for tick in TICKS if FINEST < tick < WIDEST]
+    ax.set_xticks(ticks, [f"{100 * tick:g}" for tick in ticks])
+    ax.xaxis.set_minor_locator(NullLocator())
+    ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: _time(x)))
+    ax.yaxis.set_minor_formatter(NullFormatter())
+    ax.grid(True, color="0.92", linewidth=0.6)
+    ax.set_axisbelow(True)
+    ax.set_xlabel("true error of displacement (%)")
+    ax.set_ylabel("elapsed time of one run (s)")
+    compared = f"; ratio to ours at {100 * COMPARED:g} %" if len(names) > 1 else ""
+    ax.set_title(f"(a) single runs of {scene}{compared}", loc="left", fontsize="small")
+
+
+def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, Array, Array]]:
+    """Other codes: errors, and their time divided by ours at the same error."""
+    if "peer_scene" not in accuracy:
+        return []
+    here = accuracy["peer_scene"].values == scene
+    found = []
+    for peer in dict.fromkeys(accuracy["peer"].values[here]):
+        of = here & (accuracy["peer"].values == peer)
+        found.append(
+            (str(peer), accuracy["peer_error"].values[of], accuracy["peer_ratio"].values[of])
+        )
+    return found
+
+
+def _at(single: Array, error: Array) -> Array:
+    """Our time at errors, along the line between runs; NaN outside of them."""
+    if not len(single):
+        return np.full(len(error), np.nan)
+    x, y = np.log(single[::-1]).T
+    return np.asarray(np.exp(np.interp(np.log(error), x, y, left=np.nan, right=np.nan)))
+
+
+def _label_ends(ax: Axes, names: list[tuple[float, float, str, str]]) -> None:
+    """Names at the ends of lines, moved apart upwards."""
+    lowest = 0.0
+    for x, y, name, colour in sorted(names, key=lambda one: one[1]):
+        at = max(y, lowest)
+        ax.annotate(
+            name, (x, at), xytext=(7, 0), textcoords="offset points", va="center",
+            fontsize="small", color=colour, fontweight="bold" if name == OURS else "normal",
+        )  # fmt: skip
+        lowest = at * APART
+
+
+def lowest_cost(of: xr.Dataset) -> Array:
+    """Error of displacement and seconds of runs that no other undercuts in both, coarse to fine, (n, 2)."""
+    error, seconds = of["error_displacement"].values.ravel(), of["wall_seconds"].values.ravel()
+    good = np.isfinite(error) & np.isfinite(seconds) & (error > 0.0)
+    runs = sorted(zip(seconds[good], error[good], strict=True))
+    kept: list[tuple[float, float]] = []
+    for time, wrong in runs:
+        if not kept or wrong < kept[-1][0]:
+            kept.append((wrong, time))
+    return np.array(kept, float).reshape(-1, 2)
+
+
+def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
+    """Time with a tolerance divided by the cheapest run of no larger error, all runs and the last alone."""
+    scenes = _scenes(accuracy)
+    labels = {"all": "mesh unknown: all runs", "last": "mesh known (tuned grid): last run"}
+    for k, scene in enumerate(scenes):
+        every, last, missing = over_lowest_cost(accuracy, scene)
+        if missing:
+            ax.annotate(f" {missing}", (0.0, k), va="center", fontsize="x-small", color="0.3")
+            continue
+        ax.barh(k, every, height=0.62, color=COLOURS[5], label=labels.pop("all", "_"))
+        ax.barh(k, last, height=0.3, color=COLOURS[0], label=labels.pop("last", "_"))
+        ax.annotate(f" {every:.1f}×", (every, k), va="center", fontsize="small", color="0.25")
+    ax.axvline(1.0, color="black", linewidth=0.8)
+    ax.set_yticks(range(len(scenes)), [_short(scene) for scene in scenes], fontsize="small")
+    ax.set_ylim(len(scenes) - 0.4, -0.6)
+    ax.margins(x=0.16)
+    ax.set_xlabel("time / time of cheapest equal run")
+    ax.set_title(
+        f"(b) price of an unknown mesh at {100 * TOLERANCE:g} %", loc="left", fontsize="small"
+    )
+    if not labels:
+        ax.legend(loc="upper center", bbox_to_anchor=(0.4, -0.15), fontsize="small", frameon=False)
+
+
+def _scenes(accuracy: xr.Dataset) -> list[str]:
+    return list(dict.fromkeys(map(str, accuracy["request_scene"].values)))
+
+
+def _short(scene: str) -> str:
+    """A scene's name in two lines where it is long."""
+    first, _, rest = scene.partition(" of " if len(scene) > 18 else "\0")
+    return f"{first}\n{rest}" if rest else first
+
+
+def over_lowest_cost(accuracy: xr.Dataset, scene: str) -> tuple[float, float, str]:
+    """Time of all runs, and of the last, at 1 % tolerance divided by the cheapest run of no larger error.
+
+    Third: why there is no ratio, "" where there is one.
+    """
+    here = accuracy["request_scene"].values == scene
+    here &= np.isclose(accuracy["requested"].values, TOLERANCE)
+    of = accuracy.isel(request=np.flatnonzero(here))
+    if not of.sizes["request"] or not np.isfinite(of["request_seconds"][0]):
+        return np.nan, np.nan, "over the time limit"
+    if scene not in accuracy["scene"].values:
+        return np.nan, np.nan, "no single runs"
+    reached = np.array([float(of[f"reached_{q}"][0]) for q in QUANTITIES])
+    runs = accuracy.sel(scene=scene)
+    error = np.stack([runs[f"error_{q}"].values.ravel() for q in QUANTITIES])
+    compared = np.isfinite(reached)
+    worst = np.where(np.isfinite(error), error, -np.inf)[compared].max(axis=0, initial=-np.inf)
+    seconds = runs["wall_seconds"].values.ravel()
+    allowed = max(TOLERANCE, reached[compared].max(initial=0.0))
+    good = np.isfinite(seconds) & np.isfinite(worst) & (worst <= allowed)
+    if not good.any() or not compared.any():
+        return np.nan, np.nan, "no single run of equal error"
+    least = seconds[good].min()
+    every, last = (float(of[f"request_{name}"][0]) for name in ("seconds", "last_seconds"))
+    return every / least, last / least, ""
+
+
+def _time(seconds: float) -> str:
+    return f"{seconds:g}"
+
+
+def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
+    """Estimated and true error of random scenes, and how many met their tolerance."""
+    requested = float(drawn.attrs["requested"])
+    judged = drawn["true"].notnull().values
+    true = np.maximum(drawn["true"].values[judged], LEAST)
+    estimated = np.maximum(drawn["estimated"].values[judged], LEAST)
+    kept = int((true <= requested).sum())
+    ax.plot([LEAST, 1.0], [LEAST, 1.0], color=GREY, linewidth=0.8)
+    ax.axvline(requested, color="black", linestyle=":", linewidth=1.0)
+    label: dict[str, Any] = {"transform": ax.get_xaxis_transform(), "fontsize": "x-small"}
+    ax.text(
+        0.93 * requested,
+        0.03,
+        "tolerance",
+        rotation=90,
+        ha="right",
+        va="bottom",
+        color="0.3",
+        **label,
+    )
+    over = true > requested
+    ax.plot(true[~over], estimated[~over], "o", color=COLOURS[0], markersize=4, alpha=0.7)
+    ax.plot(true[over], estimated[over], "D", color=COLOURS[1], markersize=5)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    low = 0.6 * min([*true, *estimated, 0.1 * requested])
+    high = 1.6 * max([*true, *estimated, 2.0 * requested])
+    for axis, limits in ((ax.xaxis, ax.set_xlim), (ax.yaxis, ax.set_ylim)):
+        limits(low, high)
+        axis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
+        axis.set_minor_formatter(NullFormatter())
+    ax.grid(True, color="0.92", linewidth=0.6)
+    ax.set_xlabel("true error (%)")
+    ax.set_ylabel("estimated error (%)")
+    ax.set_title(
+        f"(c) {kept} of {len(true)} scenes meet {100 * requested:g} %", loc="left", fontsize="small"
+    )

@@ -1,0 +1,100 @@
+"""Which effects matter, in one picture: in how many scenes each changes the answer, and what it costs."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import NullLocator
+
+from chapters.numerics.answers import TOLERANCE, Ranked, never, ranking
+from riserstudy.figures.style import COLOURS, WIDTH, headline
+
+LEAST, MOST = 1e-6, 1.0  # change that is drawn, at least and at most
+ROW = 0.27  # inches
+PHYSICS, PRESCRIBED, ADDED = COLOURS[0], COLOURS[1], COLOURS[2]
+KEY = (
+    (PHYSICS, "physics, removed"),
+    (PRESCRIBED, "prescribed motion or load, removed"),
+    (ADDED, "added: the engine omits it"),
+)
+
+
+def effects(effects: xr.Dataset) -> Figure:
+    """One row per effect: its change of the answer in every scene, and its share of the run time."""
+    ranked = ranking(effects)
+    figure = Figure((1.6 * WIDTH, ROW * len(ranked) + 1.9), dpi=150, layout="constrained")
+    changes, shares = figure.subplots(1, 2, width_ratios=[2.6, 1.0], sharey=True)
+    _changes(changes, ranked)
+    _shares(shares, ranked)
+    changes.set_yticks(range(len(ranked)), [one.name for one in ranked], fontsize="small")
+    changes.set_ylim(len(ranked) - 0.4, -0.6)
+    for ax in (changes, shares):
+        ax.grid(True, axis="x", color="0.9", linewidth=0.6)
+        ax.set_axisbelow(True)
+    handles = [
+        changes.plot([], [], "o", color=colour, label=words)[0]
+        for colour, words in KEY
+        if colour in {_colour(one) for one in ranked}
+    ]
+    figure.legend(
+        handles, [str(h.get_label()) for h in handles],
+        loc="outside lower center", ncols=3, fontsize="small",
+    )  # fmt: skip
+    headline(figure, answer(effects))
+    return figure
+
+
+def answer(effects: xr.Dataset) -> str:
+    """The effects that change the answer most surely, and those that change it in no scene."""
+    ranked = ranking(effects)
+    top = " and ".join(one.name for one in ranked[:2] if one.changed)
+    none = [one.name for one in never(ranked)[:1]]
+    words = f"{top[:1].upper()}{top[1:]} decide most answers" if top else ""
+    rest = f"{' and '.join(none)} none" if none else ""
+    return ", ".join(part for part in (words, rest) if part) or "Change of the answer by one effect"
+
+
+def _colour(one: Ranked) -> str:
+    return ADDED if one.added else PRESCRIBED if one.prescribed else PHYSICS
+
+
+def _changes(ax: Axes, ranked: list[Ranked]) -> None:
+    """A dot per scene, the median as a tick, and the count of scenes at the right."""
+    for row, one in enumerate(ranked):
+        clipped = np.clip(one.values, LEAST, MOST)
+        ax.plot(
+            clipped, row + 0.22 * np.sin(2.4 * np.arange(one.scenes)), "o", color=_colour(one),
+            markersize=3.5, alpha=0.55, markeredgewidth=0.0, label=one.name,
+        )  # fmt: skip
+        ax.plot(np.clip(one.median, LEAST, MOST), row, "|", color="black", markersize=11)
+        ax.annotate(
+            f"{one.changed} of {one.scenes}", (1.01, row), xycoords=("axes fraction", "data"),
+            va="center", fontsize="small", color="0.25", annotation_clip=False,
+        )  # fmt: skip
+    ax.axvline(TOLERANCE, color="black", linestyle=":", linewidth=1.0)
+    ax.axvspan(TOLERANCE, 2.0 * MOST, color="0.94", zorder=0)
+    ax.set_xscale("log")
+    ax.set_xlim(0.6 * LEAST, 1.6 * MOST)
+    ticks = (1e-5, 1e-4, 1e-3, TOLERANCE, 1e-1)
+    ax.set_xticks(
+        [LEAST, *ticks, MOST],
+        [f"≤ {100 * LEAST:g}", *(f"{100 * tick:g}" for tick in ticks), "≥ 100"],
+    )
+    ax.xaxis.set_minor_locator(NullLocator())
+    ax.set_xlabel("largest change of the answer (%), one dot per scene; black: median")
+    ax.set_title(
+        f"(a) change of the answer; right: scenes above {100 * TOLERANCE:g} %",
+        loc="left", fontsize="small",
+    )  # fmt: skip
+
+
+def _shares(ax: Axes, ranked: list[Ranked]) -> None:
+    """Median share of the run time that an effect takes; what is saved without it."""
+    for row, one in enumerate(ranked):
+        if np.isfinite(one.share):
+            ax.barh(row, 100.0 * one.share, height=0.62, color=_colour(one), alpha=0.75)
+    ax.axvline(0.0, color="black", linewidth=0.6)
+    ax.set_xlabel("share of the run time (%)")
+    ax.set_title("(b) cost, median over scenes", loc="left", fontsize="small")

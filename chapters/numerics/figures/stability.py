@@ -1,0 +1,265 @@
+"""What stays stable, in one picture: how hard cases end, and the longest steps of the methods."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch, Rectangle
+from matplotlib.ticker import FuncFormatter
+from numpy.typing import NDArray
+
+from chapters.numerics.answers import hard
+from riserstudy.figures.style import COLOURS, headline
+
+#: how a case ended, by colour
+ENDS = {
+    "accurate to 1 %": "#2f8f5b",
+    "inaccurate and flagged": "#e8a93a",
+    "rejected with a reason": "#5b9bd5",
+    "finished and flagged, no reference": "#6f6f6f",
+    "not as expected": "#c0392b",
+}
+ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
+#: methods of the lower panel, as far as they were run; the table has all
+EXPLICIT = "explicit"
+SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
+SHORTEST = 0.01  # step over the default's that the axis reaches; an arrow where it is shorter
+MORE, LESS = ">", "<"  # marks of a range that goes on, and of one off the axis
+SAME = 1e-9  # relative difference of steps that are the same
+WORST = 2  # cases that are named, at least
+
+
+def stability(stability: xr.Dataset) -> Figure:
+    """Squares in families above, ranges of steps by family and method below."""
+    families = list(dict.fromkeys(map(str, stability["family"].values)))
+    methods = [m for m in SHOWN if m in stability["method"].values]
+    stepped = [name for name in families if not np.isnan(_ranges(stability, name, methods)).all()]
+    heights = [
+        0.25 * len(families) + 0.17 * len(worst(stability)) + 0.5,
+        0.09 * len(methods) * len(stepped) + 0.9,
+    ]
+    figure = Figure((9.6, sum(heights) + 0.8), dpi=150, layout="constrained")
+    above, below = figure.subplots(2, 1, height_ratios=heights)
+    _squares(above, stability, families)
+    _steps(below, stability, stepped, methods)
+    if stepped:
+        _steps_key(figure, below, [m for m in SHOWN if m not in methods])
+    headline(figure, answer(stability))
+    return figure
+
+
+def ended(stability: xr.Dataset) -> list[str]:
+    """How each case ended, in the words of the key."""
+    ends = []
+    for outcome, met in zip(
+        map(str, stability["written_outcome"].values), stability["as_expected"].values, strict=True
+    ):
+        kinds = {"accurate": ACCURATE, "stable but inaccurate": FLAGGED}
+        end = kinds.get(outcome, REFUSED if outcome.startswith("refused") else UNJUDGED)
+        ends.append(end if met else WRONG)
+    return ends
+
+
+def answer(stability: xr.Dataset) -> str:
+    """How many cases ended as expected, and how many are silently wrong."""
+    counts = hard(stability)
+    silent = f"{counts.silent or 'none'} {'are' if counts.silent > 1 else 'is'} silently wrong"
+    return f"{counts.met} of {counts.cases} hard cases end as expected; {silent}"
+
+
+def worst(stability: xr.Dataset) -> list[int]:
+    """The cases that are named: all that are not as expected, and those that are furthest off."""
+    error = np.nan_to_num(stability["written_error"].values, nan=-1.0)
+    wrong = ~stability["as_expected"].values
+    order = [int(case) for case in np.lexsort((-error, ~wrong)) if wrong[case] or error[case] > 0.0]
+    return order[: max(WORST, int(wrong.sum()))]
+
+
+def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
+    ends, rank = ended(stability), {end: place for place, end in enumerate(ENDS)}
+    of = stability["family"].values.astype(str)
+    named = worst(stability)
+    most = 0
+    for row, family in enumerate(families):
+        here = [int(case) for case in np.flatnonzero(of == family)]
+        for place, case in enumerate(sorted(here, key=lambda case: rank[ends[case]])):
+            ax.add_patch(Rectangle((place, row - 0.4), 0.8, 0.8, facecolor=ENDS[ends[case]]))
+            if case in named:
+                number = str(named.index(case) + 1)
+                ax.text(place + 0.4, row, number, ha="center", va="center", fontsize="small")
+        most = max(most, len(here))
+    notes = "\n".join(f"{k}  {_named(stability, case)}" for k, case in enumerate(named, start=1))
+    ax.text(-0.1, len(families) - 0.35, notes, va="top", fontsize="small")
+    ax.set_xlim(-0.3, max(most, 12) + 9)  # the key stands beside the longest row
+    ax.set_ylim(len(families) - 0.4 + 0.55 * len(named), -0.6)
+    ax.set_yticks(range(len(families)), families)
+    ax.set_xticks([])
+    ax.tick_params(length=0)
+    for side in ax.spines.values():
+        side.set_visible(False)
+    present = [end for end in ENDS if end in ends]
+    ax.legend(
+        handles=[Patch(facecolor=ENDS[end], label=f"{ends.count(end)} {end}") for end in present],
+        loc="center right", fontsize="small", frameon=False,
+    )  # fmt: skip
+    ax.set_title(
+        "(a) one square per case, run as its scene is written", loc="left", fontsize="small"
+    )
+
+
+def _named(stability: xr.Dataset, case: int) -> str:
+    """A case in words, with its error and what its run says of it."""
+    of = stability.isel(case=case)
+    error, estimate = (100 * float(of[f"written_{name}"]) for name in ("error", "estimate"))
+    if np.isnan(error):
+        return f"{of['case'].values}: {of['written_outcome'].values}"
+    return f"{of['case'].values}: true error {_per_cent(error)}, estimated {_per_cent(estimate)}"
+
+
+def _per_cent(value: float) -> str:
+    return f"{value:.0f} %" if value >= 100.0 else f"{value:.2g} %"
+
+
+def _laddered(stability: xr.Dataset, family: str) -> xr.Dataset:
+    """The cases of a family that were tried with more than one step."""
+    of = stability.isel(case=np.flatnonzero(stability["family"].values.astype(str) == family))
+    tried = (of["step"].notnull().sum("rung") > 1).any("method").values
+    return of.isel(case=np.flatnonzero(tried))
+
+
+def _ranges(stability: xr.Dataset, family: str, methods: list[str]) -> NDArray[np.float64]:
+    """Mean largest accurate and largest surviving step of methods over the default's, (methods, 2)."""
+    of = _laddered(stability, family)
+    out = np.full((len(methods), 2), np.nan)
+    for row, method in enumerate(methods):
+        ratio = _over_default(of, method)
+        out[row] = [_mean(values) for values in ratio[_drawable(ratio)].T]
+    return out
+
+
+def _goes_on(stability: xr.Dataset, family: str, method: str) -> bool:
+    """Whether in some case of a range the longest step that was tried survives, so that it is no limit.
+
+    Explicit stepping is tried up to its predicted limit, which is drawn.
+    """
+    if method == EXPLICIT:
+        return False
+    of = _laddered(stability, family)
+    one = of.isel(case=np.flatnonzero(_drawable(_over_default(of, method)))).sel({"method": method})
+    return bool((one["largest_stable_step"] >= (1 - SAME) * one["step"].max("rung")).any())
+
+
+def _drawable(ratio: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Cases that a range is of: those with both ends, else those with any, else all."""
+    known = np.isfinite(ratio)
+    for of in (known.all(axis=1), known.any(axis=1)):
+        if of.any():
+            return np.asarray(of)
+    return np.ones(len(ratio), bool)
+
+
+def _over_default(stability: xr.Dataset, method: str) -> NDArray[np.float64]:
+    """Largest accurate and largest surviving step of a method over the default's, (case, 2)."""
+    of = stability.sel({"method": method})
+    names = ("largest_accurate_step", "largest_stable_step")
+    ratios = [(of[name] / stability["written_step"]).values for name in names]
+    return np.column_stack(ratios)
+
+
+def _mean(values: NDArray[np.float64]) -> float:
+    """Geometric mean of what there is."""
+    known = values[np.isfinite(values)]
+    return float(np.exp(np.log(known).mean())) if known.size else np.nan
+
+
+def _explicit_limit(stability: xr.Dataset, family: str) -> float:
+    """Mean predicted limit of explicit stepping over the default's step, of the cases of its range."""
+    of = stability.isel(case=np.flatnonzero(stability["family"].values.astype(str) == family))
+    ratio = (of["explicit_limit"] / of["written_step"]).values
+    return _mean(
+        ratio[_drawable(_over_default(of, EXPLICIT))] if EXPLICIT in of["method"] else ratio
+    )
+
+
+def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:
+    height, ticked = 1.0 / (len(methods) + 1.2), False
+    for row, family in enumerate(families):
+        on = [_goes_on(stability, family, method) for method in methods]
+        for k, (accurate, stable) in enumerate(_ranges(stability, family, methods)):
+            y = row + (k - 0.5 * (len(methods) - 1)) * height
+            colour = COLOURS[k % len(COLOURS)]
+            ends = [max(x, SHORTEST) for x in (accurate, stable) if np.isfinite(x)]
+            ax.plot(ends, [y] * len(ends), color=colour, linewidth=3.0, alpha=0.45, zorder=2)
+            ax.plot(
+                max(accurate, SHORTEST),
+                y,
+                LESS if accurate < SHORTEST else "o",
+                color=colour,
+                markersize=4.5,
+                zorder=3,
+                label=methods[k] if not row else "",
+            )
+            mark = MORE if on[k] else LESS if stable < SHORTEST else "o"
+            ax.plot(
+                max(stable, SHORTEST),
+                y,
+                mark,
+                color=colour,
+                markersize=7.5,
+                markerfacecolor="none",
+                zorder=3,
+            )
+        if np.isfinite(limit := _explicit_limit(stability, family)):
+            y = row + (0.5 * (len(methods) - 1) if EXPLICIT in methods else 0.0) * height
+            if limit >= SHORTEST:
+                ax.plot(limit, y, "|", color="black", markersize=11, markeredgewidth=1.6, zorder=4)
+            ax.plot([], [], "|", color="black", label="" if ticked else "predicted explicit limit")
+            ticked = True
+    ax.axvline(1.0, color="0.5", linewidth=0.8, zorder=1)
+    ax.set_xscale("log")
+    ax.set_yticks(range(len(families)), families)
+    ax.set_ylim(len(families) - 0.5, -0.5)
+    for edge in range(1, len(families)):
+        ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)
+    ax.tick_params(axis="y", length=0)
+    ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+    ax.set_xlabel("time step / step chosen at the default tolerance (geometric mean of the family)")
+    ax.set_title(f"(b) {_bearable(stability, families, methods)}", loc="left", fontsize="small")
+
+
+def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
+    """Methods by colour, ends of ranges by mark, and which methods were not run."""
+    grey: dict[str, Any] = {"color": "0.4", "linestyle": ""}
+    ax.plot([], [], "o", markersize=4.5, label="largest accurate", **grey)
+    hollow = grey | {"markersize": 7.5, "markerfacecolor": "none"}
+    ax.plot([], [], "o", label="largest stable", **hollow)
+    ax.plot([], [], LESS, label=f"below {SHORTEST:g}", **hollow)
+    ax.plot([], [], MORE, label="stable at the longest tested", **hollow)
+    handles, labels = ax.get_legend_handles_labels()
+    if absent:
+        handles.append(Patch(visible=False))
+        labels.append(f"not run at this tier: {', '.join(absent)}")
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=4, fontsize="small", frameon=False
+    )
+
+
+def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) -> str:
+    """Which method stays accurate at the longest steps, in how many families."""
+    ranges = np.array([_ranges(stability, family, methods)[:, 0] for family in families])
+    seen = ranges[~np.isnan(ranges).all(axis=1)] if len(ranges) else ranges
+    if not len(seen):
+        return "stable and accurate steps"
+    first = seen >= (1 - SAME) * np.nanmax(seen, axis=1)[:, None]
+    count = int(first.sum(axis=0).max())
+    leading = [k for k in range(len(methods)) if first[:, k].sum() == count]
+    tied = int((first[:, leading].any(axis=1) & (first.sum(axis=1) > 1)).sum())
+    others = f" ({tied} tied)" if tied else ""
+    names = " and ".join(methods[k] for k in leading)
+    return (
+        f"stable and accurate steps; longest: {names}, in {count} of {len(seen)} families{others}"
+    )

@@ -1,0 +1,1 @@
+"""What measures the datasets: a file a dataset, with a function of its name."""

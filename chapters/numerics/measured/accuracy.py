@@ -1,0 +1,323 @@
+"""What accuracy costs in time: every method on a ladder of meshes and steps, errors and wall times.
+
+And the accuracy that a user asks for: what was asked, estimated, reached and spent.
+"""
+
+from __future__ import annotations
+
+import statistics
+import time as clock
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+import psutil
+
+from chapters.numerics.attempt import Attempt, Outcome, attempt, attempt_on, in_time, too_long
+from chapters.numerics.fixed_step import FREE, stepped, whole
+from chapters.numerics.measured.stability import attempt_limit
+from chapters.numerics.models import AccuracyStudy, Ladder, Method
+from chapters.numerics.outside import RADAU, outside
+from chapters.numerics.reference.check import with_recomputed
+from chapters.numerics.reference.store import Wanted
+from chapters.numerics.references import (
+    OPINIONS,
+    QUANTITIES,
+    Reference,
+    differences,
+    reference,
+    solved,
+)
+from chapters.numerics.scenes import in_tier
+from riserstudy.dataset.result import Result
+from riserstudy.model.mesh import Mesh, even
+from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.refine import run
+from riserstudy.study.measured import Setting
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.study.axes import Tier
+
+
+COSTS = (
+    "wall_seconds",
+    "wall_seconds_min",
+    "cpu_seconds",
+    "newton_iterations",
+    "steps",
+    "step",
+    "elements",
+)
+EXPLICIT = "explicit"
+SOON = 1.0  # seconds of a request that is timed again
+SETTLED = 0.1  # share of an error, change by which a shorter step does not help
+ENOUGH = 2.0  # seconds of a rung's runs, after which it is timed no more
+WHERE = "config/studies/numerics.yaml: measured.accuracy"
+
+
+def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
+    """All scenes by all methods, as a dataset over scene, method, mesh and step of the ladder."""
+    import xarray as xr
+
+    scenes, methods = in_tier(study.scenes, setting.tier), in_tier(study.methods, setting.tier)
+    most = [max(len(getattr(s, way)) for s in scenes.values()) for way in ("elements", "steps")]
+    shape = (len(scenes), len(methods), *most)
+    value: dict[str, Any] = {
+        name: np.full(shape, np.nan) for name in (*COSTS, *(f"error_{q}" for q in QUANTITIES))
+    }
+    value["message"] = np.full(shape, "", object)
+    opinion = np.full((len(scenes), len(OPINIONS), len(QUANTITIES)), np.nan)
+    change = np.full((len(scenes), len(QUANTITIES)), np.nan)
+    about: list[str] = []
+    requested: list[dict[str, Any]] = []
+    for i, (name, ladder) in enumerate(scenes.items()):
+        file = scene_of(setting.config, name, ladder)
+        met = requests(file, name, study.requested[setting.tier], study.patience)
+        best = reference(file, name, ladder, setting.config)
+        others = differences(best, file, ladder) if setting.tier == "reference" else {}
+        about.append(best.about)
+        change[i] = [best.change.get(q, np.nan) for q in QUANTITIES]
+        for other, values in others.items():
+            opinion[i, OPINIONS.index(other)] = [values.get(q, np.nan) for q in QUANTITIES]
+        for j, method in enumerate(methods.values()):
+            climb = Climb(file, method, ladder, best, study, setting.tier)
+            for k in range(len(ladder.elements)):
+                for m in range(most[1]):
+                    tried = climb.rung(k, m)
+                    value["message"][i, j, k, m] = tried.message
+                    if tried.result is None:
+                        continue
+                    for q, error in climb.errors.items():
+                        value[f"error_{q}"][i, j, k, m] = error
+                    for cost in COSTS:
+                        value[cost][i, j, k, m] = tried.result.facts.get(cost, np.nan)
+        requested += [judged(one, best) for one in met]
+    dims = ("scene", "method", "mesh_level", "step_level")
+    data: dict[str, Any] = {
+        name: (dims, array.astype(str) if array.dtype == object else array)
+        for name, array in value.items()
+    }
+    data["opinion_difference"] = (("scene", "opinion", "quantity"), opinion)
+    data["reference"] = ("scene", about)
+    data["reference_change"] = (("scene", "quantity"), change)
+    data |= peers(study, list(scenes))
+    for name in requested[0] if requested else ():
+        data[name] = ("request", [row[name] for row in requested])
+    dataset = xr.Dataset(
+        data,
+        {"scene": list(scenes), "method": list(methods), "opinion": list(OPINIONS)}
+        | {"quantity": list(QUANTITIES)},
+    )
+    for name, (unit, words) in ABOUT.items():
+        if name in dataset:
+            dataset[name].attrs = {"units": unit, "long_name": words}
+    dataset.attrs["load_average"] = psutil.getloadavg()[0]
+    return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+
+
+def scene_of(config: Path, name: str, ladder: Ladder) -> SceneFile:
+    """The scene of a ladder, without mesh, step and method."""
+    return read_scene(config / ladder.scene).with_values(FREE | ladder.set, f"{WHERE}: {name}")
+
+
+def wanted(study: AccuracyStudy, config: Path) -> Iterator[Wanted]:
+    """The reference of every scene of which no other code has one."""
+    for name, ladder in study.scenes.items():
+        if not ladder.stored:
+            file = scene_of(config, name, ladder)
+            yield Wanted(name, file, partial(solved, name, file, ladder))
+
+
+def peers(study: AccuracyStudy, scenes: list[str]) -> dict[str, Any]:
+    """What other simulators cost, as the study file has it, a row an error."""
+    rows = [
+        (scene, peer, error, ratio)
+        for scene in scenes
+        for peer, known in study.peers.get(scene, {}).items()
+        for error, ratio in known
+    ]
+    names = ("peer_scene", "peer", "peer_error", "peer_ratio")
+    columns = zip(*rows, strict=True) if rows else ([] for _ in names)
+    return {name: ("measured", list(of)) for name, of in zip(names, columns, strict=True)}
+
+
+class Climb:
+    """A method on the rungs of a scene, mesh by mesh and from long steps to short ones.
+
+    Left out is what took too long on a coarser mesh and, but in the reference tier, a step on a mesh on
+    which halving it changed the error no more: such runs are no part of the lower edge.
+    """
+
+    def __init__(
+        self,
+        file: SceneFile,
+        method: Method,
+        ladder: Ladder,
+        best: Reference,
+        study: AccuracyStudy,
+        tier: Tier,
+    ):
+        self.file, self.method, self.ladder, self.best = file, method, ladder, best
+        self.budget, self.repeats = study.budget, study.repeats[tier]
+        self.whole = tier == "reference"
+        self.errors: dict[str, float] = {}
+        self._given_up: dict[int, str] = {}
+        self._last: dict[int, float] = {}  # largest error by mesh
+        self._settled: set[int] = set()  # meshes
+        self._warm = False
+
+    def rung(self, k: int, m: int) -> Attempt:
+        """A mesh and a step, timed; its errors are left in ``errors``."""
+        if m in self._given_up:
+            return Attempt(None, None, f"on a coarser mesh: {self._given_up[m]}", 0.0)
+        if k in self._settled:
+            return Attempt(None, None, "on this mesh a longer step errs as much", 0.0)
+        one = rung(
+            self.file, self.method, self.ladder, (k, m), self.budget, self.repeats, self._warm
+        )
+        if one.refused == Outcome.TOO_LONG:
+            self._given_up[m] = one.message
+        if one.result is not None:
+            self._warm = True
+            self.errors = self.best.errors(one.result)
+            self._see(k, max(self.errors.values(), default=np.nan))
+        return one
+
+    def _see(self, k: int, error: float) -> None:
+        """Whether shorter steps will help on a mesh."""
+        last = self._last.get(k, np.inf)
+        if not self.whole and abs(error - last) <= SETTLED * last < np.inf:
+            self._settled.add(k)
+        self._last[k] = error
+
+
+def rung(
+    file: SceneFile,
+    method: Method,
+    ladder: Ladder,
+    at: tuple[int, int],
+    budget: float,
+    repeats: int,
+    warm: bool,
+) -> Attempt:
+    """One rung, timed several times; explicit steps are shares of the predicted stable one."""
+    k, m = at
+    steps = method.tolerances or ladder.steps
+    if m >= len(steps):
+        return Attempt(None, None, "no such rung", 0.0)
+    mesh = even(whole(file.resolved()), ladder.elements[k])
+    own = stepped(file, method.set, mesh, ladder.steps[-1] if method.tolerances else steps[m])
+    step = steps[m]
+    if method.set.get("analysis.method") == EXPLICIT and not method.tolerances:
+        if m > 0:
+            return Attempt(None, None, "one step alone", 0.0)
+        limit = attempt_limit(own, mesh)
+        step = 0.9 * limit if limit else step
+    return timed(lambda: once(own, mesh, step, method, budget), repeats, warm)
+
+
+def once(scene: Resolved, mesh: Mesh, step: float, method: Method, budget: float) -> Attempt:
+    """One run by a method, the engine's or another."""
+    which = method.integrator
+    if which is None or (which != RADAU and too_long(scene, mesh, step, budget)):
+        return attempt_on(scene, mesh, step, budget)
+    return attempt(lambda: outside(scene, mesh, which, step))
+
+
+def timed(one: Callable[[], Attempt], repeats: int, warm: bool) -> Attempt:
+    """The last of several runs, with the median and the least of their times.
+
+    Processor time is there for machines that do something else besides.
+
+    Parameters
+    ----------
+    warm : whether kernels are loaded; else a first run, which is not counted, does it.
+    """
+    walls, own = [], []
+    for _ in range(repeats + (not warm)):
+        started, begun = clock.perf_counter(), clock.thread_time()
+        tried = one()
+        walls.append(clock.perf_counter() - started)
+        own.append(clock.thread_time() - begun)
+        if tried.result is None:
+            return tried
+        if sum(walls) > ENOUGH:
+            break
+    measured = walls if warm else walls[1:] or walls
+    if tried.result is not None:
+        facts = tried.result.facts
+        facts |= {"wall_seconds": statistics.median(measured), "wall_seconds_min": min(measured)}
+        facts["cpu_seconds"] = min(own)
+    return tried
+
+
+class Request(NamedTuple):
+    """What asking for an accuracy came to: a row of the dataset, and the run, None where it was refused."""
+
+    row: dict[str, Any]
+    result: Result | None
+    refused: Outcome | None
+
+
+def requests(file: SceneFile, name: str, shares: Iterable[float], patience: float) -> list[Request]:
+    """What asking for more and more accuracy came to; where one takes too long, finer ones do too."""
+    met: list[Request] = []
+    for share in sorted(shares, reverse=True):
+        if met and met[-1].refused == Outcome.TOO_LONG:
+            met.append(met[-1]._replace(row=met[-1].row | {"requested": share}))
+        else:
+            met.append(spent(file, name, share, patience))
+    return met
+
+
+def spent(file: SceneFile, name: str, share: float, patience: float) -> Request:
+    """What asking for an accuracy came to, for a scene, within so many seconds; the shorter of two runs."""
+    scene = whole(file.with_values({"analysis.accuracy": f"{100 * share!r} %"}, WHERE).resolved())
+    attempt(lambda: run(scene, 0.0))  # warms up
+    tried = attempt(lambda: in_time(scene, patience))
+    if tried.result is not None and tried.seconds < SOON:
+        tried = min(tried, attempt(lambda: run(scene)), key=lambda one: one.seconds)
+    row: dict[str, Any] = {"request_scene": name, "requested": share, "request_seconds": np.nan}
+    row["request_last_seconds"] = np.nan
+    row |= {f"{kind}_{q}": np.nan for kind in ("estimated", "reached") for q in QUANTITIES}
+    row |= {"request_elements": 0, "request_step": np.nan, "request_message": tried.message}
+    if tried.result is None:
+        return Request(row, None, tried.refused)
+    facts = tried.result.facts
+    row |= {"request_seconds": tried.seconds, "request_elements": facts["elements"]}
+    row["request_step"] = facts.get("step", np.nan)
+    row["request_last_seconds"] = facts["refinements"][-1]["solve_seconds"]
+    row |= {f"estimated_{q}": facts["error_estimate"].get(q, np.nan) for q in QUANTITIES}
+    return Request(row, tried.result, None)
+
+
+def judged(one: Request, best: Reference) -> dict[str, Any]:
+    """The row of a request with the error that it reached."""
+    reached = best.errors(one.result) if one.result else {}
+    return one.row | {f"reached_{q}": reached[q] for q in QUANTITIES if q in reached}
+
+
+ABOUT = {
+    "wall_seconds": ("s", "median wall time of a run, compiling apart"),
+    "wall_seconds_min": ("s", "least wall time of a run"),
+    "cpu_seconds": ("s", "least processor time of a run"),
+    "newton_iterations": ("1", "Newton iterations; of Radau, evaluations of the forces"),
+    "steps": ("1", "time steps"),
+    "step": ("s", "time step; of Radau, the mean of its own"),
+    "elements": ("1", "segments"),
+    **{f"error_{q}": ("1", f"error of the {q} history over its largest value") for q in QUANTITIES},
+    "reference_change": ("1", "what the last refinement changed of a reference of our own"),
+    "opinion_difference": ("1", "what fine runs by other methods differ from the reference"),
+    "peer_error": ("1", "error of displacement of another simulator"),
+    "peer_ratio": ("1", "its time over that of our cheapest run of that error"),
+    "requested": ("1", "requested accuracy"),
+    "request_seconds": ("s", "wall time of all runs that a request took"),
+    "request_last_seconds": ("s", "time of the last of them"),
+    "request_elements": ("1", "segments that were chosen"),
+    "request_step": ("s", "step that was chosen"),
+}

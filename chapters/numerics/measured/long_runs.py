@@ -1,0 +1,185 @@
+"""Long simulations: what a published or a demanding one takes, over candidates of mesh, step and method.
+
+Every candidate is timed and compared with a reference: moments of the whole history, and the largest
+moment anywhere. The cheapest that is accurate enough is what a user could have; the paper's own setting is
+one of the candidates.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import psutil
+
+from chapters.numerics.attempt import Attempt, attempt_on, largest
+from chapters.numerics.fixed_step import FREE, stepped, whole
+from chapters.numerics.measured.accuracy import timed
+from chapters.numerics.models import LongCase, LongStudy
+from chapters.numerics.reference.check import with_recomputed
+from chapters.numerics.reference.converge import SMOOTH, converged, none
+from chapters.numerics.reference.kept import Kept
+from chapters.numerics.reference.store import Wanted, read
+from chapters.numerics.references import by_run
+from chapters.numerics.scenes import in_tier
+from riserstudy.dataset.result import Result
+from riserstudy.errors import SimulationError
+from riserstudy.model.mesh import Mesh, even
+from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.starting_mesh import coarsest_mesh
+from riserstudy.study.measured import Setting
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.study.axes import Tier
+
+FEW = 10  # steps
+STUDY = "long_runs"  # folder of references
+WHERE = "config/studies/numerics.yaml: measured.long_runs"
+
+
+def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
+    """All candidates of all cases, one after another: they are timed.
+
+    Raises
+    ------
+    SimulationError
+        When the reference of a case cannot be used.
+    """
+    import xarray as xr
+
+    cases = in_tier(study.cases, setting.tier)
+    files = [scene_of(setting.config, name, case, setting.tier) for name, case in cases.items()]
+    rows: list[dict[str, Any]] = []
+    for (name, case), file in zip(cases.items(), files, strict=True):
+        best = read(setting.config, STUDY, named(name, setting.tier), file.resolved())
+        if best.result is None:
+            raise SimulationError(f"{name}: {best.missing}")
+        rows += candidates(name, case, file, best.result, study.repeats, setting.tier)
+    dataset = xr.Dataset({key: ("run", [row[key] for row in rows]) for key in rows[0]})
+    for name, (unit, words) in ABOUT.items():
+        dataset[name].attrs = {"units": unit, "long_name": words}
+    if setting.tier == "preview":  # which cuts runs short: what papers and we name is of whole ones
+        for name in ("published_seconds", "target_seconds"):
+            dataset[name] = dataset[name].where(False)
+    dataset.attrs["load_average"] = psutil.getloadavg()[0]
+    return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+
+
+def scene_of(config: Path, name: str, case: LongCase, tier: Tier) -> SceneFile:
+    """The scene of a case, as long as the tier asks for."""
+    sets = case.set | (case.preview or {} if tier == "preview" else {})
+    return read_scene(config / case.scene).with_values(FREE | sets, f"{WHERE}: {name}")
+
+
+def candidates(
+    name: str, case: LongCase, file: SceneFile, best: Result, repeats: int, tier: Tier
+) -> list[dict[str, Any]]:
+    """Every candidate of a case as a row, the paper's own first."""
+    scene = whole(file.resolved())
+    rows = []
+    if case.own and tier != "preview":
+        mesh, step = even(scene, case.own.elements), case.own.step
+        tried = candidate(file, case.own.set, mesh, step, 1)
+        rows.append(row(name, case, "the paper's own", step, tried, best))
+    for label, mesh in meshes(case, scene):
+        for method, values in case.methods.items():
+            for step in case.steps:
+                tried = candidate(file, values, mesh, step, repeats)
+                rows.append(row(name, case, f"{method}, {label}", step, tried, best))
+    return rows
+
+
+def candidate(
+    file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float, repeats: int
+) -> Attempt:
+    """A candidate, timed after a run of a few steps has loaded its kernels."""
+    few = {
+        "analysis.duration": f"{FEW * step!r} s",
+        "analysis.output": {"interval": f"{FEW * step!r} s"},
+    }
+    attempt_on(
+        stepped(file.with_values(few, "few steps"), values, mesh, step), mesh, step, math.inf
+    )
+    one = partial(attempt_on, stepped(file, values, mesh, step), mesh, step, math.inf)
+    return timed(one, repeats, warm=True)
+
+
+def meshes(case: LongCase, scene: Resolved) -> list[tuple[str, Mesh]]:
+    """Even meshes, and those that a refinement would try."""
+    named = [("even", even(scene, n)) for n in case.elements]
+    mesh = coarsest_mesh(scene)
+    for _ in range(case.graded):
+        named.append(("graded", mesh))
+        mesh = mesh.halved()
+    return named
+
+
+def named(case: str, tier: Tier) -> str:
+    """What the reference of a case is called: preview, which cuts it short, has its own."""
+    return f"{case}, preview" if tier == "preview" else case
+
+
+def wanted(study: LongStudy, config: Path) -> Iterator[Wanted]:
+    """The references of all cases, as long as each tier has them."""
+    tiers: tuple[Tier, ...] = ("preview", "standard")
+    for tier in tiers:
+        for name, case in in_tier(study.cases, tier).items():
+            file = scene_of(config, name, case, tier)
+            yield Wanted(named(name, tier), file, partial(solved, named(name, tier), case, file))
+
+
+def solved(name: str, case: LongCase, file: SceneFile) -> Kept:
+    """A reference finer in mesh and step than any candidate, by the fourth-order method."""
+    mesh, step = meshes(case, whole(file.resolved()))[-1][1], case.steps[-1]
+    finest = attempt_on(stepped(file, SMOOTH.method, mesh, step), mesh, step, math.inf)
+    if finest.result is None:
+        return none(name, file, finest.message)
+    return converged(name, file, finest.result, SMOOTH, mesh)
+
+
+def row(
+    name: str, case: LongCase, label: str, step: float, tried: Attempt, best: Result
+) -> dict[str, Any]:
+    """What came of a candidate."""
+    numbers = {
+        "case": name,
+        "candidate": label,
+        "asked_step": step,
+        "message": tried.message,
+        "published_seconds": case.published_seconds or math.nan,
+        "target_seconds": case.target_seconds or math.nan,
+        "elements": 0,
+        "wall_seconds": math.nan,
+        "cpu_seconds": math.nan,
+        "error_moment": math.nan,
+        "error_peak": math.nan,
+    }
+    if tried.result is None:
+        return numbers
+    facts = tried.result.facts
+    peak = largest(best, "bending_moment")
+    return numbers | {
+        "elements": facts["elements"],
+        "wall_seconds": facts.get("wall_seconds_min", tried.seconds),
+        "cpu_seconds": facts.get("cpu_seconds", math.nan),
+        "error_moment": by_run(best).errors(tried.result)["moment"],
+        "error_peak": abs(largest(tried.result, "bending_moment") / peak - 1.0),
+    }
+
+
+ABOUT = {
+    "asked_step": ("s", "time step"),
+    "elements": ("1", "segments"),
+    "wall_seconds": ("s", "least wall time"),
+    "cpu_seconds": ("s", "least processor time"),
+    "published_seconds": ("s", "wall time that the paper names"),
+    "target_seconds": ("s", "wall time that we aim at"),
+    "error_moment": ("1", "error of the moment, all nodes and outputs, over its largest value"),
+    "error_peak": ("1", "error of the largest moment"),
+}

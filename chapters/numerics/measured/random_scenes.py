@@ -1,0 +1,305 @@
+"""Is a requested accuracy reached, its error estimated well, and cheap? Over seeded random scenes.
+
+Scenes are drawn from what papers leave open and from the ranges of their studies; half of them are held
+out, which nobody may look at when refinement is tuned. The list is fixed by its seed, so that the reference
+of each scene is kept; it was computed by the fourth-order method. The cost is compared with that of the
+cheapest even mesh and step that err no more, which nobody knows beforehand: even meshes and steps that were
+tried when the reference was computed are kept with it, and the first of them that should do is run again.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from chapters.numerics.attempt import Outcome, attempt, attempt_on, errors, in_time
+from chapters.numerics.fixed_step import FREE, stepped, whole
+from chapters.numerics.models import Family, RandomStudy
+from chapters.numerics.reference.check import with_recomputed
+from chapters.numerics.reference.converge import SMOOTH, converged, none
+from chapters.numerics.reference.kept import Kept
+from chapters.numerics.reference.store import NotUsed, Wanted, read
+from chapters.numerics.references import QUANTITIES, by_run
+from chapters.numerics.scenes import in_tier
+from riserstudy.dataset.result import Result
+from riserstudy.model.mesh import even
+from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.origin import Origin
+from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.starting_mesh import massless, period
+from riserstudy.study.measured import Setting
+from riserstudy.study.processes import each
+from riserstudy.study.sampling import sample
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.records.facts import RunFacts
+    from riserstudy.study.axes import Tier
+
+WHERE = "config/studies/numerics.yaml: measured.random_scenes"
+STUDY = "random_scenes"  # folder of references
+QUICK = replace(SMOOTH, most_first=1e7)  # there are many
+LONGEST = 30.0  # seconds of a request, beyond which there is no reference
+NOT_JUDGED = "not judged"
+LEVELS = tuple(2.0 ** (k / 2) for k in range(24))  # of mesh and step, finer and finer
+COARSE = 6  # segments, and steps a period, of the first level
+CHEAPEST = 32.0  # times less work than the request: where the search begins
+FALLEN = 0.9  # of an error, that refinement must bring to be worth going on
+
+#: of a result, the errors by quantity
+Measure = Callable[[Result], dict[str, float]]
+
+
+class Even(NamedTuple):
+    """An even mesh and a step that were tried: their largest error, and segments times iterations."""
+
+    elements: int
+    step: float  # s
+    error: float
+    work: float
+
+
+@dataclass
+class Drawn:
+    """A scene, what was drawn, and what came of it."""
+
+    family: str
+    number: int
+    held_out: bool
+    sets: dict[str, Any]
+    file: SceneFile
+    message: str = ""
+    requested: Result | None = None
+    true: dict[str, float] = field(default_factory=dict)
+    fixed: Even | None = None  # the cheapest that errs no more
+
+    @property
+    def name(self) -> str:
+        """Family and number."""
+        return f"{self.family} {self.number}"
+
+
+def random_scenes(study: RandomStudy, setting: Setting) -> xr.Dataset:
+    """Ask for the accuracy of every scene, and measure what was reached and spent."""
+    every = drawn(study, setting.config, setting.tier)
+    patience = study.patience[setting.tier]
+    one = partial(judge, setting.config, patience, setting.tier == "reference")
+    dataset = tabulated(study, list(each(one, every, setting.threads)))
+    return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+
+
+def drawn(study: RandomStudy, config: Path, tier: Tier) -> list[Drawn]:
+    """The scenes of a tier."""
+    families = in_tier(study.families, tier).items()
+    return [one for item in families for one in draw(*item, study, config, tier)]
+
+
+def draw(
+    name: str, family: Family, study: RandomStudy, config: Path, tier: Tier
+) -> Iterator[Drawn]:
+    """The scenes of a family: assumptions and varied values by a seeded Sobol sequence."""
+    base = read_scene(config / family.scene).with_values(FREE | family.set, f"{WHERE}: {name}")
+    open_values = {
+        path: origin
+        for path, origin in base.origins.items()
+        if origin.status == "assumed" and (origin.range or origin.options)
+    }
+    for path, (low, high) in family.vary.items():
+        open_values[path] = Origin("assumed", low, range=(low, high))
+    for k, sets in enumerate(sample(open_values, study.count[tier], study.seed)):
+        requested = {"analysis.accuracy": study.accuracy}
+        file = base.with_values(sets | requested, f"{WHERE}: {name}")
+        yield Drawn(name, k, k % 2 == 1, sets, file)
+
+
+def judge(config: Path, patience: float, anew: bool, one: Drawn) -> Drawn:
+    """Run at the requested accuracy, find the true error, and the cheapest that errs no more.
+
+    A request that takes more than ``patience`` (s) is not judged.
+
+    Parameters
+    ----------
+    anew : whether to find the cheapest without what is kept of it.
+    """
+    scene = whole(one.file.resolved())
+    try:
+        kept = read(config, STUDY, one.name, scene)
+    except NotUsed as error:
+        one.message = f"reference: {error}"
+        return one
+    attempt(lambda: run(scene, 0.0))  # loads its kernels, which is not the request's time
+    tried = attempt(lambda: in_time(scene, patience))
+    if tried.result is None:
+        late = f"{NOT_JUDGED}: " if tried.refused is Outcome.TOO_LONG else ""
+        one.message = f"{late}{tried.message}"
+        return one
+    if kept.result is None:
+        one.message = f"{NOT_JUDGED}: {kept.missing}"
+        return one
+    one.requested = tried.result
+    one.true = errors(tried.result, kept.result)
+    known = [] if anew else [Even(*row) for row in kept.more["even"]]
+    one.fixed = least_work(one, scene, by_run(kept.result).errors, known)
+    one.requested = replace(tried.result, arrays={})  # what is left goes from process to process
+    return one
+
+
+def least_work(one: Drawn, scene: Resolved, measure: Measure, known: list[Even]) -> Even | None:
+    """Even mesh and step of least work that err no more than the request; None where none works less.
+
+    Parameters
+    ----------
+    known : those that were tried before, the cheapest first, whose errors foresee which will do.
+    """
+    achieved, spent = max(one.true.values(), default=0.0), spent_on(one)
+    for even_one in known:
+        if even_one.error <= achieved and even_one.work <= spent:
+            again = tried_on(one.file, scene, measure, even_one.elements, even_one.step)
+            if again and again.error <= achieved:
+                return again
+    if known:
+        return None
+    found = search(one.file, scene, measure, spent, achieved)
+    return found[-1] if found and found[-1].error <= achieved else None
+
+
+def search(
+    file: SceneFile, scene: Resolved, measure: Measure, spent: float, achieved: float
+) -> list[Even]:
+    """Even meshes and steps that were tried, the cheapest first, until one errs no more than ``achieved``.
+
+    A mesh that shorter steps do not help is not tried further, nor a step that finer meshes do not.
+    """
+    duration = scene.analysis.duration or 0.0
+    last: dict[tuple[str, float], float] = {}
+    exhausted: set[tuple[str, float]] = set()
+    found: list[Even] = []
+    for work, n, step in by_work(scene):
+        levels = {("segments", float(n)), ("step", step)}
+        if work * duration < spent / CHEAPEST or levels & exhausted:
+            continue
+        if work * duration > spent:
+            break
+        one = tried_on(file, scene, measure, n, step)
+        if one is None:
+            continue
+        found.append(one)
+        if one.error <= achieved:
+            break
+        exhausted |= {level for level in levels if one.error > FALLEN * last.get(level, math.inf)}
+        last |= dict.fromkeys(levels, one.error)
+    return found
+
+
+def tried_on(
+    file: SceneFile, scene: Resolved, measure: Measure, elements: int, step: float
+) -> Even | None:
+    """Error and work of an even mesh and a step; None where they cannot be run."""
+    mesh = even(scene, elements)
+    tried = attempt_on(stepped(file, {}, mesh, step), mesh, step, math.inf)
+    if tried.result is None:
+        return None
+    error = max(measure(tried.result).values(), default=0.0)
+    return Even(elements, step, error, _work(tried.result.facts))
+
+
+def by_work(scene: Resolved) -> Iterator[tuple[float, int, float]]:
+    """Segments per second of step, segments of even meshes, and steps (s): the cheapest first."""
+    counts = [len(scene.riser)] if massless(scene) else [round(COARSE * x) for x in LEVELS]
+    steps = [period(scene) / (COARSE * x) for x in LEVELS]
+    yield from sorted((n / step, n, step) for n in counts for step in steps)
+
+
+def wanted(study: RandomStudy, config: Path) -> Iterator[Wanted]:
+    """The reference of every scene of the standard tier."""
+    for one in drawn(study, config, "standard"):
+        yield Wanted(one.name, one.file, partial(solved, one))
+
+
+def solved(one: Drawn) -> Kept:
+    """The reference of a scene, and the even meshes and steps on the way to what errs no more."""
+    scene = whole(one.file.resolved())
+    first = attempt(lambda: in_time(scene, LONGEST))
+    if first.result is None:
+        return none(one.name, one.file, first.message)
+    kept = converged(one.name, one.file, first.result, QUICK)
+    if kept.result is None:
+        return kept
+    measure = by_run(kept.result).errors
+    one.requested = first.result
+    achieved = max(measure(first.result).values(), default=0.0)
+    found = search(one.file, scene, measure, spent_on(one), achieved)
+    return replace(kept, more={"even": [list(row) for row in found]})
+
+
+def spent_on(one: Drawn) -> float:
+    """Segments times iterations of all runs that a request took."""
+    return sum(map(_work, one.requested.facts["refinements"])) if one.requested else 0.0
+
+
+def _work(facts: Mapping[str, Any]) -> float:
+    """Segments times Newton iterations: what a run costs, free of noise."""
+    return float(facts["elements"]) * float(facts["newton_iterations"])
+
+
+def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
+    """All scenes as one dataset; a scene that cannot be run is a row with its message."""
+    import xarray as xr
+
+    data: dict[str, Any] = {
+        "family": [one.family for one in drawn],
+        "held_out": [one.held_out for one in drawn],
+        "sets": [json.dumps(one.sets) for one in drawn],
+        "message": [one.message for one in drawn],
+    }
+    for kind in ("true", "estimated"):
+        errors = [_estimated(one) if kind == "estimated" else one.true for one in drawn]
+        for q in QUANTITIES:
+            data[f"{kind}_{q}"] = [of.get(q, math.nan) for of in errors]
+        data[kind] = [max(of.values(), default=math.nan) for of in errors]
+    none: RunFacts = {}
+    facts = [one.requested.facts if one.requested else none for one in drawn]
+    data["elements"] = [f.get("elements", 0) for f in facts]
+    data["step"] = [f.get("step", math.nan) for f in facts]
+    data["runs"] = [len(f.get("refinements", [])) for f in facts]
+    data["warnings"] = ["\n".join(f.get("warnings", [])) for f in facts]
+    data["fixed_elements"] = [one.fixed.elements if one.fixed else 0 for one in drawn]
+    for name in ("step", "error", "work"):
+        values = [getattr(one.fixed, name) if one.fixed else math.nan for one in drawn]
+        data["work_fixed" if name == "work" else f"fixed_{name}"] = values
+    data["work_asked"] = [spent_on(one) or math.nan for one in drawn]
+    dataset = xr.Dataset({name: ("drawn", values) for name, values in data.items()})
+    dataset = dataset.assign_coords(drawn=[one.name for one in drawn])
+    for name, (unit, words) in ABOUT.items():
+        dataset[name].attrs = {"units": unit, "long_name": words}
+    dataset.attrs = {"requested": study.share}
+    return dataset
+
+
+def _estimated(one: Drawn) -> dict[str, float]:
+    """The estimate, of what the error is known of."""
+    estimate = one.requested.facts["error_estimate"] if one.requested else {}
+    return {q: estimate[q] for q in one.true if q in estimate}
+
+
+ABOUT = {
+    **{f"true_{q}": ("1", f"true error of {q}") for q in QUANTITIES},
+    **{f"estimated_{q}": ("1", f"estimated error of {q}") for q in QUANTITIES},
+    "true": ("1", "largest true error"),
+    "estimated": ("1", "largest estimated error"),
+    "elements": ("1", "segments that were chosen"),
+    "step": ("s", "step that was chosen"),
+    "runs": ("1", "runs that choosing took"),
+    "fixed_elements": ("1", "even segments of the cheapest that errs no more"),
+    "fixed_step": ("s", "its step"),
+    "fixed_error": ("1", "its error"),
+    "work_asked": ("1", "segments times Newton iterations of all runs"),
+    "work_fixed": ("1", "segments times Newton iterations of the cheapest run"),
+}

@@ -1,0 +1,137 @@
+"""What a tier costs and how far its numbers are off: the scenes behind published numbers at each accuracy.
+
+A tier runs its own accuracy and those of coarser tiers. Peaks are compared with those of kept references.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import psutil
+from numpy.typing import NDArray
+
+from chapters.numerics.attempt import Attempt, attempt, in_time
+from chapters.numerics.fixed_step import whole
+from chapters.numerics.models import TiersStudy
+from chapters.numerics.reference.check import with_recomputed
+from chapters.numerics.reference.converge import SMOOTH, converged, none
+from chapters.numerics.reference.kept import Kept
+from chapters.numerics.reference.store import NotUsed, Wanted, read
+from chapters.numerics.scenes import case_file, in_tier
+from riserstudy.advice.ablation import peaks
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.error_estimate import HISTORIES, deciding
+from riserstudy.simulation.refine import run
+from riserstudy.study.measured import Setting
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.study.axes import Tier
+
+
+PEAKS = ("displacement", "moment", "tension")
+COSTS = ("wall_seconds", "elements", "step")
+DEFAULT = "default"
+STUDY = "tiers"  # folder of references
+ENOUGH = 2e-4  # change by a refinement, below the error of the finest tier
+
+
+def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
+    """Every scene at the accuracy of every tier, one after another: they are timed."""
+    import xarray as xr
+
+    scenes = in_tier(study.scenes, setting.tier)
+    names = up_to(setting.tier, study)
+    shape = (len(scenes), len(names))
+    off = np.full((*shape, len(PEAKS)), np.nan)
+    cost = {name: np.full(shape, np.nan) for name in (*COSTS, "estimated")}
+    peak = np.full((*shape, len(PEAKS)), np.nan)
+    message = np.full(shape, "", object)
+    for i, (name, case) in enumerate(scenes.items()):
+        file = case_file(setting.config, name, case)
+        once(file, study.accuracies[names[0]], 0.0)  # loads its kernels
+        best, why = known(setting, name, file)
+        for k, of in enumerate(names):
+            tried = once(file, study.accuracies[of], study.patience[setting.tier])
+            message[i, k] = tried.message or why
+            if tried.result is None:
+                continue
+            for key in COSTS:
+                cost[key][i, k] = tried.result.facts.get(key, math.nan)
+            cost["estimated"][i, k] = deciding(tried.result.facts.get("error_estimate", {}))
+            peak[i, k] = peaks(tried.result)
+            off[i, k] = np.abs(peak[i, k] / best - 1.0)
+    data: dict[str, Any] = {name: (("scene", "tier"), values) for name, values in cost.items()}
+    data["message"] = (("scene", "tier"), message.astype(str))
+    of_peak = {"long_name": "largest size of the quantity, in its SI unit"}
+    data["peak"] = (("scene", "tier", "quantity"), peak, of_peak)
+    data["error"] = (("scene", "tier", "quantity"), off)
+    dataset = xr.Dataset(data, {"scene": list(scenes), "tier": names, "quantity": list(PEAKS)})
+    for name, (unit, words) in ABOUT.items():
+        dataset[name].attrs = {"units": unit, "long_name": words}
+    dataset.attrs["load_average"] = psutil.getloadavg()[0]
+    return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+
+
+def up_to(tier: Tier, study: TiersStudy) -> list[Tier]:
+    """A tier and all that are coarser."""
+    every = list(study.accuracies)
+    return every[: every.index(tier) + 1]
+
+
+def known(setting: Setting, name: str, file: SceneFile) -> tuple[NDArray[np.float64], str]:
+    """Peaks of the reference of a scene, and why there are none where there are none."""
+    try:
+        kept = read(setting.config, STUDY, name, file.resolved())
+    except NotUsed as error:
+        return np.full(len(PEAKS), np.nan), str(error)
+    if kept.result is None:
+        return np.full(len(PEAKS), np.nan), kept.missing
+    return np.array(peaks(kept.result)), ""
+
+
+def wanted(study: TiersStudy, config: Path) -> Iterator[Wanted]:
+    """The reference of every scene."""
+    for name, case in study.scenes.items():
+        file = case_file(config, name, case)
+        yield Wanted(name, file, partial(solved, name, file))
+
+
+def solved(name: str, file: SceneFile) -> Kept:
+    """The reference of a scene, from what the default accuracy chooses."""
+    first = attempt(lambda: run(whole(requested(file, DEFAULT))))
+    if first.result is None:
+        return none(name, file, first.message)
+    kept = converged(name, file, first.result, replace(SMOOTH, enough=ENOUGH))
+    if kept.result is None:
+        return kept
+    extremes = {name: a for name, a in kept.result.arrays.items() if name not in HISTORIES}
+    extremes.pop("mesh_moment", None)
+    return replace(kept, result=replace(kept.result, arrays=extremes))
+
+
+def requested(file: SceneFile, accuracy: str) -> Any:
+    """The scene with the accuracy of a tier."""
+    values = None if accuracy == DEFAULT else accuracy
+    return file.with_values({"analysis.accuracy": values}, "tiers").resolved()
+
+
+def once(file: SceneFile, accuracy: str, patience: float) -> Attempt:
+    """One run, or what it is refused for."""
+    return attempt(lambda: in_time(requested(file, accuracy), patience))
+
+
+ABOUT = {
+    "wall_seconds": ("s", "wall time with all refinements"),
+    "elements": ("1", "segments"),
+    "step": ("s", "time step"),
+    "estimated": ("1", "error that the run estimates"),
+    "error": ("1", "difference of the largest value from that of the reference"),
+}

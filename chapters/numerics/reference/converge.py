@@ -1,0 +1,87 @@
+"""A scene solved finer and finer until that changes next to nothing."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from chapters.numerics.attempt import Outcome, attempt_on, errors, mesh_of
+from chapters.numerics.fixed_step import stepped, whole
+from chapters.numerics.reference.identity import PHYSICS, scene_digest
+from chapters.numerics.reference.kept import Kept, reduced
+from riserstudy.dataset.result import Result
+from riserstudy.digests import engine_digest
+from riserstudy.model.mesh import Mesh
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.error_estimate import deciding
+from riserstudy.simulation.starting_mesh import massless
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How a reference is computed.
+
+    ``enough``: change by a refinement, of the error that counts, after which there is no further one.
+    ``most_work``: node-steps of a run, beyond which there is none either; ``most_first``: of the first
+    refinement, beyond which there is no reference.
+    """
+
+    method: dict[str, Any]
+    name: str
+    enough: float
+    most_work: float
+    most_first: float = math.inf
+
+
+#: fourth order
+SMOOTH = Recipe({"analysis.method": "ESDIRK4"}, "ESDIRK4", 1e-3, 1e7)
+#: second order with dissipation, for stops, snaps and releases
+HARD = Recipe({"analysis.method": {"rho_inf": 0.6}}, "generalised-alpha 0.6", 1e-3, 3e7)
+LEAST, MOST = 2, 8  # refinements
+
+
+def none(case: str, file: SceneFile, why: str) -> Kept:
+    """A case that has no reference, and why."""
+    return Kept(case, scene_digest(file.resolved()), PHYSICS, engine_digest(), "", missing=why)
+
+
+def converged(
+    case: str, file: SceneFile, first: Result, recipe: Recipe, mesh: Mesh | None = None
+) -> Kept:
+    """The reference of a scene, from a run whose mesh and step are halved again and again.
+
+    Parameters
+    ----------
+    mesh : that of the run; None: as its segments say, which a graded mesh follows less smoothly.
+    """
+    scene = whole(file.resolved())
+    mesh, step = mesh or mesh_of(scene, first), first.facts.get("step")
+    change: dict[str, float] = {}
+    best, runs = first, 0
+    while runs < LEAST or (runs < MOST and not deciding(change) <= recipe.enough):
+        mesh = mesh if massless(scene) else mesh.halved()
+        step = 0.5 * step if step else None
+        own = stepped(file, recipe.method, mesh, step) if step else scene
+        tried = attempt_on(own, mesh, step, recipe.most_work if runs else recipe.most_first)
+        if tried.result is None:
+            break
+        best, change, runs = tried.result, errors(best, tried.result), runs + 1
+    if not runs or (runs < LEAST and tried.refused is not Outcome.TOO_LONG):
+        return none(case, file, tried.message)
+    return Kept(
+        case,
+        scene_digest(file.resolved()),
+        PHYSICS,
+        engine_digest(),
+        method_of(recipe, best),
+        change,
+        reduced(best, first.arrays["s_node"]),
+    )
+
+
+def method_of(recipe: Recipe, best: Result) -> str:
+    """How a reference was computed, in words."""
+    step = best.facts.get("step")
+    at = f"{step:.3g} s" if step else "at rest"
+    return f"{recipe.name}, {len(best.arrays['l0'])} segments, {at}"

@@ -1,0 +1,189 @@
+"""What the studies of the engine itself found, for the report."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from chapters.numerics.report.tables import tables
+from riserstudy.records.page import Cell, Section, Table
+from riserstudy.report.wording import counted, listed, seconds
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+HONEST = (0.5, 5.0)  # estimate over error
+WANTED = 0.01  # error of the moment that a long run may have
+UNSAFE = 0.9999  # measured over predicted stable step, below which the prediction is not safe
+
+
+def section(datasets: Mapping[str, xr.Dataset]) -> Section | None:
+    """What was measured of the engine, None where nothing was."""
+    # tables show each cell: of a file, every cell would be a read of its own
+    datasets = {name: dataset.load() for name, dataset in datasets.items()}
+    sentences: list[str] = []
+    bad: list[Table] = []
+    if (stability := datasets.get("stability")) is not None:
+        sentences += hard_cases(stability)
+        bad = unexpected(stability)
+    if (steps := datasets.get("stable_step")) is not None:
+        sentences.append(stable_steps(steps))
+    if (validation := datasets.get("validation")) is not None:
+        sentences.append(known(validation))
+    if (effects := datasets.get("effects")) is not None:
+        sentences += costs(effects)
+    if (drawn := datasets.get("random_scenes")) is not None:
+        sentences += random_scenes(drawn)
+    if (long := datasets.get("long_runs")) is not None:
+        sentences += long_runs(long)
+    sentences += references(datasets)
+    return Section(sentences, [*bad, *tables(datasets)]) if sentences else None
+
+
+def unexpected(stability: xr.Dataset) -> list[Table]:
+    """Hard cases that did not come out as a sound engine would have it, as a table; none where all did."""
+    bad = stability.isel(case=~stability["as_expected"].values)
+    columns = [map(str, bad[name].values) for name in ("case", "about", "expected", "finding")]
+    rows = [[Cell(text) for text in row] for row in zip(*columns, strict=True)]
+    about = "What was expected of each, and what was found"
+    heads = ["Case", "What it is", "Expected", "Found"]
+    title = "Hard cases that did not end as expected"
+    return [Table(title, about, heads, set(), rows, folded=False)] if rows else []
+
+
+def references(datasets: Mapping[str, xr.Dataset]) -> list[str]:
+    """How many reference solutions a rerun finds, and which it does not; nothing where none was rerun."""
+    deviations = {
+        f"{study}, {case}": float(deviation)
+        for study, of in datasets.items()
+        if "recomputed" in of.coords
+        for case, deviation in zip(
+            of["recomputed"].values, of["recomputed_deviation"].values, strict=True
+        )
+    }
+    if not deviations:
+        return []
+    bad = [case for case, deviation in deviations.items() if deviation > 1.0]
+    met = len(deviations) - len(bad)
+    but = f"; not: {listed(bad)}" if bad else ""
+    return [
+        "Reference solutions that a rerun finds within the estimated errors: "
+        f"{met} of {len(deviations)}{but}."
+    ]
+
+
+def hard_cases(stability: xr.Dataset) -> list[str]:
+    """How many hard cases came out how, as written."""
+    outcomes = Counter(map(str, stability["written_outcome"].values))
+    met, count = int(stability["as_expected"].sum()), stability.sizes["case"]
+    ended = f"all {count}" if met == count else f"{met} of {count}"
+    text = listed(f"{number} {outcome}" for outcome, number in outcomes.most_common())
+    return [f"Hard cases that ended as expected: {ended} ({text})."]
+
+
+def known(validation: xr.Dataset) -> str:
+    """How many numbers agree with what is known, and which do not."""
+    holds = validation["holds"].values
+    kinds = Counter(map(str, validation["kind"].values))
+    text = listed(counted(number, kind) for kind, number in kinds.items())
+    met = f"all {len(holds)}" if holds.all() else f"{int(holds.sum())} of {len(holds)}"
+    bad = validation.isel(row=~holds)
+    named = [f"{n}, {q}" for n, q in zip(bad["name"].values, bad["quantity"].values, strict=True)]
+    but = f"; not: {listed(named)}" if named else ""
+    return f"Numbers within their tolerance of what is known: {met} ({text}){but}."
+
+
+def stable_steps(steps: xr.Dataset) -> str:
+    """How well the stable step of explicit stepping is predicted."""
+    ratio = steps["measured"] / steps["predicted"]
+    unsafe = ratio.where(ratio < UNSAFE).min("mesh").dropna("variant")
+    named = [
+        f"{name} ({100 * (1.0 - float(x)):.1f} % too long)"
+        for name, x in zip(unsafe["variant"].values, unsafe.values, strict=True)
+    ]
+    return (
+        f"Explicit stepping: the longest stable step measured is {float(ratio.min()):.3f} to "
+        f"{float(ratio.max()):.3f} of the predicted one; "
+        + (
+            f"predictions that were too long: {listed(named)}."
+            if named
+            else "no prediction was too long."
+        )
+    )
+
+
+def costs(effects: xr.Dataset) -> list[str]:
+    """What effects cost, and compiling them."""
+    share = effects["time_share"].drop_sel(effect="solver and bookkeeping", errors="ignore")
+    costliest = share.max("scene").sortby(share.max("scene"), ascending=False)[:3]
+    named = [
+        f"{name} {100 * float(x):.0f} %"
+        for name, x in zip(costliest["effect"].values, costliest.values, strict=True)
+    ]
+    cold = effects.attrs["cold_compile_seconds"]
+    spent = effects.attrs["cold_compile_core_seconds"]
+    compiled = f"Compiled: {effects.attrs['compiled_functions']} functions"
+    return [
+        f"Most expensive effects, by their highest share of the run time in any scene: {listed(named)}.",
+        f"{compiled}; from nothing in {seconds(cold)}, {spent:.0f} core-seconds."
+        if cold == cold
+        else f"{compiled}.",
+    ]
+
+
+def random_scenes(drawn: xr.Dataset) -> list[str]:
+    """Whether an accuracy asked for is reached, honestly estimated, and cheap."""
+    requested, count = float(drawn.attrs["requested"]), drawn.sizes["drawn"]
+    left = int(drawn["message"].str.startswith("not judged").sum())
+    ran = drawn.isel(drawn=drawn["true"].notnull().values)
+    counts = (
+        f"{counted(count, 'random scene')} requested {100 * requested:g} %: "
+        f"{count - left - ran.sizes['drawn']} refused, {left} not judged because the request took long"
+    )
+    if not ran.sizes["drawn"]:
+        return [f"{counts}."]
+    ratio = (ran["estimated"] / ran["true"]).where(ran["true"] > 0.0)
+    work = (ran["work_asked"] / ran["work_fixed"]).dropna("drawn")
+    none = ran.sizes["drawn"] - work.sizes["drawn"]
+    held = ran.isel(drawn=ran["held_out"].values)
+
+    def within(of: xr.Dataset) -> str:
+        return f"{100 * float((of['true'] <= requested).mean()):.0f} %"
+
+    honest = float(((ratio >= HONEST[0]) & (ratio <= HONEST[1])).mean())
+    lines = [
+        f"{counts}. The true error is within it in {within(ran)}, of those held out in {within(held)}; "
+        f"in {100 * honest:.0f} % of the scenes the estimate is between 0.5 and 5 times the true error."
+    ]
+    if work.sizes["drawn"]:
+        middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
+        lines.append(
+            f"All refinements together cost {middle:.2g} times the work of the cheapest uniform mesh and "
+            f"time step of equal error (median; in 95 % of the scenes at most {most:.2g} times). "
+            f"In {none} scenes no cheaper setting was found."
+        )
+    return lines
+
+
+def long_runs(long: xr.Dataset) -> list[str]:
+    """The cheapest settings of each long simulation, and the time that a paper names."""
+    lines = []
+    for case in dict.fromkeys(long["case"].values.tolist()):
+        of = long.isel(run=long["case"].values == case)
+        parts, published = [], ""
+        for error, label in (("error_peak", "the largest moment"), ("error_moment", "all moments")):
+            good = of.isel(run=((of[error] <= WANTED) & of["cpu_seconds"].notnull()).values)
+            if not good.sizes["run"]:
+                parts.append(f"no setting gives {label} to {100 * WANTED:g} %")
+                continue
+            best = good.isel(run=int(good["cpu_seconds"].values.argmin()))
+            spent, named = float(best["cpu_seconds"]), float(best["published_seconds"])
+            published = f"; published run time: {seconds(named)}" if named == named else ""
+            parts.append(
+                f"{seconds(spent)} of CPU time give {label} to {100 * float(best[error]):.2g} % "
+                f"({best['candidate'].item()}, {int(best['elements'])} segments, "
+                f"step {float(best['asked_step']):g} s)"
+            )
+        lines.append(f"Long simulation, {case}: {', '.join(parts)}{published}.")
+    return lines

@@ -1,0 +1,187 @@
+"""What is measured of the engine, case by case, as tables that sort."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from riserstudy.records.page import Cell, Table
+from riserstudy.report.wording import number, seconds, share
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+CHANGES = {
+    "displacement_change": "displacement",
+    "moment_change": "moment",
+    "tension_change": "tension",
+}
+
+
+def tables(datasets: Mapping[str, xr.Dataset]) -> Iterator[Table]:
+    """A table for each of the datasets that has one."""
+    if "stability" in datasets:
+        yield hard_cases(datasets["stability"])
+    if "effects" in datasets:
+        yield changes(datasets["effects"])
+    if "accuracy" in datasets:
+        yield requests(datasets["accuracy"])
+    if "energy" in datasets:
+        yield balances(datasets["energy"])
+    if "validation" in datasets:
+        yield known(datasets["validation"])
+
+
+def hard_cases(stability: xr.Dataset) -> Table:
+    """A row a case: how it ended as written, and the largest steps of each method."""
+    methods = [str(name) for name in stability["method"].values]
+    rows = []
+    for case in stability["case"].values:
+        of = stability.sel(case=case)
+        steps = [
+            [
+                float(of[name].sel({"method": method}))
+                for name in ("largest_accurate_step", "largest_stable_step")
+            ]
+            for method in methods
+        ]
+        rows.append(
+            [
+                Cell(str(case)),
+                Cell(str(of["family"].values)),
+                Cell(str(of["about"].values)),
+                Cell(str(of["written_outcome"].values)),
+                Cell("as expected" if bool(of["as_expected"]) else str(of["finding"].values)),
+                _share(float(of["written_error"])),
+                _share(float(of["written_estimate"])),
+                *(Cell(" | ".join(map(_step, pair)), _order(pair[0])) for pair in steps),
+            ]
+        )
+    about = (
+        "One case a row. Error and estimate are of the scene as it is written. For each method: the largest "
+        "step (s) that is accurate to 1 %, and the largest that survives, on the mesh of the default "
+        "accuracy; a dash where no step of the ladder is."
+    )
+    columns = ["Case", "Family", "What it is", "Ended", "Verdict", "Error", "Estimate", *methods]
+    return Table("Hard cases", about, columns, {*range(5, len(columns))}, rows)
+
+
+def changes(effects: xr.Dataset) -> Table:
+    """A row a scene and change: what it did to the answer and the time."""
+    rows = []
+    for scene in effects["scene"].values:
+        of = effects.sel(scene=scene)
+        for change in of["change"].values:
+            one = of.sel(change=change)
+            values = [float(abs(one[name])) for name in CHANGES]
+            sentences = str(one["message"].values)
+            if not sentences and np.isnan(values).all():
+                continue
+            time = float(one["time_change"])
+            signed = f"{100 * time:+.0f} %" if time == time else ""
+            cells = [
+                Cell(str(scene)),
+                Cell(str(change)),
+                *map(_share, values),
+                Cell(signed, _order(time)),
+            ]
+            rows.append([*cells, Cell(f"cannot be done without: {sentences}" if sentences else "")])
+    about = (
+        "Each effect taken out of a scene (without) or put in (with), on the same mesh with the same step: "
+        "relative change of the largest displacement, moment and top tension, and of the run time."
+    )
+    columns = ["Scene", "Change", *map(str.capitalize, CHANGES.values()), "Time", "Remark"]
+    return Table("Effects, one by one", about, columns, {2, 3, 4, 5}, rows)
+
+
+def requests(accuracy: xr.Dataset) -> Table:
+    """A row a request: tolerance, estimate, error reached and time."""
+    rows = []
+    for k in range(accuracy.sizes.get("request", 0)):
+        of = accuracy.isel(request=k)
+        errors = {
+            kind: [float(of[f"{kind}_{q}"]) for q in CHANGES.values()]
+            for kind in ("estimated", "reached")
+        }
+        largest = [np.nanmax(v) if np.isfinite(v).any() else np.nan for v in errors.values()]
+        spent = float(of["request_seconds"])
+        rows.append(
+            [
+                Cell(str(of["request_scene"].values)),
+                _share(float(of["requested"])),
+                *(_share(float(v)) for v in largest),
+                Cell(seconds(spent) if spent == spent else "", _order(spent)),
+                Cell(str(int(of["request_elements"])) if spent == spent else ""),
+                Cell(number(float(of["request_step"])) if spent == spent else ""),
+                Cell(str(of["request_message"].values)),
+            ]
+        )
+    about = "The largest error of displacement, moment and tension; time of all runs that the request took."
+    columns = [
+        "Scene",
+        "Tolerance",
+        "Estimated",
+        "Reached",
+        "Time",
+        "Segments",
+        "Step (s)",
+        "Remark",
+    ]
+    return Table("Requests for an accuracy", about, columns, {1, 2, 3, 4, 5, 6}, rows)
+
+
+def balances(energy: xr.Dataset) -> Table:
+    """A row a case and method: the largest shares of energy that it dissipates and leaves unexplained."""
+    rows = []
+    for case in energy["case"].values:
+        for method in energy["method"].values:
+            of = energy.sel({"case": case, "method": method})
+            scale = max(float(abs(of[name]).max()) for name in ("exchanged", "stored"))
+            shares = [float(abs(of[n]).max()) / scale for n in ("numerical", "unexplained")]
+            rows.append([Cell(str(case)), Cell(str(method)), *map(_share, shares)])
+    about = "Largest values over time, as shares of the energy exchanged or stored."
+    columns = ["Case", "Method", "Dissipated by the method", "Unexplained"]
+    return Table("Energy", about, columns, {2, 3}, rows)
+
+
+def known(validation: xr.Dataset) -> Table:
+    """A row a closed form, second method or conservation law, beside what the engine computes."""
+    rows = []
+    for k in range(validation.sizes["row"]):
+        of = validation.isel(row=k)
+        text = {
+            name: str(of[name].values) for name in ("name", "quantity", "kind", "by", "because")
+        }
+        unit = str(of["unit"].values)
+        unit = "" if unit == "1" else f" {unit}"
+        both = [
+            Cell(f"{float(of[name]):.8g}{unit}", float(of[name])) for name in ("reference", "value")
+        ]
+        allowed = [
+            Cell(f"{float(of[name]):.1e}", float(of[name])) for name in ("error", "tolerance")
+        ]
+        verdict = Cell("holds" if bool(of["holds"]) else "does not hold")
+        words = [Cell(text[name]) for name in ("name", "quantity", "kind", "by")]
+        rows.append([*words, *both, *allowed, verdict, Cell(text["because"])])
+    about = (
+        "Run anew with every study. The error is the difference over the size of the reference; the last "
+        "column says what its tolerance leaves room for."
+    )
+    columns = ["What", "Number", "Reference", "By", "Known", "Computed", "Error", "Tolerance"]
+    return Table(
+        "Compared with what is known", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows
+    )
+
+
+def _share(value: float) -> Cell:
+    return Cell(share(value) if value == value else "", _order(value))
+
+
+def _step(value: float) -> str:
+    return f"{value:.2g}" if value == value else "–"
+
+
+def _order(value: float) -> float | None:
+    return value if value == value else None

@@ -1,0 +1,121 @@
+"""The three answers of the first screen: a number in large type, a line, and a small picture of each."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from chapters.numerics.answers import hard, never, price, ranking
+from chapters.numerics.figures.stability import ENDS, ended
+from riserstudy.records.page import Tile
+from riserstudy.report.wording import listed
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+WIDTH, HEIGHT = 240, 48  # of a small picture
+TOP = 3  # effects that are named
+ROWS = 5  # effects that are drawn
+
+
+def tiles(datasets: Mapping[str, xr.Dataset]) -> list[Tile]:
+    """A tile for each question; without its dataset, or a number in it, without an answer."""
+    asked = [
+        ("cost", "What does accuracy cost?", "accuracy", _cost),
+        ("stability", "What stays stable?", "stability", _hard),
+        ("effects", "Which effects matter?", "effects", _effects),
+    ]
+    found = []
+    for figure, question, name, answer_of in asked:
+        words = answer_of(datasets[name]) if name in datasets else None
+        found.append(Tile(figure, question, *(words or ())))
+    return found
+
+
+def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
+    found = price(accuracy)
+    if found is None:
+        return None
+    answer = (
+        f"the run time for {found.coarse / found.fine:.0f} times the accuracy "
+        f"({100 * found.coarse:g}\u00a0% to {100 * found.fine:g}\u00a0%)."
+    )
+    scene = accuracy["request_scene"].values
+    requested, seconds = accuracy["requested"].values, accuracy["request_seconds"].values
+    lines = []
+    for name in dict.fromkeys(scene):
+        of = (scene == name) & (seconds > 0.0)
+        points = sorted(zip(-requested[of], seconds[of], strict=True))
+        lines.append([(math.log(-x), math.log(y)) for x, y in points])
+    return f"{found.words}×", answer, _lines([line for line in lines if len(line) > 1])
+
+
+def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
+    counts, ends = hard(stability), ended(stability)
+    parts = [(ENDS[end], ends.count(end)) for end in ENDS if end in ends]
+    silent = (
+        "none is"
+        if not counts.silent
+        else f"{counts.silent} {'is' if counts.silent == 1 else 'are'}"
+    )
+    answer = f"hard cases end as expected; {silent} silently wrong."
+    return f"{counts.met} of {counts.cases}", answer, _stack(parts)
+
+
+def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
+    ranked = ranking(effects)
+    if not ranked:
+        return None
+    top = [one for one in ranked[:TOP] if one.changed]
+    none = [one.name for one in never(ranked)[:2]]
+    least = min((100 * one.changed // one.scenes for one in top), default=0)
+    answer = f"change the answer in at least {least} % of the scenes that have them" if top else ""
+    if none:
+        answer += f"; {listed(none)} in none"
+    rows = [*ranked[: ROWS - 1], *never(ranked)[:1]]
+    number = listed(one.name for one in top) if top else "none"
+    return number, f"{answer}.", _bars([one.changed / one.scenes for one in rows])
+
+
+def _svg(inside: str) -> str:
+    return (
+        f'<svg class="spark" viewBox="0 0 {WIDTH} {HEIGHT}" preserveAspectRatio="none" '
+        f'aria-hidden="true">{inside}</svg>'
+    )
+
+
+def _lines(lines: Sequence[Sequence[tuple[float, float]]]) -> str:
+    """A line per scene; finer tolerances to the right, longer times upwards."""
+    if not lines:
+        return ""
+    xs, ys = zip(*(point for line in lines for point in line), strict=True)
+
+    def place(x: float, y: float) -> str:
+        across = (max(xs) - x) / ((max(xs) - min(xs)) or 1.0)
+        up = (y - min(ys)) / ((max(ys) - min(ys)) or 1.0)
+        return f"{4 + across * (WIDTH - 8):.1f},{HEIGHT - 4 - up * (HEIGHT - 8):.1f}"
+
+    drawn = (" ".join(place(*point) for point in line) for line in lines)
+    return _svg("".join(f'<polyline class="line" points="{points}"/>' for points in drawn))
+
+
+def _stack(parts: Sequence[tuple[str, int]]) -> str:
+    """One bar in the shares of its parts."""
+    total, x, drawn = sum(count for _, count in parts), 0.0, ""
+    for colour, count in parts:
+        width = WIDTH * count / total
+        drawn += f'<rect x="{x:.1f}" y="14" width="{width:.1f}" height="20" fill="{colour}"/>'
+        x += width
+    return _svg(drawn)
+
+
+def _bars(shares: Sequence[float]) -> str:
+    """One bar per share, from top to bottom."""
+    step = HEIGHT / len(shares)
+    drawn = (
+        f'<rect class="fill" x="0" y="{k * step + 1:.1f}" width="{max(1.0, WIDTH * one):.1f}" '
+        f'height="{step - 3:.1f}"/>'
+        for k, one in enumerate(shares)
+    )
+    return _svg("".join(drawn))

@@ -1,0 +1,152 @@
+"""Motion over time, compared with closed forms, other methods and conservation laws."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chapters.numerics import closed_forms as known
+from chapters.numerics import references
+from chapters.numerics.validation_row import (
+    CLOSED,
+    CONSERVED,
+    SECOND,
+    Files,
+    Row,
+    held_below,
+    simulated,
+)
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
+
+if TYPE_CHECKING:
+    pass
+
+
+SURGE = {"analysis.duration": "60 s", "analysis.output": {"interval": "0.25 s"}}
+
+UNITS = {"displacement": "m", "moment": "N m"}
+
+
+def _envelope(file: SceneFile) -> dict[str, float]:
+    run = simulated(file)
+    names = {"displacement": "x_absmax", "moment": "bending_moment_absmax"}
+    return {name: float(run[key].max()) for name, key in names.items()}
+
+
+def wave(_: Files) -> Iterator[Row]:
+    """Half of the pull at the top of a bar is lost: a wave runs down it and comes back doubled."""
+    stiffness, mass, pull = 8e9, 320.0, 2e6
+    section = {"length": "1800 m", "axial_stiffness": f"{stiffness} N", "mass": f"{mass} kg/m"}
+    loss = {"share": 0.5, "at": "0.05 s", "over": "0.2 s"}
+    analysis = {"duration": "0.7 s", "output": {"interval": "0.01 s"}, "step": "0.5 ms"}
+    analysis |= {"mesh": {"elements": 360}}
+    run = simulated(held_below(section, {"tension": f"{pull} N", "tension_loss": loss}, analysis))
+    top = run["z"].isel(s=-1)
+    fall = float(top[0] - top.sel(time=0.6, method="nearest"))
+    exact = known.fall_of_a_bar(0.5 * pull, stiffness, mass, 0.6 - 0.15)
+    case, because = "bar that loses half its pull", "360 segments; the front is 0.2 s long"
+    by = "ΔF t / √(EA m), until the wave is back"
+    yield Row(case, "fall of its top in 0.6 s", "m", CLOSED, by, exact, fall, 1e-6, because)
+    below = float(run["effective_tension"].isel(s=0, time=-1))
+    by = "T - 2 ΔF, once the wave has been thrown back at the foot"
+    yield Row(case, "tension at its foot", "N", CLOSED, by, 0.0, below, 1e-5, because, pull)
+
+
+def decay(_: Files) -> Iterator[Row]:
+    """A mass on a spring that dissipates in proportion to its rate of strain, let go."""
+    length, stiffness, mass, ratio = 100.0, 343e6, 749e3, 0.03
+    frequency = math.sqrt(stiffness / length / mass)
+    damping = {"ratio": ratio, "at_period": f"{2.0 * math.pi / frequency!r} s"}
+    section: dict[str, Any] = {"length": f"{length} m", "axial_stiffness": f"{stiffness} N"}
+    section["structural_damping"] = damping
+    body = {"name": "mass", "mass": f"{mass} kg"}
+    loss = {"share": 1.0, "at": "0.5 s", "over": "0.5 s"}
+    analysis = {"duration": "30 s", "output": {"interval": "0.01 s"}, "step": "0.01 s"}
+    top = {"body": body, "tension": "1 MN", "tension_loss": loss}
+    run = simulated(held_below(section, top, analysis | {"mesh": {"elements": 1}}))
+    z = run["z"].isel(s=-1).values - length
+    peaks = _tops(z[100:])
+    decrement = math.log(peaks[0] / peaks[5]) / 5.0
+    exact = known.decrement(ratio)
+    case, by = "mass on a damped spring (Kelvin, Voigt)", "2 π ζ / √(1 - ζ²)"
+    because = "steps of a 300th of the period, second order"
+    yield Row(case, "decrement", "1", CLOSED, by, exact, decrement, 3e-4, because)
+
+
+def _tops(values: NDArray[np.float64]) -> list[float]:
+    """Values at the tops of a swing, by the parabola through three."""
+    middle = np.flatnonzero((values[1:-1] > values[:-2]) & (values[1:-1] >= values[2:])) + 1
+    tops = []
+    for k in middle:
+        a, b, c = values[k - 1 : k + 2]
+        tops.append(float(b + (a - c) ** 2 / (8.0 * (2.0 * b - a - c))))
+    return tops
+
+
+def methods(files: Files) -> Iterator[Row]:
+    """Surge by methods of stepping that share no step."""
+    alike = "both errors in time, at steps of 0.02 and 0.1 s"
+    lumped = "explicit stepping lumps masses: second order in the 160 segments"
+    for name, elements, sets, tolerances, because in (
+        ("ESDIRK4", 40, {"analysis.step": "0.1 s"}, (5e-5, 2e-4), alike),
+        ("explicit", 160, {"analysis.step": "0.4 ms"}, (1e-4, 2e-3), lumped),
+    ):
+        mesh = {"analysis.mesh": {"elements": elements}, "analysis.step": "0.02 s"}
+        base = files["S2c"].with_values(SURGE | mesh, "validation")
+        ours = _envelope(base)
+        other = _envelope(base.with_values({"analysis.method": name} | sets, "validation"))
+        case = f"surge, generalised-α and {name}"
+        for (quantity, unit), tolerance in zip(UNITS.items(), tolerances, strict=True):
+            by = f"{name}, on the same mesh"
+            one, two = other[quantity], ours[quantity]
+            yield Row(case, quantity, unit, SECOND, by, one, two, tolerance, because)
+
+
+def hermite(files: Files) -> Iterator[Row]:
+    """A small surge by lumped masses and by the Hermite beam, which share no code."""
+    small = SURGE | {"platform.surge.amplitude": "0.2 m", "analysis.mesh": {"elements": 80}}
+    small |= {"analysis.step": "0.02 s"}
+    lumped = files["S2"].with_values(small, "validation")
+    beam = lumped.with_values(
+        {"analysis.solver": "hermite", "analysis.method": {"beta": 0.25, "gamma": 0.5}},
+        "validation",
+    )
+    one, other = _envelope(lumped), _envelope(beam)
+    for quantity, unit in UNITS.items():
+        case, by = "small surge, lumped masses and finite elements", "Hermite's beam"
+        because = "the beam neither stretches nor turns: strain 3e-4, slopes 3e-3"
+        yield Row(case, quantity, unit, SECOND, by, other[quantity], one[quantity], 1e-3, because)
+
+
+def energy(files: Files) -> Iterator[Row]:
+    """What the account of a run leaves unexplained of the energy that was exchanged."""
+    for name, elements, step in (("S2c", 40, "0.02 s"), ("S3", 40, "5 ms")):
+        sets = SURGE | {"analysis.mesh": {"elements": elements}, "analysis.step": step}
+        run = simulated(files[name], sets)
+        share = float(json.loads(run.attrs["audit"])["unexplained_share"])
+        case, by = f"energy of {name}", "work = stored + dissipated"
+        because = "quadrature of the account over steps"
+        yield Row(case, "share unexplained", "1", CONSERVED, by, 0.0, share, 1e-4, because, 1.0)
+
+
+def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
+    """Whole histories that other programs made of a scene, at the accuracy that a run has by default."""
+    for name, path in stored.items():
+        other = references.stored(path)
+        short = {"analysis.duration": "60 s", "analysis.output": {"interval": "0.1 s"}}
+        scene = files[name].with_values(short, "validation").resolved()
+        requested = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
+        for quantity, error in other.errors(run(scene)).items():
+            case, because = f"{name} from beginning to end", "the default accuracy"
+            yield Row(
+                case, f"largest difference of {quantity}", "1", SECOND,
+                other.about.removeprefix("stored: "), 0.0, error, requested[quantity], because, 1.0,
+            )  # fmt: skip

@@ -1,0 +1,197 @@
+"""What each effect changes and costs: a scene with and without it, on one mesh, with one step.
+
+Times are of runs in turn, the whole round repeated, and the median of each is taken: what else the
+machine does falls on all of them alike. The first steps are run before, which loads kernels.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from statistics import median
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.advice.changes import fitting
+from riserstudy.dataset.result import Result
+from riserstudy.effects.registry import Change
+from riserstudy.errors import RiserStudyError
+from riserstudy.model.mesh import Mesh, even
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.run import single
+from riserstudy.simulation.starting_mesh import massless, period
+
+Array = NDArray[np.float64]
+FEW = 4  # steps of a run that loads kernels
+SEGMENTS = 100  # where a scene has no mesh of its own
+STEPS_A_PERIOD = 48  # where it has no step
+ROUNDING = 1e-9  # share of the riser's length below which nothing has moved
+
+
+class Peaks(NamedTuple):
+    """Largest values of a run: what the change of an effect is measured in."""
+
+    displacement: float  # m, sideways, or along the riser where it cannot move sideways
+    moment: float  # N m, not a number in a string
+    tension: float  # N, at the top
+
+    def change_to(self, other: Peaks) -> tuple[float, float, float]:
+        """Relative change of each, not a number where there was nothing."""
+        pairs = zip(self, other, strict=True)
+        return tuple(b / a - 1.0 if a > 0.0 else math.nan for a, b in pairs)  # type: ignore[return-value]
+
+
+def peaks(result: Result) -> Peaks:
+    """Largest values of a run."""
+    arrays = result.arrays
+
+    ends = ("_max", "_min") if "time" in arrays else ("_static",)
+
+    def largest(name: str, rest: Array | float = 0.0) -> float:
+        sides = [arrays[name + end] for end in ends if name + end in arrays]
+        return max((float(np.abs(values - rest).max()) for values in sides), default=0.0)
+
+    sideways = math.hypot(*(largest(name) for name in "xy"))
+    length = float(arrays["s_node"][-1])
+    moved = sideways if sideways > ROUNDING * length else largest("z", straight(result))
+    top = float(np.abs(arrays["effective_tension" + ends[0]][-2:]).max())
+    moment = largest("bending_moment") if "bending_moment_static" in arrays else math.nan
+    return Peaks(moved, moment, top)
+
+
+def straight(result: Result) -> Array:
+    """Elevations that axial motion is counted from: at rest, or unstretched where nothing moves."""
+    arrays = result.arrays
+    return arrays["z_static"] if "time" in arrays else arrays["z_static"][0] + arrays["s_node"]
+
+
+@dataclass(kw_only=True)
+class Measured:
+    """Peaks of a run, and the times of its repeats."""
+
+    peaks: Peaks | None = None
+    times: list[float] = field(default_factory=list)  # s
+
+    @property
+    def seconds(self) -> float:
+        """Median of the times (s); infinite where nothing was timed."""
+        return median(self.times) if self.times else math.inf
+
+    @property
+    def scatter(self) -> float:
+        """Half of the range of the times, relative to their median."""
+        return 0.5 * (max(self.times) - min(self.times)) / self.seconds if self.times else 0.0
+
+
+@dataclass
+class Changed(Measured):
+    """A scene with one effect changed, and what that made of it."""
+
+    change: Change
+    because: str = ""
+    message: str = ""
+
+
+@dataclass
+class Ablation(Measured):
+    """A scene, its mesh and step, and all changes of it."""
+
+    file: SceneFile
+    mesh: Mesh
+    step: float | None
+    changed: list[Changed] = field(default_factory=list)
+
+
+#: is told what is run next
+Notify = Callable[[str], None]
+
+
+def ablate(
+    file: SceneFile, repeats: int, budget: float, notify: Notify = lambda _: None
+) -> Ablation:
+    """Every fitting change of a scene, on one mesh with one step.
+
+    Parameters
+    ----------
+    repeats : timed runs of each.
+    budget : node-steps of a run.
+
+    Raises
+    ------
+    RiserStudyError
+        When the scene itself cannot be run.
+    """
+    file, mesh = fixed(file, budget)
+    scene = file.resolved()
+    step = scene.analysis.step
+    base = Ablation(file, mesh, step)
+    runs: list[tuple[Ablation | Changed, Resolved]] = [(base, scene)]
+    every = list(fitting(file))
+    for k, (change, other) in enumerate(every, 1):
+        notify(f"{k} of {len(every)} changes: {change.label}")
+        changed = Changed(change, change.because or "")
+        base.changed.append(changed)
+        try:
+            of_change = other.resolved()
+            single(brief(of_change, step), mesh, step)
+            runs.append((changed, of_change))
+        except RiserStudyError as error:
+            changed.message = str(error)
+    single(brief(scene, step), mesh, step)
+    for k in range(repeats):
+        notify(f"timing {len(runs)} runs, round {k + 1} of {repeats}")
+        for of, which in list(runs):
+            try:
+                measure(of, which, mesh, step)
+            except RiserStudyError as error:
+                if not isinstance(of, Changed):
+                    raise
+                of.message = str(error)
+                runs.remove((of, which))
+    return base
+
+
+def brief(scene: Resolved, step: float | None) -> Resolved:
+    """The first steps of a scene, which load its kernels; all of it where others are run later on."""
+    if step is None or scene.analysis.output is None or scene.disconnect or scene.vessel:
+        return scene
+    output = scene.analysis.output.model_copy(update={"start": None, "interval": FEW * step})
+    return scene.model_copy(
+        update={
+            "analysis": scene.analysis.model_copy(update={"duration": FEW * step, "output": output})
+        }
+    )
+
+
+def measure(of: Measured, scene: Resolved, mesh: Mesh, step: float | None) -> None:
+    """One run, its peaks, and its time."""
+    result = single(scene, mesh, step)
+    of.peaks = peaks(result)
+    of.times.append(float(result.facts["solve_seconds"]))
+
+
+def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:
+    """The scene with its mesh and step, short enough for a budget of node-steps.
+
+    Without mesh and step of its own it gets plain ones, fine enough to see what an effect changes: that is
+    the difference of two runs which share their errors.
+    """
+    scene = file.resolved()
+    a = scene.analysis
+    segments = len(scene.riser) if massless(scene) else SEGMENTS
+    mesh = even(scene, a.mesh.elements if a.mesh else segments)
+    values: dict[str, Any] = {"analysis.accuracy": None}
+    values["analysis.mesh"] = {"elements": len(mesh.l0) - int(mesh.joint)}
+    if a.duration:
+        step = a.step or period(scene) / STEPS_A_PERIOD
+        values["analysis.step"] = f"{step!r} s"
+        most = budget * step / len(mesh.s)
+        if a.duration > most:
+            values["analysis.duration"] = f"{most!r} s"
+            if a.output and a.output.start:
+                values["analysis.output.start"] = None
+    return file.with_values(values, "fixed mesh and step"), mesh

@@ -1,0 +1,112 @@
+"""What accuracy costs for one scene: mesh, step, error and time at several requests."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from riserstudy.errors import TakesTooLong
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.error_estimate import deciding
+from riserstudy.simulation.forecast import forecast
+from riserstudy.simulation.progress_line import progress_line
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.simulate import at_accuracy
+from riserstudy.simulation.time_limit import Notify, Watch
+
+#: relative errors, and None for what a scene without a request gets, from the cheapest on
+REQUESTS = (0.05, 0.01, None, 0.002, 0.0005)
+OF_ACCURACY = ("analysis.mesh", "analysis.step", "analysis.accuracy")  # absent where it is default
+SLOWEST = 60.0  # seconds: a request that took longer is the last
+PATIENCE = 600.0  # seconds after which a request is given up
+
+
+class Price(NamedTuple):
+    """What one request came to."""
+
+    requested: float | None  # None: the default, which has an error for each quantity
+    estimated: float  # largest of moment, or of tension and displacement
+    elements: int
+    step: float | None  # (s)
+    seconds: float  # of all refinements, kernels compiled; of a long run as forecast
+    forecast: bool  # from its first periods
+
+
+def prices(file: SceneFile, progress: bool = False) -> Iterator[Price]:
+    """Run a scene at ever finer requests; the first run, which may compile, is not timed.
+
+    Of a scene that lasts long its first periods are run, and their time is multiplied.
+
+    Parameters
+    ----------
+    progress : show on a terminal what is run, and elsewhere say it once it takes long.
+
+    Raises
+    ------
+    SimulationError
+        When a run cannot be completed.
+    TakesTooLong
+        When one does not end within ``PATIENCE``.
+    """
+    for share in REQUESTS:
+        with progress_line(progress) as notify:
+            price = _price(requesting(file, share), share, notify, share == REQUESTS[0])
+        yield price
+        if price.seconds > SLOWEST and not price.forecast:
+            return
+
+
+def _price(scene: Resolved, share: float | None, notify: Notify | None, first: bool) -> Price:
+    """What one request comes to."""
+    if price := forecast(scene, Watch(PATIENCE, notify)):
+        error = deciding(price.error)
+        return Price(share, error, price.elements, price.step, price.seconds, True)
+    if first:
+        run(scene, PATIENCE, notify=notify)
+    started = clock.perf_counter()
+    facts = run(scene, PATIENCE, notify=notify).facts
+    if "ended_by" in facts:
+        raise TakesTooLong(f"a run does not reach {_requested(share)} within {PATIENCE:g} s")
+    seconds = clock.perf_counter() - started
+    estimated = deciding(facts.get("error_estimate", {}))
+    return Price(share, estimated, facts["elements"], facts.get("step"), seconds, False)
+
+
+def requesting(file: SceneFile, share: float | None) -> Resolved:
+    """The scene with a relative error requested in place of its mesh and step; None for the default."""
+    if share is not None:
+        return at_accuracy(file, f"{100 * share!r} %").resolved()
+    return file.with_values(dict.fromkeys(OF_ACCURACY), "default").resolved()
+
+
+def _requested(share: float | None) -> str:
+    """A request in a label."""
+    return "default" if share is None else f"{100 * share:g} %"
+
+
+def plot(found: list[Price], title: str, target: Path) -> None:
+    """Draw error and time over the request."""
+    from matplotlib.figure import Figure
+    from matplotlib.ticker import NullFormatter
+
+    from riserstudy.figures import save
+
+    figure = Figure((6.0, 3.8), dpi=150, layout="constrained")
+    ax = figure.add_subplot()
+    ax.loglog([p.seconds for p in found], [p.estimated for p in found], "o-", ms=5)
+    for p in found:
+        ax.annotate(
+            f"  {_requested(p.requested)}: {p.elements} segments",
+            (p.seconds, p.estimated),
+            fontsize=8,
+        )
+    ax.set_xlabel("wall time of a run, all refinements (s)")
+    ax.set_ylabel("estimated error (-)")
+    ax.set_title(title, fontsize="medium")
+    ax.margins(x=0.4)
+    ax.xaxis.set_minor_formatter(NullFormatter())
+    ax.grid(alpha=0.3)
+    save(figure, target)

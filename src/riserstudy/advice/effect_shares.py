@@ -1,0 +1,64 @@
+"""The ledger of a scene: what is solved for and why, what it could call for, share of run time by effect."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from riserstudy.advice.ablation import fixed
+from riserstudy.advice.changes import fitting
+from riserstudy.advice.effect_cost import REST, costs, freedom
+from riserstudy.effects.catalogue import catalogue
+from riserstudy.errors import SimulationError
+from riserstudy.model.build import build
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.equilibrium import settle
+
+BUDGET = 5e5  # node-steps a timed run; shares do not depend on how long it is
+
+
+def could_have(file: SceneFile) -> set[str]:
+    """Effects that a scene lacks and could call for as it is, by name."""
+    added = {change.label for change, _ in fitting(file) if change.kind == "added"}
+    return {
+        name
+        for name, effect in catalogue().items()
+        if any(change.label in added for change in effect.changes)
+    }
+
+
+def solved_for(file: SceneFile) -> str:
+    """Directions in which a scene is free, and what makes it so."""
+    scene = file.resolved()
+    model = build(scene, fixed(file, BUDGET)[1], ring_elevation=0.0)
+    return freedom(scene, model).because.partition(":")[0]
+
+
+class Prices(NamedTuple):
+    """Share of run time by effect, and what else is to be said."""
+
+    share: dict[str, float]
+    sentences: list[str]
+
+
+def priced(file: SceneFile) -> Prices:
+    """Measure what the effects of a scene cost, on its own mesh and step or on plain ones.
+
+    A scene that cannot be run has a ledger without prices, and says why.
+    """
+    if file.resolved().analysis.solver:
+        return Prices({}, ["no times: measured for lumped masses only"])
+    try:
+        alone, mesh = fixed(file, BUDGET)
+        scene = alone.resolved()
+        model, _ = settle(scene, mesh)
+        share = {cost.name: cost.share for cost in costs(scene, mesh, scene.analysis.step)}
+    except SimulationError as error:
+        return Prices({}, [f"no times: {error}"])
+    unknowns, because = freedom(scene, model)
+    step = f", step {scene.analysis.step:.4g} s" if scene.analysis.step else ""
+    text = [
+        f"Timed on {len(mesh.l0)} segments{step}; the solver and all else takes "
+        f"{100 * share.pop(REST):.0f} %.",
+        f"{unknowns} degrees of freedom: {because}",
+    ]
+    return Prices(share, text)

@@ -1,0 +1,137 @@
+"""Advice on a scene: which effects are removable at its tolerance, and which are missing."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from riserstudy.advice.ablation import Ablation, Changed, Notify, ablate
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
+
+REPEATS = 5  # rounds of timed runs, of which the median counts
+BUDGET = 5e5  # node-steps a run; longer scenes are cut short
+COULD_GO, NEEDED, NO_GAIN = "removable", "needed", "removable, no time saved"
+MISSING, NOT_MISSED = "recommended", "not needed"
+
+
+class Row(NamedTuple):
+    """One change of the scene: what it does to the peaks and the run time, and what follows."""
+
+    label: str
+    because: str
+    changes: list[str]
+    verdict: str
+    counts: bool
+
+
+class Advice(NamedTuple):
+    """All changes, those to act on first, and the advice in words."""
+
+    rows: list[Row]
+    sentences: list[str]
+
+
+def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
+    """Change every effect of a scene in turn.
+
+    Parameters
+    ----------
+    notify : is told what is run next.
+
+    Raises
+    ------
+    SimulationError
+        When the scene itself cannot be run.
+    """
+    limits = accuracy_of(file.resolved())
+    base = ablate(file, REPEATS, BUDGET, notify)
+    rows = [row(base, changed, limits) for changed in base.changed]
+    order = (COULD_GO, MISSING, NEEDED, NO_GAIN, NOT_MISSED)
+    rows.sort(key=lambda r: order.index(r.verdict) if r.verdict in order else len(order))
+    go = [f"{_effect(r)} (run time {r.changes[-1]})" for r in rows if r.verdict == COULD_GO]
+    idle = [_effect(r) for r in rows if r.verdict == NO_GAIN]
+    missing = [f"{_effect(r)} ({_largest(r)})" for r in rows if r.verdict == MISSING]
+    limit = f"{100 * limits[0]:g} % of displacement, {100 * limits[1]:g} % of moment and tension"
+    before, after = (f.resolved().analysis.duration for f in (file, base.file))
+    step = f", step {base.step:.3g} s" if base.step else ""
+    cut = f", over the first {after:.4g} s of {before:.4g} s" if before != after else ""
+    probe = (
+        f"Judged on {len(base.mesh.l0)} segments{step}{cut}; times are medians of {REPEATS} runs."
+    )
+    return Advice(
+        rows,
+        [
+            f"Removable, one at a time, with a shorter run: {', '.join(go) or 'none'}.",
+            f"Removable, but no time is saved: {', '.join(idle) or 'none'}.",
+            f"Recommended: {', '.join(missing) or 'none'}.",
+            f"An effect is removable if the answer changes by at most {limit}.",
+            probe,
+        ],
+    )
+
+
+def accuracy_of(scene: Resolved) -> tuple[float, float, float]:
+    """Requested accuracy, of displacement, moment and tension."""
+    accuracy = scene.analysis.accuracy
+    return (accuracy or DISPLACEMENT, accuracy or MOMENT, accuracy or MOMENT)
+
+
+def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) -> Row:
+    """What a change does, in words."""
+    label, because = changed.change.label, changed.because
+    if changed.peaks is None or base.peaks is None or changed.message:
+        return Row(label, f"cannot be run: {changed.message}", [""] * 4, "cannot be run", False)
+    sizes = base.peaks.change_to(changed.peaks)
+    lost = math.isnan(changed.peaks.moment) and base.peaks.moment > 0.0
+    small = not lost and all(
+        math.isnan(size) or abs(size) <= limit for size, limit in zip(sizes, limits, strict=True)
+    )
+    if changed.change.kind == "removed":
+        verdict = (COULD_GO if saves(base, changed) else NO_GAIN) if small else NEEDED
+    else:
+        verdict = NOT_MISSED if small else MISSING
+    displayed = [*map(percent, sizes), longer(base, changed)]
+    return Row(label, because, displayed, verdict, verdict in (COULD_GO, MISSING))
+
+
+def _effect(row: Row) -> str:
+    """The effect that a row removes or adds."""
+    return row.label.removeprefix("with ").removeprefix("without ")
+
+
+def _largest(row: Row) -> str:
+    """The largest of the changes of a row, with its quantity."""
+    sizes = [
+        (float(text.removesuffix(" %")), text, name)
+        for text, name in zip(row.changes, ("displacement", "moment", "tension"), strict=False)
+        if text
+    ]
+    if not sizes:
+        return "change not known"
+    _, text, name = max(sizes, key=lambda one: abs(one[0]))
+    return f"{text} {name}"
+
+
+def saves(base: Ablation, changed: Changed) -> bool:
+    """Whether a change shortens the run, by more than repeats of it scatter."""
+    return 1.0 - changed.seconds / base.seconds > max(base.scatter, changed.scatter)
+
+
+def longer(base: Ablation, changed: Changed) -> str:
+    """Change of the run time, as far as it stands out of the scatter of repeats."""
+    ratio = changed.seconds / base.seconds
+    if abs(ratio - 1.0) <= max(base.scatter, changed.scatter):
+        return "as before"
+    return f"{ratio:.2g} times" if ratio >= 2.0 else percent(ratio - 1.0)
+
+
+def percent(value: float) -> str:
+    """A relative change as a signed percentage to two digits."""
+    if math.isnan(value):
+        return ""
+    size = 100.0 * value
+    if abs(size) < 0.005:
+        return "0 %"
+    return f"{size:+.0f} %" if abs(size) >= 10.0 else f"{size:+.2g} %"

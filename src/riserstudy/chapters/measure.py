@@ -1,0 +1,30 @@
+"""Measure a dataset of a chapter by the chapter's own code."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from riserstudy.chapters import function_of
+from riserstudy.dataset.label import history
+from riserstudy.digests import engine_digest
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from riserstudy.study.measured import MeasuredModel, Setting
+
+
+def measure(paper: str, name: str, model: MeasuredModel, setting: Setting) -> xr.Dataset:
+    """Dataset ``name`` of a paper, by the function of that name in its chapter's ``measured``.
+
+    It is labelled with the engine that it was measured with.
+    """
+    dataset: xr.Dataset = function_of(paper, "measured", name)(model, setting)
+    dataset.attrs |= {
+        "Conventions": "CF-1.11",
+        "title": f"{paper} {name}: {model.caption}",
+        "tier": setting.tier,
+        "engine": engine_digest(),
+        "history": history(f"measured {paper} {name}, tier {setting.tier}"),
+    }
+    return dataset

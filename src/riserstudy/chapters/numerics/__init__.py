@@ -1,1 +1,0 @@
-"""The engine measured: what is derived from its runs, drawn and claimed."""

@@ -1,1 +1,0 @@
-"""Studies of the engine itself: what stays stable, and what each effect changes and costs."""

@@ -1,0 +1,113 @@
+"""What effects of a scene change and cost, and the advice that follows: no more than is true."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy.advice.ablation import Ablation, Changed, Peaks, ablate
+from riserstudy.advice.changes import fitting
+from riserstudy.advice.effect_shares import priced
+from riserstudy.advice.recommendations import COULD_GO, MISSING, NEEDED, NO_GAIN, advice, row
+from riserstudy.effects.catalogue import changes
+from riserstudy.scene.load import SceneFile, read_scene
+
+CONFIG = Path(__file__).parents[2] / "config"
+SURGE = read_scene(CONFIG / "scenes/hard/surge.yaml")
+SHORT = SURGE.with_values(
+    {"analysis.duration": "20 s", "analysis.step": "0.2 s", "analysis.mesh.elements": 20}, ""
+)
+AGAINST = read_scene(CONFIG / "scenes/liu2017/ref_180.yaml").with_values(
+    {"analysis.duration": "20 s", "analysis.step": "0.5 s", "analysis.mesh.elements": 20}, ""
+)
+
+
+def test_changes_have_names_of_their_own():
+    labels = [change.label for change in changes()]
+    assert len(set(labels)) == len(labels)
+
+
+@pytest.mark.parametrize("path", sorted((CONFIG / "scenes").glob("*/*.yaml")), ids=lambda p: p.stem)
+def test_some_effect_can_be_taken_out_of_every_scene(path):
+    assert any(
+        change.kind == "removed" for change, _ in fitting(read_scene(path))
+    ) or path.stem in ("s4a", "s4c", "s4d", "column")
+
+
+def test_only_what_is_there_is_taken_out_and_only_what_is_missing_is_put_in():
+    labels = {change.label for change, _ in fitting(SURGE)}
+    assert {"without drag", "without surge", "with structural damping"} <= labels
+    assert not {"without wave", "with drag", "with surge", "with wave"} & labels
+
+
+def test_without_what_moves_it_the_riser_rests():
+    base = ablate(SHORT, 1, 1e6)
+    found = {one.change.label: one for one in base.changed}
+    assert found["without surge"].peaks.displacement < 1e-9
+    assert found["without drag"].peaks.moment > 1.05 * base.peaks.moment  # which drag damps
+
+
+@pytest.mark.parametrize("file", [SHORT, AGAINST], ids=["along x", "current against x"])
+def test_freedom_across_that_nothing_calls_for_changes_nothing(file):
+    base = ablate(file, 1, 1e6)
+    found = {one.change.label: one for one in base.changed}
+    change = base.peaks.change_to(found["with motion out of the plane"].peaks)
+    assert np.abs(change).max() < 1e-8
+
+
+def test_shares_of_time_are_shares_and_absent_effects_have_none():
+    prices = priced(SHORT)
+    assert {"drag", "added mass", "bending"} <= set(prices.share)
+    assert "wave" not in prices.share
+    assert all(share >= 0.0 for share in prices.share.values())
+    assert sum(prices.share.values()) < 1.1
+    assert "(platform.surge)" in prices.sentences[1]
+
+
+def test_advice_keeps_what_decides_and_lets_go_what_does_not():
+    light = SHORT.with_values({"riser[0].submerged_weight": "0.1 N/m"}, "")
+    verdicts = {row.label: row.verdict for row in advice(light).rows}
+    assert verdicts["without weight"] in (COULD_GO, NO_GAIN)  # as the time of so short a run has it
+    assert verdicts["without drag"] == NEEDED
+    assert verdicts["with current"] == MISSING
+
+
+@pytest.mark.parametrize(
+    "seconds, verdict", [(0.8, COULD_GO), (0.99, NO_GAIN), (1.0, NO_GAIN), (1.2, NO_GAIN)]
+)
+def test_what_saves_no_time_is_not_advised_to_go(seconds, verdict):
+    alike = Peaks(1.0, 1.0, 1.0)
+    without = next(change for change in changes() if change.kind == "removed")
+    base = Ablation(SHORT, None, None, peaks=alike, times=[0.98, 1.0, 1.02])
+    changed = Changed(without, peaks=alike, times=[seconds])
+    assert row(base, changed, (0.01, 0.01, 0.01)).verdict == verdict
+
+
+def test_a_scene_that_cannot_run_has_a_ledger_without_times():
+    falling = SHORT.with_values({"top.tension": "1 kN"}, "")
+    prices = priced(falling)
+    assert prices.share == {}
+    assert prices.sentences[0].startswith("no times: ")
+
+
+@pytest.mark.parametrize("first, last", [(-5.7, 9.0), (-12.0, 4.0), (-20.0, 20.0)])
+def test_stops_are_put_in_where_a_table_of_tensioners_ends(first, last):
+    table = [{"reach": f"{r} m", "force": f"{800 + 10 * r} kN"} for r in (first, 0.0, last)]
+    file = SceneFile(
+        "rig.yaml",
+        {
+            "title": "rig", "gravity": "9.81 m/s^2",
+            "riser": [{"name": "r", "length": "500 m", "axial_stiffness": "5e9 N", "mass": "500 kg/m",
+                       "submerged_weight": "2 kN/m"}],
+            "bottom": {"hold": "wellhead", "elevation": "-500 m"},
+            "top": {
+                "z": "free",
+                "tensioners": {"count": 4, "mid_stroke": "riser unstretched", "table": table},
+            },
+            "platform": {"heave": {"amplitude": "1 m", "period": "10 s", "ramp": "10 s"}},
+            "analysis": {"duration": "20 s", "output": {"interval": "1 s"}},
+        },
+    )  # fmt: skip
+    (changed,) = [scene for change, scene in fitting(file) if change.label == "with end stops"]
+    stroke = changed.resolved().top.tensioners.stroke
+    assert (stroke.shortest, stroke.longest) == (max(first, -7.5), min(last, 7.5))

@@ -1,0 +1,121 @@
+"""What effects change and cost: told for every scene, and no more than is true."""
+
+import json
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from numba import njit
+
+from chapters.numerics.answers import never, ranking
+from chapters.numerics.measured.effects import effects, kernels
+from chapters.numerics.scenes import bases
+from riserstudy.chapters.draw import draw
+from riserstudy.scene.load import read_scene
+from riserstudy.simulation.compile_times import while_compiling
+from riserstudy.study.measured import Setting
+from riserstudy.study.read import read_studies, read_study
+
+CONFIG = Path(__file__).parents[3] / "config"
+SURGE = read_scene(CONFIG / "scenes/hard/surge.yaml")
+SHORT = SURGE.with_values(
+    {"analysis.duration": "20 s", "analysis.step": "0.2 s", "analysis.mesh.elements": 20}, ""
+)
+AGAINST = read_scene(CONFIG / "scenes/liu2017/ref_180.yaml").with_values(
+    {"analysis.duration": "20 s", "analysis.step": "0.5 s", "analysis.mesh.elements": 20}, ""
+)
+
+
+def test_every_kind_of_scene_that_options_make_is_there_once():
+    studies = [
+        read_study(CONFIG, "mao_hangoff", name, "standard", None)
+        for name in ("hangoff_ref", "steady")
+    ]
+    found = dict(bases(studies, "standard"))
+    variants = ["hangoff_ref_heave", "hangoff_ref_xdrag"]  # another mass alone is the same kind
+    options = [f"mao_hangoff/hangoff_ref: {name}" for name in variants]
+    assert sorted(found) == ["mao_hangoff/hangoff_ref", *options, "mao_hangoff/steady"]
+    assert found[options[0]].resolved().platform.heave
+    assert not found["mao_hangoff/hangoff_ref"].resolved().platform.heave
+    assert len(list(bases(studies, "preview"))) == 2
+
+
+@pytest.mark.parametrize("tier", ["preview", "standard", "reference"])
+def test_every_kind_of_scene_of_the_chapters_is_a_whole_scene(tier):
+    """Before its axes set anything: what the step alone sets must be written in the study, too."""
+    files = {path.stem: read_studies(CONFIG, path.stem) for path in (CONFIG / "studies").iterdir()}
+    studies = [
+        read_study(CONFIG, paper, name, tier, None)
+        for paper, file in files.items()
+        for name in file.studies
+    ]
+    for _, file in bases(studies, tier):
+        file.resolved()
+
+
+def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
+    model = read_studies(CONFIG, "numerics").measured["effects"]
+    studies = [read_study(CONFIG, "bench", name, "preview", "1 %") for name in ("s1", "s3")]
+    found = effects(model, Setting(CONFIG, "preview", 1, studies, tmp_path / "no marker"))
+    assert list(found["scene"].values) == ["bench/s3", "bench/s1"]
+    assert np.isnan(found.attrs["cold_compile_seconds"])
+    assert found.attrs["compiled_functions"] > 0
+    figure = draw("numerics", "effects", {"effects": found})
+    rows = [label.get_text() for label in figure.axes[0].get_yticklabels()]
+    assert rows == [one.name for one in ranking(found)]
+    removed = [n for n in map(str, found["change"].values) if n.startswith("without ")]
+    known = found["displacement_change"].notnull().any("scene")
+    assert {f"without {name}" for name in rows} >= {n for n in removed if known.sel(change=n)}
+
+
+def changes_of(size, count):
+    """A dataset in which the absence of effect k changes the answer by ``size[k]`` in each of its scenes."""
+    sizes = np.full((max(count), len(size)), np.nan)
+    for k, (values, scenes) in enumerate(zip(size, count, strict=True)):
+        sizes[:scenes, k] = values
+    names = ("displacement_change", "moment_change", "tension_change", "time_change")
+    coords = {"change": [f"without e{k}" for k in range(len(size))]}
+    return xr.Dataset(dict.fromkeys(names, (("scene", "change"), sizes)), coords)
+
+
+def test_the_ranking_prefers_what_is_sure_and_counts_scenes():
+    """Forty scenes of forty are surer than two of two; what changes nothing comes last."""
+    ranked = ranking(changes_of([0.5, 0.5, 0.5e-2, -0.4], [2, 40, 50, 30]))
+    assert [one.name for one in ranked] == ["e1", "e3", "e0", "e2"]
+    assert [(one.changed, one.scenes) for one in ranked] == [(40, 40), (30, 30), (2, 2), (0, 50)]
+    assert [one.name for one in never(ranked)] == ["e2"]
+    assert all(0.0 <= one.low <= one.changed / one.scenes for one in ranked)
+
+
+def test_what_compiling_takes_is_told_kernel_by_kernel():
+    @njit
+    def inner(x):
+        return x + 1
+
+    @njit
+    def outer(x):
+        return inner(x) * 2
+
+    def work():
+        outer(1)
+        outer(1.0)
+
+    started = time.perf_counter()
+    rows = while_compiling(work)
+    spent = time.perf_counter() - started
+    names = [row.kernel.rpartition(".")[2] for row in rows]
+    assert sorted(names) == ["inner", "inner", "outer", "outer"]
+    assert all(row.seconds > 0.0 for row in rows)
+    assert sum(row.seconds for row in rows) <= spent
+    assert while_compiling(work) == []
+
+
+def test_the_dataset_tells_signatures_and_times_of_kernels(tmp_path):
+    marker = tmp_path / "compiled"
+    rows = [["solve.march", 2.0], ["solve.march", 3.0], ["solve.move", 0.5]]
+    marker.write_text(json.dumps({"cold_seconds": 6.0, "kernels": rows}))
+    found = kernels(marker)
+    assert found["compile_seconds"][1] == [5.0, 0.5]
+    assert found["signatures"][1] == [2, 1]

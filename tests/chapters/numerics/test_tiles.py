@@ -1,0 +1,45 @@
+"""The three answers of the first screen: cost, stability, effects."""
+
+import xarray as xr
+
+from chapters.numerics.report.tiles import tiles
+
+
+def shown(datasets):
+    """Tiles with an answer."""
+    return [tile for tile in tiles(datasets) if tile.answer]
+
+
+def test_without_datasets_there_are_three_questions_and_no_answer():
+    assert [tile.figure for tile in tiles({})] == ["cost", "stability", "effects"]
+    assert shown({}) == []
+
+
+def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
+    cases = {
+        "as_expected": [True] * 3 + [False],
+        "written_outcome": [
+            "accurate",
+            "refused",
+            "stable but inaccurate",
+            "stable but inaccurate",
+        ],
+    }
+    stability = xr.Dataset({name: ("case", values) for name, values in cases.items()})
+    (one,) = shown({"stability": stability})
+    assert one.number == "3 of 4"
+    assert one.answer == "hard cases end as expected; 1 is silently wrong."
+    assert one.spark.count("<rect") == 4
+
+
+def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
+    rows = {
+        "request_scene": ["a", "a", "b", "b"],
+        "requested": [0.01, 0.0005, 0.01, 0.0005],
+        "request_seconds": [1.0, 3.0, 2.0, 5.0],
+    }
+    accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
+    (one,) = shown({"accuracy": accuracy})
+    assert one.number == "2.5 to 3×"
+    assert "20 times the accuracy" in one.answer
+    assert one.spark.count("<polyline") == 2
