@@ -62,11 +62,11 @@ def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
         ax.set_xlabel(TIME)
         panel_title(ax, name)
     begun = np.array([5.0, 5.0 + RING / WAVE_SPEED])
-    (speed,) = axes[0].plot(begun, [0.0, RING], "k:", label=f"{WAVE_SPEED} m/s")
+    (speed,) = axes[0].plot(begun, [0.0, RING], "k:", label=f"a string's\n{WAVE_SPEED} m/s")
     label_line(axes[0], speed, 1.0, (-6.0, 6.0))
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
-    headline(figure, f"Surge travels at {WAVE_SPEED} m/s down a riser {title}")
+    headline(figure, f"Surge waves travel down a riser {title}")
     return figure
 
 
