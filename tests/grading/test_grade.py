@@ -342,7 +342,7 @@ def test_draws_are_counted_without_the_cells_that_each_is_judged_in():
         "over": {"runs": "space"},
     }
     found = row({"base": dataset(5.0), "space": space}, **about)
-    assert found.depends_on == "too few samples (8 of 59): true with a, b and c"
+    assert found.depends_on == "too few samples (8 of 59): true with every interpretation (a; b; c)"
 
 
 def test_all_readings_of_a_grid_are_enough_however_few():

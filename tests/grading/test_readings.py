@@ -79,7 +79,7 @@ def test_a_row_says_first_what_is_certain():
     assert row_of(same).depends_on == "line: true with chord; no difference with tangent"
     every = claim(of_lines([1.0, 1.0]), base, base={"line": "chord"})
     assert every.verdict == "holds"
-    assert row_of(every).note.startswith("True with chord and tangent. ")
+    assert row_of(every).note.startswith("True with every interpretation (chord; tangent). ")
 
 
 def test_without_samples_interpretations_are_told_by_the_fewest_axes_that_decide():

@@ -87,6 +87,8 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
             parts.append(f"{word} with all {len(names)} interpretations")
         elif names and many and len(names) > NAMED:
             parts.append(f"{word} with {len(names)} of {len(readings)}")
+        elif len(names) == len(readings) > 1:
+            parts.append(f"{word} with every interpretation ({'; '.join(names)})")
         elif names:
             parts.append(f"{word} with {listed(names)}")
     for reading in readings:

@@ -81,7 +81,7 @@ class Claim(ItemResult):
                 return f"True in {self.met} of {self.samples} samples: {self.decided_by}."
             if not self.grounds.decided_by and self.grounds.because == "inputs":
                 return sentence(f"{self.decided_by} decides it")
-            return f"Decided by {self.decided_by}."
+            return f"Depends on {self.decided_by}."
         if self.published is not None:
             text = f"{number(self.simulated)}{unit(self.unit)} for {number(self.published)}"
             off = f"{text}{unit(self.unit)}: {share(self.error)} off"
@@ -91,7 +91,7 @@ class Claim(ItemResult):
             return f"True in {every.get(self.met or 0, f'{self.met} of {self.samples}')} samples."
         if self.verdict == "calibrated":
             return "True with a fitted input."
-        return f"{'True' if self.verdict == 'holds' else 'Not true'}; nothing open is varied in it."
+        return f"{'True' if self.verdict == 'holds' else 'Not true'}; no unspecified input affects it."
 
 
 def read_claims(db: sqlite3.Connection) -> list[Claim]:
