@@ -95,7 +95,8 @@ def a_study_of(lengths, seed):
     grid = Grid(None, [[{}] * length for length in lengths], "")
     keys = (hashlib.sha256(bytes([seed, *index])).hexdigest() for index in np.ndindex(*lengths))
     points = [Point(index, key) for index, key in zip(np.ndindex(*lengths), keys, strict=True)]
-    return SimpleNamespace(grid=grid, model=SimpleNamespace(modes=None)), points
+    study = SimpleNamespace(grid=grid, model=SimpleNamespace(modes=None), estimates=True)
+    return study, points
 
 
 def test_errors_are_estimated_at_few_points_all_and_of_others_at_some_whatever_their_keys():
