@@ -132,7 +132,10 @@ def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
     for k, scene in enumerate(scenes):
         every, last, missing = over_lowest_cost(accuracy, scene)
         if missing:
-            ax.annotate(f" {missing}", (0.0, k), va="center", fontsize="x-small", color="0.3")
+            ax.annotate(  # beyond the line of the cheapest run
+                missing, (1.0, k), xytext=(5, 0), textcoords="offset points", va="center",
+                fontsize="small", color="0.3",
+            )  # fmt: skip
             continue
         ax.barh(k, every, height=0.62, color=COLOURS[5], label=labels.pop("all", "_"))
         ax.barh(k, last, height=0.3, color=COLOURS[0], label=labels.pop("last", "_"))

@@ -60,8 +60,9 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
                 )  # fmt: skip
     for k in np.flatnonzero(missed):
         ax.annotate(
-            str(of["family"].values[k]), (float(true[k]), float(estimated[k])), xytext=(-6, 0),
-            textcoords="offset points", ha="right", va="center", fontsize="x-small", color=COLOURS[1],
+            str(of["family"].values[k]).replace(" ", "\n", 1), (float(true[k]), float(estimated[k])),
+            xytext=(4, -6), textcoords="offset points", ha="center", va="top", fontsize="x-small",
+            color=COLOURS[1],
         )  # fmt: skip
     ax.set_xscale("log")
     ax.set_yscale("log")
