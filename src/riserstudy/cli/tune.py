@@ -34,7 +34,7 @@ def tune(
     seed: Annotated[int, typer.Option(min=0, help="of the draw of these points")] = 1,
     write: Annotated[bool, typer.Option("--write", help="write it into the study file")] = False,
 ) -> None:
-    """Find the cheapest mesh, step and method that a study's points meet an accuracy with.
+    """Find the cheapest mesh, step and method with which all points of a study meet a tolerance.
 
     It tunes at a few points and checks at others: corners and middle of the axes, and ends of sampled ranges.
     """
