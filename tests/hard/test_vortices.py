@@ -121,6 +121,24 @@ def test_without_flow_nothing_moves(case):
     assert found.facts["vibration_rms_max"] < 1e-6
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_without_flow_an_accuracy_is_reached_on_meshes_that_are_found(seed):
+    """Water at rest, or so slow that nothing but rounding moves; risers upright or aside."""
+    draw = np.random.default_rng(seed)
+    speed = draw.choice([0.0, 10.0 ** draw.uniform(-12.0, -7.0)])
+    changes = {
+        "current.profile": speeds(speed, speed),
+        "riser[0].viv.ramp": "10 s",
+        "top.tension": f"{draw.uniform(0.8, 3.0)} MN",
+        "top.offset": f"{draw.choice([0.0, 10.0])} m",
+        "analysis": {"duration": "20 s", "output": {"interval": "0.25 s"}},
+    }
+    found = run(SceneFile("test", copy.deepcopy(SCENE), {}).with_values(changes, "test").scene())
+    assert max(found.facts["error_estimate"].values()) <= 0.01
+    assert found.facts["warnings"] == []
+    assert found.facts["vibration_rms_max"] < 1e-6
+
+
 def test_a_run_that_ends_before_its_ramps_is_refused():
     with pytest.raises(SimulationError, match=r"riser.viv: ramps end at .* Run longer"):
         simulated({"riser[0].viv.diameter": "12 m"}, "TR-BDF2")

@@ -50,13 +50,14 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     errors = {k: v for k, v in facts.get("error_estimate", {}).items() if k != "angle" and v > 1.0}
     unknown = ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in errors.items())
     doubt = _error_of_angles(facts)
+    by_chance = "angle" in facts.get("sampling_error", {})
     plain = "published" if scene.paper else "given"
     each = []
     for k, limit in enumerate(scene.limits or []):
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
         one = _one(scene, limit, rows, origin.status if origin else plain)
         if limit.output in ANGLES:
-            one = _with_error(one, doubt)
+            one = _with_error(one, doubt, by_chance)
         if unknown and one.verdict == WITHIN:
             why = f"an estimated error below the result itself: {unknown}"
             one = one._replace(verdict=UNKNOWN, missing=why)
@@ -71,8 +72,11 @@ def _error_of_angles(facts: Mapping[str, Any]) -> float:
     return float(facts.get("error_estimate", {}).get("angle", 0.0) * largest)
 
 
-def _with_error(one: Checked, error: float) -> Checked:
-    """A limit of an angle that is not within it where its error (rad) is larger than what is left."""
+def _with_error(one: Checked, error: float, by_chance: bool) -> Checked:
+    """A limit of an angle that is not within it where its error (rad) is larger than what is left.
+
+    ``by_chance``: whether part of the error is that of a vibration over so long a time.
+    """
     if one.verdict != WITHIN or one.demand is None:
         return one
     worst = one.demand + (-error if one.side == "smallest" else error)
@@ -80,7 +84,7 @@ def _with_error(one: Checked, error: float) -> Checked:
         return one
     why = (
         f"an error of the angle, {math.degrees(error):.2g} deg as estimated, below the margin; "
-        "request a smaller error by analysis.accuracy"
+        f"{'run longer, or ' if by_chance else ''}request a smaller error by analysis.accuracy"
     )
     return one._replace(verdict=UNKNOWN, missing=why)
 

@@ -11,7 +11,13 @@ from numpy.typing import NDArray
 from riserstudy.dataset.result import Result
 from riserstudy.scene.limits import ANGLES
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
-from riserstudy.simulation.vibration_statistics import Statistics, apart, of_plain, statistics
+from riserstudy.simulation.vibration_statistics import (
+    NONE,
+    Statistics,
+    apart,
+    of_plain,
+    statistics,
+)
 
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
@@ -62,7 +68,8 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
 
     Envelopes and the static state are compared at the nodes of the coarse run, the largest moment wherever
     it is, histories at those nodes or at stations, so that an error in phase counts too; between nodes
-    values are those of the elements. A vibration of vortices is compared by its statistics.
+    values are those of the elements. A vibration of vortices is compared by its statistics, where there is
+    one.
 
     Where one run tells every second, fourth, ... output of the other, those that both tell are compared.
     Angles of flex joints are compared at rest, over time, and by their extremes over all steps where both
@@ -70,7 +77,7 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     """
     differences = {}
     histories = _histories(coarse.arrays, fine.arrays)
-    if "vibration_since" in fine.facts:
+    if _vibrates(fine):
         return (
             apart(*_vibrations(coarse, fine, histories))
             | _angle_of([*_statistics(coarse, fine)])
@@ -96,6 +103,12 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
         if scale > rounding:
             differences[name] = off / scale if off > rounding else 0.0
     return differences | _angle_of([*_angles(coarse, fine)]) | _damage(coarse, fine)
+
+
+def _vibrates(run: Result) -> bool:
+    """Whether vortices make the riser vibrate, by more than rounding may."""
+    least = NONE * float(run.arrays["s_node"][-1])
+    return "vibration_since" in run.facts and run.facts["vibration_rms"] > least
 
 
 def _angle_of(pairs: list[tuple[Array, Array]]) -> dict[str, float]:
@@ -127,7 +140,7 @@ def statistics_of(run: Result) -> Statistics | None:
     """Statistics of a run of a vibration at its own places; None of one that is not judged."""
     if "statistics" in run.facts:
         return of_plain(run.facts["statistics"])
-    if "vibration_since" not in run.facts:
+    if not _vibrates(run):
         return None
     histories = {name: (values, values) for name, values in _histories_of(run.arrays).items()}
     return _vibrations(run, run, histories)[0]
@@ -189,7 +202,7 @@ def _extremes(run: Result, name: str) -> Array | None:
 def _rounding(name: str, arrays: Arrays) -> float:
     """Displacement (m), tension (N) or moment (N m) that is none, and may be what rounding leaves."""
     if name == "displacement":
-        return 1e-9 * float(arrays["s_node"][-1])
+        return NONE * float(arrays["s_node"][-1])
     if name == "moment" and "mesh_flexibility" in arrays:
         return FLAT * float((arrays["l0"] / arrays["mesh_flexibility"]).max())
     return 0.0

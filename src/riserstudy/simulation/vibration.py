@@ -13,6 +13,7 @@ from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.vibration_statistics import (
     FIELDS,
+    NONE,
     along,
     frequency,
     sampling,
@@ -53,7 +54,8 @@ def since(scene: Resolved) -> float | None:
 def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFacts) -> None:
     """Enter a run's vibration into its facts: since when, root mean square, where it is largest, frequency.
 
-    Steps (s) or outputs too long for its vortices are warned of; of the latter no frequency is taken.
+    Steps (s) or outputs too long for its vortices are warned of; of the latter no frequency is taken. A riser
+    that stands still has root mean squares alone.
     ``arrays``: histories (times, s), m.
     """
     start = since(scene)
@@ -80,6 +82,8 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     facts["vibration_rms"] = along(rms**2, arrays["s"])
     facts["vibration_rms_max"] = float(rms[most])
     facts["vibration_rms_max_s"] = float(arrays["s"][most])
+    if facts["vibration_rms"] <= NONE * arrays["s"][-1]:
+        return
     facts["vibration_scatter"] = _scatter(parts, arrays["s"])
     often = interval <= period / OUTPUTS
     histories = {name: arrays[name][late] for name in FIELDS if name in arrays}

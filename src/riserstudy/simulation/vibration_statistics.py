@@ -16,6 +16,7 @@ from riserstudy.simulation.sampling_error import standard_error
 Array = NDArray[np.float64]
 SLOW = 0.5  # of the longest period of a vibration: blocks shorter than that tell of its periods
 FEWEST_PERIODS = 8  # from which a frequency has an error
+NONE = 1e-9  # of the riser's length: motion that is none, and may be what rounding leaves
 MOVED = ("x", "y", "z")
 FIELDS = (*MOVED, "effective_tension", "bending_moment")
 
