@@ -110,17 +110,20 @@ class EffectsStudy(EngineStudy):
     """Every change of effects that fits, on every kind of scene of the other chapters.
 
     ``repeats``: rounds of runs, of which the shortest time counts. ``budget``: node-steps that a scene may
-    take; longer ones are cut short.
+    take; longer ones are cut short. ``scenes``: with effects that no other chapter has. Absent: none.
     """
 
     timed = True
+    cases_in = "scenes"
 
     repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
     budget: dict[Tiers, Positive]
+    scenes: dict[str, Family] = Field(default_factory=dict)
 
     def scene_files(self, setting: Setting) -> Iterator[tuple[str, SceneFile]]:
-        """Every kind of scene that studies vary."""
+        """Every kind of scene that studies vary, and the study's own."""
         yield from bases(setting.studies, setting.tier)
+        yield from super().scene_files(setting)
 
 
 class Ladder(Strict):
@@ -301,4 +304,5 @@ MODELS: dict[str, type[EngineStudy]] = {
     "validation": ValidationStudy,
 }
 
+EffectsStudy.model_rebuild()
 LimitStudy.model_rebuild()

@@ -133,7 +133,7 @@ def test_without_flow_an_accuracy_is_reached_on_meshes_that_are_found(seed):
         "top.offset": f"{draw.choice([0.0, 10.0])} m",
         "analysis": {"duration": "20 s", "output": {"interval": "0.25 s"}},
     }
-    found = run(SceneFile("test", copy.deepcopy(SCENE), {}).with_values(changes, "test").scene())
+    found = run(SceneFile("test", copy.deepcopy(SCENE), {}).with_values(changes, "test").resolved())
     assert max(found.facts["error_estimate"].values()) <= 0.01
     assert found.facts["warnings"] == []
     assert found.facts["vibration_rms_max"] < 1e-6

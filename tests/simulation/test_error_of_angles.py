@@ -3,6 +3,7 @@
 import copy
 import json
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from random_rigs import moving, rig, written
 
 from riserstudy.dataset.limits import checked
 from riserstudy.scene.limits import ANGLES
-from riserstudy.scene.load import SceneFile
+from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.simulation import refine as module
 from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.halved import Halved
@@ -136,6 +137,40 @@ def test_an_angle_is_within_its_limit_only_with_its_error(seed):
         poor = result.facts | {"error_estimate": {"angle": 3.0}}
         (row,) = checked(file, file.resolved(), poor)
         assert row.verdict == "within"
+
+
+VIBRATING = Path(__file__).parents[2] / "config/scenes/hard/vortices.yaml"
+SHEAR = [{"elevation": "0 m", "speed": "0 m/s"}, {"elevation": "10 m", "speed": "0.5 m/s"}]
+
+
+@pytest.mark.parametrize(
+    "own", [{}, {"mesh": {"elements": 24}, "step": "20 ms"}], ids=["found", "own"]
+)
+@pytest.mark.parametrize("shear", [False, True])
+def test_an_angle_of_a_riser_that_vibrates_is_within_its_limit_only_with_its_error(shear, own):
+    """Of mesh, step and chance, whether mesh and step are the scene's own or found."""
+    analysis = {"duration": "30 s", "output": {"interval": "40 ms"}} | (own or {"accuracy": "5 %"})
+    sets = {"analysis": analysis} | ({"current": {"profile": SHEAR}} if shear else {})
+    file = read_scene(VIBRATING).with_values(sets, "test")
+    result = run(file.resolved())
+    assert result.facts["sampling_error"]["angle"] > 0.0
+    told = result.facts["error_estimate"]["angle"]
+    assert told >= result.facts["sampling_error"]["angle"]
+    rows = {row["output"]: row for row in result.facts["extremes"] if row["output"] in ANGLES}
+    assert rows.keys() == set(ANGLES)
+    sizes = {name: max(abs(row["largest"]), abs(row["smallest"])) for name, row in rows.items()}
+    error = told * max(sizes.values())
+    for name, size in sizes.items():
+        for margin, verdict in ((-0.5, "exceeded"), (0.5, "not evaluated"), (1.5, "within")):
+            limit = {
+                "output": name,
+                "mode": "drilling",
+                "largest": f"{size + margin * error!r} rad",
+            }
+            limited = file.with_values({"limits": [limit]}, "test")
+            (row,) = checked(limited, limited.resolved(), result.facts)
+            assert row.verdict == verdict
+            assert ("run longer" in row.missing) == (verdict == "not evaluated")
 
 
 def test_a_string_aside_tells_the_error_of_its_upper_angle():

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from chapters.numerics.models import EffectsStudy
-from chapters.numerics.scenes import bases
 from riserstudy.advice.ablation import Ablation, ablate
 from riserstudy.advice.effect_cost import Cost, Freedom, costs, freedom
 from riserstudy.effects.catalogue import changes
@@ -38,14 +37,14 @@ class Tried(NamedTuple):
 
 
 def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
-    """Every fitting change of every kind of scene.
+    """Every fitting change of every kind of scene of the chapters, and of the study's own scenes.
 
     As many scenes at once as there are threads: what is compared, the changes of one scene, runs in turn in
     one process, and no other job.
     """
     import xarray as xr
 
-    scenes = dict(bases(setting.studies, setting.tier))
+    scenes = dict(study.scene_files(setting))
     one = partial(_tried, study.repeats[setting.tier], study.budget[setting.tier])
     came = dict(zip(scenes, each(one, list(scenes.values()), setting.threads), strict=True))
     tried = {name: outcome for name, outcome in came.items() if isinstance(outcome, Tried)}

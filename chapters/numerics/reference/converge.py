@@ -15,6 +15,7 @@ from riserstudy.digests import engine_digest
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.error_estimate import deciding
+from riserstudy.simulation.sampling_error import DOUBTFUL, floor
 from riserstudy.simulation.starting_mesh import massless
 
 
@@ -54,12 +55,17 @@ def converged(
     Parameters
     ----------
     mesh : that of the run; None: as its segments say, which a graded mesh follows less smoothly.
+
+    Returns
+    -------
+    The finest run. Its error is what the last refinement changed; of a vibration of vortices no less than
+    twice the standard error of its statistics, which refinement does not reduce.
     """
     scene = whole(file.resolved())
     mesh, step = mesh or mesh_of(scene, first), first.facts.get("step")
     change: dict[str, float] = {}
-    best, runs = first, 0
-    while runs < LEAST or (runs < MOST and not deciding(change) <= recipe.enough):
+    best, runs, enough = first, 0, recipe.enough
+    while runs < LEAST or (runs < MOST and not deciding(change) <= enough):
         mesh = mesh if massless(scene) else mesh.halved()
         step = 0.5 * step if step else None
         own = stepped(file, recipe.method, mesh, step) if step else scene
@@ -67,15 +73,18 @@ def converged(
         if tried.result is None:
             break
         best, change, runs = tried.result, errors(best, tried.result), runs + 1
+        if "sampling_error" in best.facts:
+            enough = max(recipe.enough, deciding(floor(best.facts["sampling_error"])))
     if not runs or (runs < LEAST and tried.refused is not Outcome.TOO_LONG):
         return none(case, file, tried.message)
+    sampling = best.facts.get("sampling_error", {})
     return Kept(
         case,
         scene_digest(file.resolved()),
         PHYSICS,
         engine_digest(),
         method_of(recipe, best),
-        change,
+        {name: max(value, DOUBTFUL * sampling.get(name, 0.0)) for name, value in change.items()},
         reduced(best, first.arrays["s_node"]),
     )
 

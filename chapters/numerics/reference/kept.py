@@ -69,6 +69,8 @@ class Damaged(Exception):
 def reduced(result: Result, nodes: Array | None = None) -> Result:
     """What is compared of a run with histories at all nodes, at fewer nodes and outputs.
 
+    Of a vibration of vortices, statistics in place of histories.
+
     Parameters
     ----------
     nodes : those (m) of a coarser run; None: all of the run itself.
@@ -78,6 +80,10 @@ def reduced(result: Result, nodes: Array | None = None) -> Result:
     less = {name: values[keep] for name, values in arrays.items() if name in OF_NODES}
     less |= _of_segments(arrays, keep)
     less["l0"] = np.diff(less["s_node"])
+    facts, vibration = result.facts, statistics_of(result)
+    if vibration is not None:
+        plain = _rounded(vibration.at(less["s_node"]).plain())
+        return Result(less, facts | {"statistics": plain})
     if "time" in arrays:
         outputs = len(arrays["time"])
         nth = max(1, outputs // max(LEAST_OUTPUTS, MOST_VALUES // len(keep)))
@@ -85,10 +91,6 @@ def reduced(result: Result, nodes: Array | None = None) -> Result:
         for name in (*HISTORIES, COMPONENTS):
             if name in arrays:
                 less[name] = np.ascontiguousarray(arrays[name][::nth, ..., keep])
-    facts = result.facts
-    if (vibration := statistics_of(result)) is not None:
-        rounded = vibration.at(less["s_node"]).plain()
-        facts = facts | {"statistics": _rounded(rounded)}
     return Result(less, facts)
 
 

@@ -20,6 +20,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.effects.registry import Change
 from riserstudy.errors import RiserStudyError
 from riserstudy.model.mesh import Mesh, even
+from riserstudy.model.vortices import shedding
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.run import single
@@ -156,8 +157,13 @@ def ablate(
 
 
 def brief(scene: Resolved, step: float | None) -> Resolved:
-    """The first steps of a scene, which load its kernels; all of it where others are run later on."""
+    """The first steps of a scene, which load its kernels; all of it where others are run later on.
+
+    All of a vibration of vortices, too, which is not run for less than its ramps.
+    """
     if step is None or scene.analysis.output is None or scene.disconnect or scene.vessel:
+        return scene
+    if shedding(scene):
         return scene
     output = scene.analysis.output.model_copy(update={"start": None, "interval": FEW * step})
     return scene.model_copy(

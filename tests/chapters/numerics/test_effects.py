@@ -55,8 +55,19 @@ def test_every_kind_of_scene_of_the_chapters_is_a_whole_scene(tier):
         file.resolved()
 
 
+def test_scenes_of_the_study_itself_have_effects_that_no_chapter_has():
+    study = read_studies(CONFIG, "numerics").measured["effects"]
+    found = effects(study, Setting(CONFIG, "preview", 1, (), Path("not noted")))
+    assert found["scene"].values.tolist() == ["vibration in a current"]
+    lost = found.sel(scene="vibration in a current")
+    alone = lost.sel(change="without vortex-induced vibration")
+    in_line = lost.sel(change="without in-line vortex-induced vibration")
+    assert float(alone["moment_change"]) < float(in_line["moment_change"]) < -0.01
+    assert float(lost["time_share"].sel(effect="vortex-induced vibration")) > 0.0
+
+
 def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
-    model = read_studies(CONFIG, "numerics").measured["effects"]
+    model = read_studies(CONFIG, "numerics").measured["effects"].model_copy(update={"scenes": {}})
     studies = [read_study(CONFIG, "bench", name, "preview", "1 %") for name in ("s1", "s3")]
     found = effects(model, Setting(CONFIG, "preview", 1, studies, tmp_path / "no marker"))
     assert list(found["scene"].values) == ["bench/s3", "bench/s1"]
