@@ -3,8 +3,10 @@
 import compare
 import explicit
 import prices
+import vortices
 
 if __name__ == "__main__":
     compare.main()
     explicit.main()
     prices.main(list(prices.SCENES))
+    vortices.main()
