@@ -10,6 +10,7 @@ from chapters.numerics.reference.folder import path_of, references
 from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import NotUsed, Wanted, read, write
 from chapters.numerics.reference.wanted import PAPER, all_wanted
+from riserstudy.errors import InputError
 from riserstudy.study.processes import each
 from riserstudy.study.read import read_studies
 
@@ -21,8 +22,17 @@ def compute(config: Path, only: list[str], again: bool, processes: int) -> None:
     ----------
     only : studies, and cases as study/case; empty: all.
     again : compute what could be used, too.
+
+    Raises
+    ------
+    InputError
+        When ``only`` names what needs no reference.
     """
     by_study = all_wanted(read_studies(config, PAPER).measured, config)
+    known = {f"{study}/{one.case}" for study, every in by_study.items() for one in every}
+    if unknown := sorted(set(only) - known - set(by_study)):
+        allowed = f"allowed are {', '.join(by_study)}, and their cases as study/case"
+        raise InputError("command line", "", f"no reference {unknown[0]!r}", allowed)
     for study, every in by_study.items():
         remove_others(config, study, every)
         chosen = [one for one in every if not only or {study, f"{study}/{one.case}"} & set(only)]

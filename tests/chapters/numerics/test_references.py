@@ -12,12 +12,14 @@ from chapters.numerics import models
 from chapters.numerics.attempt import errors
 from chapters.numerics.fixed_step import stepped, whole
 from chapters.numerics.reference import check, store
+from chapters.numerics.reference.compute import compute
 from chapters.numerics.reference.converge import HARD, converged
 from chapters.numerics.reference.folder import FOLDER, path_of
 from chapters.numerics.reference.identity import PHYSICS, scene_digest
 from chapters.numerics.reference.kept import RESOLUTION, Damaged, Kept, packed, reduced, unpacked
 from chapters.numerics.reference.wanted import all_wanted
 from chapters.numerics.report.section import references
+from riserstudy.errors import InputError
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.model.mesh import even
 from riserstudy.scene.load import read_scene
@@ -254,3 +256,9 @@ def test_a_tenth_of_all_solutions_found_anew_is_what_is_kept():
         if one.case in chosen
     }
     assert {name: by for name, by in off.items() if by > 1.0} == {}
+
+
+@pytest.mark.parametrize("name", ["no such study", "stability/no such case", "stability/"])
+def test_a_reference_that_nothing_needs_is_not_computed_in_silence(name):
+    with pytest.raises(InputError, match="no reference"):
+        compute(CONFIG, [name], again=False, processes=1)
