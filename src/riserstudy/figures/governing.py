@@ -64,7 +64,7 @@ def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
     ax.set_xlabel("peak period (s)")
     ax.set_ylabel("significant wave height (m)")
     ax.set_title(heading, fontsize="small", loc="left")
-    headline(figure, f"{mode.capitalize()} is possible in {share:.2%} of the hours")
+    headline(figure, f"{mode.capitalize()} is possible in {100.0 * share:.1f} % of the hours")
     return figure
 
 
