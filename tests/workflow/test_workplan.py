@@ -184,3 +184,23 @@ def test_the_units_of_plots_and_limits_are_those_of_the_configuration(units):
 def test_units_that_there_are_not_are_refused():
     with pytest.raises(InputError, match="units"):
         Workplan.read(CONFIG, {"tier": "preview", "units": "imperial"}, only=[])
+
+
+def test_early_results_come_first_then_kernels_then_what_takes_long():
+    """Kernels are compiled before most studies, so that what needs all of them does not come last."""
+    from riserstudy.jobs.workplan import COMPILED_IN_ORDER, FIRST, STUDIES
+    from riserstudy.simulation.kernel_groups import GROUPS
+
+    assert sorted(COMPILED_IN_ORDER) == sorted(GROUPS)
+    plan = PLAN
+    compiled = [plan.compile_priority(group) for group in COMPILED_IN_ORDER]
+    assert compiled == sorted(compiled, reverse=True)
+    assert min(compiled) > STUDIES
+    for paper, file in plan.files.items():
+        for study in file.studies:
+            early = plan.study_priority(paper, study) > max(compiled)
+            assert not early or plan.study(paper, study).kernel_groups == [FIRST]
+        for name in file.measured:
+            assert (plan.measure_priority(paper, name) > STUDIES) != plan.measured(
+                paper, name
+            ).timed

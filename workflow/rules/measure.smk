@@ -11,7 +11,7 @@ rule measure:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
         study=PLAN.measured_pattern,
-    priority: PLAN.measure_priority
+    priority: of(PLAN.measure_priority)
     threads: of(PLAN.measured_threads)
     params:
         digest=of(PLAN.measured_digest),

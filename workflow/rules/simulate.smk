@@ -7,7 +7,7 @@ rule compile:
         PLAN.kernels_of("{group}"),
     log:
         "logs/compile-{group}.log",
-    priority: PLAN.compile_priority
+    priority: of(PLAN.compile_priority)
     message:
         "compile kernels, once: {wildcards.group}"
     shell:
@@ -36,7 +36,7 @@ rule tune:
         "logs/{paper}/{study}.settings.log",
     wildcard_constraints:
         study=PLAN.study_pattern,
-    priority: PLAN.simulate_priority
+    priority: of(PLAN.study_priority)
     params:
         digest=of(PLAN.settings_digest),
         tier=PLAN.tier,
@@ -59,7 +59,7 @@ rule shard:
         study=PLAN.study_pattern,
         shard=r"\d+",
         shards=r"\d+",
-    priority: PLAN.simulate_priority
+    priority: of(PLAN.study_priority)
     threads: half(PLAN.shard_threads)
     params:
         digest=of(PLAN.shard_digest),
@@ -84,7 +84,7 @@ rule simulate:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
         study=PLAN.study_pattern,
-    priority: PLAN.simulate_priority
+    priority: of(PLAN.study_priority)
     threads: half(PLAN.threads)
     params:
         digest=of(PLAN.study_digest),
@@ -110,7 +110,7 @@ rule sea_states:
         study=PLAN.seas_pattern,
         part=r"\d+",
         parts=r"\d+",
-    priority: PLAN.simulate_priority
+    priority: of(PLAN.seas_priority)
     threads: half(PLAN.seas_threads)
     params:
         digest=of(PLAN.seas_digest),
@@ -133,7 +133,7 @@ rule hours:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
         study=PLAN.seas_pattern,
-    priority: PLAN.simulate_priority
+    priority: of(PLAN.seas_priority)
     params:
         digest=of(PLAN.seas_digest),
         tier=PLAN.tier,

@@ -41,6 +41,11 @@ REPORT = "riserstudy.report"
 DATABASE = "riserstudy.database.build"
 SIDE_BY_SIDE = 8  # threads that the jobs of hours of a record share
 ALL_CORES = 64  # more than there are: Snakemake gives what it has
+STUDIES, KERNELS, EARLY_RESULTS = 2, 3, 4  # priorities
+FIRST = "line"  # kernels of the first results
+EARLY = 64  # points, at most, of a study that is simulated before other kernels are compiled
+#: strings take seconds, and measurements wait for all
+COMPILED_IN_ORDER = ("hermite", FIRST, "string", "plane", "space")
 
 
 class Workplan(Configuration):
@@ -242,24 +247,26 @@ class Workplan(Configuration):
         """Marker of the kernels compiled from the present sources."""
         return marker().as_posix()
 
-    @property
-    def simulate_priority(self) -> int:
-        """Studies whose kernels are there come before kernels of others, so that results appear early."""
-        return 2
+    # what comes first: early results, then kernels, then what takes long
 
-    def measure_priority(self, wildcards: Any) -> float:
+    def study_priority(self, paper: str, study: str, *_shard: str) -> float:
+        """Small studies of the first kernels come before other kernels, so that results appear early."""
+        planned = self.study(paper, study)
+        early = planned.kernel_groups == [FIRST] and len(planned.grid) <= EARLY
+        return EARLY_RESULTS if early else STUDIES
+
+    def seas_priority(self, paper: str, name: str, *_part: str) -> float:
+        """Hours of a record are as long as other studies."""
+        del paper, name
+        return STUDIES
+
+    def compile_priority(self, group: str) -> float:
+        """The kernels that are compiled soonest come first, and all before most studies."""
+        return KERNELS - COMPILED_IN_ORDER.index(group) / len(COMPILED_IN_ORDER)
+
+    def measure_priority(self, paper: str, name: str) -> float:
         """What may run beside others begins before studies: the longest of it takes minutes on one core."""
-        timed = self.measured(wildcards.paper, wildcards.study).timed
-        return self.simulate_priority + (0 if timed else 1)
-
-    def compile_priority(self, wildcards: Any) -> float:
-        """The kernels that are compiled soonest come first, and all before figures.
-
-        Those of strings come before studies: measurements wait for all kernels, and these take seconds.
-        """
-        if wildcards.group == "string":
-            return self.simulate_priority + 1
-        return self.simulate_priority - (1 + GROUPS.index(wildcards.group)) / (1 + len(GROUPS))
+        return STUDIES if self.measured(paper, name).timed else KERNELS
 
     def kernels_of(self, group: str) -> str:
         """Marker of a group of them."""
