@@ -9,6 +9,7 @@ import pytest
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mud_column import Column, flow
+from riserstudy.scene.resolve import resolve
 
 EA, MASS = 1e10, 1000.0
 IMPEDANCE, SPEED = math.sqrt(EA * MASS), math.sqrt(EA / MASS)
@@ -305,7 +306,7 @@ def test_the_release_waits_for_its_phase(tmp_path, phase, at):
     text = text.replace("duration: 4 s", "duration: 30 s")
     model = scene(tmp_path, text).resolved()
     assert model.disconnect.at == pytest.approx(at, rel=1e-12)
-    assert model.fitted().disconnect.at == pytest.approx(at, rel=1e-12)
+    assert resolve(model).disconnect.at == pytest.approx(at, rel=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ def test_ratios_of_the_page_are_those_of_the_study():
     measured = read_studies(CONFIG, "numerics").measured
     known = {
         ("S2c", simulator, error): times
-        for simulator, reached in measured.accuracy.peers["S2c"].items()
+        for simulator, reached in measured["accuracy"].peers["S2c"].items()
         for error, times in reached
     }
     of_page = {

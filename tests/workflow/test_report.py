@@ -156,7 +156,7 @@ def test_every_claim_leads_to_its_figure(sources):
 
 def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     text = " ".join(Page(render(sources)).words)
-    assert "a <b>bold</b> number Decided by the phase." in text
+    assert "a <b>bold</b> number Depends on the phase." in text
     assert "early 50 % late; or never 0 %" in text
     assert "0.3 m 0.5389 m 80 % 25 % depends" in text
     assert "True in all 256 samples." in text
@@ -226,7 +226,7 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     ]
     assert found["A2"].sentences == ["Base case: 1.5, true.", "Margin to the threshold: +25 %."]
     assert found["B0"].sentences == []
-    assert found["A10"].why == "Decided by the flow; U: m/s."
+    assert found["A10"].why == "Depends on the flow; U: m/s."
     assert found["A4"].why == "No single input or pair decides it."
     assert found["B0"].why == "-3.142e+06 N for -3.142e+06 N: 0 % off."
 

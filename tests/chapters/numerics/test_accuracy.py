@@ -141,7 +141,7 @@ def test_every_scene_is_a_line_or_named_as_too_slow(surge):
     late = surge.copy(deep=True)
     late["request_seconds"][:] = np.nan
     for name, values, words in (
-        ("cost", given | {"accuracy": late}, " over the time limit"),
+        ("cost", given | {"accuracy": late}, "over the time limit"),
         ("requested", {"accuracy": late}, "not within the time allowed: S2c"),
     ):
         said = [text.get_text() for ax in draw("numerics", name, values).axes for text in ax.texts]
