@@ -17,7 +17,7 @@ SURGE = SCENES / "bench" / "s2.yaml"
 
 
 def test_the_benchmark_scenes_are_there():
-    names = ["api2j", "s1", "s2", "s2c", "s3", "s4a", "s4b", "s4c", "s4d", "s4e"]
+    names = ["api2j", "s1", "s2", "s2c", "s3", "s4a", "s4b", "s4c", "s4d", "s4e", "vortices"]
     assert [path.stem for path in sorted((SCENES / "bench").glob("*.yaml"))] == names
 
 
