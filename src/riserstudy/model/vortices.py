@@ -114,6 +114,27 @@ def shedding_period(scene: Resolved, free: bool = False) -> float:
     )
 
 
+def synchronised(scene: Resolved, frequency: float, edge: float = 0.0) -> float:
+    """Share of the riser's length (1) along which vortices of the current may lift it at a frequency (Hz).
+
+    ``edge``: by which part of it the frequency may lie outside of theirs.
+    """
+    if scene.current is None:
+        return 0.0
+    z, velocity = current_velocity(scene.current, scene.water)
+    foot, within = scene.bottom.elevation or 0.0, 0.0
+    for section in scene.riser:
+        length = section.total_length
+        if section.viv:
+            middles = foot + length * (np.arange(PLACES) + 0.5) / PLACES
+            speed = np.sqrt(sum(np.interp(middles, z, part) ** 2 for part in velocity))
+            low, high = (end * speed / section.viv.diameter for end in section.viv.frequencies[::2])
+            reached = (low <= frequency * (1.0 + edge)) & (frequency * (1.0 - edge) <= high)
+            within += length * float(reached.mean())
+        foot += length
+    return within / sum(section.total_length for section in scene.riser)
+
+
 def slowest(scene: Resolved) -> float:
     """Frequency (Hz) of the slowest motion that vortices of the current make: slower motion is no vibration.
 

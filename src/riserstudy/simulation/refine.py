@@ -19,6 +19,7 @@ from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.prescribed_run import run_prescribed
 from riserstudy.simulation.rest import Rest
+from riserstudy.simulation.rival_modes import warn_of_rivals
 from riserstudy.simulation.run import finish, march, single
 from riserstudy.simulation.run_cost import cost, duration, total_seconds
 from riserstudy.simulation.sampling_error import floor, of_two_runs
@@ -84,6 +85,7 @@ def run(
     if scene.fatigue:
         add_error_of_outputs(result)
     check_error(result, scene)
+    warn_of_rivals(scene, result.facts)
     return result
 
 
