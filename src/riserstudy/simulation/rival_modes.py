@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from riserstudy.model.vortices import shedding, synchronised
-from riserstudy.simulation.modes import modes_of
 
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
@@ -30,6 +29,8 @@ def rivals(scene: Resolved) -> list[float]:
     """
     if scene.current is None or not shedding(scene):
         return []
+    from riserstudy.simulation.modes import modes_of  # with libraries that other runs do not need
+
     modes = modes_of(scene, FIRST)
     lateral = modes["frequency"].values[modes["motion"].values == "lateral"]
     found: list[float] = []
