@@ -9,7 +9,7 @@ from riserstudy.errors import InputError
 from riserstudy.folders import chapter_files
 from riserstudy.jobs import SHARED, start_server, use_this_python
 from riserstudy.jobs.begin import begin
-from riserstudy.jobs.workplan import Workplan
+from riserstudy.jobs.workplan import KERNELS, Workplan
 
 # A job on a cluster starts Snakemake anew; all points were checked before it was submitted.
 checked = None if workflow.is_main_process else []

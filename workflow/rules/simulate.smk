@@ -21,6 +21,7 @@ rule compiled:
         PLAN.compiled,
     log:
         "logs/compiled.log",
+    priority: KERNELS
     message:
         "note that all kernels are compiled"
     shell:
