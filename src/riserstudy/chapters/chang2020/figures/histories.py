@@ -164,7 +164,7 @@ def settled_response(steady: xr.Dataset) -> Figure:
     axes[0].set_xlim(0, 20)
     headline(
         figure,
-        "The gas law gives high crests and flat troughs, a line neither",
+        "At 10 m the gas law gives high crests and flat troughs",
     )
     return figure
 

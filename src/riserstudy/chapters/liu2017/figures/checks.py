@@ -124,7 +124,7 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     least, most = (float(then.quantile(q)) for q in (0.05, 0.95))
     set_title(
         figure,
-        f"At the published time samples have UFJ angles of {least:.0f}° to {most:.0f}°",
+        f"At the published time UFJ angles in the blue band are {least:.0f}° to {most:.0f}°",
     )
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint angle (°)")

@@ -113,7 +113,7 @@ def fig24(rao: xr.Dataset) -> Figure:
     headline(
         figure,
         f"{first.capitalize()} makes {float(mean.max()):.0f} % of the stress amplitude, as a mean over "
-        "periods",
+        "both panels",
     )
     return figure
 
