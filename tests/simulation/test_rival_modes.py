@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from test_vortex_induced_vibration import scene
 
+from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import synchronised
 from riserstudy.simulation.refine import run
-from riserstudy.simulation.rival_modes import EDGE, FIRST, rivals
+from riserstudy.simulation.rival_modes import EDGE, FIRST, rivals, warn_of_rivals
 
 WARNING = "riser.viv: vortices may follow modes"
 LOW, HIGH = 0.11, 0.26  # of the scene's vortices, over U / D
@@ -60,6 +61,17 @@ def test_a_run_says_so(speed, said):
     )
     result = run(file.resolved(), estimated=False)
     assert any(text.startswith(WARNING) for text in result.facts["warnings"]) == said
+
+
+def test_a_run_whose_modes_cannot_be_found_is_whole_and_says_so(monkeypatch):
+    def fail(scene, count):
+        raise SimulationError("modes need mass")
+
+    monkeypatch.setattr("riserstudy.simulation.modes.modes_of", fail)
+    facts = {"warnings": []}
+    warn_of_rivals(scene().resolved(), facts)
+    (warning,) = facts["warnings"]
+    assert warning.endswith("is not known: modes need mass")
 
 
 def _brief(file):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import shedding, synchronised
 
 if TYPE_CHECKING:
@@ -42,8 +43,12 @@ def rivals(scene: Resolved) -> list[float]:
 
 
 def warn_of_rivals(scene: Resolved, facts: RunFacts) -> None:
-    """Warn of a vibration that may as well be that of another mode."""
-    found = rivals(scene)
+    """Warn of a vibration that may as well be that of another mode, or where that cannot be told."""
+    try:
+        found = rivals(scene)
+    except SimulationError as error:  # of the modes; the run itself is whole
+        facts["warnings"].append(f"riser.viv: whether several modes may last is not known: {error}")
+        return
     if len(found) > 1:
         listed = ", ".join(f"{frequency:.3g}" for frequency in found[:3])
         more = f" and {len(found) - 3} more" if len(found) > 3 else ""
