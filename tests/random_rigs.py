@@ -148,7 +148,10 @@ def stand_on_a_conductor(tree: dict[str, Any], draw: np.random.Generator) -> Non
     tree["riser"][0]["flex_joint_below"] = {"stiffness": joint}
     tree["riser"] = low + tree["riser"]
     tree["bottom"] = {"hold": "foot", "elevation": seabed - FOOT, "rotation": "free"}
-    tree["soil"] = {"mudline": seabed, "resistance": {"stiffness": float(draw.uniform(2e6, 2e7))}}
+    stiffness = float(draw.uniform(2e6, 2e7))
+    tree["soil"] = {"mudline": seabed, "resistance": {"stiffness": stiffness}}
+    if stiffness > 1e7:
+        tree["soil"]["damping"] = {"ratio": 0.1, "at_period": 6.0}
 
 
 def timed(duration: float, step: float, elements: int, interval: float) -> dict[str, Any]:
@@ -197,6 +200,7 @@ UNITS = {
     "interval": "s",
     "step": "s",
     "phase": "rad",
+    "at_period": "s",
     "speed": "m/s",
 }
 STIFFNESS = {"rotation": "N*m/rad", "flex_joint_below": "N*m/rad", "resistance": "Pa"}

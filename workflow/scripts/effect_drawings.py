@@ -263,6 +263,13 @@ _DRAWINGS: dict[str, list[str]] = {
         *(zigzag((16, z), (58, z), turns=4, wide=4) for z in (14, 32, 50)),
         *(zigzag((104, z), (62, z), turns=4, wide=4) for z in (14, 32, 50)),
     ],
+    "soil damping": [
+        box("g", 0, 0, 120, 60),
+        line("r", (60, 6), (60, 60)),
+        line("r", (60, 60), (70, 114)),
+        *(zigzag((104, z), (62, z), "p", turns=4, wide=4) for z in (14, 32, 50)),
+        *(dashpot((16, z), (58, z)) for z in (14, 32, 50)),
+    ],
     "stack contact": [
         LET_GO,
         line("r", (60, 52), (60, 114)),

@@ -83,7 +83,7 @@ def _stiffen(s, i, y, p, slope):
 
 
 @inner
-def _py_of_table(soil, k, y):
+def py_of_table(soil, k, y):
     """Resistance, its slope by y and its energy."""
     count = soil.force.shape[2]
     last = soil.places[k, count]
@@ -111,7 +111,7 @@ def table_force(soil, s):
     for k in range(soil.node.shape[0]):
         y = _away(s, soil.node[k])
         if y > 0.0:
-            p, _, _ = _py_of_table(soil, k, y)
+            p, _, _ = py_of_table(soil, k, y)
             _resist(s, soil.node[k], y, p)
     return 0.0
 
@@ -121,7 +121,7 @@ def table_tangent(soil, s):
     """Slope along the displacement, p / y across it."""
     for k in range(soil.node.shape[0]):
         y = _away(s, soil.node[k])
-        p, slope, _ = _py_of_table(soil, k, y)
+        p, slope, _ = py_of_table(soil, k, y)
         _stiffen(s, soil.node[k], y, p, slope)
     return 0.0
 
@@ -131,13 +131,13 @@ def table_energy(soil, s):
     """Work done on the springs (J)."""
     total = 0.0
     for k in range(soil.node.shape[0]):
-        _, _, stored = _py_of_table(soil, k, _away(s, soil.node[k]))
+        _, _, stored = py_of_table(soil, k, _away(s, soil.node[k]))
         total += stored
     return total
 
 
 @inner
-def _py_of_clay(soil, k, y):
+def py_of_clay(soil, k, y):
     """Resistance, its slope by y and its energy."""
     q, q0 = y / soil.y50[k], soil.origin
     p, y50 = soil.ultimate[k], soil.y50[k]
@@ -159,7 +159,7 @@ def clay_force(soil, s):
     for k in range(soil.node.shape[0]):
         y = _away(s, soil.node[k])
         if y > 0.0:
-            p, _, _ = _py_of_clay(soil, k, y)
+            p, _, _ = py_of_clay(soil, k, y)
             _resist(s, soil.node[k], y, p)
     return 0.0
 
@@ -169,7 +169,7 @@ def clay_tangent(soil, s):
     """Slope along the displacement, p / y across it."""
     for k in range(soil.node.shape[0]):
         y = _away(s, soil.node[k])
-        p, slope, _ = _py_of_clay(soil, k, y)
+        p, slope, _ = py_of_clay(soil, k, y)
         _stiffen(s, soil.node[k], y, p, slope)
     return 0.0
 
@@ -179,7 +179,7 @@ def clay_energy(soil, s):
     """Work done on the springs (J)."""
     total = 0.0
     for k in range(soil.node.shape[0]):
-        _, _, stored = _py_of_clay(soil, k, _away(s, soil.node[k]))
+        _, _, stored = py_of_clay(soil, k, _away(s, soil.node[k]))
         total += stored
     return total
 

@@ -253,6 +253,8 @@ def soil(deck: Deck) -> str | None:
     if not isinstance(clay, Matlock) or clay.strength_gradient:
         allowed = "allowed is soft clay of one strength: write P-yModels into the deck by hand"
         raise deck.refused("soil.resistance", "a soil that changes with depth, or springs", allowed)
+    if ground.damping and ground.damping.ratio:
+        raise deck.refused("soil.damping", "dashpots in the soil", "leave soil.damping out")
     if deck.scene.water and deck.scene.water.seabed != ground.mudline:
         deck.otherwise["soil.mudline"] = "the seabed of the deck"
     deck.carried |= {"soil"}

@@ -1,4 +1,4 @@
-"""Springs that soil around a conductor is: linear, of soft clay, of sand, or by a table."""
+"""Soil around a conductor: springs, linear, of soft clay, of sand or by a table, and dashpots beside them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.effects.soil import LinearSoil, SoftClay, TabulatedSprings
+from riserstudy.effects.soil import (
+    LinearSoil,
+    SoftClay,
+    TabulatedSprings,
+    py_of_clay,
+    py_of_table,
+)
+from riserstudy.effects.soil_damping import SoilDamping
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
@@ -30,8 +37,15 @@ AT_REST = 0.4  # coefficient of earth pressure at rest
 
 def soil(of: Layout) -> Iterator[Effect]:
     """Soil around the lowest sections."""
-    if of.scene.soil:
-        yield Effect("soil", springs(of.scene.soil, of.scene.riser, of.mesh, of.bottom), "soil")
+    ground = of.scene.soil
+    if ground is None:
+        return
+    held = springs(ground, of.scene.riser, of.mesh, of.bottom)
+    yield Effect("soil", held, "soil")
+    if ground.damping and ground.damping.ratio:
+        stiffness = secant_stiffness(held, ground.damping.at_displacement)
+        dashpots = SoilDamping(held.node, ground.damping.time * stiffness)
+        yield Effect("soil damping", dashpots, "soil.damping")
 
 
 def springs(
@@ -60,6 +74,21 @@ def springs(
     if isinstance(of, Sand):
         return _tabulated(held, length, _py_of_sand(of, depth, diameter))
     return _tabulated(held, length, _py_of_table(of, depth))
+
+
+def secant_stiffness(
+    springs: LinearSoil | SoftClay | TabulatedSprings, displacement: float | None
+) -> FloatArray:
+    """Resistance over a displacement (m), (k,) of the springs, N/m; of linear springs at any."""
+    if isinstance(springs, LinearSoil):
+        return springs.stiffness
+    if displacement is None:
+        raise TypeError("the secant of a curve needs a displacement")
+    curve = py_of_clay if isinstance(springs, SoftClay) else py_of_table
+    count = len(springs.node)
+    return (
+        np.array([curve.py_func(springs, k, displacement)[0] for k in range(count)]) / displacement
+    )
 
 
 def ultimate_resistance(

@@ -94,8 +94,38 @@ class TabulatedSoil(Strict):
         return found
 
 
+class SoilDamping(Strict):
+    """Dashpots beside the springs of the soil, in place of its hysteresis: share of critical at one period.
+
+    In a cycle of that period and of the displacement ``at_displacement`` a spring and its dashpot lose 4 pi
+    ``ratio`` times the energy of the spring's secant. The loss of hysteresis would be the same at other
+    periods, that of a dashpot falls as they grow.
+    """
+
+    ratio: Annotated[float, NOT_NEGATIVE]
+    at_period: Annotated[u.Time, POSITIVE]
+    at_displacement: Annotated[u.Length, POSITIVE] | None = None
+
+    @property
+    def time(self) -> float:
+        """Damping over stiffness (s)."""
+        return self.ratio * self.at_period / math.pi
+
+
 class Soil(Strict):
     """Soil around the riser's lowest sections, below its flex joint, from its mudline down."""
 
     mudline: u.Length
     resistance: Matlock | Sand | ElasticSoil | TabulatedSoil
+    damping: SoilDamping | None = None
+
+    @model_validator(mode="after")
+    def _at_a_displacement(self) -> Self:
+        if self.damping is None:
+            return self
+        linear, where = isinstance(self.resistance, ElasticSoil), "damping.at_displacement"
+        if linear and self.damping.at_displacement is not None:
+            raise Misfit(where, "springs of constant stiffness need none", "leave it out")
+        if not linear and self.damping.at_displacement is None:
+            raise Misfit(where, "is missing", "the stiffness of these springs depends on it")
+        return self

@@ -25,6 +25,7 @@ DRAWN = {
 NOTHING_TO_DRAW = {
     "current": "beyond ramp",
     "wave": "above_mean_level components peak_enhancement phase ramp seed",
+    "soil": "damping",
     "vessel": "coupling heading",
     "riser": "young_modulus shear_modulus wall_density structural_damping buoyancy_lift",
 }

@@ -19,9 +19,10 @@ WORDS = {
     "soil.resistance.strength_at_mudline": "soil strength at the seabed",
     "soil.resistance.strength_gradient": "soil strength over depth",
     "soil.resistance.strain_at_half_strength": "soil strain",
+    "soil.damping.ratio": "soil damping",
     "cement": "cement level",
     "platform": "platform motions",
-    "damping": "damping",
+    "damping": "structural damping",
 }
 
 
