@@ -15,6 +15,10 @@ from riserstudy.figures.style import COLOURS, headline, legend_below, panel_titl
 
 MOST = 6  # settings that are drawn, evenly chosen
 WRAPPED = 20  # letters of the name of a limit in a line
+STACKED = " "  # a name that no axis has
+FLAT = 2.0  # per cent of the hours; what differs by less over the months is drawn in so much of the axis
+#: names of outputs, and how they are written
+WRITTEN = {"ufj": "UFJ", "lfj": "LFJ", "von mises": "von Mises", "lmrp": "LMRP"}
 OVER = ("riser_mode", "limit", "month", "year", "window", "sea_state")  # no axes of settings
 
 
@@ -53,12 +57,12 @@ def _settings(dataset: xr.Dataset) -> list[tuple[str, xr.Dataset]]:
     hours = dataset[names]
     if not axes:
         return [("", hours)]
-    flat = hours.stack(setting=axes)
+    flat = hours.stack({STACKED: axes})
     places = [
         ", ".join(called(dataset[axis][k]) for axis, k in zip(axes, index, strict=True))
         for index in np.ndindex(*(dataset.sizes[axis] for axis in axes))
     ]
-    return [(place, flat.isel(setting=k)) for k, place in enumerate(places)]
+    return [(place, flat.isel({STACKED: k})) for k, place in enumerate(places)]
 
 
 _OF_SETTINGS = (
@@ -95,6 +99,10 @@ def _months(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
     for k, (name, one) in enumerate(drawn):
         values = 100.0 * one["workable_by_month"].isel(riser_mode=0)
         ax.plot(range(12), values, "o-", color=COLOURS[k], markersize=3.0, label=name)
+    low, high = ax.get_ylim()
+    if high - low < FLAT:
+        middle = min(max(0.5 * (low + high), 0.5 * FLAT), 100.0 - 0.5 * FLAT)
+        ax.set_ylim(middle - 0.55 * FLAT, middle + 0.55 * FLAT)
     months = [str(name)[0] for name in drawn[0][1]["month"].values]
     ax.set_xticks(range(12), months)
     ax.set_ylabel("workable hours (%)")
@@ -103,7 +111,7 @@ def _months(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
 
 def _limits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
     """Share of hours in which each limit is exceeded, and alone is."""
-    names = [fill(str(n).replace("_", " "), WRAPPED) for n in drawn[0][1]["limit"].values]
+    names = [fill(_written(str(n)), WRAPPED) for n in drawn[0][1]["limit"].values]
     height = 0.8 / len(drawn)
     for k, (_, one) in enumerate(drawn):
         places = np.arange(len(names)) + (k - (len(drawn) - 1) / 2.0) * height
@@ -115,6 +123,14 @@ def _limits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
     panel_title(ax, "dark: hours in which no other is exceeded")
 
 
+def _written(limit: str) -> str:
+    """The name of a limit in words."""
+    name = limit.replace("_", " ")
+    for short, word in WRITTEN.items():
+        name = name.replace(short, word)
+    return name
+
+
 def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
     """Waits for a window of the first mode that half and nine in ten do not exceed."""
     for k, (_, one) in enumerate(drawn):
@@ -123,15 +139,26 @@ def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
         ax.plot(of["window"], of["wait_p90"], "s--", color=COLOURS[k], markersize=3.0)
     ax.set_xlabel("length of work in one go (h)")
     ax.set_ylabel("wait (h)")
-    ax.set_ylim(bottom=0.0)
     panel_title(ax, "wait: 50 % (line), 90 % (dashes) of starts")
+    if not any(
+        np.isfinite(one[name].isel(riser_mode=0)).any() for _, one in drawn for name in _OF_WINDOWS
+    ):
+        first = drawn[0][1]
+        windows = " or ".join(f"{hours:g}" for hours in first["window"].values)
+        text = f"no {windows} h of {first['riser_mode'].values[0]}\nin one go in the record"
+        ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center")
+        ax.set(xticks=[], yticks=[])
+        return
+    ax.set_ylim(bottom=0.0)
 
 
 def _finding(every: list[tuple[str, xr.Dataset]]) -> str:
     """What is left of the hours, in the first mode, and by which setting most."""
-    mode = str(every[0][1]["riser_mode"].values[0])
+    mode = str(every[0][1]["riser_mode"].values[0]).capitalize()
     shares = [100.0 * float(one["workable"].isel(riser_mode=0)) for _, one in every]
-    if len(every) == 1:
-        return f"{mode.capitalize()} is possible in {shares[0]:.1f} % of the hours"
-    low, high = min(shares), max(shares)
-    return f"{mode.capitalize()} is possible in {low:.1f} % to {high:.1f} % of the hours"
+    low, high = f"{min(shares):.1f}", f"{max(shares):.1f}"
+    if max(shares) == 0.0:
+        return f"{mode} is possible in no hour of the record"
+    if low == high:
+        return f"{mode} is possible in {low} % of the hours"
+    return f"{mode} is possible in {low} % to {high} % of the hours"
