@@ -22,7 +22,7 @@ AGAINST = read_scene(CONFIG / "scenes/liu2017/ref_180.yaml").with_values(
 )
 
 
-def test_changes_have_names_of_their_own():
+def test_changes_of_an_ablation_have_names_of_their_own():
     labels = [change.label for change in changes()]
     assert len(set(labels)) == len(labels)
 

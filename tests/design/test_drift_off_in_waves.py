@@ -156,7 +156,7 @@ def test_moving_sea_well_platform_and_vessel_together_up_changes_nothing(seed, s
 
 
 @pytest.mark.parametrize("seed", [0, 1])
-def test_the_other_way_round_is_the_mirror_image(seed):
+def test_a_drift_off_in_waves_the_other_way_round_is_the_mirror_image(seed):
     tree = adrift(seed)
     tree["top"]["offset"] = 7.0
     turned = copy.deepcopy(tree)

@@ -104,7 +104,7 @@ def test_an_allowance_is_at_least_the_median_of_what_the_seeds_add(height):
         (["--current", "3 m"], "--current"),
     ],
 )
-def test_what_cannot_be_meant_is_refused(commands, more, said):
+def test_an_envelope_that_cannot_be_meant_is_refused(commands, more, said):
     asked = ["--reach", "100 m", "--current", "1 m/s"]
     code, out, err = commands("envelope", RISER, *asked, *more)
     assert (code, out) == (2, "")

@@ -130,3 +130,20 @@ def test_an_offset_without_equilibrium_is_told_and_taken_for_no_limit():
     both = _between(at, riser.limits[0], 240.0, {})
     assert math.isnan(both.high)
     assert "for this test" in both.missing
+
+
+def test_operability_tells_offsets_and_takes_allowances(commands):
+    def ends(*more):
+        code, out, _ = commands("operability", SCENE, "--reach", "240 m", *more)
+        assert code == 0
+        line = next(one for one in out.splitlines() if "drilling: largest lfj_angle" in one)
+        return [float(part) for part in line.split() if part[0] in "+-"]
+
+    alone, waves = ends(), ends("--allowance", "lfj_angle=1 deg")
+    assert alone[0] < waves[0] < 0.0 < waves[1] < alone[1]
+
+
+def test_an_allowance_of_no_output_is_refused(commands):
+    code, _, said = commands("operability", SCENE, "--reach", "240 m", "--allowance", "angle=1 deg")
+    assert code == 2
+    assert "--allowance" in said

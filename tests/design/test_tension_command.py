@@ -107,3 +107,26 @@ def test_a_plumb_riser_on_cylinders_needs_by_the_engine_what_the_formula_gives(s
     assert "in place of the tensioners" in told["engine"].note
     ratio = told["setting"].tension / told["formula"].tension
     assert ratio == pytest.approx(6 / (5 * 0.95))
+
+
+def test_tension_tells_formula_engine_and_setting(commands):
+    code, out, _ = commands("tension", RISER, "--failed", 1, *ASKED)
+    assert code == 0
+    told = {line.split(":")[0]: line for line in out.splitlines() if ":" in line}
+    formula, engine = (float(told[name].split()[1]) for name in ("formula", "engine"))
+    assert formula == pytest.approx(engine, rel=1e-4)
+    assert float(told["setting"].split()[1]) == pytest.approx(formula * 6 / (0.95 * 5), abs=0.02)
+
+
+def test_tension_names_what_a_scene_does_not_tell(commands):
+    code, out, _ = commands(
+        "tension", RISER, "--failed", 1, *ASKED, "--set", "riser[1].buoyancy_lift=null"
+    )
+    assert code == 4
+    assert out.startswith("not evaluated: buoyancy_lift of section 'buoyed joints'")
+
+
+def test_tension_without_a_working_unit_is_refused(commands):
+    code, _, said = commands("tension", RISER, "--failed", 6, *ASKED)
+    assert code == 2
+    assert "--failed" in said

@@ -1,22 +1,18 @@
 """What every effect must satisfy, whatever it is: kernel, plain version, energy and derivatives agree."""
 
-import importlib
-import pkgutil
-
 import numpy as np
 import pytest
+from derivatives import DIFFERENCES, WITH, check_blocks, relative
 from each.bending import bending
 from each.drag import drag
 from each.vortex_drag import vortex_drag
 from each.vortex_lift import vortex_lift
 from hypothesis import given
 from hypothesis import strategies as st
-from numba.core.registry import CPUDispatcher
 from plain import at_nodes, lump, pressed
 from rig import CASES, MOTIONS, PAIRS, PLAIN, Rig, copied, dense_tangent, differences, name
 from surroundings import N, nodes
 
-import riserstudy.effects
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.bending import Bending
 from riserstudy.effects.bending_damping import BendingDamping
@@ -29,36 +25,23 @@ from riserstudy.effects.fading_moment import FadingMoment
 from riserstudy.effects.flex_joint import FlexJoint
 from riserstudy.effects.foreshortening import Foreshortening
 from riserstudy.effects.inner_flex_joint import InnerFlexJoint
-from riserstudy.effects.registry import ROLES, register
-from riserstudy.effects.vessel import Vessel
+from riserstudy.effects.registry import ROLES
 from riserstudy.effects.vortex_drag import VortexDrag
 from riserstudy.effects.vortex_lift import VortexLift
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave_force import WaveForce
-from riserstudy.solve import blocktri, spread
 from riserstudy.solve.blocktri import solve_once
 from riserstudy.solve.evaluate import one_call, shape_of
 from riserstudy.solve.program import assemble
 
-# Finite differences of fourth order with steps of 1e-3 m or 1e-3 m/s: truncation and rounding of
-# forces up to 1e8 N leave a relative 1e-8 or so of the largest entry.
-DIFFERENCES = 1e-7
 # plain versions that sample what the kernel integrates, a jump within a segment
 SAMPLED = {DragOverDepth: 1e-5, Draining: 1e-3}
-WITH = {role: [p for p in PAIRS if role in ROLES[p[0]]] for role in ("potential", "power", "mass")}
 FORCES = [p for p in PAIRS if {"string", "device", "law", "turn"} & set(ROLES[p[0]])]
+
+
 # whose shear is in exact equilibrium instead of the slope of an energy, see test_bending_in_space
 SPATIAL = (SpatialBending, BendingDamping, FlexJoint, FadingMoment)
 BESIDE_BENDING_IN_SPACE = {*((kind, 3) for kind in SPATIAL), (InnerFlexJoint, 3)}
-modules = [
-    importlib.import_module(f"riserstudy.effects.{m.name}")
-    for m in pkgutil.iter_modules(riserstudy.effects.__path__)
-]
-
-
-def relative(found, expected, least=1e-300):
-    """Largest difference over the largest expected value, or over ``least``."""
-    return np.abs(np.asarray(found) - expected).max() / max(np.abs(expected).max(), least)
 
 
 def test_every_registered_effect_has_a_case_and_a_plain_version():
@@ -218,20 +201,6 @@ def test_what_acts_horizontally_acts_on_horizontal_motion_alone(kind, d):
     np.testing.assert_array_equal(again, force)
 
 
-def check_blocks(rig, tangent, slope):
-    """Turning angles and forces apart, for their sizes differ by many orders.
-
-    A slope that vanishes is compared with the force itself a metre, or an angle of 0.1 rad a metre.
-    """
-    split = rig.m * rig.s.r.shape[1]
-    tangent = tangent[:, split:]
-    force = np.abs(rig.evaluate()[rig.m :]).max()
-    assert relative(-tangent[split:], slope[split:], max(force, 1.0)) < DIFFERENCES
-    if split:  # hinged ends have no equation of their own
-        carried = np.tile(~rig.model.hinged, rig.m)
-        assert relative(-tangent[:split][carried], slope[:split][carried], 0.1) < DIFFERENCES
-
-
 MOMENTS = [
     *((kind, 2) for kind in (Bending, BendingDamping, Foreshortening, FlexJoint)),
     *((kind, 3) for kind in (*SPATIAL, Foreshortening)),
@@ -247,57 +216,6 @@ def test_the_tangent_is_the_slope_by_moments(pair):
     slope = differences(rig.evaluate, rig.s.moment, 1e4)
     assert relative(-tangent[split:], slope[split:]) < DIFFERENCES
     assert relative(-tangent[:split], slope[:split]) < DIFFERENCES
-
-
-@pytest.mark.parametrize("pair", WITH["mass"], ids=name)
-def test_the_mass_is_the_slope_of_the_inertial_force(pair):
-    rig = Rig(*pair)
-    slope = differences(rig.inertial_forces, rig.s.a, 1.0)
-    rig.s.rate[:] = 0.0, 1.0
-    rig.evaluate()
-    mass = dense_tangent(rig.s)
-    rig.s.rate[:] = 0.0
-    rig.evaluate()
-    # linear in acceleration: rounding only
-    split = rig.m * rig.s.r.shape[1]
-    assert relative((dense_tangent(rig.s) - mass)[split:, split:], slope) < 1e-12
-
-
-@pytest.mark.parametrize("pair", WITH["mass"], ids=name)
-def test_the_lumped_mass_is_the_mass_where_none_is_shared(pair):
-    kind, d = pair
-    rig = Rig(kind, d)
-    rig.s.share[:] = 0.5, 0.0
-    rig.s.rate[:] = 0.0, 1.0
-    shape_of(rig.model.programs, rig.model.state)
-    for role in ("mass", "lump"):
-        program = assemble([(ROLES[kind][role], rig.frozen_record())], rig.model.state)
-        one_call(program, rig.model.state)
-    assert not np.any(rig.s.k_up)
-    assert not np.any(rig.s.k_low)
-    upper = np.triu(np.ones((d, d), bool)).ravel()
-    assert relative(rig.s.lump[upper], rig.s.k_node[:, upper].T) < 1e-14
-    assert not np.any(rig.s.lump[~upper])
-
-
-def test_mass_comes_with_its_lumped_form():
-    with pytest.raises(TypeError, match="mass and lump come together"):
-        register(Drag, mass=ROLES[AddedMass]["mass"])
-
-
-@pytest.mark.parametrize("pair", [p for p in PAIRS if "kinetic" in ROLES[p[0]]], ids=name)
-def test_kinetic_energy_is_half_velocity_times_mass_times_velocity(pair):
-    rig = Rig(*pair)
-    if pair[0] is AddedMass and pair[1] > 1:
-        # on a bent pipe the neighbours' directions differ and the two agree to their angle only
-        rig.s.r[:] = np.linspace([0.0] * 3, [30.0, 20.0, 60.0], N + 1).T[
-            [0, 2] if rig.d == 2 else [0, 1, 2]
-        ]
-    if pair[0] is Vessel and pair[1] == 3:
-        rig.s.v[:, -1] = 0.0  # a hull that turns takes energy from the one direction to the other
-    rig.s.a[:] = rig.s.v
-    power = (rig.inertial_forces() * rig.s.v).sum()
-    assert -0.5 * power == pytest.approx(rig.kinetic(), rel=1e-12)
 
 
 POWERED = [
@@ -403,43 +321,6 @@ def test_drag_has_a_slope_at_speeds_whose_square_is_no_number(kind, d, speed):
     rig.s.v[:] = speed
     assert np.all(np.isfinite(rig.evaluate()))
     assert np.all(np.isfinite(dense_tangent(rig.s)))
-
-
-@pytest.fixture
-def uncompile(monkeypatch):
-    """Replace compiled helpers by the Python functions they were made from, once all is compiled."""
-
-    def replace():
-        for module in [*modules, blocktri, spread]:
-            for key, value in list(vars(module).items()):
-                if isinstance(value, CPUDispatcher):
-                    monkeypatch.setattr(module, key, value.py_func)
-
-    return replace
-
-
-# memory of other arrays, which a copy of the state does not share; those are compared themselves
-MEMORY = {"loads", "seas", "lumps", "slopes"}
-PIECES = [(kind, d, role) for kind, d in PAIRS for role in ROLES[kind]]
-
-
-@pytest.mark.parametrize("piece", PIECES, ids=lambda p: f"{p[0].__name__}-{p[1]}d-{p[2]}")
-def test_compiled_and_interpreted_effects_agree(piece, uncompile):
-    kind, d, role = piece
-    rig = Rig(kind, d)
-    rig.s.rate[:] = 3.0, 10.0
-    rig.evaluate()
-    state, record = copied(rig.s), copied(rig.record)
-    function = ROLES[kind][role]
-    frozen = rig.frozen_record()
-    compiled = one_call(assemble([(function, frozen)], rig.model.state), rig.model.state)
-    uncompile()
-    interpreted = function.py_func(record, state)
-    assert compiled == pytest.approx(interpreted, rel=1e-10)
-    for field in set(state._fields) - MEMORY:
-        expected = np.asarray(getattr(state, field))
-        if expected.size:
-            assert relative(getattr(rig.s, field), expected) < 1e-10, field
 
 
 def test_water_speed_is_continuous_and_held_beyond_the_table():

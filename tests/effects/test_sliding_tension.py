@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from rig import Rig, differences
-from test_every_effect import DIFFERENCES, check_blocks, dense_tangent, relative
+from derivatives import DIFFERENCES, check_blocks, relative
+from rig import Rig, dense_tangent, differences
 
 from riserstudy.effects.sliding_tension import SlidingTension
 

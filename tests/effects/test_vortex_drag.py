@@ -61,7 +61,7 @@ def test_a_cylinder_at_rest_feels_drag_that_varies_at_the_free_frequency():
 
 
 @pytest.mark.parametrize("speed", [0.2, 0.28, 0.4])
-def test_the_motion_is_that_of_the_same_equations_solved_apart(speed):
+def test_motion_in_line_is_that_of_the_same_equations_solved_apart(speed):
     ramp = 1.5
 
     def slope(t, x):
@@ -129,7 +129,7 @@ def test_a_turned_flow_turns_the_motion():
     np.testing.assert_allclose(across, along, atol=1e-12)
 
 
-def test_phases_follow_acceleration_too():
+def test_phases_of_drag_follow_acceleration_too():
     """The tangent's part by acceleration, phases included, is the slope of the force."""
     rig = Rig(VortexDrag, 3)
     rig.evaluate()

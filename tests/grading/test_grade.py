@@ -1,268 +1,28 @@
 """How printed numbers and claims are graded."""
 
 import csv
-import inspect
 import io
 import json
-from functools import partial
 from importlib import import_module
-from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
+from invented import dataset, number_row, row, samples
 
-from riserstudy.chapters.chang2020 import claims as checks
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading import words
-from riserstudy.grading.grade import Found, _answers, graded
-from riserstudy.grading.models import Item, PublishedFile
+from riserstudy.grading.grade import Found, _answers
+from riserstudy.grading.models import Item
 from riserstudy.grading.names import input_name, option_name
-from riserstudy.grading.published import read_published
-from riserstudy.grading.rows import ErratumRow, Row, row_of, table
-from riserstudy.grading.sensitivity import (
-    correlation_ratio,
-    deciding,
-    shares_by_option,
-    total_effects,
-)
-from riserstudy.grading.verdict import error, met, verdict_of_claim, verdict_of_number
+from riserstudy.grading.rows import ErratumRow, Row, table
 from riserstudy.records.graded import Grounds, Influence
-from riserstudy.study.read import read_studies
 
-CONFIG = Path(__file__).parents[2] / "config"
 COLUMNS = (
     "paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,"
     "margin,margin_low,margin_high,note,grounds"
 )
-
-
-def published(paper="chang2020"):
-    studies = read_studies(CONFIG, paper)
-    return read_published(CONFIG, paper, {*studies.studies, *studies.derived})
-
-
-# numbers
-
-
-@pytest.mark.parametrize(
-    "simulated, printed, digit, inside",
-    [
-        (0.35, 0.3, 0.1, True),  # half a unit of the last digit, on the bound
-        (0.3500001, 0.3, 0.1, False),
-        (0.25, 0.3, 0.1, True),
-        (232.6, 232.0, 1.0, True),  # 1 % is the larger bound here
-        (234.32, 232.0, 1.0, True),
-        (234.33, 232.0, 1.0, False),
-        (-3.1, -3.0, 0.1, False),
-        (-3.05, -3.0, 0.1, True),
-        (0.04, 0.0, 0.1, True),
-        (float("nan"), 1.0, 0.1, False),
-    ],
-)
-def test_a_number_is_met_within_half_its_last_digit_or_one_percent(
-    simulated, printed, digit, inside
-):
-    assert met(simulated, printed, digit) is inside
-
-
-def test_errors_are_relative_unless_zero_was_printed():
-    assert error(1.1, 1.0) == pytest.approx(0.1)
-    assert error(-1.1, -1.0) == pytest.approx(-0.1)
-    assert error(0.2, 0.0) == 0.2
-
-
-@pytest.mark.parametrize(
-    "hit, share, calibrated, verdict",
-    [
-        (True, None, False, "reproduced"),
-        (True, None, True, "calibrated"),
-        (False, None, False, "fails"),
-        (False, None, True, "fails"),
-        (True, 0.95, False, "reproduced"),
-        (True, 0.95, True, "calibrated"),
-        (True, 0.949, False, "depends"),
-        (True, 0.0, False, "depends"),  # a lucky choice
-        (False, 0.0, False, "fails"),
-        (False, 1 / 180, False, "depends"),  # one reading of many meets it
-        (False, 1.0, False, "depends"),
-    ],
-)
-def test_verdicts_of_numbers(hit, share, calibrated, verdict):
-    assert verdict_of_number(hit, share, calibrated) == verdict
-
-
-@pytest.mark.parametrize(
-    "share, verdict",
-    [(1.0, "holds"), (0.95, "holds"), (0.949, "depends"), (0.051, "depends"), (0.05, "fails")],
-)
-def test_verdicts_of_claims(share, verdict):
-    assert verdict_of_claim(share, calibrated=False) == verdict
-
-
-def test_a_claim_that_needs_calibrated_values_does_not_hold_by_itself():
-    assert verdict_of_claim(1.0, calibrated=True) == "calibrated"
-    assert verdict_of_claim(0.0, calibrated=True) == "fails"
-
-
-def test_a_share_of_nothing_is_no_share():
-    with pytest.raises(ValueError, match="no samples"):
-        verdict_of_claim(float("nan"), calibrated=False)
-
-
-# what decides
-
-
-def samples(**assumed):
-    count = len(next(iter(assumed.values())))
-    return xr.Dataset(
-        {
-            f"assumed_{name}": ("sample", values, {"long_name": name.replace("_", ".")})
-            for name, values in assumed.items()
-        },
-        {"sample": np.arange(count)},
-    )
-
-
-def sampled(count=128):
-    random = np.random.default_rng(1)
-    return random, samples(
-        analysis_start=random.choice(["unstretched", "equilibrium"], count),
-        heave_phase=[f"{x} deg" for x in random.uniform(0.0, 360.0, count)],
-        heave_period=[f"{x} s" for x in random.uniform(10.0, 25.0, count)],
-    )
-
-
-def number(dataset, name):
-    return np.array([float(str(value).split()[0]) for value in dataset[name].values])
-
-
-def test_an_option_that_decides_is_named():
-    _, about = sampled()
-    outcome = about["assumed_analysis_start"] == "equilibrium"
-    found = deciding(outcome, about)
-    assert (found.names, found.explained) == (["analysis.start"], 1.0)
-
-
-def test_a_range_that_decides_is_named_though_its_effect_has_no_direction():
-    _, about = sampled()
-    phase = number(about, "assumed_heave_phase")
-    outcome = xr.DataArray((phase > 90.0) & (phase < 270.0), dims="sample")
-    assert deciding(outcome, about).names == ["heave.phase"]
-
-
-def test_two_inputs_that_decide_only_together_are_both_named():
-    _, about = sampled(256)
-    late = number(about, "assumed_heave_phase") > 180.0
-    outcome = (about["assumed_analysis_start"] == "equilibrium") ^ late
-    assert set(deciding(outcome, about).names) == {"analysis.start", "heave.phase"}
-
-
-def test_an_option_is_not_hidden_by_how_evenly_two_ranges_fill_their_plane():
-    """Two samples of a Sobol sequence in a cell of two ranges share the option."""
-    levels = np.arange(8)
-    a, b = (grid.repeat(2) for grid in np.meshgrid(levels, levels))
-    half = (a + b) % 2 == 0  # what the cell knows of the option
-    about = samples(
-        start=np.where(half, "unstretched", "equilibrium"),
-        phase=[f"{x} deg" for x in a + 0.01 * np.arange(128)],
-        period=[f"{x} s" for x in b + 0.01 * np.arange(128)[::-1]],
-    )
-    random = np.random.default_rng(2)
-    outcome = xr.DataArray(~half | (random.random(128) > 0.6), dims="sample")
-    assert deciding(outcome, about).names[0] == "start"
-
-
-def test_a_dimension_beside_the_samples_can_decide():
-    _, about = sampled(32)
-    outcome = xr.DataArray(
-        np.tile([True, False], (32, 1)),
-        dims=("sample", "compared"),
-        coords={"compared": ["as it stands", "from equilibrium"]},
-    )
-    assert deciding(outcome, about).names == ["compared"]
-
-
-def test_shares_are_told_by_option_and_not_by_number():
-    _, about = sampled(64)
-    start, phase = about["assumed_analysis_start"], number(about, "assumed_heave_phase")
-    outcome = xr.where((start == "equilibrium") | (phase > 180.0), True, False)
-    found = shares_by_option(outcome, about, ["analysis.start", "heave.phase"])
-    rest = (phase > 180.0)[start.values == "unstretched"].mean()
-    assert found == {"analysis.start": {"equilibrium": 1.0, "unstretched": rest}}
-
-
-def test_shares_of_a_grid_are_told_by_the_labels_of_its_dimensions():
-    outcome = xr.DataArray(
-        [[True, False], [True, True]],
-        dims=("model", "level"),
-        coords={"model": ["gas law", "linear"], "level": [1.0, 2.0]},
-    )
-    found = shares_by_option(outcome, xr.Dataset(), ["model", "level"])
-    assert found == {"model": {"gas law": 0.5, "linear": 1.0}}
-
-
-def test_nothing_decides_what_never_changes():
-    _, about = sampled(16)
-    assert deciding(xr.ones_like(about["sample"], bool), about).names == []
-
-
-@pytest.mark.parametrize("count", [16, 128])
-def test_pure_chance_is_not_explained(count):
-    random, about = sampled(count)
-    outcome = xr.DataArray(random.random(count) > 0.5, dims="sample")
-    found = deciding(outcome, about)
-    assert (found.names, found.explained) == ([], 0.0)
-
-
-def test_correlation_ratios_run_from_nothing_to_all():
-    outcome = np.array([0.0, 0.0, 1.0, 1.0] * 4)
-    assert correlation_ratio(outcome, np.array([0, 0, 1, 1] * 4)) == 1.0
-    assert correlation_ratio(outcome, np.array([0, 1, 0, 1] * 4)) == 0.0
-
-
-def test_total_effects_of_a_grid_count_interactions():
-    both = np.array([[True, False], [False, True]])
-    outcome = xr.DataArray(both[..., None].repeat(3, 2), dims=("one", "other", "idle"))
-    assert total_effects(outcome) == {"one": 1.0, "other": 1.0, "idle": 0.0}
-    assert set(deciding(outcome, xr.Dataset()).names) == {"one", "other"}
-
-
-# rows
-
-
-class Checks:
-    """Checks of an invented paper."""
-
-    @staticmethod
-    def number(runs):
-        return Found(runs["quantity"])
-
-    @staticmethod
-    def claim(runs, at_least):
-        return Found(runs["quantity"], runs["quantity"] >= at_least)
-
-    @staticmethod
-    def premised(runs, least, premise):
-        return Found(runs["quantity"], runs["quantity"] >= least, runs["quantity"] >= premise)
-
-
-def dataset(quantity, **origins):
-    values = np.asarray(quantity, float)
-    dims = ("sample",)[: values.ndim]
-    return xr.Dataset({"quantity": (dims, values)}, attrs={"origins": json.dumps(origins)})
-
-
-def row(datasets, called=None, **about):
-    fields = {"id": "X1", "figure": "1", "statement": "invented", "reads": {"runs": "base"}}
-    item = Item(**(fields | about))
-    return row_of(graded("paper", item, partial(getattr, Checks), datasets, called))
-
-
-def number_row(datasets, **about):
-    about = {"kind": "number", "published": 2.0, "rounding": 0.1, "check": "number"} | about
-    return row(datasets, **about)
 
 
 def test_a_number_is_reproduced_with_its_error_in_the_row():
@@ -388,12 +148,6 @@ def test_a_paper_may_say_what_its_inputs_are_called():
     assert found.note.startswith("Which model is meant explains")
 
 
-def test_an_input_is_not_called_nothing():
-    item = {"id": "C1", "figure": "1", "kind": "claim", "statement": "s", "impossible": "no scale"}
-    with pytest.raises(ValueError, match="called"):
-        PublishedFile(paper="p", items=[item], called={"model": ""})
-
-
 @pytest.mark.parametrize("word", ["of 2: or 3", "a; b", "e.g. this (5 %)"])
 def test_names_of_inputs_may_hold_any_punctuation(word):
     models = np.array(["with; out", "without (3 %)"] * 8)
@@ -444,66 +198,6 @@ def test_the_table_has_the_columns_of_the_contract():
     assert (read["published"], read["simulated"], read["depends_on"]) == ("2", "2.04", "")
     assert text.endswith("\n")
     assert table([], ErratumRow) == "paper,id,where,printed,reading,simulation\n"
-
-
-# the data
-
-
-@pytest.mark.parametrize(
-    "about, fault",
-    [
-        ({"published": None, "rounding": None}, "every number has a printed value"),
-        ({"rounding": None}, "rounding"),
-        ({"check": None, "reads": {}}, "one of check, impossible and not_comparable"),
-        ({"reads": {}}, "check and reads"),
-        ({"over": {"other": "space"}}, "same arguments"),
-        ({"beside": {"Settled": {"other": "space"}}}, "same arguments"),
-        ({"rounding": 0.0}, "greater than 0"),
-        ({"colour": "red"}, "Extra inputs"),
-    ],
-)
-def test_data_that_cannot_be_meant_are_refused(about, fault):
-    with pytest.raises(ValueError, match=fault):
-        number_row({"base": dataset(2.0)}, **about)
-
-
-def test_a_published_file_names_its_fault(tmp_path):
-    (tmp_path / "published").mkdir()
-    path = tmp_path / "published/paper.yaml"
-    one = "{id: X1, figure: '1', kind: claim, statement: s, check: c, reads: {runs: base}}"
-    path.write_text(f"paper: paper\nitems: [{one}, {one}]\n")
-    with pytest.raises(InputError, match="'X1' stands twice"):
-        read_published(tmp_path, "paper", {"base"})
-    path.write_text(f"paper: paper\nitems: [{one}]\n")
-    with pytest.raises(InputError, match="no dataset 'base'; allowed are other"):
-        read_published(tmp_path, "paper", {"other"})
-
-
-def test_every_check_exists_and_takes_what_it_is_given():
-    file = published()
-    known = {item.id for item in file.items}
-    assert {f"A{k}" for k in range(1, 17)} - {"A10"} <= known  # A10 is part of A8
-    for entry in (*file.items, *file.errata):
-        if entry.check:
-            function = getattr(checks, entry.check)
-            inspect.signature(function).bind(**entry.reads, **entry.options)
-
-
-@pytest.mark.parametrize("paper", ["chang2020", "fem_riser", "liu2017", "liu2020", "mao_hangoff"])
-def test_the_base_of_a_claim_is_in_every_tier(paper):
-    studies = read_studies(CONFIG, paper).studies.values()
-    thinned = [
-        (name, axis.preview)
-        for study in studies
-        for name, axis in study.axes.items()
-        if getattr(axis, "preview", None)
-    ]
-    for item in published(paper).items:
-        for name, value in (item.base or {}).items():
-            for axis, values in thinned:
-                assert axis != name or value in values, (
-                    f"{item.id}: {name} {value} is not in preview"
-                )
 
 
 @pytest.mark.parametrize(

@@ -207,7 +207,7 @@ def test_operators_that_cannot_be_meant_are_refused(changes, reason):
         made(**changes)
 
 
-def test_lines_may_stand_in_any_order():
+def test_operators_do_not_depend_on_the_order_of_lines():
     frequency = 2.0 * math.pi / np.array([6.0, 10.0, 17.0])
     shuffled = [HEADED[k] for k in np.random.default_rng(5).permutation(len(HEADED))]
     one, other = (made(operators=rows, headings="towards") for rows in (HEADED, shuffled))

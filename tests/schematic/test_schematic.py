@@ -87,7 +87,7 @@ def test_labels_neither_touch_nor_leave_the_figure(paper, name):
 
 
 @pytest.mark.parametrize("paper, name", SHOWN)
-def test_text_is_not_below_6_points_on_a_page_of_180_mm(paper, name):
+def test_text_of_a_schematic_is_not_below_6_points_on_a_page_of_180_mm(paper, name):
     figure = drawn(paper, name)
     shrunk = min(1.0, 180.0 / (25.4 * figure.get_size_inches()[0]))
     for text in figure.findobj(Text):

@@ -188,7 +188,7 @@ def test_a_synthetic_record_has_the_statistics_that_it_is_said_to_have():
 
 
 @pytest.mark.parametrize("text", ["hs < 2 m", "hs <= 2", "height <= 2 m", "hs <= 2 s", "", "hs"])
-def test_a_limit_that_cannot_be_meant_is_refused(text):
+def test_a_limit_in_seas_that_cannot_be_meant_is_refused(text):
     with pytest.raises(InputError, match="--limit"):
         sea_limit(text)
 

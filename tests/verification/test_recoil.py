@@ -330,7 +330,7 @@ def test_the_release_waits_for_its_phase(tmp_path, phase, at):
         ("count: 5", "count: 5\n    failing: {at: 1 s, cylinders: [5]}", "count from 0"),
     ],
 )
-def test_what_does_not_fit_is_refused(tmp_path, old, new, message):
+def test_a_recoil_that_does_not_fit_is_refused(tmp_path, old, new, message):
     text = STRING.replace(old, new).replace("MORE", VALVE)
     with pytest.raises(InputError, match=message):
         scene(tmp_path, text).resolved()

@@ -136,7 +136,7 @@ LONG = "\n".join(f"{k},{k}" for k in range(6))
         ("time at 3 m (s),effective_tension at 0 m (kN)\n" + LONG, "is no axis"),
     ],
 )
-def test_what_cannot_be_meant_is_refused(tmp_path, text, said):
+def test_an_external_table_that_cannot_be_meant_is_refused(tmp_path, text, said):
     path = tmp_path / "other.csv"
     path.write_text(text)
     with pytest.raises(InputError) as refused:

@@ -1,0 +1,127 @@
+"""Figures and grades of Mao's chapter, from few and coarse runs."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from mao import CONFIG, FILE, PAPER, WEIGHTS, WORD
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from riserstudy.chapters import checks_of
+from riserstudy.chapters.derive import derive
+from riserstudy.chapters.draw import draw
+from riserstudy.chapters.mao_hangoff.claims.towed import (
+    loads_small_at_the_lmrp,
+)
+from riserstudy.chapters.mao_hangoff.derived.towed import end_loads, reference_masses
+from riserstudy.grading.grade import errata, grade
+from riserstudy.grading.printed import with_printed
+from riserstudy.grading.published import read_published
+from riserstudy.grading.rows import ErratumRow, table
+from riserstudy.study.collect import dataset_of, results_of
+from riserstudy.study.study import Study
+
+
+def test_loads_are_those_of_the_slip_at_both_ends(datasets):
+    """Against 1 m/s at 1 m/s the joint meets 2 m/s; C_D 1.2 and 0.7, no current at the LMRP."""
+    readings = datasets["readings"]
+    base = {name: readings[name].values[0] for name in ("riser_weight", "flow", "current_profile")}
+    loads = end_loads(readings).sel(base)
+    assert loads["load_at_joint"].values == pytest.approx(
+        -0.5 * 1025.0 * 1.2 * 0.5334 * 4.0, rel=1e-6
+    )
+    x = readings["x"].sel(base).isel(s=0)
+    speed = (x.sel(time=130.0) - x.sel(time=120.0)) / 10.0
+    there = -0.5 * 1025.0 * 0.7 * 0.5334 * speed**2
+    np.testing.assert_allclose(loads["load_at_lmrp"], there, rtol=1e-9)
+    found = loads_small_at_the_lmrp(loads, WORD("considerable"))
+    assert bool(found.true) == (float(found.value) < 0.75)
+
+
+def test_the_case_without_open_inputs_stands_beside_the_printed_numbers(datasets):
+    runs = datasets["hangoff_ref"]
+    both = reference_masses(runs)
+    for mass, name in ((140.0, "hangoff_ref"), (120.0, "hangoff_ref_120t")):
+        xr.testing.assert_equal(
+            both["x"].sel(lmrp_mass=mass, drop=True), runs["x"].sel(variant=name, drop=True)
+        )
+
+
+FEW = {name: dict(list(labels.items())[:2]) for name, labels in FILE.readings.items()}
+COARSE = {"analysis.accuracy": None, "analysis.mesh": {"elements": 20}, "analysis.step": "0.5 s"}
+STATIC = ("steady", "pe_pipe")
+
+
+def little(name, model):
+    axes = dict(model.axes)
+    if "sample" in axes:
+        axes["sample"] = axes["sample"].model_copy(update={"count": {"preview": 2}})
+    if name == "variants":
+        return model
+    settings = {"analysis.mesh": {"elements": 20}} if name in STATIC else COARSE
+    return model.model_copy(update={"axes": axes, "set": model.set | settings})
+
+
+@pytest.fixture(scope="module")
+def datasets():
+    made = {}
+    for name, model in FILE.studies.items():
+        readings = FEW | {"track": FILE.readings["track"]}
+        if name == "readings":  # errata tell every flow
+            readings |= {"flow": FILE.readings["flow"]}
+        study = Study(PAPER, name, little(name, model), CONFIG, "preview", "5 %", readings)
+        made[name] = dataset_of(study, results_of(study, 1, lambda text: None)[0])
+    for name, how in FILE.derived.items():
+        sources = {source: made[source] for source in how.reads}
+        made[name] = derive(PAPER, name, sources, with_printed(how.settings, CONFIG, PAPER))
+    return made
+
+
+def drawn(datasets, name):
+    model = FILE.figures[name]
+    settings = with_printed(model.settings, CONFIG, PAPER)
+    return draw(PAPER, name, {key: datasets[key] for key in model.reads}, settings)
+
+
+def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
+    colours = []
+    for name in ("readings", "open_choices"):
+        figure = drawn(datasets, name)
+        lines = figure.axes[0].get_lines()
+        weights = {line: str(line.get_label()).partition(";")[0] for line in lines}
+        colours.append({n: line.get_color() for line, n in weights.items() if n in WEIGHTS})
+    both = colours[0].keys() & colours[1].keys()
+    assert both
+    assert {name: colours[0][name] for name in both} == {name: colours[1][name] for name in both}
+
+
+def test_dashed_lines_of_tracks_are_in_the_key(datasets):
+    figure = drawn(datasets, "fig13")
+    dashed = [
+        line.get_label() for line in figure.axes[0].get_lines() if line.get_linestyle() == "--"
+    ]
+    shown = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
+    assert any(label in shown for label in dashed)
+
+
+@pytest.mark.parametrize("name", FILE.figures)
+def test_every_figure_is_drawn_whole_with_units(datasets, name):
+    figure = drawn(datasets, name)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    inside = figure.get_tightbbox(canvas.get_renderer())
+    width, height = figure.get_size_inches()
+    assert min(inside.x0, inside.y0) >= -0.01
+    assert inside.x1 <= width + 0.01
+    assert inside.y1 <= height + 0.01
+    for ax in figure.axes:
+        for label in (ax.get_xlabel(), ax.get_ylabel()):
+            assert not label or label.endswith(")") or " / " in label, label
+
+
+def test_everything_is_graded(datasets):
+    file = read_published(CONFIG, PAPER, datasets)
+    cases = {of.id: of.cases for of in grade(file, datasets, checks_of(PAPER))}
+    assert list(cases) == [item.id for item in file.items]
+    # What must come out whatever the numbers, in every sample: one heave has one frequency.
+    assert all(case.met for case in cases["C7"])
+    assert "{" not in table(errata(file, datasets, checks_of(PAPER)), ErratumRow)
