@@ -112,31 +112,41 @@ def test_how_errors_are_seen_to_fall_is_that_of_the_quantities_that_an_accuracy_
     assert Halved({"moment": 0.2, "angle": 9.0}, before).fall == pytest.approx(4.0)
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_an_angle_is_within_its_limit_only_with_its_error(seed):
-    """Limits a little above the largest angle, by less and by more than its estimated error."""
-    tree = moving(seed, spatial=bool(seed % 2), conductor=False)
-    result = run(file_of(tree).resolved())
-    rows = {row["output"]: row for row in result.facts["extremes"] if row["output"] in ANGLES}
+def check_limits_near_angles(facts, file_with, word):
+    """Limits below the largest angle, and above it by less and by more than its estimated error.
+
+    Parameters
+    ----------
+    file_with : scene with a limit.
+    word : in what a limit says that its error leaves undecided.
+    """
+    rows = {row["output"]: row for row in facts["extremes"] if row["output"] in ANGLES}
     sizes = {name: max(abs(row["largest"]), abs(row["smallest"])) for name, row in rows.items()}
-    error = result.facts["error_estimate"]["angle"] * max(sizes.values())
+    error = facts["error_estimate"]["angle"] * max(sizes.values())
     assert error > 0.0
     for name, size in sizes.items():
         for margin, verdict in ((-0.5, "exceeded"), (0.5, "not evaluated"), (1.5, "within")):
-            limit = {
-                "output": name,
-                "mode": "drilling",
-                "largest": f"{size + margin * error!r} rad",
-            }
-            file = file_of(tree, limits=[limit])
-            (row,) = checked(file, file.resolved(), result.facts)
+            largest = f"{size + margin * error!r} rad"
+            file = file_with({"output": name, "mode": "drilling", "largest": largest})
+            (row,) = checked(file, file.resolved(), facts)
             assert row.verdict == verdict
-            assert ("error of the angle" in row.missing) == (verdict == "not evaluated")
-        limit = {"output": "bending_moment", "mode": "drilling", "largest": "1e9 N*m"}
-        file = file_of(tree, limits=[limit])
-        poor = result.facts | {"error_estimate": {"angle": 3.0}}
-        (row,) = checked(file, file.resolved(), poor)
-        assert row.verdict == "within"
+            assert (word in row.missing) == (verdict == "not evaluated")
+    return rows
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_an_angle_is_within_its_limit_only_with_its_error(seed):
+    tree = moving(seed, spatial=bool(seed % 2), conductor=False)
+
+    def file_with(limit):
+        return file_of(tree, limits=[limit])
+
+    facts = run(file_of(tree).resolved()).facts
+    assert check_limits_near_angles(facts, file_with, "error of the angle")
+    file = file_with({"output": "bending_moment", "mode": "drilling", "largest": "1e9 N*m"})
+    poor = facts | {"error_estimate": {"angle": 3.0}}
+    (row,) = checked(file, file.resolved(), poor)
+    assert row.verdict == "within"
 
 
 VIBRATING = Path(__file__).parents[2] / "config/scenes/hard/vortices.yaml"
@@ -154,23 +164,11 @@ def test_an_angle_of_a_riser_that_vibrates_is_within_its_limit_only_with_its_err
     file = read_scene(VIBRATING).with_values(sets, "test")
     result = run(file.resolved())
     assert result.facts["sampling_error"]["angle"] > 0.0
-    told = result.facts["error_estimate"]["angle"]
-    assert told >= result.facts["sampling_error"]["angle"]
-    rows = {row["output"]: row for row in result.facts["extremes"] if row["output"] in ANGLES}
+    assert result.facts["error_estimate"]["angle"] >= result.facts["sampling_error"]["angle"]
+    rows = check_limits_near_angles(
+        result.facts, lambda limit: file.with_values({"limits": [limit]}, "test"), "run longer"
+    )
     assert rows.keys() == set(ANGLES)
-    sizes = {name: max(abs(row["largest"]), abs(row["smallest"])) for name, row in rows.items()}
-    error = told * max(sizes.values())
-    for name, size in sizes.items():
-        for margin, verdict in ((-0.5, "exceeded"), (0.5, "not evaluated"), (1.5, "within")):
-            limit = {
-                "output": name,
-                "mode": "drilling",
-                "largest": f"{size + margin * error!r} rad",
-            }
-            limited = file.with_values({"limits": [limit]}, "test")
-            (row,) = checked(limited, limited.resolved(), result.facts)
-            assert row.verdict == verdict
-            assert ("run longer" in row.missing) == (verdict == "not evaluated")
 
 
 def test_a_string_aside_tells_the_error_of_its_upper_angle():
