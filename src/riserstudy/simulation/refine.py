@@ -13,11 +13,15 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.sudden import sudden_starts
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.prescribed_run import run_prescribed
+from riserstudy.simulation.refinement_warnings import (
+    missed_accuracy,
+    slow_convergence,
+    sparse_outputs,
+)
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.rival_modes import warn_of_rivals
 from riserstudy.simulation.run import finish, march, single
@@ -31,7 +35,6 @@ from riserstudy.simulation.tolerance import (
     add_error_of_outputs,
     allowed_of,
     check_error,
-    in_words,
     raise_if_buckling,
 )
 
@@ -42,7 +45,6 @@ STALE = 2  # halvings of the other, after which what one of mesh and step was se
 LIKELY = 1.5  # of what is asked for: an error foreseen that may turn out to be within it
 MATTERS = 0.25  # of what is asked for: an error that is
 STEPS_A_PERIOD = 24  # of the coarsest step
-FIRST_ORDER = 2.0  # by which each halving reduces an error
 
 
 def run(
@@ -147,7 +149,7 @@ class Refinement:
         self.spent[-1] = cost(finest)
         if not reached:
             finest.facts["warnings"].append(self._not_reached(finest))
-        finest.facts["warnings"] += self._slow()
+        finest.facts["warnings"] += slow_convergence(self.scene, self.seen.get("step"))
         finest.facts["solve_seconds"] = total_seconds(self.spent)
         finest.facts["refinements"] = self.spent
         output = self.scene.analysis.output
@@ -198,15 +200,7 @@ class Refinement:
     def _out_of_patience(self, finest: Result) -> None:
         """Enter that it ended here, and which outputs are not there."""
         finest.facts["ended_by"] = f"patience of {self.watch.patience:g} s"
-        output, time = self.scene.analysis.output, finest.arrays.get("time")
-        if output is None or time is None or len(time) < 2:
-            return
-        interval = float(time[1] - time[0])
-        if interval > 1.5 * output.interval:
-            finest.facts["warnings"].append(
-                f"outputs are {interval:g} s apart, not {output.interval:g} s: patience ended before the run "
-                "that was to hold all of them"
-            )
+        finest.facts["warnings"] += sparse_outputs(self.scene, finest)
 
     def _begin(self) -> None:
         """Tell what is run next, how far the last was off, and what is left to do."""
@@ -231,25 +225,9 @@ class Refinement:
                 break
         return float(total)
 
-    def _slow(self) -> list[str]:
-        """What makes errors of the step fall slower than those of a first-order method."""
-        seen, lines = self.seen.get("step"), sudden_starts(self.scene)
-        if seen is None or seen.fall >= FIRST_ORDER or not lines:
-            return []
-        return [
-            f"halving the step reduced its error by a factor of {seen.fall:.2g} only: "
-            f"{' and '.join(lines)} {'starts' if len(lines) == 1 else 'start'} as a step. Give a ramp"
-        ]
-
     def _not_reached(self, finest: Result) -> str:
-        """What is to be said of an accuracy that was not reached."""
-        facts = finest.facts
-        why = f" within {facts['ended_by']}" if "ended_by" in facts else ""
-        errors = f"{in_words(facts['error_estimate'])} estimated"
-        if not facts["error_estimate"]:
-            errors = "no error estimate, which takes more runs"
-        runs = f"{len(self.spent)} run{'s' if len(self.spent) > 1 else ''}"
-        return f"accuracy not reached{why} after {runs}, the last on {facts['elements']} segments: {errors}"
+        """Warn that accuracy was not reached."""
+        return missed_accuracy(finest.facts, len(self.spent))
 
     @property
     def mesh(self) -> Mesh:
