@@ -1,7 +1,8 @@
 """Jobs of the rules, a function a rule: ``python -m riserstudy.jobs <function> ...``.
 
-A job reads, computes, writes whole files and seals them. What it needs is imported when it runs: the
-process that jobs are forks of has most of it, and a figure needs no solver.
+A job reads, computes, writes whole files and seals them. One that is told what to ``--expect`` raises a
+`SimulationError` where scene, study or engine changed since the workflow was planned. What a job needs is
+imported when it runs: the process that jobs are forks of has most of it, and a figure needs no solver.
 """
 
 from __future__ import annotations
@@ -15,15 +16,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from riserstudy.dataset.unit_systems import UnitSystem
-from riserstudy.errors import InputError, RiserStudyError, SimulationError, printable
+from riserstudy.errors import InputError, RiserStudyError, printable
 from riserstudy.jobs import processes
+from riserstudy.jobs.planned import CONFIG, check_unchanged, read_plan
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.jobs.workplan import Workplan
-
-CONFIG = Path("config")  # in the folder where Snakemake runs
 INTERRUPTED, BAD_INPUT = 130, 2  # exit statuses
 
 Tier = Annotated[str, typer.Option(help="of the run")]
@@ -87,17 +86,11 @@ def compile_kernels(group: Annotated[str | None, typer.Argument()] = None) -> No
 
 @job
 def tune(paper: str, study: str, target: Path, tier: Tier, expect: Expect) -> None:
-    """Tune mesh, step and method of a study, and write them into a file for its points.
-
-    Raises
-    ------
-    SimulationError
-        When scene, study or engine changed since the workflow was planned.
-    """
+    """Tune mesh, step and method of a study, and write them into a file for its points."""
     from riserstudy.study.settings import tuned_for, write_settings
 
-    plan = _plan(tier, [paper], only=[(paper, study)])
-    _check_unchanged(plan.settings_digest(paper, study), expect)
+    plan = read_plan(tier, [paper], only=[(paper, study)])
+    check_unchanged(plan.settings_digest(paper, study), expect)
     found = tuned_for(plan.study(paper, study), lambda line: print(line, flush=True))
     print(found.because or f"{found.setting}: work {found.work:.2g} of that of requests")
     write_settings(found, target)
@@ -119,19 +112,14 @@ def shard(
     """Store those points of a study that fall to one of several jobs and that the store lacks.
 
     The target says how many points there are.
-
-    Raises
-    ------
-    SimulationError
-        When scene, study or engine changed since the workflow was planned.
     """
     from riserstudy.folders import write_whole
     from riserstudy.jobs.points_done import PointsDone
     from riserstudy.study.settings import fill_tuned, read_settings, with_setting
     from riserstudy.study.simulate_points import fill
 
-    plan = _plan(tier, [paper], only=[])
-    _check_unchanged(plan.shard_digest(paper, study, shard, shards), expect)
+    plan = read_plan(tier, [paper], only=[])
+    check_unchanged(plan.shard_digest(paper, study, shard, shards), expect)
     points = plan.shard(paper, study, shard, shards)
     planned = plan.study(paper, study)
     setting = read_settings(settings).setting if settings else None
@@ -158,19 +146,13 @@ def simulate(
     expect: Expect,
     settings: Tuned = None,
 ) -> None:
-    """Simulate what a study lacks and write its dataset.
-
-    Raises
-    ------
-    SimulationError
-        When scene, study or engine changed since the workflow was planned.
-    """
+    """Simulate what a study lacks and write its dataset."""
     from riserstudy.jobs.points_done import PointsDone
     from riserstudy.study.join import write_study
     from riserstudy.study.settings import read_settings
 
-    plan = _plan(tier, [paper], only=[(paper, study)])
-    _check_unchanged(plan.study_digest(paper, study), expect)
+    plan = read_plan(tier, [paper], only=[(paper, study)])
+    check_unchanged(plan.study_digest(paper, study), expect)
     tuned = read_settings(settings) if settings else None
     workers = processes(threads, plan.threads(paper, study))
     write_study(plan.study(paper, study), target, workers, print, PointsDone(), tuned)
@@ -194,13 +176,13 @@ def sea_states(
     Raises
     ------
     SimulationError
-        When scene, record or engine changed since the workflow was planned, or sea states do not suffice.
+        When sea states do not suffice.
     """
     from riserstudy.folders import write_whole
     from riserstudy.seas.seas_hours import simulate_part
 
-    plan = _plan(tier, [paper], only=[])
-    _check_unchanged(plan.seas_digest(paper, study), expect)
+    plan = read_plan(tier, [paper], only=[])
+    check_unchanged(plan.seas_digest(paper, study), expect)
     workers = processes(threads, plan.seas_threads(paper, study))
     count = simulate_part(plan.seas(paper, study), part, workers, _notify)
     write_whole(target, f"{count} sea states\n".encode())
@@ -215,15 +197,13 @@ def hours(
     Raises
     ------
     SimulationError
-        When scene, record or engine changed since the workflow was planned, or sea states do not suffice.
+        When sea states do not suffice.
     """
     from riserstudy.seas.seas_hours import seas_hours
-    from riserstudy.study.collect import write_dataset
 
-    plan = _plan(tier, [paper], only=[])
-    _check_unchanged(plan.seas_digest(paper, study), expect)
-    write_dataset(seas_hours(plan.seas(paper, study), threads, _notify), target)
-    _seal(target)
+    plan = read_plan(tier, [paper], only=[])
+    check_unchanged(plan.seas_digest(paper, study), expect)
+    _write(seas_hours(plan.seas(paper, study), threads, _notify), target)
 
 
 def _notify(line: str) -> None:
@@ -240,41 +220,12 @@ def measure(
     threads: Threads,
     expect: Expect,
 ) -> None:
-    """Measure a dataset by the code of its chapter, instead of simulating a grid.
-
-    Raises
-    ------
-    SimulationError
-        When scene, study or engine changed since the workflow was planned.
-    """
+    """Measure a dataset by the code of its chapter, instead of simulating a grid."""
     from riserstudy.chapters.measure import measure
-    from riserstudy.study.collect import write_dataset
 
-    plan = _plan(tier, papers, only=[])
-    _check_unchanged(plan.measured_digest(paper, study), expect)
-    dataset = measure(paper, study, plan.measured(paper, study), plan.setting(threads))
-    write_dataset(dataset, target)
-    _seal(target)
-
-
-def _plan(tier: str, papers: list[str], only: list[tuple[str, str]]) -> Workplan:
-    """The plan of a tier, of which some studies are checked."""
-    from riserstudy.jobs.workplan import Workplan
-
-    return Workplan.read(CONFIG, {"tier": tier, "papers": papers}, only=only)
-
-
-def _check_unchanged(digest: str, expected: str) -> None:
-    """Refuse to do another thing than was planned.
-
-    Raises
-    ------
-    SimulationError
-        When the digests differ.
-    """
-    if digest != expected:
-        changed = "scene, study or engine changed while the workflow was running"
-        raise SimulationError(f"{changed}; run it again")
+    plan = read_plan(tier, papers, only=[])
+    check_unchanged(plan.measured_digest(paper, study), expect)
+    _write(measure(paper, study, plan.measured(paper, study), plan.setting(threads)), target)
 
 
 # What is made of datasets
@@ -290,10 +241,8 @@ def derive(
 ) -> None:
     """Derive a dataset from others."""
     from riserstudy.chapters.derive import derive
-    from riserstudy.study.collect import write_dataset
 
-    write_dataset(derive(paper, name, _datasets(sources), json.loads(settings)), target)
-    _seal(target)
+    _write(derive(paper, name, _datasets(sources), json.loads(settings)), target)
 
 
 @job
@@ -406,6 +355,14 @@ def _datasets(sources: list[Path]) -> dict[str, xr.Dataset]:
     import xarray as xr
 
     return {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
+
+
+def _write(dataset: xr.Dataset, target: Path) -> None:
+    """Write a dataset, and seal it."""
+    from riserstudy.study.collect import write_dataset
+
+    write_dataset(dataset, target)
+    _seal(target)
 
 
 def _text(source: Path) -> str:

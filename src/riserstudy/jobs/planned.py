@@ -1,0 +1,33 @@
+"""What the workflow planned, read once more by a job, which does that or nothing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from riserstudy.errors import SimulationError
+
+if TYPE_CHECKING:
+    from riserstudy.jobs.workplan import Workplan
+
+CONFIG = Path("config")  # in the folder where Snakemake runs
+
+
+def read_plan(tier: str, papers: list[str], only: list[tuple[str, str]]) -> Workplan:
+    """The plan of a tier, of which some studies are checked."""
+    from riserstudy.jobs.workplan import Workplan
+
+    return Workplan.read(CONFIG, {"tier": tier, "papers": papers}, only=only)
+
+
+def check_unchanged(digest: str, expected: str) -> None:
+    """Refuse to do another thing than was planned.
+
+    Raises
+    ------
+    SimulationError
+        When scene, study or engine changed since the workflow was planned, so that the digests differ.
+    """
+    if digest != expected:
+        changed = "scene, study or engine changed while the workflow was running"
+        raise SimulationError(f"{changed}; run it again")
