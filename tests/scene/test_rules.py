@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from riserstudy.errors import InputError
-from riserstudy.scene.blame import is_known
+from riserstudy.scene.error_source import is_known
 from riserstudy.scene.load import read_scene
 from riserstudy.scene.parts import Parts
 from riserstudy.scene.paths import leaves

@@ -13,7 +13,7 @@ from riserstudy.inputs.check import check
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.scene import paths
-from riserstudy.scene.blame import blamed, is_known
+from riserstudy.scene.error_source import attribute_error, is_known
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
 from riserstudy.scene.resolve import Resolved, resolve
@@ -81,7 +81,7 @@ class SceneFile:
         try:
             return check(Scene, fill_in_tables(self.tree, folder, self.held), self.source)
         except InputError as error:
-            raise self._blamed(error) from None
+            raise self._attributed(error) from None
 
     def resolved(self) -> Resolved:
         """The checked scene with what follows from its parts, checked and worked out once.
@@ -100,14 +100,14 @@ class SceneFile:
             return resolve(scene)
         except Misfit as fault:
             error = InputError(self.source, fault.path, fault.found, fault.allowed, fault.also)
-            raise self._blamed(error) from None
+            raise self._attributed(error) from None
 
-    def _blamed(self, error: InputError) -> InputError:
-        """The fault, told of who set what it is about."""
+    def _attributed(self, error: InputError) -> InputError:
+        """The error at the file that set the value in question."""
         if error.where != self.source:
             return error
         files = files_of_tables(self.tree, Path(self.source).parent) if self.held is None else ()
-        return blamed(error, self.layers, {p: str(file) for p, file in files})
+        return attribute_error(error, self.layers, {p: str(file) for p, file in files})
 
 
 def _copied(tree: Any) -> Any:

@@ -27,10 +27,10 @@ def largest_errors(parts: Sequence[Part], middles: Sequence[Middle]) -> NDArray[
     return np.asarray(np.max(errors, axis=0))
 
 
-def said(
+def summarise(
     parts: Sequence[Part], middles: Sequence[Middle], hours: RiserHours, record: xr.Dataset
 ) -> list[str]:
-    """What was simulated, in words."""
+    """What was simulated, in lines of words."""
     riser = parts[0].riser
     count = sum(len(part.cover.states) for part in parts)
     compared = sum(int(part.cover.held_out.sum()) for part in parts)

@@ -9,7 +9,7 @@ from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Middle, compared, widened
 from riserstudy.seas.directions import FROM, Directions
-from riserstudy.seas.downtime_dataset import dataset_of, largest_errors, said
+from riserstudy.seas.downtime_dataset import dataset_of, largest_errors, summarise
 from riserstudy.seas.heading_parts import (
     Effort,
     Part,
@@ -114,7 +114,7 @@ def _counted(
     sea = met_by_rows(record, limits)
     error = largest_errors(parts, middles)
     hours = riser_hours(record, known, found, riser.limits, error, sea)
-    lines = said(parts, middles, hours, record)
+    lines = summarise(parts, middles, hours, record)
     time, interval = record["time"].values[known], float(record.attrs["interval_hours"])
     history = Demands(time, interval, riser.seeds, riser.limits, found)
     return Downtime(hours, dataset_of(file, parts, middles), lines, history)

@@ -38,15 +38,12 @@ USUAL: dict[Plot, tuple[str, ...]] = {
     "workable hours": (),
 }
 SIDES = ("_max", "_min", "_absmax")
-_AHEAD = ("platform_speed", "riser_reaction", "environment_force")
 #: what is given over time alone, not at rest
 _MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift", "stroke")
-
-
 ANOTHER = "name another quantity or plot"
 
 
-class Unshown(NamedTuple):
+class Reason(NamedTuple):
     """Why a plot does not show a quantity, and what it may show."""
 
     why: str
@@ -60,8 +57,8 @@ def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[Misfit]:
         return
     wanted = figure.of or []
     for quantity in wanted:
-        if fault := unshown(figure.plot, quantity, studies[name]):
-            yield Misfit("of", f"{quantity!r} {fault.why}", fault.allowed)
+        if reason := why_not_shown(figure.plot, quantity, studies[name]):
+            yield Misfit("of", f"{quantity!r} {reason.why}", reason.allowed)
     if not wanted and not shows(figure.plot, studies[name]):
         found = f"the runs of {name!r} return nothing that {_a(figure.plot)} shows"
         yield Misfit("of", found, ANOTHER)
@@ -71,25 +68,25 @@ def shows(plot: Plot, study: Study) -> bool:
     """Whether a plot has something to show of a study where it names nothing."""
     if plot == "utilisation":
         return "limits" in study.base.tree
-    return any(not unshown(plot, quantity, study) for quantity in USUAL[plot])
+    return any(not why_not_shown(plot, quantity, study) for quantity in USUAL[plot])
 
 
-def unshown(plot: Plot, quantity: str, study: Study) -> Unshown | None:
+def why_not_shown(plot: Plot, quantity: str, study: Study) -> Reason | None:
     """Why a plot cannot show a quantity of a study; None where it can, or where only runs can say."""
     stem = next((quantity.removesuffix(e) for e in ENDINGS if quantity.endswith(e)), quantity)
     over_grid = plot in ("lines", "heat map")
     if of_points(quantity):
         return (
-            None if over_grid else Unshown(f"is one number a point, which {_a(plot)} does not show")
+            None if over_grid else Reason(f"is one number a point, which {_a(plot)} does not show")
         )
     if plot == "envelope" and stem not in ALONG:
-        return Unshown("has no values along the riser", f"allowed are {', '.join(ALONG)}")
+        return Reason("has no values along the riser", f"allowed are {', '.join(ALONG)}")
     if plot == "time series" and (quantity != stem or stem in ALONG[-2:]):
-        return Unshown("has no history", "lines and envelopes show extremes")
+        return Reason("has no history", "lines and envelopes show extremes")
     if quantity.endswith("_static") and stem.startswith(_MOVING):
-        return Unshown("has no value at rest")
+        return Reason("has no value at rest")
     if plot == "envelope" and quantity.endswith("_absmax") and stem not in SIGNED:
-        return Unshown("has no largest size along the riser: its sign means something")
+        return Reason("has no largest size along the riser: its sign means something")
     if not _is_kept(plot, quantity, stem, study):
         kept = study.model.keep
         has = (
@@ -97,8 +94,8 @@ def unshown(plot: Plot, quantity: str, study: Study) -> Unshown | None:
             if kept
             else "at rest it has no extremes"
         )
-        return Unshown("is not kept", has)
-    return _uncalled(plot, quantity, stem, study)
+        return Reason("is not kept", has)
+    return _why_not_returned(plot, quantity, stem, study)
 
 
 def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
@@ -123,15 +120,15 @@ def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
     return there(quantity, stem)
 
 
-def _uncalled(plot: Plot, quantity: str, stem: str, study: Study) -> Unshown | None:
+def _why_not_returned(plot: Plot, quantity: str, stem: str, study: Study) -> Reason | None:
     """What no run of a study has, for it to return a quantity; None where one may have it."""
     scenes = [*_scenes(study)]
     if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):
-        return Unshown(f"has no history: the runs of {study.name!r} are at rest")
+        return Reason(f"has no history: the runs of {study.name!r} are at rest")
     of = QUANTITIES.get(stem)
     if of and scenes and not any(map(of.is_in, scenes)):
         why = f"is not returned by runs of {study.name!r}, whose scene has no {of.needs}"
-        return Unshown(why)
+        return Reason(why)
     return None
 
 

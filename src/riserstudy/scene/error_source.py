@@ -1,4 +1,4 @@
-"""Whose fault it is: the file, layer or table that set what a scene cannot have."""
+"""Which file is at fault: the scene, the layer or the table that set what a scene cannot have."""
 
 from __future__ import annotations
 
@@ -13,13 +13,15 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.paths import within, without_indices
 
 
-def blamed(error: InputError, layers: dict[str, str], tables: dict[str, str]) -> InputError:
-    """The same fault, told of who set the value, or of the scene together with those who may have.
+def attribute_error(
+    error: InputError, layers: dict[str, str], tables: dict[str, str]
+) -> InputError:
+    """The same error at the file that set the value, or at the scene together with those that may have.
 
     Parameters
     ----------
-    layers : who set values on top of a scene, by their path.
-    tables : files that stand in for values, by their path.
+    layers : names of what sets values on top of a scene, by path.
+    tables : files that stand in for values, by path.
     """
     every = layers | tables
     if error.also:
@@ -38,20 +40,20 @@ def blamed(error: InputError, layers: dict[str, str], tables: dict[str, str]) ->
 
 
 def _between(error: InputError, every: dict[str, str]) -> InputError:
-    """A fault of several places, told of the scene together with whoever set one of them."""
+    """An error of several places, at the scene together with each file that set one of them."""
     places = (error.field, *error.also)
-    setters = {
-        who
-        for path, who in every.items()
+    files = {
+        file
+        for path, file in every.items()
         if any(within(place, path) or within(path, place) for place in places)
     }
-    where = _together(error, setters)
+    where = _together(error, files)
     return InputError(where, error.field, error.found, error.allowed, error.also)
 
 
-def _together(error: InputError, setters: set[str]) -> str:
-    """The scene's file, with whoever set values on top of it."""
-    return f"{error.where} with {', '.join(sorted(setters))}" if setters else error.where
+def _together(error: InputError, files: set[str]) -> str:
+    """The scene's file, with what set values on top of it."""
+    return f"{error.where} with {', '.join(sorted(files))}" if files else error.where
 
 
 @lru_cache(1024)

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from riserstudy.errors import InputError
-from riserstudy.scene.blame import is_known
+from riserstudy.scene.error_source import is_known
 from riserstudy.scene.load import read_scene
 
 SCENES = Path(__file__).parents[2] / "config/scenes"
