@@ -31,6 +31,7 @@ from chapters.numerics.references import (
     solved,
 )
 from chapters.numerics.scenes import in_tier
+from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.scene.load import SceneFile, read_scene
@@ -113,9 +114,7 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
         {"scene": list(scenes), "method": list(methods), "opinion": list(OPINIONS)}
         | {"quantity": list(QUANTITIES)},
     )
-    for name, (unit, words) in ABOUT.items():
-        if name in dataset:
-            dataset[name].attrs = {"units": unit, "long_name": words}
+    label_variables(dataset, {name: of for name, of in ABOUT.items() if name in dataset})
     dataset.attrs["load_average"] = psutil.getloadavg()[0]
     return with_recomputed(dataset, setting, study, wanted(study, setting.config))
 

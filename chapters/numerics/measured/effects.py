@@ -13,6 +13,7 @@ import numpy as np
 from chapters.numerics.models import EffectsStudy
 from riserstudy.advice.ablation import Ablation, ablate
 from riserstudy.advice.effect_cost import Cost, Freedom, costs, freedom
+from riserstudy.dataset.describe import label_variables
 from riserstudy.effects.catalogue import changes
 from riserstudy.errors import RiserStudyError
 from riserstudy.scene.load import SceneFile
@@ -62,8 +63,7 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
         }[key]
         dataset[key] = ("scene", [values(name) for name in ablations])
     dataset["freedom"] = ("scene", [free[n].because if n in free else "" for n in ablations])
-    for name, about in ABOUT.items():
-        dataset[name].attrs = {"units": about[0], "long_name": about[1]}
+    label_variables(dataset, ABOUT)
     dataset.attrs = {"refused": json.dumps(refused)} | compiling(setting.compiled)
     return dataset
 

@@ -14,6 +14,7 @@ from chapters.numerics.attempt import attempt_on
 from chapters.numerics.fixed_step import FREE, stepped
 from chapters.numerics.models import EnergyCase, EnergyStudy, Method
 from chapters.numerics.scenes import case_file, in_tier
+from riserstudy.dataset.describe import label_variables
 from riserstudy.model.mesh import even
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.measured import Setting
@@ -55,8 +56,7 @@ def energy(study: EnergyStudy, setting: Setting) -> xr.Dataset:
     data["time"] = (("case", "instant"), time)
     data["message"] = (("case", "method"), message.astype(str))
     dataset = xr.Dataset(data, {"case": list(cases), "method": list(methods)})
-    for name, (unit, words) in ABOUT.items():
-        dataset[name].attrs = {"units": unit, "long_name": words}
+    label_variables(dataset, ABOUT)
     return dataset
 
 

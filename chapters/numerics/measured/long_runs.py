@@ -25,6 +25,7 @@ from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import Wanted, read
 from chapters.numerics.references import by_run
 from chapters.numerics.scenes import in_tier
+from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
@@ -62,8 +63,7 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
             raise SimulationError(f"{name}: {best.missing}")
         rows += candidates(name, case, file, best.result, study.repeats, setting.tier)
     dataset = xr.Dataset({key: ("run", [row[key] for row in rows]) for key in rows[0]})
-    for name, (unit, words) in ABOUT.items():
-        dataset[name].attrs = {"units": unit, "long_name": words}
+    label_variables(dataset, ABOUT)
     if setting.tier == "preview":  # which cuts runs short: what papers and we name is of whole ones
         for name in ("published_seconds", "target_seconds"):
             dataset[name] = dataset[name].where(False)

@@ -26,6 +26,7 @@ from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import NotUsed, Wanted, read
 from chapters.numerics.references import QUANTITIES, by_run
 from chapters.numerics.scenes import in_tier
+from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import even
 from riserstudy.scene.load import SceneFile, read_scene
@@ -277,8 +278,7 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
     data["work_asked"] = [spent_on(one) or math.nan for one in drawn]
     dataset = xr.Dataset({name: ("drawn", values) for name, values in data.items()})
     dataset = dataset.assign_coords(drawn=[one.name for one in drawn])
-    for name, (unit, words) in ABOUT.items():
-        dataset[name].attrs = {"units": unit, "long_name": words}
+    label_variables(dataset, ABOUT)
     dataset.attrs = {"requested": study.share}
     return dataset
 

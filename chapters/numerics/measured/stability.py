@@ -32,6 +32,7 @@ from chapters.numerics.reference.converge import HARD, converged, none
 from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import NotUsed, Wanted, read
 from chapters.numerics.scenes import case_file, in_tier
+from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError
 from riserstudy.model.mesh import Mesh, even
@@ -294,8 +295,7 @@ def tabulated(
         )
     data |= {name: ("case", values) for name, values in by_case(cases, results).items()}
     dataset = xr.Dataset(data, {"case": list(cases), "method": methods})
-    for name, about in ABOUT.items():
-        dataset[name].attrs = {"units": about[0], "long_name": about[1]}
+    label_variables(dataset, ABOUT)
     return dataset
 
 

@@ -25,6 +25,7 @@ from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import NotUsed, Wanted, read
 from chapters.numerics.scenes import case_file, in_tier
 from riserstudy.advice.ablation import peaks
+from riserstudy.dataset.describe import label_variables
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.error_estimate import HISTORIES, deciding
 from riserstudy.simulation.refine import run
@@ -74,8 +75,7 @@ def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
     data["peak"] = (("scene", "tier", "quantity"), peak, of_peak)
     data["error"] = (("scene", "tier", "quantity"), off)
     dataset = xr.Dataset(data, {"scene": list(scenes), "tier": names, "quantity": list(PEAKS)})
-    for name, (unit, words) in ABOUT.items():
-        dataset[name].attrs = {"units": unit, "long_name": words}
+    label_variables(dataset, ABOUT)
     dataset.attrs["load_average"] = psutil.getloadavg()[0]
     return with_recomputed(dataset, setting, study, wanted(study, setting.config))
 

@@ -10,6 +10,7 @@ from chapters.numerics.models import ValidationStudy
 from chapters.numerics.scenes import case_file, in_tier
 from chapters.numerics.validation_cases import CASES
 from chapters.numerics.validation_motion import histories
+from riserstudy.dataset.describe import label_variables
 from riserstudy.study.measured import Setting
 
 if TYPE_CHECKING:
@@ -42,10 +43,9 @@ def validation(study: ValidationStudy, setting: Setting) -> xr.Dataset:
     rows += histories(files, stored)
     data = {name: np.array([getattr(row, name) for row in rows]) for name in (*TEXTS, *NUMBERS)}
     dataset = xr.Dataset({name: ("row", values) for name, values in data.items()})
+    label_variables(dataset, {name: ("1", words) for name, words in NUMBERS.items()})
     for name, words in TEXTS.items():
         dataset[name].attrs = {"long_name": words}
-    for name, words in NUMBERS.items():
-        dataset[name].attrs = {"long_name": words, "units": "1"}
     dataset["holds"] = dataset["error"] <= dataset["tolerance"]
     dataset["holds"].attrs = {"long_name": "whether the error is below the tolerance"}
     return dataset.assign_coords(row=np.arange(1, len(rows) + 1))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,17 @@ def described(dataset: xr.Dataset, paper: str, title: str) -> xr.Dataset:
         dataset[name].attrs = attributes(str(name)) | kept
     dataset.attrs = {"Conventions": "CF-1.11", "paper": paper, "title": f"{paper}: {title}"}
     return dataset.drop_vars([n for n in dataset.coords if n not in dataset.dims])
+
+
+def label_variables(dataset: xr.Dataset, about: Mapping[str, tuple[str, str]]) -> None:
+    """Give variables their units and long names.
+
+    Parameters
+    ----------
+    about : (units, long name) by variable.
+    """
+    for name, (unit, words) in about.items():
+        dataset[name].attrs = {"units": unit, "long_name": words}
 
 
 def sampled(source: xr.Dataset) -> dict[str, xr.DataArray]:

@@ -202,6 +202,8 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
     """Modes that lie within the bounds anywhere."""
     import xarray as xr
 
+    from riserstudy.dataset.describe import label_variables
+
     across = [found[name].values for name in "xy" if name in found]
     size = np.sqrt(sum(np.square(0.5 * (one[:, :-1] + one[:, 1:])) for one in across))
     wet = flow.diameter[flow.speed > 0.0]
@@ -247,8 +249,7 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
         data | over | {"current_speed": ("z", flow.speed), "shedding_frequency": ("z", shed)},
         {"mode": [row["mode"] for row in rows], "z": flow.z},
     )
-    for name, (unit, words) in (ABOUT | ALONG).items():
-        dataset[name].attrs = {"units": unit, "long_name": words}
+    label_variables(dataset, ABOUT | ALONG)
     dataset.attrs = {"title": file.tree.get("title", ""), "source": file.source}
     dataset.attrs |= {f"assumed_{k}": v for k, v in given._asdict().items() if v is not None}
     return dataset
