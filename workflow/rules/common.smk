@@ -66,6 +66,11 @@ def begin_once():
     at_work = workflow.executor_plugin and not (workflow.dryrun or workflow.touch)
     damaged, notes = begin(PLAN.papers, PLAN.outputs(), at_work, PLAN.tier)
     workflow.dag.forcefiles.update(damaged)
+    if at_work and workflow.local_exec:
+        # A limit of jobs per second makes Snakemake look again after a second, forever, and once more for
+        # every job that has ended: hundreds of times a second in the end, a sixth of a core. Its command
+        # line knows no way to have none.
+        workflow.scheduling_settings.max_jobs_per_timespan = None
     PLAN.write_point_counts(Path(".cache/points.json"))
     for note in notes:
         print(f"riserstudy: note: {note}", file=sys.stderr)
@@ -80,9 +85,6 @@ use_this_python()
 onstart:
     if workflow.local_exec:
         start_server(PLAN.compiled, workflow.cores)
-        # A limit of jobs per second makes Snakemake look again after a second, forever, and once more for
-        # every job that has ended: hundreds of times a second in the end, a sixth of a core.
-        workflow.scheduler.job_rate_limiter = None
 
 
 onsuccess:
