@@ -125,6 +125,11 @@ def chapter_modules(paper: str, part: str) -> list[str]:
     return []
 
 
+def own_chapters() -> list[str]:
+    """Papers with a chapter in the folder where one works."""
+    return sorted(path.name for path in Path("chapters").glob("*") if path.is_dir())
+
+
 def import_of_chapter(module: str) -> ModuleType:
     """A module of a chapter, imported; one of the folder where one works whatever Python was started with."""
     here = str(Path.cwd())

@@ -9,15 +9,17 @@ from __future__ import annotations
 
 import json
 import sys
+from contextlib import chdir
 from pathlib import Path
 
 from effect_drawings import drawing, file_of
 from made_parts import kept_pages, write_validation
 from riserstudy.effects.catalogue import catalogue
+from riserstudy.folders import own_chapters
 from riserstudy.grading import claims_schema
-from riserstudy.scene.reference import scene_reference
 from riserstudy.scene.units import USUAL, factor
 from riserstudy.study.schemas import schema_files
+from scene_reference import scene_reference
 from semisubmersible import read_units, table
 from software_metadata import software_metadata
 
@@ -29,6 +31,8 @@ def made() -> dict[Path, str]:
     platforms = ROOT / "config/platforms"
     units = read_units(platforms / "semisubmersibles.yaml")
     usual = json.loads(USUAL.read_text("utf-8"))
+    with chdir(ROOT):  # whose chapters are in the schema of study files
+        schemas = schema_files(own_chapters())
     factors = {unit: {name: factor(name, unit) for name in usual[unit]} for unit in usual}
     return {
         USUAL: json.dumps(factors, indent=2) + "\n",
@@ -37,7 +41,7 @@ def made() -> dict[Path, str]:
         **kept_pages(),
         **software_metadata(),
         **{ROOT / "docs/images/effects" / file_of(name): drawing(name) for name in catalogue()},
-        **{ROOT / "workflow/schemas" / name: text for name, text in schema_files().items()},
+        **{ROOT / "workflow/schemas" / name: text for name, text in schemas.items()},
         ROOT / "workflow/schemas/claims.schema.json": json.dumps(claims_schema(), indent=2) + "\n",
     }
 

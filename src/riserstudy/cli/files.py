@@ -146,9 +146,10 @@ def schema(
     ] = "scene",
 ) -> None:
     """Print the JSON schema of scene, study, configuration or claims files, for editors."""
+    from riserstudy.folders import own_chapters
     from riserstudy.grading import claims_schema
     from riserstudy.study.schemas import schemas
 
-    if kind not in (known := schemas() | {"claims": claims_schema()}):
+    if kind not in (known := schemas(own_chapters()) | {"claims": claims_schema}):
         raise InputError("schema", kind, "no kind of file", f"allowed are {', '.join(known)}")
-    print(json.dumps(known[kind], indent=2))
+    print(json.dumps(known[kind](), indent=2))

@@ -11,8 +11,6 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
-from pydantic import ConfigDict
-
 from riserstudy.digests import defining
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules, import_of_chapter
@@ -41,7 +39,6 @@ class MeasuredModel(Strict):
     ``timed``: it measures times, and no other job may run beside it.
     """
 
-    model_config = ConfigDict(json_schema_extra={"additionalProperties": True})
     timed: ClassVar[bool] = False
 
     caption: str
@@ -57,6 +54,14 @@ class MeasuredModel(Strict):
         return ()
 
 
+def models_of(paper: str) -> dict[str, type[MeasuredModel]]:
+    """Models of the datasets that a chapter measures, by name; none where it has no part ``models``."""
+    models: dict[str, type[MeasuredModel]] = {}
+    for module in chapter_modules(paper, "models"):
+        models |= import_of_chapter(module).MODELS
+    return models
+
+
 def measured_models(path: Path, paper: str, trees: dict[str, Any]) -> dict[str, MeasuredModel]:
     """What stands below ``measured`` in the study file ``path``, checked by the models of its chapter.
 
@@ -65,9 +70,7 @@ def measured_models(path: Path, paper: str, trees: dict[str, Any]) -> dict[str, 
     InputError
         When the chapter has no such model, or no function that measures; when a model does not fit.
     """
-    models: dict[str, type[MeasuredModel]] = {}
-    for module in chapter_modules(paper, "models"):
-        models |= import_of_chapter(module).MODELS
+    models = models_of(paper) if trees else {}
     measured = {}
     for name, tree in trees.items():
         field = f"measured.{name}"

@@ -3,25 +3,62 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any
+
+from pydantic.json_schema import models_json_schema
 
 from riserstudy.scene.schema import DIALECT, scene_schema
 from riserstudy.study.config import Config
+from riserstudy.study.measured import models_of
 from riserstudy.study.models import StudyFile
 
 
-def schemas() -> dict[str, dict[str, Any]]:
-    """Each schema as plain data, by the kind of file."""
+def study_schema(papers: Iterable[str] = ()) -> dict[str, Any]:
+    """Of study files; what the chapters of some papers measure is known by its fields."""
+    schema = {"$schema": DIALECT, **StudyFile.model_json_schema()}
+    definitions = schema["$defs"]
+    definitions["MeasuredModel"]["additionalProperties"] = True  # what the model of a chapter adds
+    rules = [rule for paper in papers if (rule := _measured_rule(paper, definitions))]
+    return schema | ({"allOf": rules} if rules else {})
+
+
+def _measured_rule(paper: str, definitions: dict[str, Any]) -> dict[str, Any]:
+    """What a study file of a paper may have below ``measured``; models join the ``definitions``."""
+    models = models_of(paper)
+    if not models:
+        return {}
+    inputs = [(model, "validation") for model in models.values()]
+    references, made = models_json_schema(inputs, ref_template=f"#/$defs/{paper}.{{model}}")  # type: ignore[arg-type]
+    definitions |= {f"{paper}.{name}": model for name, model in made["$defs"].items()}
+    fields = {name: references[model, "validation"] for name, model in models.items()}
+    measured = {"properties": fields, "additionalProperties": False}
     return {
-        "scene": scene_schema(),
-        "study": {"$schema": DIALECT, **StudyFile.model_json_schema()},
-        "config": {"$schema": DIALECT, **Config.model_json_schema()},
+        "if": {"properties": {"paper": {"const": paper}}},
+        "then": {"properties": {"measured": measured}},
     }
 
 
-def schema_files() -> dict[str, str]:
-    """Content of each schema, by the name of its file."""
+def config_schema() -> dict[str, Any]:
+    """Of the configuration."""
+    return {"$schema": DIALECT, **Config.model_json_schema()}
+
+
+def schemas(papers: Iterable[str] = ()) -> dict[str, Callable[[], dict[str, Any]]]:
+    """What makes each schema as plain data, by the kind of file.
+
+    Parameters
+    ----------
+    papers : whose chapters may have models of what they measure.
+    """
+    study = partial(study_schema, papers)
+    return {"scene": scene_schema, "study": study, "config": config_schema}
+
+
+def schema_files(papers: Iterable[str] = ()) -> dict[str, str]:
+    """Content of each schema, by the name of its file; ``papers`` as in `schemas`."""
     return {
-        f"{kind}.schema.json": json.dumps(schema, indent=2) + "\n"
-        for kind, schema in schemas().items()
+        f"{kind}.schema.json": json.dumps(make(), indent=2) + "\n"
+        for kind, make in schemas(papers).items()
     }
