@@ -11,13 +11,15 @@ from riserstudy.cli.shared import (
     PlotOption,
     SceneArgument,
     SetOption,
+    check_targets,
     compile_as_needed,
     compile_kernels,
     recipe_lines,
+    save_dataset,
     scene_of,
     wrote,
 )
-from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.cli.targets import ForceOption, Writes
 
 
 def cost(
@@ -32,8 +34,7 @@ def cost(
     tension. For more than 20 min of an irregular sea the command adds advice on long records.
     """
     file = scene_of(scene, settings)
-    if plot is not None:
-        check_output(plot, ("figure",), file.files, force, "--plot")
+    check_targets(file.files, force, plot=plot)
     compile_kernels(file.resolved())
     from riserstudy.advice import accuracy_cost as requests
 
@@ -153,8 +154,7 @@ def modes(
     from riserstudy.simulation import modes as natural
 
     file = scene_of(scene, settings)
-    if output is not None:
-        check_output(output, ("dataset",), file.files, force)
+    check_targets(file.files, force, output=output)
     compile_as_needed()
     dataset = natural.modes(file, count)
     table = Table("mode", "period (s)", "frequency (Hz)", "motion")
@@ -163,8 +163,4 @@ def modes(
         period = f"{float(dataset['natural_period'][k]):.4g}" if frequency > 0 else "unstable"
         table.add_row(str(k + 1), period, f"{frequency:.4g}", str(dataset["motion"].values[k]))
     Console(markup=False).print(table)
-    if output is not None:
-        from riserstudy.study.collect import write_dataset
-
-        write_dataset(dataset, output)
-        wrote(output)
+    save_dataset(dataset, output)

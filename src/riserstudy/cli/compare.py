@@ -8,8 +8,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import AtOption, UnitsOption, place_of, wrote
-from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.cli.shared import (
+    AtOption,
+    DatasetArgument,
+    FigureOutput,
+    UnitsOption,
+    place_of,
+    wrote,
+)
+from riserstudy.cli.targets import ForceOption, check_output
 from riserstudy.dataset.unit_systems import UnitSystem, read_in, reading_in
 from riserstudy.errors import InputError
 
@@ -40,15 +47,11 @@ EndAOption = Annotated[
 
 
 def compare(
-    dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
+    dataset: DatasetArgument,
     other: Annotated[
         Path, typer.Argument(help="file of another program or a measurement", metavar="OTHER.csv")
     ],
-    output: Annotated[
-        Path,
-        typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png"),
-        Writes("figure"),
-    ],
+    output: FigureOutput,
     column: ColumnOption = None,
     end_a: EndAOption = None,
     at: AtOption = None,

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
@@ -13,20 +12,18 @@ from riserstudy.cli.shared import (
     PlotOption,
     SceneArgument,
     SetOption,
-    check_tables,
+    check_targets,
     compile_as_needed,
+    notify,
     quantity,
+    require_limits,
+    save_figure,
     scene_of,
     show,
     write_table,
-    wrote,
 )
-from riserstudy.cli.targets import ForceOption, check_output
+from riserstudy.cli.targets import ForceOption
 from riserstudy.errors import InputError
-
-if TYPE_CHECKING:
-    pass
-
 
 TensionRatioOption = Annotated[
     float,
@@ -78,7 +75,7 @@ def tension(
     apart.
     """
     file = scene_of(scene, settings)
-    check_tables(csv, file.files, force)
+    check_targets(file.files, force, csv)
     if (share is None) != (dynamic_limit is None):
         alone = "--share" if dynamic_limit is None else "--dynamic-limit"
         raise InputError(alone, "", "given alone", "Give both --dynamic-limit and --share")
@@ -137,9 +134,7 @@ def operability(
     from riserstudy.dataset.limits import label
 
     file = scene_of(scene, settings)
-    if "limits" not in file.tree:
-        allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
-        raise InputError(file.source, "limits", "missing", allowed)
+    require_limits(file)
     added, far = _allowances(allowance), quantity("--reach", reach, "m")
     riser = file.resolved()
     compile_as_needed()
@@ -179,10 +174,8 @@ def envelope(
     nine seas in ten do not exceed. Exit status 4 where a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
-    check_tables(csv, file.files, force)
-    if "limits" not in file.tree:
-        allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
-        raise InputError(file.source, "limits", "missing", allowed)
+    check_targets(file.files, force, csv)
+    require_limits(file)
     far = _positive("--reach", reach, "m")
     speeds = [quantity("--current", one, "m/s") for one in current]
     pairs = [_sea(one) for one in sea or []]
@@ -193,7 +186,7 @@ def envelope(
     seas = [Sea(*pair) for pair in pairs]
     for one in seas:
         in_sea(file, one, 1).resolved()  # refuses a scene without a sea before anything runs
-    found = computed(file, far, speeds, seas, seeds, _notify)
+    found = computed(file, far, speeds, seas, seeds, notify)
     show(found.table, csv)
     for name, why in found.missing.items():
         print(f"{name}: not evaluated: {why}; the envelope leaves it out")
@@ -232,9 +225,7 @@ def viv(
     from riserstudy.dataset.table import Cell, Table
 
     file = scene_of(scene, settings)
-    check_tables(csv, file.files, force)
-    if plot is not None:
-        check_output(plot, ("figure",), file.files, force, "--plot")
+    check_targets(file.files, force, csv, plot)
     compile_as_needed()
     from riserstudy.design.vortex_screening import ABOUT, Coefficients, screening
 
@@ -249,15 +240,9 @@ def viv(
     else:
         print("no mode may lock in")
     if plot is not None:
-        from riserstudy.figures import save
         from riserstudy.figures.vortex_frequencies import vortex_frequencies
 
-        save(vortex_frequencies(found, str(file.tree["title"])), plot)
-        wrote(plot)
-
-
-def _notify(line: str) -> None:
-    print(f"riserstudy: {line}", file=sys.stderr, flush=True)
+        save_figure(vortex_frequencies(found, str(file.tree["title"])), plot)
 
 
 def _sea(text: str) -> tuple[float, float]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -15,15 +14,18 @@ from riserstudy.cli.downtime_lines import Ahead, banded, held_back, show_hours, 
 from riserstudy.cli.shared import (
     CsvOption,
     PlotOption,
+    ReturnOption,
     SetOption,
     UnitsOption,
-    check_tables,
+    check_targets,
+    notify,
     quantity,
+    save_figure,
     scene_of,
     show,
     wrote,
 )
-from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
 from riserstudy.study.persistence import (
@@ -67,16 +69,6 @@ PersistenceOption = Annotated[
         min=LEAST_PERSISTENCE,
         max=MOST_PERSISTENCE,
         help="Hurst exponent of the shares of years; 0.5: they do not depend on one another",
-    ),
-]
-ReturnOption = Annotated[
-    list[int] | None,
-    typer.Option(
-        "--return-period",
-        min=2,
-        max=10000,
-        help="years in which a response is exceeded once; may be repeated",
-        metavar="YEARS",
     ),
 ]
 HoldBackOption = Annotated[
@@ -151,7 +143,7 @@ def downtime(
     sea states of the record are simulated until the response between them is known to --error, at others
     that are simulated too.
     """
-    _check_targets([path for path in (record, scene) if path], csv, plot, output, force)
+    check_targets([path for path in (record, scene) if path], force, csv, plot, output)
     with_scene = {
         "-o": output, "--sectors": sectors, "--x-towards": x_towards, "--vary": vary,
         "--return-period": period,
@@ -193,22 +185,10 @@ def _write(made: Downtime, output: Path | None, plot: Path | None) -> None:
         write_netcdf(made.responses, output, {})
         wrote(output)
     if plot is not None:
-        from riserstudy.figures import save
         from riserstudy.figures.governing import governing
 
         first = made.hours.modes[0]
-        save(governing(made.responses, first.mode, first.hours.share), plot)
-        wrote(plot)
-
-
-def _check_targets(
-    reads: list[Path], csv: Path | None, plot: Path | None, output: Path | None, force: bool
-) -> None:
-    check_tables(csv, reads, force)
-    if plot is not None:
-        check_output(plot, ("figure",), reads, force, "--plot")
-    if output is not None:
-        check_output(output, ("dataset",), reads, force)
+        save_figure(governing(made.responses, first.mode, first.hours.share), plot)
 
 
 def refuse(
@@ -249,12 +229,10 @@ def of_the_sea(
     show_hours(found, lengths, ahead)
     show(found.by_month(), csv)
     if plot is not None:
-        from riserstudy.figures import save
         from riserstudy.figures.calendar import calendar
 
         title = f"{name}: hours with {' and '.join(map(str, limits))}"
-        save(calendar(found.by_month(), title), plot)
-        wrote(plot)
+        save_figure(calendar(found.by_month(), title), plot)
 
 
 def varied(
@@ -270,10 +248,10 @@ def varied(
     files = [(one, scene_of(scene, [*settings, one])) for one in vary]  # all are checked first
     rows: list[list[Cell]] = []
     for setting, file in files:
-        _notify(setting)
+        notify(setting)
         made = simulated(file)
         for line in made.lines:
-            _notify(line)
+            notify(line)
         rows += [
             [setting, one.mode, 100.0 * one.hours.share, 100.0 * one.low, 100.0 * one.high,
              8766.0 * one.hours.share,
@@ -312,7 +290,7 @@ def riser_downtime(
         error=error,
         most=most,
         cores=cores or available_cores(),
-        notify=_notify,
+        notify=notify,
     )
 
 
@@ -327,7 +305,3 @@ def _directions(sectors: int | None, x_towards: str | None) -> Directions | None
     if sectors is None or x_towards is None:
         return None
     return Directions(sectors, quantity("--x-towards", x_towards, "rad"))
-
-
-def _notify(line: str) -> None:
-    print(f"riserstudy: {line}", file=sys.stderr, flush=True)

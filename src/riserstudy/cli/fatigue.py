@@ -12,11 +12,11 @@ from riserstudy.cli.shared import (
     AtOption,
     CsvOption,
     PlotOption,
-    check_tables,
+    check_targets,
     place_of,
+    save_figure,
     show,
     write_table,
-    wrote,
 )
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
@@ -83,12 +83,10 @@ def fatigue(
     simulated are refused.
     """
     reads = [path for path in (study, scatter, seas, without) if path]
-    check_tables(csv, reads, force)
+    check_targets(reads, force, csv, plot)
     for path, option in ((along, "--along"), (by_sea, "--by-sea")):
         if path is not None:
             check_output(path, ("table",), reads, force, option)
-    if plot is not None:
-        check_output(plot, ("figure",), reads, force, "--plot")
     if scatter and seas:
         raise InputError("--seas", str(seas), "with --scatter", "allowed is one of both")
     from riserstudy.fatigue import tables
@@ -116,15 +114,9 @@ def fatigue(
     for path, table in ((along, tables.along(years)), (by_sea, tables.by_sea(years))):
         write_table(table, path)
     if plot is not None:
-        _draw(years, plot)
+        from riserstudy.figures.fatigue import fatigue as drawn
 
-
-def _draw(years: Years, plot: Path) -> None:
-    from riserstudy.figures import save
-    from riserstudy.figures.fatigue import fatigue as drawn
-
-    save(drawn(years), plot)
-    wrote(plot)
+        save_figure(drawn(years), plot)
 
 
 def _summed(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -10,29 +9,26 @@ from typing import Annotated
 import typer
 
 from riserstudy.cli.shared import (
+    AccuracyOption,
     CsvOption,
     SceneArgument,
     SetOption,
-    check_tables,
+    check_targets,
     compile_kernels,
     print_warnings,
     quantity,
+    save_dataset,
     scene_of,
     show,
-    wrote,
 )
 from riserstudy.cli.simulate import announce, show_limits
-from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.errors import InputError
 
 DatasetOption = Annotated[
     Path | None,
     typer.Option("-o", "--output", help="also write the dataset (netCDF)", metavar="OUT.nc"),
     Writes("dataset"),
-]
-AccuracyOption = Annotated[
-    str | None,
-    typer.Option(help="choose mesh and step for this error, such as 1%", metavar="PERCENT"),
 ]
 
 
@@ -50,23 +46,20 @@ def recoil(
     be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
-    _check_outputs(output, csv, file.files, force)
+    check_targets(file.files, force, csv, output=output)
     if file.resolved().disconnect is None:
         allowed = "Add `disconnect: {at: 12 s}` and what follows it"
         raise InputError(file.source, "disconnect", "absent: nothing disconnects", allowed)
     compile_kernels(file.resolved())
     from riserstudy.dataset import recoil_table
     from riserstudy.simulation.simulate import simulate
-    from riserstudy.study.collect import write_dataset
 
     announce(file)
     dataset = simulate(file)
     print_warnings(dataset)
     show(recoil_table.recoil(file.resolved(), dataset), csv)
     show_limits(dataset)
-    if output is not None:
-        write_dataset(dataset, output)
-        wrote(output)
+    save_dataset(dataset, output)
     if "clearance_min" not in dataset.attrs:
         raise typer.Exit(4)
 
@@ -102,7 +95,7 @@ def watch_circles(
     with `cruise`. Exit status 4 where a limit could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
-    _check_outputs(output, csv, file.files, force)
+    check_targets(file.files, force, csv, output=output)
     times = [
         quantity(option, text, "s")
         for option, text in (("--disconnect", disconnect), ("--prepare", prepare))
@@ -122,24 +115,12 @@ def watch_circles(
         raise InputError("--mode", ", ".join(mode or []), "no limit of the scene has it", "Add one")
     compile_kernels(of)
     from riserstudy.simulation.simulate import simulate
-    from riserstudy.study.collect import write_dataset
 
     announce(file)
     dataset = simulate(file)
     print_warnings(dataset)
     found = circles(of, dataset, Times(*times), modes)
     show(found.table, csv)
-    if output is not None:
-        write_dataset(dataset, output)
-        wrote(output)
+    save_dataset(dataset, output)
     if found.missing:
         raise typer.Exit(4)
-
-
-def _check_outputs(
-    output: Path | None, csv: Path | None, reads: Iterable[Path], force: bool
-) -> None:
-    reads = list(reads)
-    check_tables(csv, reads, force)
-    if output is not None:
-        check_output(output, ("dataset",), reads, force)

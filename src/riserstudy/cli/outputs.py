@@ -11,6 +11,8 @@ import typer
 
 from riserstudy.cli.shared import (
     AtOption,
+    DatasetArgument,
+    FigureOutput,
     SetOption,
     UnitsOption,
     compile_kernels,
@@ -33,12 +35,8 @@ class PlotKind(StrEnum):
 
 
 def plot(
-    dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
-    output: Annotated[
-        Path,
-        typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png"),
-        Writes("figure"),
-    ],
+    dataset: DatasetArgument,
+    output: FigureOutput,
     kind: Annotated[PlotKind, typer.Option(help="which plot")] = PlotKind.RANGE,
     of: Annotated[
         list[str] | None,
@@ -136,7 +134,7 @@ def _run_of(source: Path) -> tuple[Any, Any]:
 
 
 def statistics(
-    dataset: Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")],
+    dataset: DatasetArgument,
     output: Annotated[
         Path,
         typer.Option("-o", "--output", help="table to write", metavar="OUT.csv"),

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import CsvOption, check_tables, show, wrote
-from riserstudy.cli.targets import ForceOption, Writes, check_output
+from riserstudy.cli.shared import CsvOption, ReturnOption, check_targets, show, wrote
+from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
@@ -37,16 +37,6 @@ NearOption = Annotated[
         help="of a netCDF file of several places: the nearest to this", metavar="'LAT, LON'"
     ),
 ]
-PeriodOption = Annotated[
-    list[int] | None,
-    typer.Option(
-        "--return-period",
-        min=2,
-        max=10000,
-        help="years in which a height is exceeded once; may be repeated",
-        metavar="YEARS",
-    ),
-]
 ContourOption = Annotated[
     int | None,
     typer.Option(
@@ -69,7 +59,7 @@ def seas(
     seed: Annotated[int, typer.Option(min=0, help="of the synthetic record")] = 1,
     gamma: GammaOption = 3.3,
     near: NearOption = None,
-    period: PeriodOption = None,
+    period: ReturnOption = None,
     contour: ContourOption = None,
     csv: CsvOption = None,
     output: OutputOption = None,
@@ -81,9 +71,7 @@ def seas(
     """
     if (record is None) == (synthetic is None):
         raise InputError("RECORD", "", "none or two", "give a record, or --synthetic YEARS")
-    if output is not None:
-        check_output(output, ("dataset",), [record] if record else [], force)
-    check_tables(csv, [record] if record else [], force)
+    check_targets([record] if record else [], force, csv, output=output)
     if csv is not None and not contour:
         raise InputError("seas", "--csv", str(csv), "allowed with --contour")
     from riserstudy.seas.record import read_record, with_peak_period, write_record

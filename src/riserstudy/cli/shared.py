@@ -16,6 +16,9 @@ from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError
 
 if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+
     from riserstudy.dataset.table import Table
     from riserstudy.scene.resolve import Resolved
 
@@ -34,6 +37,30 @@ AtOption = Annotated[
     list[str] | None,
     typer.Option(
         "--at", help="which point: heave_amplitude=5; may be repeated", metavar="AXIS=VALUE"
+    ),
+]
+
+
+AccuracyOption = Annotated[
+    str | None,
+    typer.Option(help="tolerance, for which mesh and time step are chosen: 1%", metavar="PERCENT"),
+]
+DatasetArgument = Annotated[
+    Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")
+]
+FigureOutput = Annotated[
+    Path,
+    typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png"),
+    Writes("figure"),
+]
+ReturnOption = Annotated[
+    list[int] | None,
+    typer.Option(
+        "--return-period",
+        min=2,
+        max=10000,
+        help="years in which a largest value is exceeded once; may be repeated",
+        metavar="YEARS",
     ),
 ]
 
@@ -83,9 +110,6 @@ def compile_as_needed() -> None:
     """Let kernels be compiled as a command comes to them, and report that on stderr."""
     from riserstudy.simulation.compile import report_compiling
 
-    def notify(line: str) -> None:
-        print(f"riserstudy: {line}", file=sys.stderr, flush=True)
-
     report_compiling(notify)
     _plain_xarray()
 
@@ -112,10 +136,34 @@ CsvOption = Annotated[
 ]
 
 
-def check_tables(csv: Path | None, reads: Iterable[Path], force: bool) -> None:
-    """Refuse a ``--csv`` that would not be written, before anything is computed."""
-    if csv is not None:
-        check_output(csv, ("table",), reads, force, "--csv")
+def notify(line: str) -> None:
+    """Print on stderr what is at work."""
+    print(f"riserstudy: {line}", file=sys.stderr, flush=True)
+
+
+def check_targets(
+    reads: Iterable[Path],
+    force: bool,
+    csv: Path | None = None,
+    plot: Path | None = None,
+    output: Path | None = None,
+) -> None:
+    """Refuse a table, figure or dataset that would not be written, before anything is computed."""
+    reads = list(reads)
+    for path, kind, option in (
+        (csv, "table", "--csv"),
+        (plot, "figure", "--plot"),
+        (output, "dataset", "--output"),
+    ):
+        if path is not None:
+            check_output(path, (kind,), reads, force, option)
+
+
+def require_limits(file: Any) -> None:
+    """Refuse a scene without limits."""
+    if "limits" not in file.tree:
+        allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
+        raise InputError(file.source, "limits", "missing", allowed)
 
 
 def show(table: Table, csv: Path | None) -> None:
@@ -134,6 +182,23 @@ def write_table(table: Table, csv: Path | None) -> None:
 
         tables.write_csv(table, csv)
         wrote(csv)
+
+
+def save_dataset(dataset: xr.Dataset, output: Path | None) -> None:
+    """Write a dataset where ``--output`` names a file, and name the file."""
+    if output is not None:
+        from riserstudy.study.collect import write_dataset
+
+        write_dataset(dataset, output)
+        wrote(output)
+
+
+def save_figure(figure: Figure, plot: Path) -> None:
+    """Write a figure, and name its file."""
+    from riserstudy.figures import save
+
+    save(figure, plot)
+    wrote(plot)
 
 
 def wrote(*paths: Path) -> None:

@@ -3,28 +3,32 @@
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from riserstudy.cli.shared import (
+    AccuracyOption,
     AtOption,
+    DatasetArgument,
     SceneArgument,
     SetOption,
     UnitsOption,
+    check_targets,
     compile_as_needed,
     compile_kernels,
+    notify,
     place_of,
     print_warnings,
     recipe_lines,
+    require_limits,
+    save_dataset,
     scene_of,
     wrote,
 )
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
-from riserstudy.errors import InputError
 
 WORTH_TELLING = 10.0  # seconds of a run, from which on it is announced
 WORTH_A_RECIPE = 60.0  # seconds of a run, from which on a cheaper one is offered
@@ -49,12 +53,7 @@ def run(
         Writes("dataset", "table"),
     ],
     settings: SetOption = None,
-    accuracy: Annotated[
-        str | None,
-        typer.Option(
-            help="tolerance, for which mesh and time step are chosen: 1%", metavar="PERCENT"
-        ),
-    ] = None,
+    accuracy: AccuracyOption = None,
     patience: Annotated[
         str | None,
         typer.Option(
@@ -124,19 +123,17 @@ def announce(file: Any) -> None:
     from riserstudy.simulation.time_limit import Watch
 
     for warning in sudden_wave(file.resolved()):
-        print(f"riserstudy: warning: {warning}", file=sys.stderr, flush=True)
-    with progress_line(True) as notify:
-        price = forecast(file.resolved(), Watch(notify=notify))
+        notify(f"warning: {warning}")
+    with progress_line(True) as show_progress:
+        price = forecast(file.resolved(), Watch(notify=show_progress))
     if price and price.seconds > WORTH_TELLING:
         minutes = f"{price.seconds / 60.0:.2g} min" if price.seconds > 90.0 else ""
-        print(
-            f"riserstudy: takes about {minutes or f'{price.seconds:.2g} s'}: by its first "
-            f"{price.piece:.4g} s, {price.elements} segments and a step of {price.step:.3g} s will do",
-            file=sys.stderr,
-            flush=True,
+        notify(
+            f"takes about {minutes or f'{price.seconds:.2g} s'}: by its first {price.piece:.4g} s, "
+            f"{price.elements} segments and a step of {price.step:.3g} s will do"
         )
         for line in recipe_lines(file.resolved()) if price.seconds > WORTH_A_RECIPE else []:
-            print(f"riserstudy: {line}", file=sys.stderr, flush=True)
+            notify(line)
 
 
 def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
@@ -167,12 +164,7 @@ def _summary(dataset: Any) -> str:
 def check(
     scene: SceneArgument,
     settings: SetOption = None,
-    accuracy: Annotated[
-        str | None,
-        typer.Option(
-            help="tolerance, for which mesh and time step are chosen: 1%", metavar="PERCENT"
-        ),
-    ] = None,
+    accuracy: AccuracyOption = None,
     units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
     """Check a scene against its limits.
@@ -182,9 +174,7 @@ def check(
     Exit status 1 where one is exceeded, else 4 where one could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
-    if "limits" not in file.tree:
-        allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
-        raise InputError(file.source, "limits", "missing", allowed)
+    require_limits(file)
     compile_kernels(file.resolved())
     from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
     from riserstudy.simulation.simulate import simulate
@@ -199,7 +189,7 @@ def check(
 
 
 def rerun(
-    dataset: Annotated[Path, typer.Argument(help="dataset of a study or a run", metavar="FILE.nc")],
+    dataset: DatasetArgument,
     at: AtOption = None,
     output: Annotated[
         Path | None,
@@ -217,18 +207,14 @@ def rerun(
 
     place = place_of(at)
     old = opened(dataset)
-    if output is not None:
-        check_output(output, ("dataset",), [dataset], force)
+    check_targets([dataset], force, output=output)
     compile_as_needed()
-    from riserstudy.study.collect import write_dataset
     from riserstudy.study.repeat_point import rerun as run_anew
 
     outcome = run_anew(old, place)
     for name, change in sorted(outcome.changes.items(), key=lambda item: -item[1]):
         print(f"{change:9.2g}  {name}")
-    if output is not None:
-        write_dataset(outcome.run, output)
-        wrote(output)
+    save_dataset(outcome.run, output)
     changed = sum(change > SAME_AS_STORED for change in outcome.changes.values())
     where = ", ".join(f"{axis}={value}" for axis, value in outcome.place.items())
     print(f"{changed} of {len(outcome.changes)} variables changed{' at ' if where else ''}{where}")

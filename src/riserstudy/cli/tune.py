@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from riserstudy.cli.shared import compile_kernels
+from riserstudy.cli.shared import compile_kernels, notify
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
@@ -46,16 +45,12 @@ def tune(
 
     check_tunable(one, points)
     compile_kernels(one.grid.file((0,) * len(one.axes)).resolved())
-    found = tuned_of(one, accuracy, points, seed, _notify)
+    found = tuned_of(one, accuracy, points, seed, notify)
     for line in _lines(one, found):
         print(line)
     if write:
         write_tuned(studies, one, found, about(found, seed))
         print(f"{studies}: written into studies.{one.name}")
-
-
-def _notify(line: str) -> None:
-    print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
 
 def _study(path: Path, name: str | None) -> Study:
