@@ -78,7 +78,9 @@ PAPERS = {
 }
 GRADED = [paper for paper in PAPERS if (CONFIG / f"published/{paper}.yaml").exists()]
 FIGURES = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).figures]
-UNITS = "m|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|Hz|kN²/Hz|m²/Hz|kN/m|kN s²/m²|kg/m³|MPa|%|°|°/m|m/m|1/year"
+UNITS = (
+    "m|mm|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|Hz|kN²/Hz|m²/Hz|kN/m|kN s²/m²|kg/m³|MPa|%|°|°/m|m/m|1/year"
+)
 #: pure numbers have no unit: a label says what is counted, or which ratio it is
 PURE = r"number of |share of |ratio| / |index|factor|utilisation|ends of its range"
 UNIT = re.compile(rf"\(({UNITS})\)|{PURE}")

@@ -21,7 +21,7 @@ def enlarge(
     """Part of a panel of depths, enlarged where the panel is empty (``place``: shares of it)."""
     inset = ax.inset_axes(place, xlim=x, ylim=depth[::-1])
     for line in ax.lines:
-        style: dict[str, Any] = {"color": line.get_color(), "lw": line.get_linewidth()}
+        style: dict[str, Any] = {"color": line.get_color(), "lw": min(1.2, line.get_linewidth())}
         if str(line.get_label()).startswith("printed"):  # over the whole panel
             inset.axvline(float(np.asarray(line.get_xdata())[0]), **(PRINTED | style))
         else:

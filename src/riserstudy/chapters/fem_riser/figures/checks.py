@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator
 
 from riserstudy.chapters.fem_riser.claims import (
@@ -26,6 +29,7 @@ from riserstudy.figures.style import (
     PRINTED,
     headline,
     key_below,
+    legend_below,
     panel_title,
     panels,
 )
@@ -41,23 +45,31 @@ READINGS = {
 }
 
 
+#: what the claims of the region state, in short
+STATED = (
+    "B5: deflection is largest mid-riser",
+    "B6: stress and angle peak near the ends",
+    "B7: vibration falls with length",
+    "B8: stress falls with length",
+    "B9: deflection grows with length",
+    "B10: angle grows with length",
+)
+
+
 def readings(reading_trends: xr.Dataset) -> Figure:
     """Deflection, stress and angle over the buoyant factor in its four readings."""
     figure, axes = panels(1, 3, 3.4)
     fields = (("deflection", 1.0, "largest deflection (m)"), ("stress", 1e-6, "largest stress (MPa)"),
               ("angle", np.rad2deg(1.0), "largest angle (°)"))  # fmt: skip
-    for ax, (name, scale, label) in zip(axes, fields, strict=True):
-        for colour, reading in zip(COLOURS, READINGS, strict=False):
+    for ax, (name, scale, quantity) in zip(axes, fields, strict=True):
+        # Two by two they begin together: the first is seen around the second.
+        for colour, reading, width in zip(COLOURS, READINGS, (2.0, 1.0) * 2, strict=False):
             curve = scale * reading_trends[f"{name}_by_factor"].sel(reading=reading)
-            ax.plot(
-                curve["buoyant_factor"],
-                curve,
-                "o-",
-                color=colour,
-                label=f"{reading}: {READINGS[reading]}",
-            )
+            label = f"{reading}: {READINGS[reading]}"
+            style: dict[str, Any] = {"color": colour, "lw": width, "ms": 3.4 * width}
+            ax.plot(curve["buoyant_factor"], curve, "o-", label=label, **style)
         ax.set_xlabel("buoyant factor")
-        ax.set_ylabel(label)
+        ax.set_ylabel(quantity)
         ax.set_ylim(bottom=0.0)
     key_below(figure, axes[0], 1)
     raised = [
@@ -79,6 +91,7 @@ def readings(reading_trends: xr.Dataset) -> Figure:
     )
     for ax in axes:
         label_ends(ax, names=list(READINGS))
+        ax.margins(x=0.06)  # so that marks are whole
     return figure
 
 
@@ -102,9 +115,14 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Fi
         ax.set_xlabel("surface speed of the tide (m/s)")
         ax.set_ylabel("wave height (m)")
     shares = _shares(axes[3], claims(open_trends, change))
+    marks: dict[str, Any] = {"ls": "none", "mec": "none", "ms": 9}
+    key = {text: Line2D([], [], ls="none") for text in STATED}
+    key["all six hold"] = Line2D([], [], marker="o", mfc=COLOURS[2], **marks)
+    key["those that do not hold"] = Line2D([], [], marker="s", mfc="0.9", **marks)
+    legend_below(figure, [*key.values()], [*key], 3)
     headline(
         figure,
-        f"B5 to B10 hold together in {100 * shares['all six']:.0f} % of the samples",
+        f"Claims B5 to B10 hold together in {100 * shares['all six']:.0f} % of the samples",
     )
     return figure
 
@@ -129,7 +147,7 @@ def solvers(small_deflection: xr.Dataset) -> Figure:
     largest = abs(small_deflection["x"].sel(solver=BEAM)).max(("time", "s"))
     apart = differences(small_deflection)
     for colour, (name, label) in zip(
-        COLOURS, (("x", "deflection"), ("bending_moment", "bending moment")), strict=False
+        COLOURS[1:], (("bending_moment", "bending moment"), ("x", "deflection")), strict=False
     ):
         ax.loglog(largest, 100.0 * apart[name], "o-", color=colour, label=label)
     ax.loglog(largest, 100.0 * float(apart["x"][-1]) * (largest / largest[-1]) ** 2, **PRINTED,
@@ -157,14 +175,15 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     lengths = [float(element.split()[0]) for element in elements]
     steps = grid_test["time_step"].values
     shades = viridis(np.linspace(0.0, 0.85, len(steps)))
-    for colour, mark, step in zip(shades, "os^Dv<>", steps, strict=False):
+    sizes = np.linspace(10.0, 3.0, len(steps))  # one in another: steps change little
+    for colour, size, step in zip(shades, sizes, steps, strict=True):
         curve = error.sel(time_step=step)
+        style: dict[str, Any] = {"color": colour, "ms": size, "mfc": "none", "mew": 1.3}
         left.loglog(
-            lengths, curve.where(curve > 0.0), mark + "-", color=colour, ms=6, mfc="none", lw=1.0,
-            label=f"steps of {step:g} s",
+            lengths, curve.where(curve > 0.0), "o-", lw=0.35 * size, label=f"steps of {step:g} s", **style
         )  # fmt: skip
         seconds = grid_test["solve_seconds"].sel(time_step=step)
-        right.plot(seconds, range(len(elements)), mark, color=colour, ms=6, mfc="none")
+        right.plot(seconds, range(len(elements)), "o", **style)
     left.set_xticks(lengths, [f"{length:g}" for length in lengths])
     left.xaxis.set_minor_locator(NullLocator())
     left.yaxis.set_major_formatter("{x:g}")
@@ -174,18 +193,20 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
         own_setting["time_step"].min()
     )  # the paper's own, or the nearest to it at this tier
     whole = float(own_setting["solve_seconds"].sel(time_step=step))
-    right.plot([GRID_TIME / DURATION * whole], [len(elements)], "*", color=BLACK, ms=11)
-    own = (
-        "its step" if np.isclose(step, PAPER_STEP) else f"here {step:g} s, its own {PAPER_STEP:g} s"
-    )
     length = float(own_setting["s_node"][1] - own_setting["s_node"][0])
-    rows = [*elements, f"paper's {length:g} m\n({own})"]
+    steps_of = f"steps of {step:g} s"
+    if not np.isclose(step, PAPER_STEP):
+        steps_of += f" (paper: {PAPER_STEP:g} s)"
+    star: dict[str, Any] = {"color": BLACK, "marker": "*", "ms": 11, "ls": "none"}
+    right.plot([GRID_TIME / DURATION * whole], [len(elements)], **star)
+    left.plot([], [], label=f"paper's {length:g} m, {steps_of}, scaled from {DURATION:g} s", **star)
+    rows = [*(f"{one:g}" for one in lengths), f"{length:g}, paper"]
     right.set_yticks(range(len(rows)), rows)
+    right.set_ylabel("length of the elements (m)")
     right.set_ylim(len(rows) - 0.5, -0.5)
     right.set_xscale("log")
     right.xaxis.set_major_formatter("{x:g}")
     right.set_xlabel(f"run time of {GRID_TIME:g} simulated seconds (s)")
-    panel_title(right, "by element; star: scaled from 300 s")
     key_below(figure, left, 3)
     most = float(error.sel(element="5 m").max())
     headline(figure, f"Elements of 5 m have an error of up to {most:.1f} % at any tested step")
@@ -205,12 +226,14 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
             scale * api2j_surge[f"{name}_max"].max(over),
         )
         ax.fill_betweenx(
-            api2j_surge["s_node"], low, high, color="0.88", linewidth=0, label="over the surge"
-        )
-        for solver, style in ((LUMPED, {"color": COLOURS[0]}), (BEAM, PRINTED)):
+            api2j_surge["s_node"], low, high, color="0.88", linewidth=0,
+            label="range over all assumed surges",
+        )  # fmt: skip
+        wide = {"color": COLOURS[0], "linewidth": 2.6}
+        for solver, style in ((LUMPED, wide), (BEAM, PRINTED)):
             run = api2j.sel(solver=solver)
             for side in ("min", "max"):
-                word = solver if side == "min" else None
+                word = f"smallest and largest, {solver}" if side == "min" else None
                 ax.plot(scale * run[f"{name}_{side}"], run["s_node"], label=word, **style)
         ax.set_xlabel(label)
         ax.set_ylabel(HEIGHT)
@@ -218,13 +241,12 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
     apart = abs(both.sel(solver=LUMPED) - both.sel(solver=BEAM)).max("s")
     largest = abs(both.sel(solver=BEAM)).max(("time", "s"))
     for colour, (name, label) in zip(
-        COLOURS, (("x", "displacement"), ("bending_moment", "bending moment")), strict=False
+        COLOURS[1:], (("bending_moment", "moment"), ("x", "displacement")), strict=False
     ):
         axes[2].plot(apart["time"], 100.0 * apart[name] / largest[name], color=colour, label=label)
     axes[2].set_xlabel(TIME)
-    axes[2].set_ylabel("difference / largest value (%)")
-    axes[2].set_ylim(bottom=0.0)
-    panel_title(axes[2], "difference of the solvers")
+    axes[2].set_ylabel("solvers' difference / largest value (%)")
+    axes[2].set_ylim(0.0, 1.15 * axes[2].get_ylim()[1])
     key_below(figure, axes[0], 3)
     headline(
         figure,
@@ -232,5 +254,7 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
         f"{float((apart['bending_moment'] / largest['bending_moment']).max()):.2%} of the moment, "
         f"{float((apart['x'] / largest['x']).max()):.2%} of the displacement".replace("%", " %"),
     )
-    label_ends(axes[2], names=["displace-\nment", "moment"])
+    for line in axes[2].lines:
+        values = np.asarray(line.get_ydata())
+        label_line(axes[2], line, float(values.argmax()) / (values.size - 1), (4.0, 3.0))
     return figure

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import colormaps
@@ -10,6 +12,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Colormap, ListedColormap, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 from riserstudy.chapters.fem_riser.along import (
     measures,
@@ -24,11 +27,12 @@ from riserstudy.chapters.fem_riser.claims import (
     reciprocates,
     settling_time,
 )
-from riserstudy.chapters.fem_riser.figures.shared import BLUE, DEFLECTION, HEIGHT, TIME
+from riserstudy.chapters.fem_riser.figures.shared import BLACK, BLUE, DEFLECTION, HEIGHT, TIME
 from riserstudy.chapters.fem_riser.figures.trends import envelopes
-from riserstudy.figures.direct import label_ends
+from riserstudy.figures.direct import label_ends, named
 from riserstudy.figures.style import (
     COLOURS,
+    GREY,
     PRINTED,
     headline,
     key_below,
@@ -40,6 +44,10 @@ from riserstudy.figures.style import (
 WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
 PHASE = ListedColormap(colormaps["cividis"](np.linspace(0.0, 0.85, 256)))  # of time, or the tide
 LAST = ListedColormap(colormaps["Reds"](np.linspace(0.5, 0.9, 256)))  # of time, red as in the text
+#: of the other method: circles, between which the paper's is seen
+OTHER: dict[str, Any] = {
+    "color": "black", "marker": "o", "markersize": 4, "markerfacecolor": "none", "linestyle": "none",
+}  # fmt: skip
 viridis = colormaps["viridis"]  # of heights along the riser
 
 
@@ -89,36 +97,55 @@ def fig04(motion: xr.Dataset) -> Figure:
         _profiles(figure, axes[k], window, last, LAST if k == 2 else PHASE)
         panel_title(axes[k], f"profiles in {start:g} to {end:g} s")
         axes[k].set_ylim(0.0, float(x["s"][-1]))
-        history = axes[k + 3]
-        heights = np.arange(200.0, 2000.0, 200.0)
-        for colour, s in zip(viridis(np.linspace(0.0, 0.95, heights.size)), heights, strict=True):
-            track = window.sel(s=s, method="nearest")
-            drawn = 100.0 * (track - track.mean("time")) if k == 2 else track
-            history.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m")
-        history.set_xlabel(TIME)
-        history.set_ylabel("deflection less its mean (cm)" if k == 2 else DEFLECTION)
-        panel_title(history, "histories, by height")
+        _histories(axes[k + 3], window, last_window=k == 2)
     axes[0].set_ylabel(HEIGHT)
-    dashed = Line2D([], [], label="lumped masses, last profile", **PRINTED)
-    legend_below(figure, [dashed], [str(dashed.get_label())], 1)
+    slow = 100.0 * averaged(middle(motion))
+    final = float(slow.isel(time=-1))
+    slow = slow.sel(time=slice(WINDOWS[2][0], None)) - final
+    height = float(x["s"][x.sizes["s"] // 2])
+    mean: dict[str, Any] = {"color": BLACK, "linewidth": 2.0, "linestyle": (0, (2.0, 1.5))}
+    axes[5].plot(slow["time"], slow, **mean)
+    axes[5].axhspan(-SETTLED * abs(final), SETTLED * abs(final), color="0.9", zorder=0)
     settled = float(settling_time(motion, SETTLED))
+    key = {
+        "(a–c) lumped masses, last profile": Line2D([], [], **OTHER),
+        f"(f) mean over a wave at mid-length, {height:g} m": Line2D([], [], **mean),
+        f"(f) within {100 * SETTLED:g} % of its last value": Patch(color="0.9"),
+    }
+    legend_below(figure, [*key.values()], [*key], 3)
     headline(
         figure,
-        f"The riser is steady within {100 * SETTLED:g} % after {settled:.0f} s (tide calibrated)",
+        f"The mean at mid-length settles within {100 * SETTLED:g} % after {settled:.0f} s (tide calibrated)",
     )
-    label_ends(axes[4])
+    for ax in axes[3:]:
+        label_ends(ax, named(ax), size="x-small")
     return figure
+
+
+def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
+    """Deflection over time every 200 m; in the last window every 400 m, less its last mean."""
+    heights = np.arange(200.0, 2000.0, 200.0)
+    shades = viridis(np.linspace(0.0, 0.95, heights.size))
+    every = 2 if last_window else 1  # of those that cross one another
+    for colour, s in zip(shades[::every], heights[::every], strict=True):
+        track = window.sel(s=s, method="nearest")
+        drawn = 100.0 * (track - averaged(track).isel(time=-1)) if last_window else track
+        ax.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m")
+    ax.set_xlabel(TIME)
+    ax.set_ylabel("change to the last mean (cm)" if last_window else DEFLECTION)
+    ax.margins(y=0.1)  # room for names
+    panel_title(ax, "histories")
 
 
 def _profiles(
     figure: Figure, ax: Axes, window: xr.DataArray, last: xr.DataArray, colours: Colormap
 ) -> None:
-    """Profiles of a window, coloured by time; dashed, the last one by the other method."""
+    """Profiles of a window, coloured by time; circles, the last one by the other method."""
     shapes = window.isel(time=slice(None, None, max(1, window.sizes["time"] // 24)))
     times = Normalize(float(window["time"][0]), float(window["time"][-1]))
     for time in shapes["time"].values:
         ax.plot(shapes.sel(time=time), shapes["s"], linewidth=0.7, color=colours(times(time)))
-    ax.plot(last, last["s"], **PRINTED)
+    ax.plot(last, last["s"], markevery=max(1, last.sizes["s"] // 20), **OTHER)
     figure.colorbar(ScalarMappable(times, colours), ax=ax, location="top", label=TIME, shrink=0.9)
     ax.set_xlabel(DEFLECTION)
 
@@ -146,23 +173,27 @@ def tides(tides: xr.Dataset) -> Figure:
     figure, axes = panels(1, 3, 3.6)
     slow = averaged(middle(tides))
     values = tides["tide"].values
+    shades = viridis(np.linspace(0.0, 0.9, len(values)))
     for k, tide in enumerate(values):
         curve = slow.sel(tide=tide)
-        axes[0].plot(curve["time"], curve / curve[-1], label=f"{tide:g} m/s",
-                     color=PHASE(k / max(1, len(values) - 1)))  # fmt: skip
+        axes[0].plot(curve["time"], curve / curve[-1], color=shades[k], label=f"tide {tide:g} m/s")
     printed = PHASES["second"][1]
     axes[0].axvline(printed, **PRINTED)
     axes[0].annotate(
         f"printed: {printed:g} s", (printed, 0.01), xycoords=("data", "axes fraction"), rotation=90,
         xytext=(-3, 3), textcoords="offset points", ha="right", va="bottom", fontsize="small",
     )  # fmt: skip
-    axes[0].axhspan(1.0 - SETTLED, 1.0 + SETTLED, color="0.85", zorder=0)
+    axes[0].axhspan(
+        1.0 - SETTLED, 1.0 + SETTLED, color="0.8", label=f"settled: within {100 * SETTLED:g} %"
+    )
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("mid-length / its last mean")
     time, back = settling_time(tides, SETTLED), 100.0 * reciprocates(tides, 0.0).value
-    axes[1].plot(values, back, "o-", color=BLUE)
-    axes[1].set_ylabel("swing back, of the last mean (%)")
-    axes[2].plot(values, time, "o-", color=BLUE)
+    axes[1].set_ylabel("swing back / last mean (%)")
+    for ax, found in ((axes[1], back), (axes[2], time)):
+        ax.plot(values, found, "-", color=GREY, linewidth=0.9)
+        for colour, tide, value in zip(shades, values, found.values, strict=True):
+            ax.plot(tide, value, "o", color=colour, markersize=7)
     axes[2].axhline(printed, **PRINTED)
     axes[2].annotate(
         f"printed: {printed:g} s", (0.02, printed), xycoords=("axes fraction", "data"),
@@ -171,12 +202,11 @@ def tides(tides: xr.Dataset) -> Figure:
     axes[2].set_ylabel("settling time (s)")
     for ax in axes[1:]:
         ax.set_xlabel("surface speed of the tide (m/s)")
-        ax.set_ylim(bottom=0.0)
+        ax.set_ylim(bottom=-0.04 * ax.get_ylim()[1])  # so that marks at zero are whole
     nearest = float(abs(time - PHASES["second"][1]).idxmin("tide"))
     headline(
         figure,
         f"The tide sets the settling time: {float(time.sel(tide=nearest)):.0f} s at {nearest:g} m/s",
     )
-    panel_title(axes[0], "by surface speed of the tide")
-    key_below(figure, axes[0], 7)
+    key_below(figure, axes[0], 4)
     return figure

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 from riserstudy.chapters.fem_riser.along import (
     amplitude_at,
@@ -32,23 +36,23 @@ from riserstudy.chapters.fem_riser.figures.shared import (
     RED,
     STRESS,
 )
-from riserstudy.figures.direct import label_line, named
 from riserstudy.figures.style import (
     GREY,
     headline,
     legend_below,
-    panel_title,
     panels,
 )
 
+PALE = "#d0d0d0"  # of a range
 APART = "vibration, drift (m)"
 SEEN = 1e-3  # m, of vibration and drift: below it lines show what the mesh leaves
 
 
 def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Dataset) -> Figure:
     """Three lengths; colours as the text has them, where it says."""
-    cases = {"500 m": length_500, "1000 m": length_1000, "1500 m": length_1500}
-    figure = envelopes(cases, (BLUE, BLACK, RED), "by length")
+    runs = (length_500, length_1000, length_1500)
+    cases = {f"riser of {float(of['s_node'][-1]):g} m": of for of in runs}
+    figure = envelopes(cases, (BLUE, BLACK, RED))
     changed = _ratios(length_500, length_1500)
     headline(
         figure,
@@ -60,8 +64,8 @@ def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Datas
 
 def fig07(tension_ratio: xr.Dataset) -> Figure:
     """Three top tension ratios; colours as the text has them, where it says."""
-    cases = _each(tension_ratio, "tension_ratio", "ratio")
-    figure = envelopes(cases, (BLUE, BLACK, RED), "by top tension ratio")
+    cases = _each(tension_ratio, "tension_ratio", "top tension ratio")
+    figure = envelopes(cases, (BLUE, BLACK, RED))
     headline(
         figure,
         f"More top tension lowers deflection, stress, angle and vibration{_still_drifting(cases)}",
@@ -71,8 +75,8 @@ def fig07(tension_ratio: xr.Dataset) -> Figure:
 
 def fig08(buoyant_factor: xr.Dataset) -> Figure:
     """Three buoyant factors; colours as the text has them, where it says."""
-    cases = _each(buoyant_factor, "buoyant_factor", "factor")
-    figure = envelopes(cases, (RED, BLUE, BLACK), "by buoyant factor")
+    cases = _each(buoyant_factor, "buoyant_factor", "buoyant factor")
+    figure = envelopes(cases, (RED, BLUE, BLACK))
     headline(
         figure,
         f"A higher buoyant factor raises deflection, stress and angle{_still_drifting(cases)}",
@@ -95,20 +99,18 @@ def _still_drifting(cases: Mapping[str, xr.Dataset]) -> str:
         way = float(abs(drift_rate(x, period)).max()) * float(x["time"][-1] - x["time"][0])
         shares[name] = way / float(abs(without_drift(x, period)).max())
     worst = max(shares, key=lambda name: shares[name])
-    return f"; {worst} drifts by {100 * shares[worst]:.1f} %" if shares[worst] > SETTLED else ""
+    short = " ".join(worst.split()[-2:])
+    return f"; {short} drifts by {100 * shares[worst]:.1f} %" if shares[worst] > SETTLED else ""
 
 
 def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
     return {f"{word} {value:g}": runs.sel({axis: value}) for value in runs[axis].values}
 
 
-def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...], by: str = "") -> Figure:
-    """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and drift, which (a) is freed of.
-
-    ``by``: what cases differ in; where there is one case, its name is in the key.
-    """
+def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figure:
+    """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and drift, which (a) is freed of."""
     figure, axes = panels(1, 4, 4.2, sharey=True)
-    for colour, (name, runs) in zip(colours, cases.items(), strict=True):
+    for colour, runs in zip(colours, cases.values(), strict=True):
         factor = stress_factor(runs) / 1e6
         period = period_of(runs)
         for solver in (BEAM, LUMPED):
@@ -124,7 +126,7 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...], by: str
                 (angle.min("time"), angle.max("time"), length * angle["middle"]),
             )
             for ax, (least, most, s) in zip(axes, fields, strict=False):
-                _envelope(ax, least, most, s, colour, name if solver == BEAM else None)
+                _envelope(ax, least, most, s, colour, filled=solver == BEAM)
             line = "-" if solver == BEAM else "--"
             vibration = amplitude_at(x, period)
             axes[3].plot(vibration, x["s"], line, color=colour, linewidth=0.9)
@@ -137,48 +139,39 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...], by: str
                     axes[3].plot(drift, x["s"], ":", color=colour, linewidth=1.2)
     for ax, label in zip(axes, (DEFLECTION, STRESS, ANGLE, APART), strict=True):
         ax.set_xlabel(label)
-    axes[3].set_xscale("log")
-    axes[3].set_xlim(left=SEEN)
-    axes[0].set_ylabel(HEIGHT)
-    axes[0].set_ylim(bottom=0.0)
-    axes[0].plot([], [], color=GREY, linewidth=0.8, linestyle="--", label="lumped masses")
-    axes[0].plot(
-        [],
-        [],
-        color=GREY,
-        linewidth=1.2,
-        linestyle=":",
-        label="drift in 261 to 300 s, removed from (a)",
-    )
-    if by:
-        panel_title(axes[0], by)
-        _name_cases(axes[0], cases)
-    key = [
-        (handle, label)
-        for handle, label in zip(*axes[0].get_legend_handles_labels(), strict=True)
-        if not by or label not in cases
-    ]
-    legend_below(figure, [handle for handle, _ in key], [label for _, label in key], 3)
+    _frame(axes, max(float(runs["s_node"][-1]) for runs in cases.values()))
+    known: dict[str, Any] = {
+        name: Patch(facecolor=to_rgba(colour, 0.35), edgecolor=colour)
+        for name, colour in zip(cases, colours, strict=False)
+    }
+    known |= {
+        "(a–c) range in 261 to 300 s, beam": Patch(facecolor=PALE, edgecolor=GREY),
+        "(d) vibration, beam": Line2D([], [], color=GREY, linewidth=0.9),
+        "lumped masses": Line2D([], [], color=GREY, linewidth=0.9, linestyle="--"),
+        "(d) drift, removed from (a)": Line2D([], [], color=GREY, linewidth=1.2, linestyle=":"),
+    }
+    legend_below(figure, [*known.values()], [*known], 4)
     return figure
 
 
-def _name_cases(ax: Axes, cases: Mapping[str, xr.Dataset]) -> None:
-    """Write the value of each case inside its curve, where that is farthest out."""
-    for line in named(ax):
-        if line.get_label() in cases:
-            out = np.abs(np.asarray(line.get_xdata(), dtype=float))
-            value = str(line.get_label()).removeprefix("ratio ").removeprefix("factor ")
-            share = int(np.nanargmax(out)) / max(1, out.size - 1)
-            label_line(ax, line, share, (-4.0, 0.0), name=value)
+def _frame(axes: list[Axes], length: float) -> None:
+    """Axes around all that is drawn, with room at both ends of the riser, where stresses peak."""
+    axes[0].set_ylabel(HEIGHT)
+    axes[0].set_ylim(-0.03 * length, 1.03 * length)
+    for ax in axes[:3]:
+        ax.margins(x=0.08)
+    axes[3].set_xscale("log")
+    axes[3].set_xlim(left=SEEN)
+    ticks = [tick for tick in (SEEN, 0.01, 0.1, 1.0) if tick <= axes[3].get_xlim()[1]]
+    axes[3].set_xticks(ticks, [f"$10^{{{np.log10(tick):.0f}}}$" for tick in ticks])
 
 
 def _envelope(
-    ax: Axes, low: xr.DataArray, high: xr.DataArray, s: xr.DataArray, colour: str, label: str | None
+    ax: Axes, low: xr.DataArray, high: xr.DataArray, s: xr.DataArray, colour: str, *, filled: bool
 ) -> None:
-    if label is None:
-        for side in (low, high):
-            ax.plot(side, s, color=colour, linewidth=0.8, linestyle="--")
-        return
-    ax.fill_betweenx(s, low, high, color=colour, alpha=0.35, linewidth=0)
-    ax.plot(low, s, color=colour, linewidth=0.6)
-    ax.plot(high, s, color=colour, linewidth=0.6, label=label)
+    """Range along the riser: filled between its sides, or these alone, dashed."""
+    if filled:
+        ax.fill_betweenx(s, low, high, color=colour, alpha=0.35, linewidth=0)
+    style: dict[str, Any] = {"linewidth": 0.6} if filled else {"linewidth": 0.8, "linestyle": "--"}
+    for side in (low, high):
+        ax.plot(side, s, color=colour, **style)

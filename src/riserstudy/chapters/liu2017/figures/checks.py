@@ -7,14 +7,16 @@ from typing import Any
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
-from riserstudy.chapters.liu2017.figures.shared import SHOWN, TIME, UFJ_LIMIT, set_title
+from riserstudy.chapters.liu2017.figures.shared import SHOWN, TIME, UFJ_LIMIT, set_title, viridis
 from riserstudy.figures.direct import legible
-from riserstudy.figures.style import COLOURS, PRINTED, key_below, panel_title, panels
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, legend_below, panel_title, panels
 
 DEGREES = 180.0 / np.pi
 PASSED = 0.03  # deg, by which an angle is past its largest: half a second after it
 AS_ONE = "as one"  # of platform and riser
+HEADINGS = {"along": "0° (along)", "against": "180° (against)"}  # to the environment, as in Fig 4
 
 
 def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
@@ -24,8 +26,9 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     passed its largest value, 12 degrees are reached before or never, and no line is drawn.
     """
     figure, (ax,) = panels(height=3.8)
-    top = 0.0
-    for colour, weight in zip(COLOURS, calibration["riser_weight"].values, strict=False):
+    top, heads = 0.0, (0.0, 0.0)
+    weights = sorted(calibration["riser_weight"].values, key=lambda name: float(_first(name)))
+    for colour, weight in zip(viridis(np.linspace(0.0, 0.8, len(weights))), weights, strict=True):
         run = calibration.sel(riser_weight=weight).transpose("hull_drag", "gain") * DEGREES
         largest = run["ufj_angle_absmax"]
         style: dict[str, Any] = {"levels": [UFJ_LIMIT], "colors": [colour]}
@@ -38,7 +41,8 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
             str(weight), (gain, drag), xytext=(5, 0), textcoords="offset points", va="center",
             color=legible(colour), fontsize="small",
         )  # fmt: skip
-        top = max(top, drag)
+        if drag > top:
+            top, heads = drag, (gain, drag)
     fit = [calibration.attrs["gain"]], [calibration.attrs["hull_drag"]]
     (used,) = ax.plot(*fit, "o", color="black", label="fit that is used, with the wave")
     ax.legend(handles=[used], loc="lower right", fontsize="small")
@@ -47,12 +51,15 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
         xycoords="axes fraction", va="top", fontsize="small",
     )  # fmt: skip
     ax.annotate(
-        "by the riser's weight\nin water", (0.99, 0.97), xycoords="axes fraction", ha="right", va="top",
+        "riser's weight\nin water:",
+        heads,
+        xytext=(5, 12),
+        textcoords="offset points",
         fontsize="small",
-    )  # fmt: skip
+    )
     ax.set_xlabel("thrusters' gain (kN/m)")
     ax.set_ylabel("hull drag (kN s²/m²)")
-    ax.set_xlim(float(calibration["gain"].min()), 85.0)
+    ax.set_xlim(float(calibration["gain"].min()), 87.0)
     ax.set_ylim(float(calibration["hull_drag"].min()), 1.2 * top if top else None)
     set_title(
         figure,
@@ -61,36 +68,50 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     return figure
 
 
+def _first(weight: str) -> str:
+    """The number in a weight, of which none is zero."""
+    return "0" if weight == "none" else weight.split()[0]
+
+
 def coupling(coupling: xr.Dataset) -> Figure:
     """What solving platform and riser in turns changes, and the riser's iterations and time that it takes."""
-    figure, axes = panels(1, 3, 3.6)
+    figure, axes = panels(1, 3, 3.8)
     one, turns = coupling.sel(exchange=AS_ONE), coupling.drop_sel(exchange=AS_ONE)
     ways = [str(way) for way in turns["exchange"].values]
+    shades = viridis(np.linspace(0.0, 0.85, len(ways)))
     off = abs(turns[["platform_surge", "ufj_angle"]] - one)
-    for colour, way in zip(COLOURS, ways, strict=False):
-        here = off.sel(exchange=way)
-        most = float(here["platform_surge"].max())
-        label = f"{way} (surge: at most {_millimetres(most)})"
-        axes[0].plot(here["time"], here["platform_surge"], color=colour, label=label)
-        axes[1].plot(here["time"], here["ufj_angle"] * DEGREES, color=colour)
-    for ax, title in zip(axes, ("surge (m)", "UFJ angle (°)"), strict=False):
-        ax.set_ylim(bottom=-0.03 * ax.get_ylim()[1])  # so that what is zero is seen
+    for ax, name, factor, least, title in (
+        (axes[0], "platform_surge", 1e3, 1e-3, "surge (mm)"),
+        (axes[1], "ufj_angle", DEGREES, 1e-6, "UFJ angle (°)"),
+    ):
+        for colour, way in zip(shades, ways, strict=True):
+            so_far = np.maximum.accumulate(factor * off[name].sel(exchange=way).values)
+            rises = np.where(so_far > 0.0, so_far, np.nan)  # as the axis has no zero
+            ax.semilogy(off["time"], rises, color=colour, label=way)
+        ax.set_ylim(bottom=least)
         ax.set_xlabel(TIME)
         ax.set_ylabel(f"difference in {title}")
+        panel_title(ax, "largest up to each time")
     cost = turns[["newton_iterations", "solve_seconds"]] / one
-    axes[2].barh(ways, cost["newton_iterations"], color=COLOURS[: len(ways)], alpha=0.6)
-    axes[2].plot(cost["solve_seconds"], ways, "o", color="black")
-    axes[2].axvline(1.0, **PRINTED)
+    rows = [way.replace(", ", ",\n") for way in ways]
+    axes[2].barh(rows, cost["newton_iterations"], color=shades, alpha=0.6)
+    (dots,) = axes[2].plot(cost["solve_seconds"], rows, "o", color="black")
+    same = axes[2].axvline(1.0, **PRINTED)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("cost / cost as one")
-    panel_title(axes[2], "bars: iterations, dots: time")
+    axes[2].set_xlabel("ratio to cost as one")
+    key: dict[str, Any] = {str(line.get_label()): line for line in axes[0].lines}
+    key |= {
+        "(c) iterations": Patch(color=GREY, alpha=0.6),
+        "(c) run time": dots,
+        "(c) cost as one": same,
+    }
     apart = off["platform_surge"].max("time")
     ends = [
         f"{_millimetres(float(end))} ({str(end['exchange'].item()).partition(',')[0]})"
         for end in (apart[apart.argmin("exchange")], apart[apart.argmax("exchange")])
     ]
     set_title(figure, f"Solving in turns shifts the platform by {ends[0]} to {ends[1]}")
-    key_below(figure, axes[0], 2)
+    legend_below(figure, [*key.values()], [*key], 4)
     return figure
 
 
@@ -105,31 +126,43 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     parts: list[str] = []
     angle = abs(open_drive_off["ufj_angle"]).sel(time=slice(0.0, SHOWN)) * DEGREES
     limits = open_drive_off["limit_time"].sel(limit="upper flex joint")
-    latest = float(limits.where(np.isfinite(limits)).max().fillna(deadline))
-    bins = np.arange(20.0, max(latest, deadline) + 5.0, 5.0).tolist()
-    for colour, (heading, label) in zip(
-        COLOURS, (("along", "0°"), ("against", "180°")), strict=False
-    ):
+    # The histogram ends at the last time at which a sample reaches the limit, or at the published time.
+    latest = max(deadline, *limits.values[np.isfinite(limits.values)].tolist())
+    bins = np.arange(20.0, latest + 5.0, 5.0).tolist()
+    key: dict[str, Any] = {}
+    for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
         run = angle.sel(heading=heading)
         low, middle, high = (run.quantile(q, "sample") for q in (0.05, 0.5, 0.95))
-        axes[0].fill_between(run["time"], low, high, color=colour, alpha=0.2, linewidth=0.0)
-        axes[0].plot(run["time"], middle, color=colour, label=f"{label}: median, 90 % of samples")
-        times = open_drive_off["limit_time"].sel(heading=heading, limit="upper flex joint")
+        style: dict[str, Any] = {"color": colour, "alpha": 0.2, "linewidth": 0.0}
+        band = axes[0].fill_between(run["time"], low, high, **style)
+        (line,) = axes[0].plot(run["time"], middle, color=colour)
+        key[f"{label}: median, band of 90 % of samples"] = (band, line)
+        times = limits.sel(heading=heading).where(run.notnull().any("time"))  # never is not unknown
+        parts.append(_share_reached(times, heading))
         reached = times.values[np.isfinite(times.values)]
-        parts.append(f"{100 * len(reached) / times.size:.0f} % ({label})")
-        axes[1].hist(reached, bins, color=colour, histtype="step", linewidth=1.8, label=label)
-    axes[0].plot([deadline], [UFJ_LIMIT], "o", color="black", label="printed, at 0°")
-    axes[1].axvline(deadline, label="printed, at 0°", **PRINTED)
+        width = 3.0 if colour == COLOURS[0] else 1.3  # one in the other, where both are as many
+        axes[1].hist(reached, bins, color=colour, histtype="step", linewidth=width)
+    (dot,) = axes[0].plot([deadline], [UFJ_LIMIT], "o", color="black")
+    for ax in axes:
+        upright = ax.axvline(deadline, **PRINTED)
+    key[f"printed: {UFJ_LIMIT:g}° at {deadline:g} s, along"] = (upright, dot)
     then = angle.sel(heading="along").interp(time=deadline)
     least, most = (float(then.quantile(q)) for q in (0.05, 0.95))
     set_title(
         figure,
-        f"At the published time UFJ angles in the blue band are {least:.0f}° to {most:.0f}°",
+        f"At the published time the band along the environment spans {least:.0f}° to {most:.0f}°",
     )
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint angle (°)")
     axes[1].set_xlabel("time to an angle of 12° (s)")
     axes[1].set_ylabel("number of samples")
     panel_title(axes[1], f"12° reached in {', '.join(parts)}")
-    key_below(figure, axes[0], 3)
+    legend_below(figure, [*key.values()], [*key], 3)
     return figure
+
+
+def _share_reached(times: xr.DataArray, label: str) -> str:
+    """Share of samples that reach a limit, infinite where never; those without a value are counted apart."""
+    unknown = int(times.isnull().sum())
+    share = f"{100.0 * float(np.isfinite(times).sum()) / times.size:.0f} %"
+    return f"{share} ({label}{f', {unknown} without a value' if unknown else ''})"

@@ -6,6 +6,8 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 from riserstudy.chapters.liu2017.figures.shared import (
     SHOWN,
@@ -13,11 +15,12 @@ from riserstudy.chapters.liu2017.figures.shared import (
     TIME,
     UFJ_LIMIT,
     draw_limits,
+    mark_both,
     name_limits,
     set_title,
     viridis,
 )
-from riserstudy.chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
+from riserstudy.chapters.liu2017.limits import LIMITS, reached, shares
 from riserstudy.dataset.crossing import first_crossing, first_limit
 from riserstudy.figures.direct import label_ends, label_line, named
 from riserstudy.figures.style import (
@@ -31,6 +34,7 @@ from riserstudy.figures.style import (
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
 HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
+EARLY = 20.0  # s, one of them, when the top has moved and the bottom hardly
 TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
 PIPE = "riser, 386 MPa\n(assumed)"
 LOW = 218.0  # m above the conductor's foot, a tenth up the riser
@@ -52,7 +56,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
                 axes[2 + column].plot(run["time"], run["platform_speed_x"], line, color=colour)
         axes[column].axhline(100.0, color=GREY, linewidth=0.9)
         axes[column].annotate(
-            "printed: 100 m", (0.0, 100.0), xytext=(0, 3), fontsize="small",
+            "false position,\n100 m (printed)", (0.0, 100.0), xytext=(0, 3), fontsize="small",
             textcoords="offset points", color="0.3",
         )  # fmt: skip
         panel_title(axes[column], title)
@@ -62,10 +66,17 @@ def fig04(driveoff: xr.Dataset) -> Figure:
         - float(first_crossing(driveoff["platform_surge"].sel(case=f"{kind}_0"), 100.0))
         for kind in SETS
     ]
-    set_title(figure, f"Against the environment the platform arrives {_range(later)} s later")
+    set_title(
+        figure,
+        f"Against the environment the platform reaches the false position {_range(later)} s later",
+    )
+    for row in (axes[:2], axes[2:]):
+        ends = [end for ax in row for end in ax.get_ylim()]
+        for ax in row:
+            ax.set_ylim(min(ends), max(ends))
     axes[0].set_ylabel(SURGE)
     axes[2].set_ylabel("speed of the platform (m/s)")
-    names = [f"{way}°, {riser} riser" for way in HEADINGS for riser in ("with", "no")]
+    names = [f"{way}, {riser} riser" for way in ("along", "against") for riser in ("with", "no")]
     label_ends(axes[1], names=names)
     return figure
 
@@ -84,7 +95,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
     ):
         rest = run.isel(time=0)
         (still,) = ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="rest")
-        label_line(ax, still, 1.0, (0.0, 3.0), ha="right" if sign > 0.0 else "left")
+        label_line(ax, still, 1.0, (-4.0 * sign, 3.0))
         for colour, time in zip(viridis(np.linspace(0.0, 0.9, len(TIMES))), TIMES, strict=True):
             shape = run.sel(time=time)
             (line,) = ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
@@ -93,12 +104,18 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
         ax.set_ylim(top=1.07 * float(rest["z"].max()))  # room for the times
         ax.set_xlabel("lateral displacement (m)")
         panel_title(ax, label)
-    after = abs(ref_0["x"].sel(time=20.0) - ref_0["x"].isel(time=0))
-    low = float(after.sel(s=LOW, method="nearest"))
-    set_title(
-        figure,
-        f"Low on the riser motion is {low:.1f} m when the top has moved {float(after.isel(s=-1)):.0f} m",
-    )
+    early = ref_0.sel(time=EARLY)
+    after = abs(early["x"] - ref_0["x"].isel(time=0))
+    ends = [after.sel(s=LOW, method="nearest"), after.isel(s=-1)]
+    for moved in ends:
+        there = early.sel(s=moved["s"])
+        axes[0].plot(there["x"], there["z"], "o", color="black", ms=4)
+    low, high = (float(moved) for moved in ends)
+    axes[0].annotate(
+        f"dots, moved in {EARLY:g} s:\ntop {high:.1f} m,\na tenth up {low:.1f} m", (0.97, 0.04), ha="right",
+        xycoords="axes fraction", va="bottom", fontsize="small",
+    )  # fmt: skip
+    set_title(figure, f"The lowest tenth has moved {low:.1f} m when the top has moved {high:.1f} m")
     axes[0].set_ylabel("elevation above the wellhead (m)")
     return figure
 
@@ -140,6 +157,7 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     key = [(handle, label) for handle, label in rest if label not in HEADINGS.values()]
     legend_below(figure, [handle for handle, _ in key], [label for _, label in key], 4)
     label_ends(axes[1], [line for line in axes[1].lines if line.get_label() in HEADINGS.values()])
+    axes[1].margins(x=0.05)  # as its neighbour
     return figure
 
 
@@ -179,12 +197,10 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
         ax.plot([deadline], [1.0], "o", color="black", label=f"printed: 12° at {deadline:g} s")
         panel_title(ax, title)
     run = driveoff.sel(case="ref_0")
-    times, begins = reached(run), starts(run)
-    late = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(limit="upper flex joint")
+    times = reached(run)
     set_title(
         figure,
-        f"The {first_limit(times).item()!s} is first, at {float(times.min()):.0f} s; "
-        f"the bottom lags by {float(late):.0f} s",
+        f"The {first_limit(times).item()!s} reaches its limit first, at {float(times.min()):.0f} s",
     )
     axes[0].set_ylabel("utilisation of the limit")
     name_limits(figure, axes, PIPE)
@@ -203,6 +219,7 @@ def envelope(envelope: xr.Dataset) -> Figure:
     ax.axhline(1.0, label="limit (printed)", **PRINTED)
     still = envelope["limit_offset"].sel(surface_speed=0.0)
     end, then = (float(still.sel(limit=name)) for name in ("telescopic joint", "conductor"))
+    mark_both(ax, end, then, "m")
     ax.set_xlim(0.0, 1.5 * end)
     ax.set_ylim(0.0, 1.6)
     ax.set_xlabel("static offset of the platform (m)")
@@ -212,7 +229,14 @@ def envelope(envelope: xr.Dataset) -> Figure:
         f"Stroke-out occurs at {end:.0f} m of static offset, the conductor limit at {then:.0f} m",
     )
     lines = {str(line.get_label()): line for line in named(ax)}
-    legend_below(figure, [lines["limit (printed)"]], ["limit (printed)"], 1)
+    speeds = [float(speed) for speed in used["surface_speed"].values]
+    band = f"currents of {min(speeds):g} to {max(speeds):g} m/s at the surface".replace("-", "−")
+    key = {
+        "still water": Line2D([], [], color=GREY),
+        band: Patch(color=GREY, alpha=0.25, linewidth=0.0),
+        "limit (printed)": lines["limit (printed)"],
+    }
+    legend_below(figure, [*key.values()], [*key], 3)
     rises = lines["conductor"]
     within = int((np.asarray(rises.get_ydata()) < 1.4).sum()) - 1  # it leaves the panel above
     label_line(ax, rises, within / (len(used["offset"]) - 1), (8.0, 0.0))

@@ -7,7 +7,13 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.chapters.liu2017.figures.shared import draw_limits, name_limits, set_title, viridis
+from riserstudy.chapters.liu2017.figures.shared import (
+    draw_limits,
+    mark_both,
+    name_limits,
+    plasma,
+    set_title,
+)
 from riserstudy.chapters.liu2017.limits import LIMITS
 from riserstudy.design.watch_circles import TOO_LATE
 from riserstudy.figures.direct import label_ends, label_line, named
@@ -29,8 +35,9 @@ def losses(losses: xr.Dataset) -> Figure:
         figure,
         f"In a drift-off stroke-out occurs at {end:.0f} s, the conductor limit {stress - end:.0f} s later",
     )
+    mark_both(axes[1], end, stress, "s")
     axes[0].set_ylabel("utilisation of the limit")
-    axes[0].set_ylim(bottom=0.0)
+    axes[0].set_ylim(bottom=-0.05)
     name_limits(figure, axes)
     return figure
 
@@ -54,7 +61,7 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
     for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
         top = max(ax.get_ylim()[1] for ax in row)
         for ax in row:
-            ax.set_ylim(0.0, 1.13 * top)
+            ax.set_ylim(-0.04 * top, 1.13 * top)  # so that what is nearly zero is seen
             ax.tick_params(labelleft=ax is row[0])
         row[0].set_ylabel(label)
     set_title(figure, _slowest_in_time(disconnect, station))
@@ -90,14 +97,14 @@ def _limit_times(ax: Axes, run: xr.Dataset) -> None:
 def _circles(ax: Axes, run: xr.Dataset) -> None:
     """Radius over the environment's angle to the hull; where every alarm is too late, a note instead."""
     times = run["eds_time"].values
-    for colour, eds in zip(viridis(np.linspace(0.0, 0.9, len(times))), times, strict=True):
+    for colour, eds in zip(plasma(np.linspace(0.0, 0.85, len(times))), times, strict=True):
         circle = run.sel(eds_time=eds)
         radius = circle["red_circle_radius"].where(circle["red_circle_outcome"] != TOO_LATE)
         label = f"disconnect in {eds:g} s"
         ax.plot(run["environment_heading"], radius, ".-", color=colour, label=label)
     late = (run["red_circle_outcome"] == TOO_LATE).all("environment_heading")
     if bool(late.any()):
-        words = f"too late: {', '.join(f'{eds:g}' for eds in times[late.values])} s"
+        words = f"too late: in {', '.join(f'{eds:g}' for eds in times[late.values])} s"
         ax.text(0.5, 0.95, words, transform=ax.transAxes, ha="center", va="top", fontsize="small")
 
 

@@ -15,6 +15,7 @@ TIME, SURGE = "time (s)", "surge of the platform (m)"
 SHOWN = 100.0  # s
 UFJ_LIMIT = 12.0  # degrees, of Table 4
 viridis = colormaps["viridis"]
+plasma = colormaps["plasma"]  # where limits have colours, of which it has none
 
 
 def set_title(figure: Figure, title: str) -> None:
@@ -32,6 +33,17 @@ def name_limits(figure: Figure, axes: list[Axes], *others: str) -> None:
     }
     legend_below(figure, [*rest.values()], [*rest], 4)
     label_ends(axes[-1], [line for line in axes[-1].lines if line.get_label() in written])
+
+
+def mark_both(ax: Axes, first: float, second: float, unit: str) -> None:
+    """Mark where two limits are reached one soon after the other, with both places."""
+    for place, across, up in ((first, "right", "bottom"), (second, "left", "top")):
+        ax.plot([place], [1.0], "o", color="black", ms=4, zorder=3)
+        ax.annotate(
+            f"{place:.0f} {unit}", (place, 1.0), ha=across, va=up, fontsize="small",
+            xytext=(-5.0 if across == "right" else 5.0, 4.0 if up == "bottom" else -4.0),
+            textcoords="offset points",
+        )  # fmt: skip
 
 
 def draw_limits(ax: Axes, used: xr.DataArray) -> None:

@@ -51,7 +51,7 @@ def readings(
             axes[0].plot(one["x"], one["moment"], label=f"{weight}; {flow}", **style)
             axes[1].plot(one["x"], one["ratio"], label=f"{weight}; {flow}", **style)
     _around_print(axes, numbers, heavy, light, moment)
-    _two_way_key(figure, weights, flows)
+    _two_way_key(figure, weights, flows, _printed(heavy, light, moment))
     misses = misses_of_print(readings, heavy, light, moment)
     _ring_nearest(axes, numbers, misses)
     headline(figure, _how_near(misses, heavy, light, moment, within, "interpretations"))
@@ -79,12 +79,17 @@ def _how_near(
     return f"At 130 s no {label[:-1]} meets all three values; the nearest misses {off:.0f} %"
 
 
-def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str]) -> None:
+def _printed(heavy: float, light: float, moment: float) -> str:
+    """Name of the lines of the three printed numbers."""
+    return f"printed: {heavy:g} m, {moment:g} kN m, ratio {light / heavy:.3f}"
+
+
+def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str], printed: str) -> None:
     """What colours and marks mean, a column each, below the panels."""
     colours = [_legend_line(weight, "o", colour) for weight, colour in weights.items()]
     marks = [_legend_line(flow, mark, GREY) for mark, flow in zip(MARKS, flows, strict=False)]
     others = [
-        Line2D([], [], label="printed by the paper", **PRINTED),
+        Line2D([], [], label=printed, **PRINTED),
         Line2D([], [], label=NEAREST, **RING),
     ]
     columns = [
@@ -117,7 +122,7 @@ def open_choices(
     for weight, colour in _coloured(weights).items():
         one = numbers.sel(sample=weights == weight)
         outside = all(bool(_beyond(one, *of).all()) for of in _frames(heavy, light, moment))
-        label = f"{weight} (outside the frame)" if outside else str(weight)
+        label = f"weight: {weight}" + (" (outside the frame)" if outside else "")
         axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=4, label=label)
         axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=4)
     _around_print(axes, numbers, heavy, light, moment)
@@ -137,8 +142,8 @@ def _around_print(
         ax.set_ylim(bottom, top)
         outside = _beyond(found, name, right, bottom, top)
         beyond = int(outside.sum())
-        words = f"{beyond} of {outside.size} outside the frame" if beyond else f"all {outside.size}"
-        panel_title(ax, words)
+        seen = f"{outside.size - beyond} of {outside.size}" if beyond else f"all {outside.size}"
+        panel_title(ax, f"{seen} in the frame")
 
 
 def _frames(
@@ -147,8 +152,8 @@ def _frames(
     """Of each panel what is upwards, and the right end, bottom and top of what is shown."""
     growth = light / heavy - 1.0
     return (
-        ("moment", 4.0 * heavy, 0.0, 4.0 * moment),
-        ("ratio", 4.0 * heavy, 1.0 - growth, 1.0 + 3.0 * growth),
+        ("moment", 4.1 * heavy, 0.0, 4.2 * moment),
+        ("ratio", 4.1 * heavy, 1.0 - growth, 1.0 + 3.0 * growth),
     )
 
 
@@ -164,7 +169,7 @@ def _coloured(readings: xr.DataArray) -> dict[str, str]:
 
 def _compare_with_print(heavy: float, light: float, moment: float) -> tuple[Figure, list[Axes]]:
     figure, axes = panels(1, 2, 4.6, sharex=True)
-    axes[0].axhline(moment, label="printed", **PRINTED)
+    axes[0].axhline(moment, label=_printed(heavy, light, moment), **PRINTED)
     axes[1].axhline(light / heavy, **PRINTED)
     labels = ("largest moment at 130 s (kN m)", "distance, 120 t / 140 t")
     for ax, label in zip(axes, labels, strict=True):

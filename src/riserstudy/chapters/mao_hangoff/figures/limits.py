@@ -10,13 +10,14 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import GREY, headline, legend_below, panel_title, panels
 
-PERIODS = (6.0, 8.0)  # s, of heave
+PERIODS = (5.0, 8.0)  # s, of heave: the least, and one in which heavy risers keep tension
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
 MARKS = ("o", "s", "^", "v")  # of limits; the last where none is reached
 viridis = colormaps["viridis"]
@@ -47,6 +48,8 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
     for ax in axes[:-1]:
         ax.margins(x=0.0)
     label_ends(axes[-1])
+    for ax in axes:
+        ax.margins(x=0.05)  # so that marks are whole, and numbers of neighbours apart
     axes[-1].annotate(
         "LMRP\nmass", (1.0, 1.0), xycoords="axes fraction", xytext=(4.0, 0.0), fontsize="small",
         textcoords="offset points", va="top", annotation_clip=False,
@@ -98,17 +101,24 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         hard = lost.sel(mode="hard").sel(heave_period=wanted, method="nearest")
         _cells(ax, hard, Normalize(0.0, most))
         period = float(hard["heave_period"])
-        panel_title(ax, f"hard, {period:g} s, each riser")
+        panel_title(ax, f"locked, heave of {period:g} s, all risers")
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
     _bar(figure, axes[2:], Normalize(0.0, most), "heave that loses tension (m)")
-    figure.supxlabel(
-        "orange: tension is lost, on the scale of the blue; dash: not in the grid's amplitudes",
-        fontsize="small",
-    )
-    on_tensioners, locked = (_loses(lost.sel(mode=mode), most) for mode in ("soft", "hard"))
+    kept, gone = (colormaps[name](0.5) for name in ("Blues", "Oranges"))
+    key = {
+        "tension is kept": Patch(color=kept),
+        "tension is lost (same scale)": Patch(color=gone),
+        f"tension is not lost up to {most:g} m": Line2D(
+            [], [], ls="none", marker="$–$", color="black"
+        ),
+    }
+    legend_below(figure, [*key.values()], [*key], 3)
+    papers = lost.isel(riser_length=-1, lmrp_mass=-1)
+    on_tensioners, locked = (_loses(papers.sel(mode=mode)) for mode in ("soft", "hard"))
     headline(
-        figure, f"A locked riser loses tension {locked} of heave, one on tensioners {on_tensioners}"
+        figure,
+        f"Locked, the paper's riser loses tension {locked} of heave, on tensioners {on_tensioners}",
     )
     return figure
 
@@ -120,10 +130,10 @@ def _bar(figure: Figure, of: list[Axes], norm: Normalize, label: str) -> None:
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _loses(lost: xr.DataArray, most: float) -> str:
-    """From which heave on the first riser loses tension."""
+def _loses(lost: xr.DataArray) -> str:
+    """From which heave on a riser loses tension in the worst period."""
     if bool(lost.isnull().all()):
-        return f"nowhere to {most:g} m"
+        return "nowhere"
     return f"from {float(lost.min()):.2g} m"
 
 

@@ -10,10 +10,13 @@ from typing import Any
 import numpy as np
 import xarray as xr
 from matplotlib import colormaps
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
     ASTERN,
+    NESTED,
     TIME,
     changes,
     down,
@@ -28,7 +31,7 @@ from riserstudy.figures.style import (
     GREY,
     PRINTED,
     headline,
-    key_below,
+    legend_below,
     panel_title,
     panels,
 )
@@ -36,9 +39,28 @@ from riserstudy.figures.style import (
 TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
 START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
 DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
+#: shapes of the current by what their names contain, with the titles of their panels
+FAMILIES = {
+    "none below": "100 m layer, none below",
+    "exponential": "exponential",
+    "": "power of height",
+}
+MIDDLE, DEEPEST = 700.0, 1800.0  # m, depths of Fig 8: where lines are named, and its last
+#: of lines that are close: name in the figure, its depth (m), and how far away it is (points)
+PLACES = {
+    "uniform to 100 m, none below 300 m": ("300 m", 190.0, (-2.0, 3.0)),
+    "uniform to 100 m, none below 500 m": ("500 m", 340.0, (3.0, -4.0)),
+    "exponential 100 m": ("100 m", 290.0, (5.0, 0.0)),
+    "exponential 300 m": ("300 m", 420.0, (5.0, 0.0)),
+    "exponential 700 m": ("700 m", 1100.0, (5.0, 0.0)),
+    "uniform": ("0 (uniform)", DEEPEST, (-0.5, -4.0)),
+    "power 1/7": ("1/7", 1500.0, (4.0, 0.0)),
+    "power 1/4": ("1/4", 1500.0, (-4.0, 0.0)),
+    "linear to the seabed": ("1 (linear)", 700.0, (-5.0, 0.0)),
+}
 SIGNED = "bending moment at 130 s, signed (kN m)"
 HEAVE = 10.0  # s, period of the base case's heave
-viridis = colormaps["viridis"]
+plasma, viridis = colormaps["plasma"], colormaps["viridis"]
 
 
 def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
@@ -102,25 +124,39 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
 
 def fig08(current_profiles: xr.Dataset) -> Figure:
     """Current over depth: the surface speeds of Fig 11, and the shapes that the text leaves open."""
-    figure, axes = panels(1, 2, 3.7, sharey=True)
+    figure, axes = panels(1, 4, 3.7, sharey=True)
     share = current_profiles["current_share"]
-    depth, shapes = share["below_surface"], list(share["current_profile"].values)
+    depth, shapes = share["below_surface"], [str(one) for one in share["current_profile"].values]
     for colour, speed in zip(COLOURS, (1.0, 1.1, 1.2), strict=False):
-        axes[0].plot(speed * share[0], depth, color=colour, label=f"{speed:g} m/s")
-    for k, shape in enumerate(shapes):
-        line, colour = ("-", "--")[k // len(COLOURS)], COLOURS[k % len(COLOURS)]
-        axes[1].plot(share.sel(current_profile=shape), depth, line, color=colour, label=str(shape))
-    for ax, title in zip(axes, (str(shapes[0]), "1 m/s at the surface"), strict=True):
-        ax.set_xlabel("current speed (m/s)")
-        panel_title(ax, title)
-    axes[0].set_ylabel("depth below the surface (m)")
-    axes[0].invert_yaxis()
+        axes[0].plot(_while_it_flows(speed * share[0]), depth, color=colour, label=f"{speed:g} m/s")
     axes[0].legend(
-        fontsize="small", loc="lower center", title="at the surface", title_fontsize="small"
+        fontsize="small", loc="lower right", title="at the surface", title_fontsize="small"
     )
-    key_below(figure, axes[1], 4)
+    axes[0].set_xlabel("current speed (m/s)")
+    panel_title(axes[0], "as in Figs 9 and 10")
+    for ax, family in zip(axes[1:], FAMILIES, strict=True):
+        of_family = [shape for shape in shapes if _family(shape) == family]
+        for colour, shape in zip(COLOURS[3:], of_family, strict=False):
+            curve = _while_it_flows(share.sel(current_profile=shape))
+            (line,) = ax.plot(curve, depth, color=colour, label=shape)
+            name, level, away = PLACES.get(shape, (shape, MIDDLE, (5.0, 0.0)))
+            label_line(ax, line, level / float(depth.max()), away, name=name)
+        ax.set_xlabel("share of surface speed")
+        panel_title(ax, FAMILIES[family])
+    axes[0].set_ylabel("depth below the surface (m)")
+    axes[0].set_ylim(1.12 * float(depth.max()), -0.05 * float(depth.max()))  # room for a name
     headline(figure, "Current over depth: surface speeds as printed, shapes assumed")
     return figure
+
+
+def _family(shape: str) -> str:
+    """Panel of Fig 8 in which a shape of the current is drawn."""
+    return next((family for family in FAMILIES if family in shape), "")
+
+
+def _while_it_flows(speed: xr.DataArray) -> xr.DataArray:
+    """A current down to where less than a hundredth of it is left, so that no line lies on the axis."""
+    return speed.where(speed > 0.01 * float(speed.max()))
 
 
 def fig09(
@@ -133,7 +169,8 @@ def fig09(
     figure, axes = panels(2, 2, 3.6)
     depth = float(base["s"][-1]) - base["s"]
     axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=COLOURS[0])
-    axes[0].axvline(heavy, label=f"printed at the LMRP: {heavy:g} m", **PRINTED)
+    axes[0].axvline(heavy, **PRINTED)
+    _number(axes[0], heavy, 1.0, f"{heavy:g} m")
     at_130 = base_runs["bending_moment"].sel(time=STATED) / 1e3
     turn = _sign_of_largest(at_130)
     ours = turn * at_130
@@ -142,50 +179,63 @@ def fig09(
     style: dict[str, Any] = {"color": COLOURS[0], "ms": 4, "clip_on": False}
     cycle = turn * base_runs["bending_moment"].sel(time=slice(STATED - HEAVE, STATED)) / 1e3
     least, most = cycle.min("time"), cycle.max("time")
-    axes[1].fill_betweenx(
-        depth, least, most, color="0.8", linewidth=0.0, label=f"last {HEAVE:g} s:\na heave cycle"
-    )
+    band = axes[1].fill_betweenx(depth, least, most, color="0.8", linewidth=0.0)
     minus = f"{at_joint:.1f}".replace("-", "−")
-    axes[1].plot(at_joint, 0.0, "o", label=f"at the joint:\n{minus} kN m", **style)
-    axes[1].axvline(moment, label=f"printed:\n{moment:g} kN m", **PRINTED)
+    axes[1].plot(at_joint, 0.0, "o", **style)
+    axes[1].annotate(
+        f"at the joint:\n{minus} kN m", (at_joint, 0.0), xytext=(4.0, -8.0), fontsize="small",
+        textcoords="offset points", va="top", color=COLOURS[0],
+    )  # fmt: skip
+    axes[1].axvline(moment, **PRINTED)
+    _number(axes[1], moment, 0.0, f"{moment:g} kN m")
     own = variants.sel(variant="mesh and step of the paper")
     shape = -displacement(own).sel(time=STATED).dropna("s")
     theirs = own["bending_moment"].sel(time=STATED).dropna("s") / 1e3
     theirs = _sign_of_largest(theirs) * theirs
     for ax, curve in zip(axes, (shape, theirs), strict=False):
-        ax.plot(
-            curve,
-            float(curve["s"][-1]) - curve["s"],
-            ":",
-            color=COLOURS[1],
-            label="mesh and step of the paper" if ax is axes[0] else None,
-        )
-    titles = ("shape at 130 s", "moment at 130 s", "shapes in time", "axial motion, by depth")
+        ax.plot(curve, float(curve["s"][-1]) - curve["s"], ":", color=COLOURS[1])
+    titles = ("shape at 130 s", "moment at 130 s", "shapes in time", "axial motion")
     for ax, title in zip(axes, titles, strict=True):
         panel_title(ax, title)
     for colour, time in zip(viridis(np.linspace(0.0, 0.85, len(TIMES))), TIMES, strict=True):
         shape = -base["displacement_along"].sel(time=time)
         (drawn,) = axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
-        label_line(axes[2], drawn, 0.0, (0.0, -3.0))
+        label_line(axes[2], drawn, 0.0, (0.0, -3.0), size="x-small")
     z = base_runs["z"]
-    for colour, line, below in zip(COLOURS, ("-", "-", "-", "--"), DEPTHS, strict=False):
+    shades = plasma(np.linspace(0.0, 0.85, len(DEPTHS)))
+    for colour, width, below in zip(shades, (1.0, *NESTED), DEPTHS, strict=True):
         at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
-        axes[3].plot(at["time"], at - at[0], line, color=colour, lw=1.1, label=f"{below:g} m")
+        name = f"(d) {below:g} m below" if below else "(d) upper flex joint"
+        axes[3].plot(at["time"], at - at[0], color=colour, lw=width, label=name)
     for ax, label in zip(axes, (ASTERN, SIGNED, ASTERN), strict=False):
         down(ax, label)
     axes[3].set_xlabel(TIME)
     axes[3].set_ylabel("axial motion (m)")
     axes[2].set_ylim(bottom=1.09 * float(depth.max()))  # room for the times
     axes[2].margins(x=0.09)
-    for ax in (axes[0], axes[3]):
-        ax.legend(fontsize="small")
-    axes[1].legend(fontsize="small", loc="center left")  # clear of the curves
+    known = (
+        (Line2D([], [], color=COLOURS[0]), "computed"),
+        (Line2D([], [], color=COLOURS[1], ls=":"), "the paper's mesh and step"),
+        (Line2D([], [], **PRINTED), "printed"),
+        (band, f"(b) range in a heave, {HEAVE:g} s"),
+    )
+    depths = zip(*axes[3].get_legend_handles_labels(), strict=True)
+    key = [row for pair in zip(known, depths, strict=True) for row in pair]  # a column is a pair
+    legend_below(figure, [handle for handle, _ in key], [label for _, label in key], 4)
     away = float(-base["displacement_along"].sel(time=STATED).isel(s=0))
     headline(
         figure,
         f"The LMRP trails by {away:.1f} m, the moment reaches {float(ours.max()):.1f} kN m (calibrated)",
     )
     return figure
+
+
+def _number(ax: Axes, x: float, up: float, text: str) -> None:
+    """Write the number of an upright line at its left, at its upper (1) or lower end (0)."""
+    ax.annotate(
+        text, (x, up), xycoords=("data", "axes fraction"), xytext=(-3.0, 4.0 - 8.0 * up),
+        textcoords="offset points", ha="right", va="top" if up else "bottom", fontsize="small",
+    )  # fmt: skip
 
 
 def _sign_of_largest(moment: xr.DataArray) -> float:
@@ -198,13 +248,22 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
 
     ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
     """
-    figure = three_panels(lmrp_mass, "lmrp_mass", (140.0, 130.0, 120.0), "LMRP {:g} t")
+    masses = (140.0, 130.0, 120.0)
+    figure = three_panels(lmrp_mass, "lmrp_mass", masses, "LMRP {:g} t", key=False)
     shapes, moments = figure.axes[:2]
+    for ax in (shapes, moments):  # masses change little
+        for line, width in zip(ax.lines, NESTED, strict=True):
+            line.set_linewidth(width)
     blue, _, green = (line.get_color() for line in shapes.lines)
     far = (heavy, light)
-    for value, colour in zip(far, (blue, green), strict=True):
-        shapes.axvline(value, label=f"printed: {value:g} m", **(PRINTED | {"color": colour}))
-    moments.axvline(moment, label=f"printed: {moment:g} kN m", **(PRINTED | {"color": blue}))
+    printed = [
+        shapes.axvline(
+            value, label=f"printed, {mass} t: {value:g} m", **(PRINTED | {"color": colour})
+        )
+        for value, mass, colour in zip(far, (140, 120), (blue, green), strict=True)
+    ]
+    name = f"printed, 140 t: {moment:g} kN m"
+    printed.append(moments.axvline(moment, label=name, **(PRINTED | {"color": blue})))
     shapes.set_xlim(right=1.05 * light)
     length = float(lmrp_mass["s"][-1])
     near = (0.9 * heavy, 1.02 * light)
@@ -213,9 +272,8 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     top = float(size.max())
     deep = length - float(size["s"][int(size.max("lmrp_mass").argmax("s"))])
     enlarge(moments, (0.36, 0.28, 0.58, 0.36), (0.9 * top, 1.05 * top), (deep - 60, deep + 40))
-    small: dict[str, Any] = {"fontsize": "x-small", "framealpha": 1.0}
-    shapes.legend(handles=shapes.lines[-len(far) :], loc="upper right", **small)
-    moments.legend(handles=moments.lines[-1:], loc=(0.38, 0.12), **small)  # clear of the curves
+    key = [line for pair in zip(shapes.lines[:3], printed, strict=True) for line in pair]
+    legend_below(figure, key, [str(line.get_label()) for line in key], 3)
     change = changes(lmrp_mass, "lmrp_mass", 140.0, 120.0)["displacement"]
     headline(
         figure,

@@ -18,6 +18,11 @@ ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
 MOMENT = "bending moment at 130 s (kN m)"
 RISE = "rise of the LMRP (m)"
 TIME = "time (s)"
+NESTED = (
+    2.6,
+    1.6,
+    0.7,
+)  # points, of lines that nearly coincide: the first is seen on both sides of the next
 
 
 def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str, float]:
@@ -36,7 +41,7 @@ def three_panels(
 ) -> Figure:
     """Panels (a) to (c) of Figs 10 to 14, with their key unless more is to come."""
     figure, axes = panels(1, 3, 3.7)
-    for colour, value in zip(COLOURS, values, strict=False):
+    for colour, value, width in zip(COLOURS, values, NESTED, strict=False):
         run = runs.sel({axis: value}, method="nearest")
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
         moment = run["bending_moment_size"].dropna("s")
@@ -44,7 +49,7 @@ def three_panels(
         top = float(shape["s"][-1])
         axes[0].plot(-shape, top - shape["s"], color=colour, label=name)
         axes[1].plot(moment / 1e3, top - moment["s"], color=colour)
-        axes[2].plot(run["time"], run["lmrp_rise"], color=colour, lw=1.0)
+        axes[2].plot(run["time"], run["lmrp_rise"], color=colour, lw=width)
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)

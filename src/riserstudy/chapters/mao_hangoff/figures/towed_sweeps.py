@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
     ASTERN,
     MOMENT,
+    NESTED,
     RISE,
     TIME,
     changes,
@@ -28,6 +29,8 @@ from riserstudy.figures.style import (
     panels,
 )
 
+TRACKS = {0.0: "track at 0° (along)", 45.0: "track at 45°", 90.0: "track at 90° (across)"}
+ALIKE = 1.0  # %, by which curves may differ that are drawn in each other
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 
 
@@ -46,19 +49,29 @@ def fig12(platform_speed: xr.Dataset) -> Figure:
 
 
 def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str) -> Figure:
-    """Panels in the profile that is drawn first; dotted, shapes and moments in the other."""
+    """Panels in the profile that is drawn first; dashed, shapes and moments in the other."""
     figure = three_panels(as_drawn(runs), axis, values, label, key=False)
     axes = figure.axes
     names = [str(name) for name in runs["current_profile"].values]
     other = runs.isel(current_profile=-1, drop=True)
-    for colour, value in zip(COLOURS, values, strict=False):
+    change = changes(other, axis, values[0], values[-1])["displacement"]
+    alike = abs(change) < ALIKE
+    widths = NESTED if alike else (1.2, 1.2, 1.2)
+    for colour, value, width in zip(COLOURS, values, widths, strict=False):
+        dashes = (0, (4.0 / width, 2.0 / width))  # as long whatever the width, which scales them
         run = other.sel({axis: value}, method="nearest")
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
         moment = run["bending_moment_size"].dropna("s") / 1e3
         for ax, curve in zip(axes, (-shape, moment), strict=False):
-            ax.plot(curve, float(curve["s"][-1]) - curve["s"], ":", color=colour, lw=1.2)
+            depth = float(curve["s"][-1]) - curve["s"]
+            ax.plot(curve, depth, color=colour, lw=width, ls=dashes)
+    if alike:
+        axes[0].annotate(
+            f"the three dashed\ndiffer by {abs(change):.1g} %", (0.97, 0.93), xycoords="axes fraction",
+            ha="right", va="top", fontsize="small",
+        )  # fmt: skip
     axes[0].plot([], [], color=GREY, label=f"current: {names[0]} (assumed)")
-    axes[0].plot([], [], ":", color=GREY, label=f"current: {names[-1]} (assumed)")
+    axes[0].plot([], [], "--", color=GREY, label=f"current: {names[-1]} (assumed)")
     key_below(figure, axes[0], 5)
     return figure
 
@@ -70,11 +83,13 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     moments = abs(track_one_profile["bending_moment"].sel(time=STATED)) / 1e3
     z = track_one_profile["z"].isel(s=0)
     depth = float(shapes["s"][-1]) - shapes["s"]
-    for colour, track, angle in zip(COLOURS, ONE_PROFILE, (0.0, 45.0, 90.0), strict=False):
-        axes[0].plot(-shapes.sel(track=track), depth, color=colour, label=f"track at {angle:g}°")
+    widths = (1.0, *NESTED[1:])  # two of the three nearly coincide in (c)
+    tracks = zip(COLOURS, ONE_PROFILE, (0.0, 45.0, 90.0), widths, strict=False)
+    for colour, track, angle, width in tracks:
+        axes[0].plot(-shapes.sel(track=track), depth, color=colour, label=TRACKS[angle])
         axes[1].plot(moments.sel(track=track), depth, color=colour)
         risen = z.sel(track=track) - z.sel(track=track).isel(time=0)
-        axes[2].plot(risen["time"], risen, color=colour, lw=1.0)
+        axes[2].plot(risen["time"], risen, color=colour, lw=width)
         apart = track_angle.sel(track_angle=angle)
         shape = apart["displacement_along"].sel(time=STATED)
         own = float(shape["s"][-1]) - shape["s"]
@@ -93,17 +108,18 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel(RISE)
     key_below(figure, axes[0], 5)
-    places = [float(-shapes.sel(track=track).isel(s=0)) for track in ONE_PROFILE]
-    headline(
-        figure,
-        f"The LMRP {_trails(places[0])} along the current, {_trails(places[-1])} across it",
+    otherwise = -track_angle["lmrp_displacement"].sel(time=STATED)
+    along, across = (
+        _trails(float(-shapes.sel(track=track).isel(s=0)), float(otherwise.sel(track_angle=angle)))
+        for track, angle in ((ONE_PROFILE[0], 0.0), (ONE_PROFILE[-1], 90.0))
     )
+    headline(figure, f"The LMRP {along} the platform along the current and {across} it across")
     return figure
 
 
-def _trails(astern: float) -> str:
-    """Where the LMRP is along the track (m), in words."""
-    return f"{'trails' if astern > 0.0 else 'leads'} by {abs(astern):.0f} m"
+def _trails(*astern: float) -> str:
+    """What the LMRP does that is so far astern (m), in one word where both interpretations agree."""
+    return " or ".join(sorted({"trails" if one > 0.0 else "leads" for one in astern}))
 
 
 def fig14(riser_length: xr.Dataset) -> Figure:
@@ -176,9 +192,9 @@ def trends(
     axes[3].set_xlabel("track angle (°)")
     axes[3].set_ylabel("place of the LMRP (m)")
     axes[3].set_xticks([0, 90, 180])
-    panel_title(axes[3], "in 3 m/s, by track")
+    panel_title(axes[3], "tracks in 3 m/s")
     for line, share, offset in zip(
-        axes[3].lines, (0.95, 0.88), ((-6.0, 0.0), (-4.0, -2.0)), strict=True
+        axes[3].lines, (0.95, 0.45), ((-6.0, 0.0), (-5.0, 2.0)), strict=True
     ):
         label_line(axes[3], line, share, offset)
     most = max(ends, key=lambda name: float(abs(ends[name]).max()))
