@@ -92,6 +92,7 @@ def readings(reading_trends: xr.Dataset) -> Figure:
     for ax in axes:
         label_ends(ax, names=list(READINGS))
         ax.margins(x=0.06)  # so that marks are whole
+        ax.set_xticks(reading_trends["buoyant_factor"].values)
     return figure
 
 

@@ -42,13 +42,14 @@ from riserstudy.figures.style import (
 )
 
 WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
-PHASE = ListedColormap(colormaps["cividis"](np.linspace(0.0, 0.85, 256)))  # of time, or the tide
+PHASE = ListedColormap(colormaps["cividis"](np.linspace(0.0, 0.85, 256)))  # of time
 LAST = ListedColormap(colormaps["Reds"](np.linspace(0.5, 0.9, 256)))  # of time, red as in the text
 #: of the other method: circles, between which the paper's is seen
 OTHER: dict[str, Any] = {
     "color": "black", "marker": "o", "markersize": 4, "markerfacecolor": "none", "linestyle": "none",
 }  # fmt: skip
 viridis = colormaps["viridis"]  # of heights along the riser
+plasma = colormaps["plasma"]  # of tides
 
 
 def fig03(water: xr.Dataset) -> Figure:
@@ -173,7 +174,7 @@ def tides(tides: xr.Dataset) -> Figure:
     figure, axes = panels(1, 3, 3.6)
     slow = averaged(middle(tides))
     values = tides["tide"].values
-    shades = viridis(np.linspace(0.0, 0.9, len(values)))
+    shades = plasma(np.linspace(0.0, 0.9, len(values)))
     for k, tide in enumerate(values):
         curve = slow.sel(tide=tide)
         axes[0].plot(curve["time"], curve / curve[-1], color=shades[k], label=f"tide {tide:g} m/s")

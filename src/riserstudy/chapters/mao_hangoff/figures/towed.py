@@ -140,7 +140,7 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
             curve = _while_it_flows(share.sel(current_profile=shape))
             (line,) = ax.plot(curve, depth, color=colour, label=shape)
             name, level, away = PLACES.get(shape, (shape, MIDDLE, (5.0, 0.0)))
-            label_line(ax, line, level / float(depth.max()), away, name=name)
+            label_line(ax, line, level / float(depth.max()), away, name=name, size="x-small")
         ax.set_xlabel("share of surface speed")
         panel_title(ax, FAMILIES[family])
     axes[0].set_ylabel("depth below the surface (m)")
