@@ -201,23 +201,16 @@ def fig09(
         shape = -base["displacement_along"].sel(time=time)
         (drawn,) = axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
         label_line(axes[2], drawn, 0.0, (0.0, -3.0), size="x-small")
-    z = base_runs["z"]
-    shades = plasma(np.linspace(0.0, 0.85, len(DEPTHS)))
-    for colour, width, below in zip(shades, (1.0, *NESTED), DEPTHS, strict=True):
-        at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
-        name = f"(d) {below:g} m below" if below else "(d) upper flex joint"
-        axes[3].plot(at["time"], at - at[0], color=colour, lw=width, label=name)
+    _axial_motion(axes[3], base_runs["z"])
     for ax, label in zip(axes, (ASTERN, SIGNED, ASTERN), strict=False):
         down(ax, label)
-    axes[3].set_xlabel(TIME)
-    axes[3].set_ylabel("axial motion (m)")
     axes[2].set_ylim(bottom=1.09 * float(depth.max()))  # room for the times
     axes[2].margins(x=0.09)
     known = (
         (Line2D([], [], color=COLOURS[0]), "computed"),
         (Line2D([], [], color=COLOURS[1], ls=":"), "the paper's mesh and step"),
         (Line2D([], [], **PRINTED), "printed"),
-        (band, f"(b) range in a heave, {HEAVE:g} s"),
+        (band, f"(b) range in {HEAVE:g} s of heave"),
     )
     depths = zip(*axes[3].get_legend_handles_labels(), strict=True)
     key = [row for pair in zip(known, depths, strict=True) for row in pair]  # a column is a pair
@@ -228,6 +221,17 @@ def fig09(
         f"The LMRP trails by {away:.1f} m, the moment reaches {float(ours.max()):.1f} kN m (calibrated)",
     )
     return figure
+
+
+def _axial_motion(ax: Axes, z: xr.DataArray) -> None:
+    """Heights over time at several depths; below the joint they nearly coincide."""
+    shades = plasma(np.linspace(0.0, 0.85, len(DEPTHS)))
+    for colour, width, below in zip(shades, (1.0, *NESTED), DEPTHS, strict=True):
+        at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
+        name = f"(d) {below:g} m below" if below else "(d) upper flex joint"
+        ax.plot(at["time"], at - at[0], color=colour, lw=width, label=name)
+    ax.set_xlabel(TIME)
+    ax.set_ylabel("axial motion (m)")
 
 
 def _number(ax: Axes, x: float, up: float, text: str) -> None:
